@@ -38,7 +38,8 @@ def crowded_face() -> Any:
         moved = (np.arange(len(points)) + control) % CONTROLS < SHAPES
         shapes[f"control{control}"] = moved[:, None] * rng.normal(size=(len(points), 3)) * 0.01
     rig = makers.rig(points, quads, shapes)
-    return rig, replace(laid_out.layout_of(rig), handle_width=0.02)
+    layout = laid_out.layout_of(rig)
+    return rig, replace(layout, frame=replace(layout.frame, handle_width=0.02))
 
 
 def best(action: Callable[[], Any]) -> tuple[float, Any]:

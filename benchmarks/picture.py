@@ -15,7 +15,20 @@ from pathlib import Path
 import numpy as np
 
 from usdrigui.deform import knots, posed, sweep
-from usdrigui.model import Anchor, Element, Layout, Member, Rig
+from usdrigui.model import (
+    Anchor,
+    Element,
+    Layout,
+    LayoutCharacter,
+    LayoutFrame,
+    Look,
+    Manipulator,
+    Member,
+    MirrorPlane,
+    Placement,
+    Proof,
+    Rig,
+)
 from usdrigui.rays import GridCaster, make_caster
 from usdrigui.settings import Settings
 from usdrigui.surface import mesh_triangles, vertex_normals
@@ -48,20 +61,18 @@ def scattered(rig: Rig, count: int) -> Layout:
     zero = np.zeros(3)
     width = 0.02 * float(np.ptp(anchors @ rig.up))
     return Layout(
-        rig.root,
-        tuple(elements),
-        (),
-        width,
-        "object",
-        front,
-        zero,
-        zero,
-        values,
-        "scattered",
-        "stopped",
-        0.0,
-        -np.inf,
-        0.0,
+        character=LayoutCharacter(root=rig.root, base_values=values),
+        elements=tuple(elements),
+        left_off=(),
+        frame=LayoutFrame(
+            space="object",
+            view=front,
+            plane=MirrorPlane(origin=zero, normal=zero),
+            handle_width=width,
+        ),
+        proof=Proof(
+            method="scattered", status="stopped", cost=0.0, bound=-np.inf, above_unary_bound=0.0
+        ),
     )
 
 
@@ -80,7 +91,11 @@ def _slider(rig, number, j, at, points, normals, point, offsets) -> Element:
     member = Member(rig.controls[j].name, at, points[point] + offsets.astype(np.float64), 1.0, 1.0)
     side = "left" if points[point][0] > 0 else "right"
     return Element(
-        f"e{number}", rig.controls[j].label, "slider", (member,), (), anchor, side, "", "", ""
+        name=f"e{number}",
+        manipulator=Manipulator(kind="slider", members=(member,)),
+        anchor=anchor,
+        look=Look(label=rig.controls[j].label, side=side),
+        placement=Placement(),
     )
 
 

@@ -103,7 +103,7 @@ def _results(name: str, asset: Path, before: Path | None, judge: Path | None) ->
 
 def _picture(layer: Path) -> Image.Image:
     (rig, layout), *_ = load_layer(layer, Settings()).characters
-    parts = len(layout.parts) > 1
+    parts = len(layout.frame.parts) > 1
     return render(rig, layout, views=None if parts else ("front",), size=PANEL)
 
 

@@ -12,7 +12,19 @@ from usdskel_oracle import Oracle
 from viewer_layouts import member_at
 
 from usdrigui.deform import channel_state, posed
-from usdrigui.model import Anchor, Element, Layout, Member
+from usdrigui.model import (
+    Anchor,
+    Element,
+    Layout,
+    LayoutCharacter,
+    LayoutFrame,
+    Look,
+    Manipulator,
+    Member,
+    MirrorPlane,
+    Placement,
+    Proof,
+)
 from usdrigui.settings import OutputSettings, Settings
 from usdrigui.usd.layer import stage_metadata, write_layout
 from usdrigui.usd.rig import read_rigs
@@ -83,20 +95,16 @@ def sample(folder):
     base = posed(rig)
     elements = [_on_face(rig, base, name, *said) for name, said in _ON_FACE.items()]
     layout = Layout(
-        root=rig.root,
+        character=LayoutCharacter(root=rig.root, base_values=laid_out.defaults(rig)),
         elements=(*elements, _joystick(rig)),
         left_off=(),
-        handle_width=0.44,
-        space="object",
-        view=np.array([0.0, 0.0, 1.0]),
-        plane_origin=np.zeros(3),
-        plane_normal=np.array([1.0, 0.0, 0.0]),
-        base_values=laid_out.defaults(rig),
-        method="hand",
-        status="stopped",
-        cost=0.0,
-        bound=-np.inf,
-        above_unary_bound=0.0,
+        frame=LayoutFrame(
+            space="object",
+            view=np.array([0.0, 0.0, 1.0]),
+            plane=MirrorPlane(origin=np.zeros(3), normal=np.array([1.0, 0.0, 0.0])),
+            handle_width=0.44,
+        ),
+        proof=Proof(method="hand", status="stopped", cost=0.0, bound=-np.inf, above_unary_bound=0.0),
     )
     target = folder / "char.rigui.usda"
     write_layout([(rig, layout)], source, target, OutputSettings(), stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
@@ -119,7 +127,13 @@ def _on_face(rig, base, name, kind, controls, opposed, mesh, local, side, mirror
     )
     members = tuple(member_at(rig, base, index[one], point, np.zeros(3)) for one in controls)
     inner = ("cheekSquintLeft",) if name == "cheekPuff" else ()
-    return Element(name, name, kind, members, opposed, anchor, side, mirror, "", "", inner=inner)
+    return Element(
+        name=name,
+        manipulator=Manipulator(kind=kind, members=members, opposed=opposed, mirror=mirror),
+        anchor=anchor,
+        look=Look(label=name, side=side, inner=inner),
+        placement=Placement(),
+    )
 
 
 def _joystick(rig):
@@ -131,4 +145,10 @@ def _joystick(rig):
         values = np.array([control.minimum, control.default, control.maximum])
         share = (values - control.default) / max(control.maximum, -control.minimum)
         members.append(Member(name, values, place + 1.5 * share[:, None] * axis, 3.0, 1.0))
-    return Element("head", "head", "patch", tuple(members), (), anchor, "middle", "", "global", "moves the whole face")
+    return Element(
+        name="head",
+        manipulator=Manipulator(kind="patch", members=tuple(members)),
+        anchor=anchor,
+        look=Look(label="head", side="middle"),
+        placement=Placement(category="global", reason="moves the whole face"),
+    )

@@ -368,22 +368,25 @@ def _seen(stage, name, turn):
     element = next(each for each in layout.elements if each.name == name)
     prim = next(each for each in element_prims(scope) if each.GetName() == name)
     up = np.eye(3)["XYZ".index(UsdGeom.GetStageUpAxis(stage))]
-    right = np.cross(up, layout.view)
-    across = np.cos(turn) * right + np.sin(turn) * layout.view
-    frame = HANDLE / layout.handle_width * np.stack([across / np.linalg.norm(across), -up])
+    right = np.cross(up, layout.frame.view)
+    across = np.cos(turn) * right + np.sin(turn) * layout.frame.view
+    frame = HANDLE / layout.frame.handle_width * np.stack([across / np.linalg.norm(across), -up])
     ranges = {
-        limit: [float(value_of(prim, schema.CONTROL, limit, member.control)) for member in element.members]
+        limit: [float(value_of(prim, schema.CONTROL, limit, member.control)) for member in element.manipulator.members]
         for limit in ("minimum", "default", "maximum")
     }
     names = list(value_of(scope, schema.LAYOUT, "baseControls"))
     return {
-        "axes": [list(axis) for axis in element.axes],
+        "axes": [list(axis) for axis in element.manipulator.axes],
         "tracks": [
-            ((member.track - element.anchor.position) @ frame.T).round(3).tolist() for member in element.members
+            ((member.track - element.anchor.position) @ frame.T).round(3).tolist()
+            for member in element.manipulator.members
         ],
-        "values": [member.values.round(6).tolist() for member in element.members],
+        "values": [member.values.round(6).tolist() for member in element.manipulator.members],
         **ranges,
-        "base": [float(layout.base_values[names.index(member.control)]) for member in element.members],
+        "base": [
+            float(layout.character.base_values[names.index(member.control)]) for member in element.manipulator.members
+        ],
     }
 
 

@@ -7,7 +7,20 @@ import pytest
 from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
 
 from usdrigui.deform import channel_state, knots, posed, sweep
-from usdrigui.model import Anchor, Element, Layout, LeftOff, Member
+from usdrigui.model import (
+    Anchor,
+    Element,
+    Layout,
+    LayoutCharacter,
+    LayoutFrame,
+    LeftOff,
+    Look,
+    Manipulator,
+    Member,
+    MirrorPlane,
+    Placement,
+    Proof,
+)
 from usdrigui.usd.properties import element_name
 from usdrigui.usd.read_layout import element_prims, points_of_subset
 
@@ -32,21 +45,23 @@ def layout_of(rig, seed=0, groups=None, base_values=None, beside=(), adapt="defo
         )
         elements.append(_element(rig, names, members, base.points[point], point, names[0] in beside, adapt))
     return Layout(
-        root=rig.root,
+        character=LayoutCharacter(root=rig.root, base_values=values),
         elements=tuple(elements),
         left_off=(LeftOff("nothing", "trajectories", "moves no point"),),
-        handle_width=width,
-        space="object",
-        view=np.array([0.0, 0.0, 1.0]),
-        plane_origin=np.zeros(3),
-        plane_normal=np.array([1.0, 0.0, 0.0]),
-        base_values=values,
-        method="random",
-        status="stopped",
-        cost=-1.25,
-        bound=-np.inf,
-        above_unary_bound=0.5,
-        weights=(("displacement_weight", 0.85),),
+        frame=LayoutFrame(
+            space="object",
+            view=np.array([0.0, 0.0, 1.0]),
+            plane=MirrorPlane(origin=np.zeros(3), normal=np.array([1.0, 0.0, 0.0])),
+            handle_width=width,
+        ),
+        proof=Proof(
+            method="random",
+            status="stopped",
+            cost=-1.25,
+            bound=-np.inf,
+            above_unary_bound=0.5,
+            weights=(("displacement_weight", 0.85),),
+        ),
     )
 
 
@@ -80,7 +95,13 @@ def _element(rig, names, members, position, point, beside, adapt):
     )
     kind = "slider" if len(names) == 1 else "patch" if len(names) == 2 else "fan"
     category, reason = ("hidden", "inside the mouth") if beside else ("", "")
-    return Element("_".join(names), names[0].title(), kind, members, (), anchor, "left", "", category, reason, adapt)
+    return Element(
+        name="_".join(names),
+        manipulator=Manipulator(kind=kind, members=members),
+        anchor=anchor,
+        look=Look(label=names[0].title(), side="left", adapt=adapt),
+        placement=Placement(category=category, reason=reason),
+    )
 
 
 def validation_errors(stage):
@@ -148,7 +169,7 @@ def tracks(stage, root, element, time):
     subsets = [each.GetChild(prim.GetName()) for each in scope_of(stage, root).GetChildren()]
     subset = max((each for each in subsets if each), key=lambda each: len(points_of_subset(each)[1]))
     drawn = root_points(stage, str(subset.GetParent().GetPath()), root, time)[points_of_subset(subset)[1]]
-    ends = np.cumsum([2 * len(member.values) - 1 for member in element.members])
+    ends = np.cumsum([2 * len(member.values) - 1 for member in element.manipulator.members])
     tracks = np.split(drawn[: ends[-1]], ends[:-1])
     return [0.5 * (each[::2] + np.concatenate([each[1::2], each[-1:]])) for each in tracks]
 

@@ -6,7 +6,19 @@ import makers
 import numpy as np
 
 from usdrigui.deform import deform, knots, posed, sweep
-from usdrigui.model import Anchor, Element, Layout, Member
+from usdrigui.model import (
+    Anchor,
+    Element,
+    Layout,
+    LayoutCharacter,
+    LayoutFrame,
+    Look,
+    Manipulator,
+    Member,
+    MirrorPlane,
+    Placement,
+    Proof,
+)
 
 MIRRORS = {f"{name}_{a}": f"{name}_{b}" for name in makers.LEFT_BUMPS for a, b in (("L", "R"), ("R", "L"))}
 """The twins among the controls of `makers.face`."""
@@ -27,20 +39,16 @@ def peak_layout(rig, view=(0.0, 0.0, 1.0), mirrors=None, groups=(), beside=()):
     ]
     spread = np.ptp(deform(rig), axis=0)
     return Layout(
-        root=rig.root,
+        character=LayoutCharacter(root=rig.root, base_values=np.array([control.default for control in rig.controls])),
         elements=tuple(each for each in elements if each is not None),
         left_off=(),
-        handle_width=0.02 * float(spread.max()),
-        space="object",
-        view=np.asarray(view, dtype=np.float64),
-        plane_origin=np.zeros(3),
-        plane_normal=np.array([1.0, 0.0, 0.0]),
-        base_values=np.array([control.default for control in rig.controls]),
-        method="peak",
-        status="stopped",
-        cost=0.0,
-        bound=-np.inf,
-        above_unary_bound=0.0,
+        frame=LayoutFrame(
+            space="object",
+            view=np.asarray(view, dtype=np.float64),
+            plane=MirrorPlane(origin=np.zeros(3), normal=np.array([1.0, 0.0, 0.0])),
+            handle_width=0.02 * float(spread.max()),
+        ),
+        proof=Proof(method="peak", status="stopped", cost=0.0, bound=-np.inf, above_unary_bound=0.0),
     )
 
 
@@ -57,10 +65,12 @@ def element(rig, base, name, kind, members, opposed, mirrors, beside):
     shift = np.array([1.5, 0.0, 0.0]) * float(np.ptp(base.points[:, 0])) * beside
     return Element(
         name=name,
-        label=name,
-        kind=kind,
-        members=tuple(member_at(rig, base, index[one], point, shift) for one in members),
-        opposed=tuple(opposed),
+        manipulator=Manipulator(
+            kind=kind,
+            members=tuple(member_at(rig, base, index[one], point, shift) for one in members),
+            opposed=tuple(opposed),
+            mirror=mirrors.get(name, ""),
+        ),
         anchor=Anchor(
             mesh=rig.meshes[mesh].path,
             point=local,
@@ -70,10 +80,8 @@ def element(rig, base, name, kind, members, opposed, mirrors, beside):
             normal=np.array([0.0, 0.0, 1.0]),
             on_board=beside,
         ),
-        side="left" if name.endswith("_L") else "right" if name.endswith("_R") else "middle",
-        mirror=mirrors.get(name, ""),
-        category="crowded" if beside else "",
-        reason="",
+        look=Look(label=name, side="left" if name.endswith("_L") else "right" if name.endswith("_R") else "middle"),
+        placement=Placement(category="crowded" if beside else ""),
     )
 
 

@@ -16,7 +16,7 @@ from usdrigui.model import Element, Layout
 
 def inner_names(elements: Iterable[Element]) -> frozenset[str]:
     """Names of the elements that are members of a coarse one, and so on the second level."""
-    return frozenset(name for element in elements for name in element.inner)
+    return frozenset(name for element in elements for name in element.look.inner)
 
 
 def outer_first(elements: Iterable[Element]) -> tuple[Element, ...]:
@@ -31,9 +31,9 @@ def states(elements: Iterable[Element]) -> Mapping[str, frozenset[int]]:
     coarse one opened, and the last with all of them."""
     found = tuple(elements)
     opened = [
-        {coarse.name, coarse.mirror} & {each.name for each in found if each.inner}
+        {coarse.name, coarse.manipulator.mirror} & {each.name for each in found if each.look.inner}
         for coarse in found
-        if coarse.inner
+        if coarse.look.inner
     ]
     return {
         element.name: frozenset(
@@ -51,7 +51,7 @@ def shown(layout: Layout, opened: Iterable[str] = (), *, everything: bool = Fals
 
     Raises CONFIG_VALUE for a name that no coarse element bears.
     """
-    coarse = {element.name: element for element in layout.elements if element.inner}
+    coarse = {element.name: element for element in layout.elements if element.look.inner}
     names = set(coarse) if everything else set(opened)
     for name in sorted(names):
         if name not in coarse:
@@ -59,7 +59,7 @@ def shown(layout: Layout, opened: Iterable[str] = (), *, everything: bool = Fals
             raise refuse(
                 "CONFIG_VALUE", "--open", f"{name!r} is no coarse element; there are {known}"
             )
-    names |= {coarse[name].mirror for name in names} & set(coarse)
+    names |= {coarse[name].manipulator.mirror for name in names} & set(coarse)
     return replace(
         layout,
         elements=tuple(e for e in layout.elements if _is_visible(e.name, layout.elements, names)),
@@ -73,7 +73,8 @@ def shown_of_all(
     least."""
     found, names = tuple(layouts), set(opened)
     coarse = [
-        names & {element.name for element in layout.elements if element.inner} for layout in found
+        names & {element.name for element in layout.elements if element.look.inner}
+        for layout in found
     ]
     for name in sorted(names.difference(*coarse)):
         shown(found[0], [name])
@@ -85,5 +86,5 @@ def shown_of_all(
 def _is_visible(name: str, elements: tuple[Element, ...], opened: set[str]) -> bool:
     if name in opened:
         return False
-    holders = {element.name for element in elements if name in element.inner}
+    holders = {element.name for element in elements if name in element.look.inner}
     return not holders or bool(holders & opened)

@@ -136,7 +136,8 @@ def followed(
     layout = layout_of((before,), rig)
     if layout is None:
         return references, rigs
-    renamed = issue("PREVIOUS_RENAMED", rig.root, f"was {before.root} in the previous layout")
+    was = f"was {before.character.root} in the previous layout"
+    renamed = issue("PREVIOUS_RENAMED", rig.root, was)
     return replace(references, previous={rig.root: layout}), (
         replace(rig, issues=(*rig.issues, *of_character(rig.character, (renamed,)))),
     )
@@ -158,7 +159,7 @@ def rigs_over(
         return rigs
     found = tuple(rig for rig in rigs if references.existing(rig) is not None)
     if not found:
-        theirs = ", ".join(layout.root for layout in references.base.layouts)
+        theirs = ", ".join(layout.character.root for layout in references.base.layouts)
         raise refuse(
             "BASE_MISMATCH",
             rigs[0].root,
@@ -341,4 +342,4 @@ def _characters(
 
 
 def _by_root(found: LayoutsResult | None) -> Mapping[str, Layout]:
-    return {layout.root: layout for layout in found.layouts} if found else {}
+    return {layout.character.root: layout for layout in found.layouts} if found else {}

@@ -212,7 +212,8 @@ def rows_of(
         if control.name in carried:
             element, length = carried[control.name]
             place = "board" if element.anchor.on_board else "face"
-            element_name, part, reason = element.name, element.part, element.reason
+            element_name, own = element.name, element.placement
+            part, reason = own.part, own.reason
             if place == "face":
                 kept = length / max(peaks.get(control.name, length), 1e-300)
         twin = twins.get(control.name, "")
@@ -292,7 +293,7 @@ def _difference(found: Any) -> dict[str, Any]:
 
 def _members(elements: tuple[Element, ...]) -> Iterator[tuple[Element, Any]]:
     for element in reversed(outer_first(elements)):  # what a control has on the first level counts
-        for member in element.members:
+        for member in element.manipulator.members:
             yield element, member
 
 
@@ -316,7 +317,7 @@ def _character(character: CharacterReport) -> dict[str, Any]:
     layout, assignment = character.layout, character.assignment
     return {
         "root": character.root,
-        "variant_path": character.layout.variant_path,
+        "variant_path": character.layout.character.variant_path,
         "points": int(character.rig.starts[-1]),
         "meshes": len(character.rig.meshes),
         "controls": [_row(row) for row in character.rows],
@@ -328,12 +329,12 @@ def _character(character: CharacterReport) -> dict[str, Any]:
         "notes": [
             {"control": n.control, "stage": n.stage, "reason": n.reason} for n in character.notes
         ],
-        "handle_width": layout.handle_width,
+        "handle_width": layout.frame.handle_width,
         "symmetry_plane": {
-            "origin": layout.plane_origin.tolist(),
-            "normal": layout.plane_normal.tolist(),
+            "origin": layout.frame.plane.origin.tolist(),
+            "normal": layout.frame.plane.normal.tolist(),
         },
-        "view": layout.view.tolist(),
+        "view": layout.frame.view.tolist(),
         "parts": [_part(part) for part in character.parts],
         "difference": (
             _difference(character.difference) if character.difference is not None else None
@@ -342,7 +343,7 @@ def _character(character: CharacterReport) -> dict[str, Any]:
         "solution": (
             _proof(assignment)
             | {
-                "weights": dict(layout.weights),
+                "weights": dict(layout.proof.weights),
                 "steps": [
                     {"name": step.name, "figures": dict(step.figures), "seconds": step.seconds}
                     for step in assignment.steps
@@ -394,20 +395,20 @@ def _element(element: Element, existing: bool) -> dict[str, Any]:
     anchor = element.anchor
     return {
         "name": element.name,
-        "kind": element.kind,
-        "controls": [member.control for member in element.members],
-        "opposed": [list(pair) for pair in element.opposed],
-        "side": element.side,
-        "mirror": element.mirror,
+        "kind": element.manipulator.kind,
+        "controls": [member.control for member in element.manipulator.members],
+        "opposed": [list(pair) for pair in element.manipulator.opposed],
+        "side": element.look.side,
+        "mirror": element.manipulator.mirror,
         "on_board": anchor.on_board,
-        "category": element.category,
+        "category": element.placement.category,
         "mesh": anchor.mesh,
         "point": anchor.point,
         "position": anchor.position.tolist(),
-        "gains": [member.magnification for member in element.members],
-        "reason": element.reason,
+        "gains": [member.magnification for member in element.manipulator.members],
+        "reason": element.placement.reason,
         "existing": existing,
-        "members": list(element.inner),
+        "members": list(element.look.inner),
     }
 
 

@@ -72,10 +72,10 @@ def test_the_configuration_can_be_pasted(folder, tmp_path, capsys):
     run(capsys, "process", folder / "char.usda", "--config", pasted, "-o", out)
     (layout,) = read_layout(out)
     elements = {element.name: element for element in layout.elements}
-    assert {member.control for member in elements["chin_jaw:open"].members} == {"chin", "jaw:open"}
+    assert {member.control for member in elements["chin_jaw:open"].manipulator.members} == {"chin", "jaw:open"}
     # It moves both brows and has a handle on each.
     poses = [each for name, each in elements.items() if name.startswith("brow_L_brow_R_pucker")]
-    assert {name for each in poses for name in each.inner} == {"brow_L", "brow_R", "pucker"}
+    assert {name for each in poses for name in each.look.inner} == {"brow_L", "brow_R", "pucker"}
     main(["inspect", str(folder / "char.usda"), "--animation", str(folder / "take.usda")])
     assert '\n[groups.groups]\n"chin_jaw:open" = ["chin", "jaw:open"]' in capsys.readouterr().out
 

@@ -35,12 +35,12 @@ def anchors(layer):
 
 def decisions(layer):
     (layout,) = with_corrections(Usd.Stage.Open(str(layer)), read_layout(layer))
-    return {element.name: element.pinned for element in layout.elements if element.pinned}
+    return {element.name: element.placement.pinned for element in layout.elements if element.placement.pinned}
 
 
 def on_face(layer):
     (layout,) = read_layout(layer)
-    return [element for element in layout.elements if not element.anchor.on_board and not element.mirror]
+    return [element for element in layout.elements if not element.anchor.on_board and not element.manipulator.mirror]
 
 
 def lose_control(asset, token):
@@ -169,7 +169,7 @@ def test_diff_tells_what_moved_by_how_much_and_fails_when_strict(folder, capsys)
     (change,) = found["changes"]
     assert (change["control"], change["kind"]) == ("smile_L", "moved")
     assert change["after"].endswith(f"#{point}")
-    assert found["shared"] == sum(len(e.members) for e in read_layout(corrections)[0].elements)
+    assert found["shared"] == sum(len(e.manipulator.members) for e in read_layout(corrections)[0].elements)
     assert main(["diff", str(folder / "old.rigui.usda"), str(corrections), "--strict"]) == 1
     capsys.readouterr()
     assert main(["diff", str(folder / "old.rigui.usda"), str(folder / "old.rigui.usda")]) == 0

@@ -118,8 +118,8 @@ def test_a_signal_while_solving_gives_the_best_so_far(tmp_path, crowded, number)
     assert "the search was interrupted; its best layout is kept" in said
     (layout,) = read_layout(target)
     (found,) = json.loads(report.read_text())["characters"]
-    assert found["solution"]["closed_by"] == layout.closed_by == "interrupt"
-    assert found["solution"]["status"] == layout.status == "stopped"
+    assert found["solution"]["closed_by"] == layout.proof.closed_by == "interrupt"
+    assert found["solution"]["status"] == layout.proof.status == "stopped"
     assert found["solution"]["bound"] < found["solution"]["cost"]
 
 

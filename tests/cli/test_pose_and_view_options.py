@@ -46,18 +46,18 @@ def on_face(layout):
 
 def test_a_time_is_the_base_pose_and_elements_rest_where_it_puts_them(character, tmp_path):
     layout, stage = processed(character, tmp_path, "--time", "20")
-    assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(layout.root)))
+    assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(layout.character.root)))
     elements = on_face(layout)
     assert len(elements) >= 8
     moved = 0.0
     for element in elements:
-        there = laid_out.root_points(stage, element.anchor.mesh, layout.root, 20.0)[element.anchor.point]
-        rest = laid_out.root_points(stage, element.anchor.mesh, layout.root, 1.0)[element.anchor.point]
+        there = laid_out.root_points(stage, element.anchor.mesh, layout.character.root, 20.0)[element.anchor.point]
+        rest = laid_out.root_points(stage, element.anchor.mesh, layout.character.root, 1.0)[element.anchor.point]
         assert np.abs(element.anchor.position - there).max() < 1e-5
         moved = max(moved, float(np.linalg.norm(there - rest)))
     assert moved > 0.02
     (scope,) = layout_scopes(stage)
-    values = dict(zip(base_controls(scope), layout.base_values.tolist(), strict=True))
+    values = dict(zip(base_controls(scope), layout.character.base_values.tolist(), strict=True))
     assert values["chin"] == values["brow_L"] == pytest.approx(0.4)
     assert values["smile_L"] == 0.0
 
@@ -65,7 +65,7 @@ def test_a_time_is_the_base_pose_and_elements_rest_where_it_puts_them(character,
 def test_without_a_time_they_rest_in_the_neutral_pose(character, tmp_path):
     layout, stage = processed(character, tmp_path)
     (scope,) = layout_scopes(stage)
-    values = dict(zip(base_controls(scope), layout.base_values.tolist(), strict=True))
+    values = dict(zip(base_controls(scope), layout.character.base_values.tolist(), strict=True))
     assert values["chin"] == 0.0
 
 
@@ -74,7 +74,7 @@ def test_without_a_time_they_rest_in_the_neutral_pose(character, tmp_path):
 )
 def test_a_view_is_recorded_and_only_what_it_sees_holds_elements(character, tmp_path, view, toward):
     layout, _ = processed(character, tmp_path, "--view", view)
-    assert layout.view == pytest.approx(np.array(toward), abs=1e-5)
+    assert layout.frame.view == pytest.approx(np.array(toward), abs=1e-5)
     elements = on_face(layout)
     assert elements
     front, _ = processed(character, tmp_path, "--view", "front")
@@ -86,17 +86,17 @@ def test_a_view_is_recorded_and_only_what_it_sees_holds_elements(character, tmp_
 def test_a_flat_layout_keeps_handles_apart_in_the_picture(character, tmp_path):
     size = ("--set", "objective.handle_size=0.12", "--set", "objective.max_neighbours=0")
     flat, _ = processed(character, tmp_path, "--space", "view", "--view", "55,0", *size)
-    assert flat.space == "view"
-    assert nearest(flat) >= flat.handle_width * (1.0 - 1e-5)
+    assert flat.frame.space == "view"
+    assert nearest(flat) >= flat.frame.handle_width * (1.0 - 1e-5)
     solid, _ = processed(character, tmp_path, "--view", "55,0", *size)
-    assert solid.space == "object"
-    assert nearest(solid) < flat.handle_width
+    assert solid.frame.space == "object"
+    assert nearest(solid) < flat.frame.handle_width
 
 
 def nearest(layout):
     """Least distance of two handles as the layout's viewer sees them."""
     spots = np.array([element.anchor.position for element in on_face(layout)])
-    spots = spots - np.outer(spots @ layout.view, layout.view)
+    spots = spots - np.outer(spots @ layout.frame.view, layout.frame.view)
     apart = np.linalg.norm(spots[:, None] - spots[None], axis=2)
     return float(apart[np.triu_indices(len(spots), 1)].min())
 

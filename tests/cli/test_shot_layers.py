@@ -123,7 +123,7 @@ def test_a_new_handle_gives_way_to_one_that_stands(folder, capsys):
     (layout,) = read_layout(folder / "fix.rigui.usda")
     assert not both["smileFix"].anchor.on_board
     apart = np.linalg.norm(both["smileFix"].anchor.position - both["smile_L"].anchor.position)
-    assert apart >= layout.handle_width * 0.999
+    assert apart >= layout.frame.handle_width * 0.999
     assert run(capsys, "check", folder / "fix.rigui.usda", "--strict")["issues"] == []
 
 

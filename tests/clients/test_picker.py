@@ -48,7 +48,7 @@ def test_every_element_and_track_is_in_the_picture(characters):
     assert set(groups) == {element.name for element in layout.elements}
     for element in layout.elements:
         group = groups[element.name]
-        controls = [member.control for member in element.members]
+        controls = [member.control for member in element.manipulator.members]
         assert json.loads(group.get("data-controls")) == controls
         assert [each.get("data-control") for each in group.iter(f"{SVG}polyline")] == controls
         assert group.get("data-anchor") == f"{element.anchor.mesh}#{element.anchor.point}"
@@ -62,13 +62,13 @@ def test_places_are_those_of_the_view(characters):
     """At one scale, but for what keeps handles apart; the character's left is on the right; up is up."""
     rig, layout = characters[0]
     made = {spot.element.name: spot for spot in picker.picker(characters).spots}
-    plane = np.stack([np.cross(rig.up, layout.view), -rig.up], axis=1)
+    plane = np.stack([np.cross(rig.up, layout.frame.view), -rig.up], axis=1)
     face = [element for element in layout.elements if not element.anchor.on_board]
     given = np.array([element.anchor.position @ plane for element in face])
     found = np.array([made[element.name].handle for element in face])
     given, found = given - given.mean(axis=0), found - found.mean(axis=0)
     scale = (given * found).sum() / (given * given).sum()
-    assert 0.0 < scale <= 1.05 * picker._HANDLE / layout.handle_width
+    assert 0.0 < scale <= 1.05 * picker._HANDLE / layout.frame.handle_width
     assert np.abs(found - scale * given).max() < 1.2 * picker._HANDLE
 
 
@@ -77,7 +77,7 @@ def test_a_dwpicker_file_has_a_button_for_every_element(characters):
     _, layout = characters[0]
     buttons = [shape for shape in document["shapes"] if shape["action.targets"]]
     assert [shape["action.targets"] for shape in buttons] == [
-        [member.control for member in element.members] for element in layout.elements
+        [member.control for member in element.manipulator.members] for element in layout.elements
     ]
     assert document["general"]["name"] == "char"
     keys = set(document["shapes"][0])
@@ -87,7 +87,7 @@ def test_a_dwpicker_file_has_a_button_for_every_element(characters):
 
     boxes = np.array([[shape[f"shape.{key}"] for key in ("left", "top", "width", "height")] for shape in buttons])
     assert_apart(boxes[:, :2] + 0.5 * boxes[:, 2:], boxes[:, 2:])
-    assert [shape["text.content"] for shape in buttons] == [element.label for element in layout.elements]
+    assert [shape["text.content"] for shape in buttons] == [element.look.label for element in layout.elements]
     assert (boxes[:, 2] >= [5.5 * len(shape["text.content"]) for shape in buttons]).all(), "names fit on their buttons"
     assert (boxes[:, :2] >= 0.0).all()
     assert (boxes[:, :2] + boxes[:, 2:] <= [document["general"]["width"], document["general"]["height"]]).all()
@@ -142,8 +142,13 @@ def test_characters_stand_side_by_side(characters):
 def test_names_stand_in_the_picture(characters, name, read):
     made = picker.picker(characters)
     first = made.spots[0].element
-    member = replace(first.members[0], control=name)
-    odd = replace(first, name=name, label=name, members=(member, *first.members[1:]))
+    member = replace(first.manipulator.members[0], control=name)
+    odd = replace(
+        first,
+        name=name,
+        look=replace(first.look, label=name),
+        manipulator=replace(first.manipulator, members=(member, *first.manipulator.members[1:])),
+    )
     svg = picker.to_svg(replace(made, spots=(replace(made.spots[0], element=odd), *made.spots[1:])))
     group = next(ElementTree.fromstring(svg).iter(f"{SVG}g"))
     assert (group.get("id"), next(group.iter(f"{SVG}polyline")).get("data-control")) == (read, read)
@@ -155,11 +160,19 @@ def aside(characters, down=0.0):
     from dataclasses import replace
 
     rig, layout = characters[0]
-    far = 60.0 * layout.handle_width * np.cross(rig.up, layout.view) + down * layout.handle_width * rig.up
+    far = (
+        60.0 * layout.frame.handle_width * np.cross(rig.up, layout.frame.view)
+        + down * layout.frame.handle_width * rig.up
+    )
     one = layout.elements[0]
-    members = tuple(replace(each, track=each.track + far) for each in one.members)
+    members = tuple(replace(each, track=each.track + far) for each in one.manipulator.members)
     anchor = replace(one.anchor, on_board=True, position=one.anchor.position + far)
-    moved = replace(one, members=members, anchor=anchor, adapt="deform")
+    moved = replace(
+        one,
+        anchor=anchor,
+        manipulator=replace(one.manipulator, members=members),
+        look=replace(one.look, adapt="deform"),
+    )
     others = [each for each in layout.elements[1:] if not each.anchor.on_board]
     return [(rig, replace(layout, elements=(moved, *others)))]
 
@@ -184,7 +197,7 @@ def test_names_on_the_face_are_shown_on_request_and_stand_apart(characters):
     assert not any(spot.lead is not None for spot in plain.spots)
     root = ElementTree.fromstring(picker.to_svg(named))
     texts = {each.text for each in root.iter(f"{SVG}text")}
-    assert {spot.element.label for spot in named.spots} <= texts
+    assert {spot.element.look.label for spot in named.spots} <= texts
     for side in (True, False):
         rows = sorted(s.lead[0, 1] for s in named.spots if s.lead is not None and (s.lead[0, 0] < s.handle[0]) == side)
         assert all(step > 0.99 * picker._PITCH for step in np.diff(rows))
@@ -196,11 +209,14 @@ def test_names_on_the_face_are_shown_on_request_and_stand_apart(characters):
 
 def test_each_part_has_a_panel_at_the_scale_of_its_own_handles(characters):
     rig, layout = characters[0]
-    widths = {"face": layout.handle_width, "hands": 2.0 * layout.handle_width}
-    parts = tuple(LayoutPart(name, width, layout.view, "optimal", 0.0, 0.0) for name, width in widths.items())
+    widths = {"face": layout.frame.handle_width, "hands": 2.0 * layout.frame.handle_width}
+    parts = tuple(LayoutPart(name, width, layout.frame.view, "optimal", 0.0, 0.0) for name, width in widths.items())
     first, *others = layout.elements
-    elements = (replace(first, part="hands"), *(replace(each, part="face") for each in others))
-    made = picker.picker([(rig, replace(layout, parts=parts, elements=elements))])
+    elements = (
+        replace(first, placement=replace(first.placement, part="hands")),
+        *(replace(each, placement=replace(each.placement, part="face")) for each in others),
+    )
+    made = picker.picker([(rig, replace(layout, elements=elements, frame=replace(layout.frame, parts=parts)))])
     assert [backdrop.title for backdrop in made.backdrops] == ["face", "hands"]
     wider = tuple(replace(each, low=each.low - [90.0, 0.0]) for each in made.backdrops)  # than what is seen of it
     root = ElementTree.fromstring(picker.to_svg(replace(made, backdrops=wider)))

@@ -131,11 +131,21 @@ def test_each_part_has_a_tab_and_the_first_is_shown(browser, tmp_path):
     rig = makers.face()
     layout = peak_layout(rig, beside=("chin",))
     names = {name: part for part, members in PARTS for name in members}
-    elements = tuple(replace(each, part=names[each.name]) for each in layout.elements if each.name in names)
-    given = {"face": (0.04, layout.view), "interior": (0.01, layout.view), "hands": (0.08, np.array([1.0, 0.0, 0.0]))}
+    elements = tuple(
+        replace(each, placement=replace(each.placement, part=names[each.name]))
+        for each in layout.elements
+        if each.name in names
+    )
+    given = {
+        "face": (0.04, layout.frame.view),
+        "interior": (0.01, layout.frame.view),
+        "hands": (0.08, np.array([1.0, 0.0, 0.0])),
+    }
     parts = tuple(LayoutPart(part, *seen, "optimal", 0.0, 0.0) for part, seen in given.items())
     path = tmp_path / "parts.html"
-    path.write_text(page_html([(rig, replace(layout, elements=elements, parts=parts))], "parts"))
+    path.write_text(
+        page_html([(rig, replace(layout, elements=elements, frame=replace(layout.frame, parts=parts)))], "parts")
+    )
     viewer, targets = Viewer(browser, path), {}
     for part, members in PARTS:
         viewer.page.get_by_role("button", name=TITLES.get(part, part), exact=True).click()

@@ -17,7 +17,7 @@ INNER = {"smile_L": ("sneer_L",), "smile_R": ("sneer_R",), "pucker": ("chin",)}
 def page_path(tmp_path_factory):
     rig = makers.face()
     layout = peak_layout(rig, mirrors=MIRRORS)
-    elements = tuple(replace(each, inner=INNER.get(each.name, ())) for each in layout.elements)
+    elements = tuple(replace(each, look=replace(each.look, inner=INNER.get(each.name, ()))) for each in layout.elements)
     path = tmp_path_factory.mktemp("viewer") / "face.html"
     path.write_text(page_html([(rig, replace(layout, elements=elements))], "face"))
     return path

@@ -32,7 +32,10 @@ def animated(rig):
 def page_path(tmp_path_factory):
     rig = animated(makers.face())
     layout = peak_layout(rig, groups=(FAN,), beside=("sneer_R",))
-    named = tuple(replace(each, label=LONG) if each.name == "sneer_L" else each for each in layout.elements)
+    named = tuple(
+        replace(each, look=replace(each.look, label=LONG)) if each.name == "sneer_L" else each
+        for each in layout.elements
+    )
     path = tmp_path_factory.mktemp("session") / "face.html"
     controls = tuple(replace(each, label=LONG) if each.name == "sneer_L" else each for each in rig.controls)
     path.write_text(page_html([(replace(rig, controls=controls), replace(layout, elements=named))], "face"))

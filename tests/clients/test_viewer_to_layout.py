@@ -84,7 +84,9 @@ def test_an_element_moved_in_the_browser_stays_there_when_laid_out_again(viewer,
     again = tmp_path / "again.rigui.usda"
     assert main(["process", str(source), "--config", str(partial), "-o", str(again), "--quiet"]) == 0
     _, after = layout_of(again)
-    [kept] = [each for each in after.values() if element["controls"][0] in [one.control for one in each.members]]
+    [kept] = [
+        each for each in after.values() if element["controls"][0] in [one.control for one in each.manipulator.members]
+    ]
     starts = {mesh.path: start for mesh, start in zip(rig.meshes, rig.starts, strict=False)}
     assert starts[kept.anchor.mesh] + kept.anchor.point == point
     old = before[element["name"]].anchor
@@ -131,7 +133,9 @@ def test_an_element_moved_off_the_face_stays_beside_it(viewer, asset, tmp_path):
     again = tmp_path / "again.rigui.usda"
     assert main(["process", str(source), "--config", str(partial), "-o", str(again), "--quiet"]) == 0
     _, after = layout_of(again)
-    [kept] = [each for each in after.values() if element["controls"][0] in [one.control for one in each.members]]
+    [kept] = [
+        each for each in after.values() if element["controls"][0] in [one.control for one in each.manipulator.members]
+    ]
     assert kept.anchor.on_board
 
 

@@ -31,7 +31,7 @@ def page_path(tmp_path_factory):
     """Two characters on one page."""
     rigs = [animated(makers.face(), "/One"), animated(makers.face(), "/Two")]
     path = tmp_path_factory.mktemp("work") / "two.html"
-    path.write_text(page_html([(rig, replace(peak_layout(rig), root=rig.root)) for rig in rigs], "two"))
+    path.write_text(page_html([(rig, peak_layout(rig)) for rig in rigs], "two"))
     return path
 
 

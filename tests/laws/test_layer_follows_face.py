@@ -117,17 +117,17 @@ def test_handles_stay_on_their_tracks_whatever_else_moves(tmp_path, kind):
     around = laid_out.random_values(rig, np.random.default_rng(8))
     poses, times = [], {}
     for element in layout.elements:
-        for k, value in enumerate(element.members[0].values):
+        for k, value in enumerate(element.manipulator.members[0].values):
             times[element.name, k] = len(poses)
             poses.append(around.copy())
             poses[-1][names.index(element.name)] = value
     stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, poses)
     for element in layout.elements:
-        for k in range(len(element.members[0].values)):
+        for k in range(len(element.manipulator.members[0].values)):
             time = times[element.name, k]
             centre = handle_of(stage, rig, element, time).mean(axis=0)
             there = track_of(stage, rig, element, time)[k]
-            assert np.abs(centre - there).max() < HAIR * layout.handle_width, (element.name, k)
+            assert np.abs(centre - there).max() < HAIR * layout.frame.handle_width, (element.name, k)
 
 
 @pytest.mark.parametrize("moved", [False, True])
@@ -142,15 +142,15 @@ def test_joint_tracks_follow_shapes_and_parents_exactly_on_a_hinge(tmp_path, mov
     around = laid_out.random_values(rig, np.random.default_rng(9))
     for name in jaw:
         around[names.index(name)] = 0.0
-    for value in element.members[0].values:
+    for value in element.manipulator.members[0].values:
         poses.append(around.copy())
         poses[-1][names.index("Jaw:rx")] = value
     stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, poses)
     assert len(poses) > 2
     for time in range(len(poses)):
         centre = handle_of(stage, rig, element, time).mean(axis=0)
-        assert np.abs(centre - track_of(stage, rig, element, time)[time]).max() < HAIR * layout.handle_width
-    away = track_of(stage, rig, element, 0) - element.members[0].track
+        assert np.abs(centre - track_of(stage, rig, element, time)[time]).max() < HAIR * layout.frame.handle_width
+    away = track_of(stage, rig, element, 0) - element.manipulator.members[0].track
     assert np.abs(away).max() > 0.01 * diagonal(rig)
 
 
@@ -169,7 +169,7 @@ def test_pose_controls_leave_their_own_tracks_alone(tmp_path):
     for time, element in enumerate(layout.elements, start=1):
         assert np.abs(track_of(stage, rig, element, time) - track_of(stage, rig, element, 0)).max() < 1e-6
         end = handle_of(stage, rig, element, time).mean(axis=0)
-        assert np.abs(end - element.members[0].track[-1]).max() < CLOSE * diagonal(rig)
+        assert np.abs(end - element.manipulator.members[0].track[-1]).max() < CLOSE * diagonal(rig)
         assert np.linalg.norm(end - element.anchor.position) > 1e-3
 
 
@@ -183,8 +183,12 @@ def test_the_root_joint_leaves_its_own_track_behind(tmp_path):
     stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, [laid_out.defaults(rig), pose])
     (element,) = layout.elements
     for time in (0, 1):
-        assert np.abs(track_of(stage, rig, element, time) - element.members[0].track).max() < CLOSE * diagonal(rig)
-    assert np.abs(handle_of(stage, rig, element, 1).mean(axis=0) - element.members[0].track[-1]).max() < 1e-4
+        assert np.abs(
+            track_of(stage, rig, element, time) - element.manipulator.members[0].track
+        ).max() < CLOSE * diagonal(rig)
+    assert (
+        np.abs(handle_of(stage, rig, element, 1).mean(axis=0) - element.manipulator.members[0].track[-1]).max() < 1e-4
+    )
 
 
 def test_patches_are_still_under_all_their_controls_and_span_an_area(tmp_path):
@@ -206,12 +210,12 @@ def test_patches_are_still_under_all_their_controls_and_span_an_area(tmp_path):
             assert np.abs(one - other).max() < 1e-6
     for time, member in ((1, 0), (2, 1)):
         centre = handle_of(stage, rig, patch, time).mean(axis=0)
-        assert np.abs(still[member][-1] - centre).max() < HAIR * layout.handle_width
+        assert np.abs(still[member][-1] - centre).max() < HAIR * layout.frame.handle_width
     faces = {each.name: drawn_faces(stage, rig, each) for each in layout.elements}
     assert [len(each) for each in faces[patch.name]] == [3] * (1 + 2 + 1)
     fan = faces[layout.elements[1].name]
     assert len(laid_out.tracks(stage, rig.root, layout.elements[1], 0)) == 3
-    assert len(fan) > 1 + sum(len(member.values) - 1 for member in layout.elements[1].members)
+    assert len(fan) > 1 + sum(len(member.values) - 1 for member in layout.elements[1].manipulator.members)
 
 
 def drawn_faces(stage, rig, element):
@@ -239,7 +243,7 @@ def test_elements_beside_the_face_or_static_do_not_deform_but_show_their_value(t
     for element in layout.elements:
         if adapt == "deform" and element.name not in beside:
             continue
-        member = element.members[0]
+        member = element.manipulator.members[0]
         assert np.abs(track_of(stage, rig, element, 1) - member.track).max() < CLOSE * diagonal(rig)
         value = shapes_only[names.index(element.name)]
         there = [np.interp(value, member.values, member.track[:, axis]) for axis in range(3)]
@@ -267,9 +271,11 @@ def test_layouts_of_another_base_pose_stand_where_the_pose_puts_them(tmp_path):
     layout = laid_out.layout_of(rig, base_values=base)
     stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, [base, laid_out.defaults(rig)])
     for element in layout.elements:
-        assert np.abs(track_of(stage, rig, element, 0) - element.members[0].track).max() < CLOSE * diagonal(rig)
+        assert np.abs(track_of(stage, rig, element, 0) - element.manipulator.members[0].track).max() < CLOSE * diagonal(
+            rig
+        )
         ball = handle_of(stage, rig, element, 0) - element.anchor.position
-        assert np.allclose(np.linalg.norm(ball, axis=1), 0.5 * layout.handle_width, rtol=1e-3)
+        assert np.allclose(np.linalg.norm(ball, axis=1), 0.5 * layout.frame.handle_width, rtol=1e-3)
 
 
 @pytest.mark.parametrize("arc", ["references", "payload"])

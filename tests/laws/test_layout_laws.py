@@ -21,7 +21,7 @@ def plain():
 def anchors(line):
     """Anchor point of every element on the face, by the controls it holds."""
     return {
-        frozenset(member.control for member in element.members): element.anchor.point
+        frozenset(member.control for member in element.manipulator.members): element.anchor.point
         for element in line.layout.elements
         if not element.anchor.on_board
     }
@@ -47,7 +47,7 @@ def test_size_and_place_change_nothing(plain, matrix, offset):
     moved = chain.lay_out(makers.moved(makers.face(), matrix, offset))
     assert anchors(moved) == anchors(plain)
     scale = np.linalg.norm(matrix[0])
-    assert moved.layout.handle_width == pytest.approx(scale * plain.layout.handle_width, rel=1e-5)
+    assert moved.layout.frame.handle_width == pytest.approx(scale * plain.layout.frame.handle_width, rel=1e-5)
     assert moved.assignment.cost == pytest.approx(plain.assignment.cost, rel=1e-5)
 
 
@@ -120,7 +120,7 @@ def test_displacement_alone_takes_every_peak():
         line.face.rig.controls[motion.control].name: motion.arc_length.max()
         for motion in line.face.trajectories.motions
     }
-    members = [member for element in line.layout.elements for member in element.members]
+    members = [member for element in line.layout.elements for member in element.manipulator.members]
     assert {member.control for member in members} == set(shapes)
     assert not any(element.anchor.on_board for element in line.layout.elements)
     for member in members:
@@ -129,19 +129,19 @@ def test_displacement_alone_takes_every_peak():
 
 def test_pairs_mirror_exactly_where_the_mesh_does(plain):
     elements = chain.by_name(plain)
-    pairs = [(e, elements[e.mirror]) for e in elements.values() if e.mirror]
+    pairs = [(e, elements[e.manipulator.mirror]) for e in elements.values() if e.manipulator.mirror]
     assert len(pairs) == 8
     for one, other in pairs:
         image = one.anchor.position * [-1.0, 1.0, 1.0]
         assert np.abs(image - other.anchor.position).max() < 1e-5
-        for a, b in zip(one.members, other.members, strict=True):
+        for a, b in zip(one.manipulator.members, other.manipulator.members, strict=True):
             assert np.abs(a.track * [-1.0, 1.0, 1.0] - b.track).max() < 1e-5
 
 
 def test_no_two_handles_are_nearer_than_a_handle(plain):
     handles = np.array([e.anchor.position for e in plain.layout.elements])
     apart = np.linalg.norm(handles[:, None] - handles[None], axis=2) + 9e9 * np.eye(len(handles))
-    assert apart.min() >= plain.layout.handle_width
+    assert apart.min() >= plain.layout.frame.handle_width
 
 
 def test_more_weight_on_overlap_never_brings_handles_nearer():

@@ -39,7 +39,13 @@ def layouts(draw):
     layout = laid_out.layout_of(rig, seed=draw(st.integers(0, 99)), groups=groups)
     elements = tuple(draw(changed(each)) for each in layout.elements)
     elements = tuple(
-        replace(each, mirror=draw(st.sampled_from(["", *(other.name for other in elements)]))) for each in elements
+        replace(
+            each,
+            manipulator=replace(
+                each.manipulator, mirror=draw(st.sampled_from(["", *(other.name for other in elements)]))
+            ),
+        )
+        for each in elements
     )
     return rig, replace(
         layout,
@@ -47,15 +53,21 @@ def layouts(draw):
         left_off=tuple(
             LeftOff(*row) for row in draw(st.lists(st.tuples(NAMES, st.sampled_from(["read", "solve"]), PRINTED)))
         ),
-        handle_width=draw(st.floats(1e-3, 1e3)),
-        space=draw(st.sampled_from(["object", "view"])),
-        view=draw(VECTORS),
-        plane_normal=draw(VECTORS),
-        cost=draw(st.floats(allow_nan=False)),
-        bound=draw(st.floats(allow_nan=False)),
-        status=draw(st.sampled_from(["optimal", "stopped"])),
-        weights=tuple(draw(st.lists(st.tuples(NAMES, st.floats(-9, 9)), max_size=3))),
-        parts=tuple(draw(st.lists(parts(), max_size=3))),
+        frame=replace(
+            layout.frame,
+            handle_width=draw(st.floats(1e-3, 1e3)),
+            space=draw(st.sampled_from(["object", "view"])),
+            view=draw(VECTORS),
+            parts=tuple(draw(st.lists(parts(), max_size=3))),
+            plane=replace(layout.frame.plane, normal=draw(VECTORS)),
+        ),
+        proof=replace(
+            layout.proof,
+            cost=draw(st.floats(allow_nan=False)),
+            bound=draw(st.floats(allow_nan=False)),
+            status=draw(st.sampled_from(["optimal", "stopped"])),
+            weights=tuple(draw(st.lists(st.tuples(NAMES, st.floats(-9, 9)), max_size=3))),
+        ),
     )
 
 
@@ -76,24 +88,33 @@ def changed(draw, element):
             arc_length=draw(st.floats(0, 9)),
             magnification=draw(st.floats(1, 9)),
         )
-        for each in element.members
+        for each in element.manipulator.members
     )
     label, reason, category = draw(NAMES), draw(PRINTED), draw(st.sampled_from(["", "global", "crowded"]))
     part = draw(st.sampled_from(["", "face", "tail"]))
     return replace(
         element,
-        members=members,
-        label=label,
-        reason=reason,
-        category=category,
-        part=part,
-        side=draw(st.sampled_from(["left", "right", "middle", "none"])),
-        kind=draw(st.sampled_from(["slider", "patch", "fan"])),
-        adapt=draw(st.sampled_from(["deform", "static"])),
-        pinned=draw(st.sampled_from([(), ("anchor",), ("place", "grouping")])),
-        pinned_position=draw(st.sampled_from([(0.0, 0.0, 0.0), (1.5, -2.25, 0.125)])),
-        opposed=draw(st.sampled_from([(), ((0, len(members) - 1),)])) if len(members) > 1 else (),
         anchor=replace(element.anchor, position=draw(VECTORS), normal=draw(VECTORS), on_board=draw(st.booleans())),
+        manipulator=replace(
+            element.manipulator,
+            members=members,
+            kind=draw(st.sampled_from(["slider", "patch", "fan"])),
+            opposed=draw(st.sampled_from([(), ((0, len(members) - 1),)])) if len(members) > 1 else (),
+        ),
+        look=replace(
+            element.look,
+            label=label,
+            side=draw(st.sampled_from(["left", "right", "middle", "none"])),
+            adapt=draw(st.sampled_from(["deform", "static"])),
+        ),
+        placement=replace(
+            element.placement,
+            reason=reason,
+            category=category,
+            part=part,
+            pinned=draw(st.sampled_from([(), ("anchor",), ("place", "grouping")])),
+            pinned_position=draw(st.sampled_from([(0.0, 0.0, 0.0), (1.5, -2.25, 0.125)])),
+        ),
     )
 
 

@@ -106,18 +106,18 @@ def test_the_page_has_handles_and_tracks_where_usd_has_them(cases, pages, tmp_pa
     for time, placed in zip(rig.clip.times.tolist(), pages[name], strict=True):
         for i, (element, page) in enumerate(zip(layout.elements, placed, strict=True)):
             for ours, theirs in zip(page["tracks"], laid_out.tracks(stage, rig.root, element, time), strict=True):
-                assert np.abs(np.array(ours) - theirs).max() < HAIR * layout.handle_width, (element.name, time)
+                assert np.abs(np.array(ours) - theirs).max() < HAIR * layout.frame.handle_width, (element.name, time)
             if told(element, drives):
                 centre = laid_out.handle(stage, rig.root, element, time).mean(axis=0)
                 assert np.abs(page["handle"] - centre).max() < CLOSE * diagonal, (element.name, time)
             travels[i] = max(travels[i], np.abs(np.array(page["handle"]) - element.anchor.position).max())
-    assert (travels > 0.5 * layout.handle_width).mean() > 0.8
+    assert (travels > 0.5 * layout.frame.handle_width).mean() > 0.8
 
 
 def told(element, drives):
     """Whether a gprim can be where the handle is: on the skin, or sliding by weights; no gprim slides by joints."""
-    slides = element.anchor.on_board or element.adapt == "static"
-    return not slides or not any(len(drives[member.control].joints) for member in element.members)
+    slides = element.anchor.on_board or element.look.adapt == "static"
+    return not slides or not any(len(drives[member.control].joints) for member in element.manipulator.members)
 
 
 def attached(folder, rig, layout, source):

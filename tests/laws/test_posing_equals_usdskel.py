@@ -51,9 +51,9 @@ def test_meshes_handles_and_tracks(tmp_path, kind):
             centre = laid_out.handle(stage, rig.root, element, time).mean(axis=0)
             assert np.abs(at.handle - centre).max() < CLOSE * diagonal, element.name
             # Where joints are the element's own controls a gprim can only hang on the joints above.
-            if element.members[0].control in shapes:
+            if element.manipulator.members[0].control in shapes:
                 (track,) = laid_out.tracks(stage, rig.root, element, time)
-                assert np.abs(at.tracks[0] - track).max() < HAIR * layout.handle_width, element.name
+                assert np.abs(at.tracks[0] - track).max() < HAIR * layout.frame.handle_width, element.name
                 followed += 1
     assert followed >= 3 * len(shapes) - 3
 
@@ -88,7 +88,7 @@ def test_a_board_with_joint_controls_stays_in_one_piece_in_plain_usd(tmp_path):
         [(rig, layout)], f"./{source.name}", OutputSettings(), stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
     )
     layer.Export(str(tmp_path / "layout.usda"))
-    poses = [layout.base_values, laid_out.random_values(rig, np.random.default_rng(8))]
+    poses = [layout.character.base_values, laid_out.random_values(rig, np.random.default_rng(8))]
     stage = laid_out.baked(Sdf.Layer.FindOrOpen(str(tmp_path / "layout.usda")), rig, poses)
     ends = [
         np.array([laid_out.tracks(stage, rig.root, element, time)[0][0] for element in layout.elements])

@@ -12,16 +12,14 @@ FIELDS, FUNCTIONS = 5, 10
 
 WHOLE = {
     "Rig": 165,
-    "Layout": 80,
     "Settings": 73,
-    "Element": 42,
     "Motion": 40,
     "ReadSettings": 27,
     "ObjectiveSettings": 17,
     "CandidateSettings": 15,
 }
 """Records that many functions take whole, which decision 150 names, and how many functions at most."""
-ONE_FIELD = 38
+ONE_FIELD = 33
 """Functions at most that take such a record for one field: another meaning has the field's name, or
 they are handed on as values."""
 TOGETHER = [("layout", "pipeline"), ("cli", "clients"), ("pose",), ("solve",), ("view",)]

@@ -27,9 +27,9 @@ def test_fixed_anchors_are_kept_exactly_and_the_rest_is_optimal_given_them(name)
     _, found, made = lay_out(rig, proven, fixed={rig.root: half})
     for element in half.elements:
         # A control with a lobe on each side has two elements.
-        holding = [e for e in made.elements if element.members[0].control in e.controls]
+        holding = [e for e in made.elements if element.manipulator.members[0].control in e.manipulator.controls]
         now = min(holding, key=lambda e: e.anchor.point != element.anchor.point)
-        assert {m.control for m in now.members} == {m.control for m in element.members}
+        assert {m.control for m in now.manipulator.members} == {m.control for m in element.manipulator.members}
         assert now.anchor.on_board == element.anchor.on_board
         if not element.anchor.on_board:
             assert (now.anchor.mesh, now.anchor.point) == (element.anchor.mesh, element.anchor.point)
@@ -50,7 +50,7 @@ def test_removing_and_adding_five_moves_fewer_than_one_in_twenty():
     _, _, after = lay_out(without(going), quick, previous={rig.root: before})
     found = difference(before, after)
     told = {kind: {c.control for c in found.changes if c.kind == kind} for kind in ("added", "removed")}
-    laid = {m.control for layout in (before, after) for e in layout.elements for m in e.members}
+    laid = {m.control for layout in (before, after) for e in layout.elements for m in e.manipulator.members}
     assert told == {"added": coming & laid, "removed": going & laid}
     assert len(found.displaced) < found.shared / 20
 
@@ -62,7 +62,7 @@ def test_nine_in_ten_controls_stand_within_two_handle_widths_on_a_head_of_other_
     other = other_head(rig, 110, box)
     assert sum(len(mesh.points) for mesh in other.meshes) < 0.7 * sum(len(mesh.points) for mesh in rig.meshes)
     context, _, ours = lay_out(other, like=((rig, theirs),))
-    now = {member.control: element.anchor for element in ours.elements for member in element.members}
+    now = {member.control: element.anchor for element in ours.elements for member in element.manipulator.members}
     # Meshes without skin or transform: root space is their own.
     assert all(
         np.allclose(ready.face.trajectories.surface.points[s : s + len(m.points)], m.points, atol=1e-4)
@@ -70,7 +70,7 @@ def test_nine_in_ten_controls_stand_within_two_handle_widths_on_a_head_of_other_
     )
     apart = []
     for element in theirs.elements:
-        for member in element.members:
+        for member in element.manipulator.members:
             anchor = now[member.control]
             if element.anchor.on_board:
                 apart.append(0.0 if anchor.on_board else np.inf)
@@ -104,12 +104,14 @@ def test_five_decisions_stand_through_ten_versions_of_a_real_rig():
     before = first
     for version, now in versions:
         inputs, found, layout = lay_out(version, quick, previous={rig.root: before})
-        at = {member.control: each.anchor for each in layout.elements for member in each.members}
+        at = {member.control: each.anchor for each in layout.elements for member in each.manipulator.members}
         for name in chosen:
             apart = np.linalg.norm(at[now[name]].position - places[name])
             assert apart <= 0.5 * inputs.face.handle_width, name
         assert at[now["cheekPuff"]].on_board
-        assert {now["mouthShrugUpper"], now["mouthShrugLower"]} in [set(each.controls) for each in layout.elements]
+        assert {now["mouthShrugUpper"], now["mouthShrugLower"]} in [
+            set(each.manipulator.controls) for each in layout.elements
+        ]
         saved = cost_savings(inputs.face, inputs.requests, inputs.placement, found.labels)
         told = difference(before, layout, saved, inputs.matchings["previous"])
         assert not [change for change in told.displaced if not change.why]

@@ -15,12 +15,12 @@ pytestmark = [
 @pytest.mark.parametrize("name", RIGS)
 def test_every_control_is_laid_out_or_left_off(name):
     line = line_of(name)
-    laid = {e.name: {member.control for member in e.members} for e in line.layout.elements}
+    laid = {e.name: {member.control for member in e.manipulator.members} for e in line.layout.elements}
     left = {each.control: each for each in line.layout.left_off}
     controls = [control.name for control in line.face.rig.controls]
     moving = {controls[motion.control] for motion in line.face.trajectories.motions}
     assert set().union(*laid.values()) == moving, "an element each, and only for what moves something"
-    mirrors = {element.name: element.mirror for element in line.layout.elements}
+    mirrors = {element.name: element.manipulator.mirror for element in line.layout.elements}
     again = {(a, b) for a in laid for b in laid if a < b and laid[a] & laid[b]}
     assert all(mirrors[a] == b and laid[a] == laid[b] for a, b in again), "two handles are those of two lobes"
     assert set(controls) - moving <= set(left)
@@ -34,11 +34,11 @@ def test_every_control_is_laid_out_or_left_off(name):
 def test_pairs_mirror_where_the_mesh_does(name):
     line = line_of(name)
     symmetry, elements = line.face.symmetry, {element.name: element for element in line.layout.elements}
-    pairs = [(e, elements[e.mirror]) for e in on_face(line) if e.mirror]
+    pairs = [(e, elements[e.manipulator.mirror]) for e in on_face(line) if e.manipulator.mirror]
     assert len(pairs) >= 2
     for one, other in pairs:
         assert not other.anchor.on_board
-        assert other.mirror == one.name
+        assert other.manipulator.mirror == one.name
         apart = float((one.anchor.position - symmetry.plane.origin) @ symmetry.plane.normal)
         image = one.anchor.position - 2.0 * apart * symmetry.plane.normal
         missed = float(np.linalg.norm(image - other.anchor.position)) / line.face.trajectories.surface.face_size
@@ -57,14 +57,16 @@ def test_no_two_handles_on_the_face_are_nearer_than_a_handle(name):
     line = line_of(name)
     handles = np.array([element.anchor.position for element in on_face(line)])
     apart = np.linalg.norm(handles[:, None] - handles[None], axis=2) + np.diag(np.full(len(handles), np.inf))
-    assert apart.min() >= line.layout.handle_width
+    assert apart.min() >= line.layout.frame.handle_width
 
 
 @pytest.mark.parametrize(("name", "least"), [(rig, 0.92 if rig == "ict_face57" else 0.85) for rig in RIGS])
 def test_controls_on_the_face_keep_their_displacement(name, least):
     line = line_of(name)
     peaks = {line.face.rig.controls[m.control].name: m.arc_length.max() for m in line.face.trajectories.motions}
-    kept = [member.arc_length / peaks[member.control] for element in on_face(line) for member in element.members]
+    kept = [
+        member.arc_length / peaks[member.control] for element in on_face(line) for member in element.manipulator.members
+    ]
     assert np.mean(kept) >= least
     assert len(kept) >= 0.7 * len(peaks)
 
@@ -73,20 +75,22 @@ def test_two_heads_of_one_convention_are_laid_out_with_the_same_elements():
     elements = [homes(line_of(name)) for name in ("ict_face57", "facecap_blender")]
     shared = sorted(set.intersection(*map(set, elements)))
     assert len(shared) > 40
-    made = [{name: (each[name].anchor.on_board, each[name].controls) for name in shared} for each in elements]
+    made = [
+        {name: (each[name].anchor.on_board, each[name].manipulator.controls) for name in shared} for each in elements
+    ]
     assert made[0] == made[1]
 
 
 def test_shapes_that_hide_parts_stand_beside_the_face():
     found = homes(line_of("godette"))
-    beside = {name for name, element in found.items() if element.category == "global"}
+    beside = {name for name, element in found.items() if element.placement.category == "global"}
     assert beside == {"HideHairBalls", "HdieEarRings", "HideBlush"}
 
 
 def test_eyes_share_joysticks_and_opposites_share_sliders():
     ict = homes(line_of("ict_face57"))
     assert ict["jawLeft"] is ict["jawRight"]
-    assert len(ict["jawOpen"].members) == 1
+    assert len(ict["jawOpen"].manipulator.members) == 1
     for side in "LR":
         assert len({ict[f"eyeLook{way}_{side}"].name for way in ("In", "Out", "Up", "Down")}) == 1
     assert ict["mouthLeft"] is ict["mouthRight"]
@@ -100,18 +104,20 @@ def test_eyes_share_joysticks_and_opposites_share_sliders():
 @pytest.mark.parametrize(("category", "start"), [("hidden", "Pupil"), ("interior", "Tongue")])
 def test_tongue_and_pupils_are_hidden(category, start):
     vitruvian = homes(line_of("vitruvian"))
-    assert {name for name, element in vitruvian.items() if element.category == category} == {
+    assert {name for name, element in vitruvian.items() if element.placement.category == category} == {
         name for name in vitruvian if name.startswith(start)
     }
 
 
 def test_visemes_and_emotions_stand_beside_and_atoms_do_not():
     vitruvian = homes(line_of("vitruvian"))
-    composite = {name for name, element in vitruvian.items() if element.category in ("composite", "viseme", "emotion")}
+    composite = {
+        name for name, element in vitruvian.items() if element.placement.category in ("composite", "viseme", "emotion")
+    }
     assert {"Happy", "Sad", "Scared", "Revulsion", "Disgusted", "er_05", "w_uw_07"} <= composite
     assert not {"Jaw_Out", "Eyes_Closed_Left", "Frown_Left", "Lips_Dn_In", "Eyebrows_Raised_Left"} & composite
     for other in ("godette", "mh_expr34", "mh_poseunits", "ict_face57"):
-        assert not any(element.category == "composite" for element in line_of(other).layout.elements), other
+        assert not any(element.placement.category == "composite" for element in line_of(other).layout.elements), other
 
 
 @pytest.mark.parametrize(

@@ -47,9 +47,9 @@ def anchors(line):
     found = {}
     for element in on_face(line):
         at = point_of(line, element)
-        both = {at, int(partner[at])} if element.side == "middle" else {at}
+        both = {at, int(partner[at])} if element.look.side == "middle" else {at}
         meshes = np.searchsorted(starts, sorted(both), side="right") - 1
-        found[frozenset(member.control for member in element.members)] = frozenset(
+        found[frozenset(member.control for member in element.manipulator.members)] = frozenset(
             (int(mesh), point - int(starts[mesh])) for mesh, point in zip(meshes, sorted(both), strict=True)
         )
     return found
@@ -71,7 +71,7 @@ def test_arrays_a_hundred_times_larger_or_turned_give_the_same_anchors(name, z_u
     (rig,) = read_rigs(rebuilt(name, tmp_path, 100.0, z_up), Settings())
     assert rig.up == pytest.approx([0, 0, 1] if z_up else [0, 1, 0])
     line, plain = laid_out(rig, PROVED), proved(name)
-    assert line.layout.handle_width == pytest.approx(100.0 * plain.layout.handle_width, rel=1e-4)
+    assert line.layout.frame.handle_width == pytest.approx(100.0 * plain.layout.frame.handle_width, rel=1e-4)
     assert anchors(line) == anchors(plain)
     assert len(anchors(line)) >= 9
 
@@ -108,16 +108,16 @@ def with_whole_head(name):
 @pytest.mark.parametrize("name", ["godette", "mh_expr34", "ict_face57"])
 def test_whole_head_and_hide_shapes_stand_beside_the_face(name):
     found = homes(with_whole_head(name))
-    own = {control for control, element in homes(line_of(name)).items() if element.category == "global"}
-    assert {control for control, element in found.items() if element.category == "global"} == WHOLE | own
-    assert all(found[control].anchor.on_board and found[control].reason for control in WHOLE)
+    own = {control for control, element in homes(line_of(name)).items() if element.placement.category == "global"}
+    assert {control for control, element in found.items() if element.placement.category == "global"} == WHOLE | own
+    assert all(found[control].anchor.on_board and found[control].placement.reason for control in WHOLE)
 
 
 @pytest.mark.parametrize("name", ["godette", "mh_expr34", "ict_face57"])
 def test_their_board_stands_clear_of_the_head(name):
     """No element of the board lies in front of the head or of another element, seen from the front."""
     line = with_whole_head(name)
-    context, width = line.face, line.layout.handle_width
+    context, width = line.face, line.layout.frame.handle_width
     across = np.cross(context.rig.up, FRONTS[name])
     beside = [element for element in line.layout.elements if element.anchor.on_board]
     spots = np.array([element.anchor.position for element in beside])
@@ -141,7 +141,7 @@ def test_a_straight_line_leads_from_every_anchor_to_one_of_three_viewers(name):
     spots = np.array([element.anchor.position for element in on_face(line)])
     seen = np.zeros(len(spots), dtype=bool)
     for toward in viewers(np.array(FRONTS[name]), rig.up):
-        seen |= free(spots + 0.25 * line.layout.handle_width * toward, toward, triangles)
+        seen |= free(spots + 0.25 * line.layout.frame.handle_width * toward, toward, triangles)
     hidden = [element.name for element, each in zip(on_face(line), seen, strict=True) if not each]
     assert hidden == []
 
@@ -187,24 +187,29 @@ def free(origins, toward, triangles):
 
 def test_eyes_and_jaws_of_other_makers_share_elements_too():
     gaze = homes(line_of("godette"))["look_up"]
-    assert {member.control for member in gaze.members} == {"look_up", "look_down", "look_left", "look_right"}
-    assert gaze.kind == "patch"
+    assert {member.control for member in gaze.manipulator.members} == {
+        "look_up",
+        "look_down",
+        "look_left",
+        "look_right",
+    }
+    assert gaze.manipulator.kind == "patch"
     vitruvian = homes(line_of("vitruvian"))
     for side in ("Left", "Right"):
         eye = {vitruvian[f"Look_{way}_{side}"] for way in ("In", "Out", "Dwn", "Up")}
-        assert [(each.kind, len(each.opposed)) for each in eye] == [("patch", 2)]
+        assert [(each.manipulator.kind, len(each.manipulator.opposed)) for each in eye] == [("patch", 2)]
     assert vitruvian["Look_Up_Left"] is not vitruvian["Look_Up_Right"]
     assert vitruvian["Jaw_Out"] is vitruvian["Jaw_back"]
-    assert vitruvian["Jaw_Out"].kind == "slider"
+    assert vitruvian["Jaw_Out"].manipulator.kind == "slider"
 
 
 def test_elements_of_several_ways_drive_them_from_one_handle():
     """The conventions make a joystick of the gaze, and a slider of the jaw's two sides (decision 112)."""
     ict = homes(line_of("ict_face57"))
     gaze, jaw = ict["eyeLookUp_L"], ict["jawLeft"]
-    assert (gaze.kind, len(gaze.members), len(gaze.opposed)) == ("patch", 4, 2)
-    assert (jaw.kind, len(jaw.members), len(jaw.opposed)) == ("slider", 2, 1)
+    assert (gaze.manipulator.kind, len(gaze.manipulator.members), len(gaze.manipulator.opposed)) == ("patch", 4, 2)
+    assert (jaw.manipulator.kind, len(jaw.manipulator.members), len(jaw.manipulator.opposed)) == ("slider", 2, 1)
     assert jaw is ict["jawRight"]
     for element in (gaze, jaw):
-        starts = [member.track[int(np.argmin(np.abs(member.values)))] for member in element.members]
+        starts = [member.track[int(np.argmin(np.abs(member.values)))] for member in element.manipulator.members]
         assert np.ptp(starts, axis=0).max() < 1e-6 * line_of("ict_face57").face.trajectories.surface.face_size

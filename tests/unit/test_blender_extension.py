@@ -50,7 +50,13 @@ def laid(tmp_path_factory):
     source = skinned_stages.character(tmp_path_factory.mktemp("char") / "char.usda", moved=True, meshes=2)
     (rig,) = read_rigs(source, Settings())
     layout = laid_out.layout_of(rig, beside=("chin",), groups=[("brow_L", "smile_L"), ("chin",), ("jaw:open",)])
-    layout = replace(layout, elements=(replace(layout.elements[0], opposed=((1, 0),)), *layout.elements[1:]))
+    layout = replace(
+        layout,
+        elements=(
+            replace(layout.elements[0], manipulator=replace(layout.elements[0].manipulator, opposed=((1, 0),))),
+            *layout.elements[1:],
+        ),
+    )
     target = source.with_name("char.rigui.usda")
     write_layout([(rig, layout)], source, target, OutputSettings(), stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
     return rig, layout, target
@@ -254,13 +260,13 @@ def test_a_layer_is_read_as_our_own_reader_does_and_survives_json(extension, lai
     rig, layout, layer = laid
     (found,) = extension["reading"].read_layouts(Usd.Stage.Open(str(layer)))
     assert found == extension["layout"].from_json(extension["layout"].to_json(found))
-    assert found.root == layout.root
-    assert found.handle_width == pytest.approx(layout.handle_width)
+    assert found.root == layout.character.root
+    assert found.handle_width == pytest.approx(layout.frame.handle_width)
     assert [each.name for each in found.elements] == [each.name for each in layout.elements]
     for mine, theirs in zip(found.elements, layout.elements, strict=True):
-        assert mine.axes == theirs.axes
+        assert mine.axes == theirs.manipulator.axes
         assert (mine.point, bool(mine.mesh)) == (theirs.anchor.point, not theirs.anchor.on_board)
-        for one, other in zip(mine.members, theirs.members, strict=True):
+        for one, other in zip(mine.members, theirs.manipulator.members, strict=True):
             assert one.control == other.control
             assert one.values == pytest.approx(other.values)
             assert np.array(one.track) == pytest.approx(other.track, abs=1e-5)
@@ -270,11 +276,16 @@ def test_a_layer_is_read_as_our_own_reader_does_and_survives_json(extension, lai
 def test_handles_are_as_wide_as_those_of_their_part(extension, laid):
     rig, layout, source = laid
     names = ("face", *["hands"] * (len(layout.elements) - 1))
-    elements = tuple(replace(each, part=part) for each, part in zip(layout.elements, names, strict=True))
-    parts = tuple(LayoutPart(name, w, layout.view, "optimal", 0.0, 0.0) for name, w in (("face", 0.02), ("hands", 0.3)))
+    elements = tuple(
+        replace(each, placement=replace(each.placement, part=part))
+        for each, part in zip(layout.elements, names, strict=True)
+    )
+    parts = tuple(
+        LayoutPart(name, w, layout.frame.view, "optimal", 0.0, 0.0) for name, w in (("face", 0.02), ("hands", 0.3))
+    )
     target = source.with_name("parts.rigui.usda")
     write_layout(
-        [(rig, replace(layout, elements=elements, parts=parts))],
+        [(rig, replace(layout, elements=elements, frame=replace(layout.frame, parts=parts)))],
         source.with_name("char.usda"),
         target,
         OutputSettings(),
@@ -283,7 +294,7 @@ def test_handles_are_as_wide_as_those_of_their_part(extension, laid):
     stage = Usd.Stage.Open(str(target))
     (found,) = extension["reading"].read_layouts(stage)
     assert {each.name: found.width_of(each) for each in found.elements} == pytest.approx(
-        {each.name: 0.02 if each.part == "face" else 0.3 for each in elements}
+        {each.name: 0.02 if each.placement.part == "face" else 0.3 for each in elements}
     )
     said = (prim.GetAttribute("rigUI:layout:partHandleWidths") for prim in stage.TraverseAll())
     next(each for each in said if each.HasAuthoredValue()).Set([1.0])
@@ -298,7 +309,7 @@ def test_handles_are_as_wide_as_those_of_their_part(extension, laid):
 def test_what_cannot_be_understood_is_refused(extension, laid, name, value, message):
     stage = Usd.Stage.Open(str(laid[2]))
     stage.SetEditTarget(stage.GetSessionLayer())
-    scope = stage.GetPrimAtPath(f"{laid[1].root}/RigUI")
+    scope = stage.GetPrimAtPath(f"{laid[1].character.root}/RigUI")
     kind = Sdf.ValueTypeNames.Int if isinstance(value, int) else Sdf.ValueTypeNames.DoubleArray
     scope.CreateAttribute(name, kind).Set(value)
     with pytest.raises(extension["layout"].LayoutError, match=message):
@@ -309,7 +320,7 @@ def test_what_cannot_be_understood_is_refused(extension, laid, name, value, mess
 def test_both_readers_refuse_axes_that_share_an_end_or_have_none(extension, laid, opposes):
     stage = Usd.Stage.Open(str(laid[2]))
     stage.SetEditTarget(stage.GetSessionLayer())
-    prim = laid_out.element_prim(stage, laid[1].root, laid[1].elements[0])
+    prim = laid_out.element_prim(stage, laid[1].character.root, laid[1].elements[0])
     for control, other in zip(("brow_L", "smile_L"), opposes, strict=True):
         prim.CreateAttribute(f"rigUI:control:{control}:opposes", Sdf.ValueTypeNames.Token).Set(other)
     with pytest.raises(extension["layout"].LayoutError, match="opposes"):
@@ -332,7 +343,7 @@ def test_placing_agrees_with_our_own_evaluation_at_the_base_pose(extension, laid
     rig, layout, layer = laid
     (found,) = extension["reading"].read_layouts(Usd.Stage.Open(str(layer)))
     controls = {control.name: control for control in found.controls}
-    expected = elements_at(prepare(rig, layout), layout.base_values)
+    expected = elements_at(prepare(rig, layout), layout.character.base_values)
     for element, ours_at in zip(found.elements, expected, strict=True):
         drawing = extension["tracking"].drawing_of(element, controls)
         still = np.eye(4)

@@ -135,7 +135,9 @@ def layout_of(rig):
         replace(element, anchor=replace(element.anchor, mesh=head.path, on_board=False, position=np.array(at)))
         for element, at in zip(layout.elements, ([-6.0, -11.0, 6.0], [6.0, 4.0, 6.0]), strict=False)
     ]
-    return replace(layout, elements=tuple(on_face), view=np.array([0.0, 0.0, 1.0]), handle_width=0.44)
+    return replace(
+        layout, elements=tuple(on_face), frame=replace(layout.frame, view=np.array([0.0, 0.0, 1.0]), handle_width=0.44)
+    )
 
 
 def test_colours_of_the_asset_are_taken_as_they_are(sample):

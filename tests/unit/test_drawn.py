@@ -11,7 +11,19 @@ import numpy as np
 import pytest
 from pxr import Usd
 
-from usdrigui.model import Anchor, Element, Layout, Member
+from usdrigui.model import (
+    Anchor,
+    Element,
+    Layout,
+    LayoutCharacter,
+    LayoutFrame,
+    Look,
+    Manipulator,
+    Member,
+    MirrorPlane,
+    Placement,
+    Proof,
+)
 from usdrigui.settings import OutputSettings
 from usdrigui.usd import drawn
 from usdrigui.usd.drawn import drawn_parts
@@ -27,16 +39,32 @@ def member(name, end, values=(0.0, 1.0)):
     return Member(name, values, ORIGIN + values[:, None] * np.array(end, dtype=np.float64), 1.0, 1.0)
 
 
-def element(members, kind="fan", beside=False, normal=(0.0, 0.0, 1.0)):
+def element(members, kind="fan", beside=False, normal=(0.0, 0.0, 1.0), opposed=()):
     anchor = Anchor("/Root/mesh", 50, 99, "", ORIGIN, np.array(normal), beside)
-    return Element("e", "e", kind, tuple(members), (), anchor, "none", "", "", "")
+    return Element(
+        name="e",
+        manipulator=Manipulator(kind, tuple(members), opposed),
+        anchor=anchor,
+        look=Look(label="e", side="none"),
+        placement=Placement(),
+    )
 
 
-def layout(rig, *elements):
+def layout(rig, *elements, base_values=None):
     return Layout(
-        rig.root, elements, (), 0.1, "object", np.array([0.0, 0, 1]), np.zeros(3), np.zeros(3),
-        np.zeros(len(rig.controls)), "", "stopped", 0.0, 0.0, 0.0,
-    )  # fmt: skip
+        character=LayoutCharacter(
+            root=rig.root, base_values=np.zeros(len(rig.controls)) if base_values is None else base_values
+        ),
+        elements=elements,
+        left_off=(),
+        frame=LayoutFrame(
+            space="object",
+            view=np.array([0.0, 0, 1]),
+            plane=MirrorPlane(origin=np.zeros(3), normal=np.zeros(3)),
+            handle_width=0.1,
+        ),
+        proof=Proof(method="", status="stopped", cost=0.0, bound=0.0, above_unary_bound=0.0),
+    )
 
 
 def around(*degrees):
@@ -66,9 +94,9 @@ def test_areas_lie_between_neighbours_at_most_half_a_turn_apart(degrees, pairs):
 
 
 def test_the_two_ends_of_an_axis_span_no_area_however_bent_it_is():
-    stick = replace(element(around(0, 174, 85, 267)), opposed=((0, 1), (2, 3)))
+    stick = element(around(0, 174, 85, 267), opposed=((0, 1), (2, 3)))
     assert set(drawn._neighbours(stick)) == {(0, 2), (2, 1), (1, 3), (3, 0)}
-    assert drawn._neighbours(replace(element(around(0, 174)), kind="patch", opposed=((1, 0),))) == []
+    assert drawn._neighbours(element(around(0, 174), "patch", opposed=((1, 0),))) == []
 
 
 @pytest.mark.parametrize(
@@ -81,7 +109,7 @@ def test_areas_face_along_the_normal_between_the_ends_of_tracks(degrees, areas):
     _, tracks = drawn_parts(SkinBinding(rig, layout(rig, fan)), fan, 0.1)
     assert tracks.faces.counts[len(degrees) :].tolist() == areas
     assert tracks.areas == len(areas)
-    ends = np.array([ORIGIN, *(each.track[-1] for each in fan.members)])
+    ends = np.array([ORIGIN, *(each.track[-1] for each in fan.manipulator.members)])
     for corners in np.split(tracks.faces.indices, np.cumsum(tracks.faces.counts)[:-1])[len(degrees) :]:
         points = tracks.points[corners]
         assert np.cross(points[1] - points[0], points[2] - points[0])[2] > 0.0
@@ -112,8 +140,8 @@ def test_a_track_is_a_ribbon_that_ends_in_a_point():
     assert tracks.areas == 0
     assert tracks.faces.counts.tolist() == [4, 3]
     middle = 0.5 * (tracks.points[:-1:2] + tracks.points[1::2])
-    assert np.allclose(middle, slider.members[0].track[[0, 16]])
-    assert np.allclose(tracks.points[-1], slider.members[0].track[-1])
+    assert np.allclose(middle, slider.manipulator.members[0].track[[0, 16]])
+    assert np.allclose(tracks.points[-1], slider.manipulator.members[0].track[-1])
     assert np.allclose(np.linalg.norm(tracks.points[:-1:2] - tracks.points[1::2], axis=1), 0.15 * 0.1)
     corners = tracks.points[tracks.faces.indices.reshape(-1)[:4]]
     assert np.cross(corners[1] - corners[0], corners[2] - corners[0])[2] > 0.0
@@ -134,7 +162,7 @@ def test_a_drawn_track_of_a_short_turn_is_straight_and_runs_in_the_middle_of_it(
     rig = makers.face(9, 11)
     slider = element([arc("chin", turn)], "slider")
     _, tracks = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, 0.01)
-    track, radius = slider.members[0].track, 1.0
+    track, radius = slider.manipulator.members[0].track, 1.0
     assert tracks.faces.counts.tolist() == [3]
     begin, end = 0.5 * (tracks.points[0] + tracks.points[1]), tracks.points[2]
     height = radius * (1.0 - np.cos(np.radians(0.5 * turn)))
@@ -149,7 +177,7 @@ def test_a_track_that_bulges_out_of_the_skin_does_not_cut_into_it(out, lifted):
     normal = np.array(out) / np.sqrt(2.0)
     slider = element([arc("chin", 90.0)], "slider", normal=normal)
     _, tracks = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, 0.1)
-    lift = tracks.points[-1] - slider.members[0].track[-1]
+    lift = tracks.points[-1] - slider.manipulator.members[0].track[-1]
     assert np.allclose(lift, (lift @ normal) * normal, atol=1e-6)
     assert (lift @ normal > 0.05) == lifted
     assert lift @ normal > -1e-6
@@ -218,7 +246,7 @@ def test_beside_the_face_the_handle_stands_on_its_track_at_every_weight(keys, we
     place = ORIGIN + base * np.array([0.3, 0.1, 0])
     slider = replace(slider, anchor=replace(slider.anchor, position=place))
     values = np.array([base if control.name == "chin" else 0.0 for control in controls])
-    skin = SkinBinding(rig, replace(layout(rig, slider), base_values=values))
+    skin = SkinBinding(rig, layout(rig, slider, base_values=values))
     handle = drawn_parts(skin, slider, 0.1)[0]
     (shape,) = handle.shapes
     assert shape.channel == channel

@@ -38,9 +38,18 @@ def char(tmp_path):
         rig, groups=GROUPS, beside=("half",), base_values=0.3 * laid_out.random_values(rig, np.random.default_rng(0))
     )
     elements = list(layout.elements)
-    elements[0] = replace(elements[0], mirror=elements[3].name, side="middle", reason="they are alike")
-    elements[1] = replace(elements[1], kind="slider", opposed=((1, 0),), label="Jaw, sideways", adapt="static")
-    elements[4] = replace(elements[4], name="25 jaw:rx", side="none")
+    elements[0] = replace(
+        elements[0],
+        manipulator=replace(elements[0].manipulator, mirror=elements[3].name),
+        look=replace(elements[0].look, side="middle"),
+        placement=replace(elements[0].placement, reason="they are alike"),
+    )
+    elements[1] = replace(
+        elements[1],
+        manipulator=replace(elements[1].manipulator, kind="slider", opposed=((1, 0),)),
+        look=replace(elements[1].look, label="Jaw, sideways", adapt="static"),
+    )
+    elements[4] = replace(elements[4], name="25 jaw:rx", look=replace(elements[4].look, side="none"))
     layout = replace(
         layout, elements=tuple(elements), left_off=(LeftOff("a", "read", 'has "quotes"'), LeftOff("ü", "solve", ""))
     )
@@ -81,14 +90,19 @@ def test_a_layout_comes_back_as_it_was(char, tmp_path, suffix):
 def test_optimal_proofs_come_back(char, tmp_path):
     source, rig, layout = char
     layout = replace(
-        layout, cost=-15.165123456789, bound=-15.17, status="optimal", above_unary_bound=1e-9, method="highs"
+        layout,
+        proof=replace(
+            layout.proof, cost=-15.165123456789, bound=-15.17, status="optimal", above_unary_bound=1e-9, method="highs"
+        ),
     )
-    layout = replace(layout, closed_by="work limit")
+    layout = replace(layout, proof=replace(layout.proof, closed_by="work limit"))
     target = tmp_path / "a.usda"
     write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
     (back,) = read_layout(target)
-    assert (back.cost, back.bound, back.above_unary_bound) == pytest.approx((layout.cost, layout.bound, 1e-9), rel=5e-7)
-    assert (back.method, back.status, back.closed_by) == ("highs", "optimal", "work limit")
+    assert (back.proof.cost, back.proof.bound, back.proof.above_unary_bound) == pytest.approx(
+        (layout.proof.cost, layout.proof.bound, 1e-9), rel=5e-7
+    )
+    assert (back.proof.method, back.proof.status, back.proof.closed_by) == ("highs", "optimal", "work limit")
 
 
 def test_the_same_input_gives_the_same_bytes_everywhere(char, tmp_path):
@@ -329,15 +343,18 @@ def test_few_prims_draw_all_elements(char, tmp_path):
 
 def test_the_default_prim_is_the_top_of_the_first_character_where_the_source_names_none(char):
     _, rig, layout = char
-    other = replace(layout, root="/Crowd/Second", elements=())
-    layer = layer_for([(rig, layout), (replace(rig, root=other.root), other)], "", PLAIN, {})
+    other = replace(layout, elements=(), character=replace(layout.character, root="/Crowd/Second"))
+    layer = layer_for([(rig, layout), (replace(rig, root=other.character.root), other)], "", PLAIN, {})
     assert layer.defaultPrim == "World"
 
 
 @pytest.mark.parametrize(("parts", "told"), [(("face",) * 5, False), (("face", "body", "face", "body", "face"), True)])
 def test_the_order_of_elements_is_written_where_their_prims_do_not_tell_it(char, parts, told):
     _, rig, layout = char
-    elements = tuple(replace(each, part=part) for each, part in zip(layout.elements, parts, strict=True))
+    elements = tuple(
+        replace(each, placement=replace(each.placement, part=part))
+        for each, part in zip(layout.elements, parts, strict=True)
+    )
     layer = layer_for([(rig, replace(layout, elements=elements))], "", PLAIN, {})
     assert ("rigUI:layout:elements" in layer.ExportToString()) == told
     assert [each.name for each in read_layout(layer)[0].elements] == [each.name for each in elements]
@@ -348,7 +365,10 @@ def test_meshes_are_named_after_their_part_and_what_no_joint_moves(tmp_path):
     source = skinned_stages.character(tmp_path / "char.usda", animated_joints=("Hips",))
     (rig,) = read_rigs(source, Settings())
     layout = laid_out.layout_of(rig, only=["Hips:rx"])  # nothing above the root carries its track
-    layout = replace(layout, elements=tuple(replace(each, part="body") for each in layout.elements))
+    layout = replace(
+        layout,
+        elements=tuple(replace(each, placement=replace(each.placement, part="body")) for each in layout.elements),
+    )
     target = tmp_path / "a.usda"
     write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
     stage = Usd.Stage.Open(str(target))
@@ -449,10 +469,20 @@ def hand_made(text=HAND_MADE):
 def test_a_layer_written_by_hand_takes_the_fallbacks(text):
     (layout,) = read_layout(hand_made(text))
     (element,) = layout.elements
-    (member,) = element.members
-    assert (layout.root, layout.space, layout.status, layout.handle_width) == ("/Char", "object", "stopped", 2.0)
-    assert layout.bound == -np.inf
-    assert (element.name, element.label, element.kind, element.adapt) == ("smile", "smile", "slider", "deform")
+    (member,) = element.manipulator.members
+    assert (layout.character.root, layout.frame.space, layout.proof.status, layout.frame.handle_width) == (
+        "/Char",
+        "object",
+        "stopped",
+        2.0,
+    )
+    assert layout.proof.bound == -np.inf
+    assert (element.name, element.look.label, element.manipulator.kind, element.look.adapt) == (
+        "smile",
+        "smile",
+        "slider",
+        "deform",
+    )
     assert (member.control, member.magnification) == ("smile", 1.0)
     assert member.values.tolist() == [0.0, 1.0]
     assert member.track.tolist() == [[0, 0, 0], [0, 1, 0]]
@@ -545,7 +575,7 @@ def test_layers_of_the_first_format_that_contradict_themselves_are_refused(old, 
 
 def test_a_member_of_the_first_format_is_as_long_as_its_motion_where_it_says_nothing():
     (element,) = read_layout(hand_made(FIRST_FORMAT))[0].elements
-    assert [member.magnification for member in element.members] == [1.0]
+    assert [member.magnification for member in element.manipulator.members] == [1.0]
 
 
 def test_two_elements_of_one_name_are_refused():
@@ -560,7 +590,7 @@ def test_two_elements_of_one_name_are_refused():
 
 def test_points_that_have_only_samples_are_read_at_the_earliest():
     text = FIRST_FORMAT.replace("points = [(0, 0, 0), (0, 1, 0)]", "points.timeSamples = { 5: [(0, 0, 0), (0, 2, 0)] }")
-    assert read_layout(hand_made(text))[0].elements[0].members[0].track[1].tolist() == [0, 2, 0]
+    assert read_layout(hand_made(text))[0].elements[0].manipulator.members[0].track[1].tolist() == [0, 2, 0]
 
 
 def test_stronger_layers_change_a_layout(tmp_path):

@@ -33,8 +33,19 @@ BLUE, RED, VIOLET = palette.SIDES["left"], palette.SIDES["right"], palette.BOARD
 def sided(rig, **given):
     """A layout of the mask whose elements know on which side they are."""
     layout = laid_out.layout_of(rig, **given)
-    elements = tuple(replace(each, side="left" if each.anchor.position[0] > 0 else "right") for each in layout.elements)
-    return replace(layout, elements=elements, handle_width=0.06)
+    elements = tuple(
+        replace(each, look=replace(each.look, side="left" if each.anchor.position[0] > 0 else "right"))
+        for each in layout.elements
+    )
+    return with_width(replace(layout, elements=elements), 0.06)
+
+
+def seen_from(layout, view):
+    return replace(layout, frame=replace(layout.frame, view=view))
+
+
+def with_width(layout, width):
+    return replace(layout, frame=replace(layout.frame, handle_width=width))
 
 
 @pytest.fixture(scope="module")
@@ -92,9 +103,17 @@ def aside(layout, place):
     moved = []
     for each in layout.elements:
         if each.anchor.on_board:
-            line = np.array(place) + np.linspace(0.0, 0.4, len(each.members[0].values))[:, None] * [1.0, 0.0, 0.0]
-            members = (replace(each.members[0], track=line),)
-            each = replace(each, anchor=replace(each.anchor, position=np.array(place)), members=members)
+            line = np.array(place) + np.linspace(0.0, 0.4, len(each.manipulator.members[0].values))[:, None] * [
+                1.0,
+                0.0,
+                0.0,
+            ]
+            members = (replace(each.manipulator.members[0], track=line),)
+            each = replace(
+                each,
+                anchor=replace(each.anchor, position=np.array(place)),
+                manipulator=replace(each.manipulator, members=members),
+            )
         moved.append(each)
     return replace(layout, elements=tuple(moved))
 
@@ -120,7 +139,7 @@ def test_the_board_has_a_panel_of_its_own_below_the_others(rig):
 
 def test_names_on_a_board_are_large_enough_to_read(rig):
     """However wide the character is beside its handles."""
-    layout = replace(aside(sided(rig, beside=("chin", "jawLeft")), (1.4, 0.5, 0.5)), handle_width=0.01)
+    layout = with_width(aside(sided(rig, beside=("chin", "jawLeft")), (1.4, 0.5, 0.5)), 0.01)
     scene = scene_of(rig, layout, ["front"])
     assert 0.01 * scene.cameras[1].scale == pytest.approx(picture._ON_BOARD)
 
@@ -181,7 +200,13 @@ def test_a_name_turns_to_the_first_typeface_that_has_all_of_its_letters(typeface
 
 @pytest.mark.usefixtures("typefaces")
 def test_a_picture_whose_names_are_spelt_out_says_how_to_draw_them(rig, layout, monkeypatch):
-    named = replace(layout, elements=(replace(layout.elements[0], label="まばたき"), *layout.elements[1:]))
+    named = replace(
+        layout,
+        elements=(
+            replace(layout.elements[0], look=replace(layout.elements[0].look, label="まばたき")),
+            *layout.elements[1:],
+        ),
+    )
     monkeypatch.setattr(lettering, "_fallbacks", tuple)
     (line,) = sheet.spelt_out([(rig, named)])
     assert "usdrigui[fonts]" in line
@@ -205,7 +230,7 @@ def test_what_the_face_hides_is_drawn_faintly(rig, layout):
     camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
     subject = shading.body(rig.meshes, np.concatenate([mesh.points for mesh in rig.meshes]))
     depth = shading.shade(subject, camera).depth
-    element, at = layout.elements[0], elements_at(prepare(rig, layout), layout.base_values)[0]
+    element, at = layout.elements[0], elements_at(prepare(rig, layout), layout.character.base_values)[0]
     behind = replace(
         at, tracks=tuple(track - [0.0, 0.0, 1.0] for track in at.tracks), handle=at.handle - [0.0, 0.0, 1.0]
     )
@@ -223,7 +248,7 @@ def test_what_the_face_hides_is_drawn_faintly(rig, layout):
 def test_each_handle_is_as_wide_as_those_of_its_part(rig, layout):
     """Also in a picture of parts of several widths."""
     camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
-    element, at = layout.elements[0], elements_at(prepare(rig, layout), layout.base_values)[0]
+    element, at = layout.elements[0], elements_at(prepare(rig, layout), layout.character.base_values)[0]
     ground, nothing = Image.new("RGB", (300, 300), (255, 255, 255)), np.full((300, 300), -np.inf)
     inked = [
         (np.asarray(overlay.draw(ground, [overlay.mark(element, at, camera, nothing, width)])) < 255).any(axis=2).sum()
@@ -244,7 +269,9 @@ def test_labels_are_drawn_on_request(rig, layout, front):
 
 def test_long_names_leave_the_face_its_room(rig, layout):
     first, *others = layout.elements
-    long = replace(layout, elements=(replace(first, label="Mouth_Closed_Move_Right / " * 5), *others))
+    long = replace(
+        layout, elements=(replace(first, look=replace(first.look, label="Mouth_Closed_Move_Right / " * 5)), *others)
+    )
 
     def scale(given):
         posed = evaluate(prepare(rig, given))
@@ -287,7 +314,7 @@ def crossed(at, ends):
 )
 def test_signed_axes_span_every_quadrant_once(rig, ends, count, area):
     layout = laid_out.layout_of(rig, groups=[("jawLeft", "chin")])
-    at = crossed(elements_at(prepare(rig, layout), layout.base_values)[0], ends)
+    at = crossed(elements_at(prepare(rig, layout), layout.character.base_values)[0], ends)
     camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
     fields = overlay.mark(layout.elements[0], at, camera, np.full((300, 300), -np.inf), 0.06).fields
     assert len(fields) == count
@@ -322,13 +349,13 @@ def scene_of(rig, layout, views=None):
 )
 def test_captions_say_from_where_the_layout_is_seen(rig, layout, view, captions):
     """Whatever view a layout was made for: that comes first, then what shows the same."""
-    scene = scene_of(rig, replace(layout, view=np.array(view, dtype=np.float64)))
+    scene = scene_of(rig, seen_from(layout, np.array(view, dtype=np.float64)))
     assert [each.caption for each in scene.panels] == captions
     assert scene.cameras[0].rows[2] == pytest.approx(view)
 
 
 def test_views_turned_from_the_side_are_captioned_as_what_they_show(rig, layout):
-    scene = scene_of(rig, replace(layout, view=SIDE), ["front", "left", "right"])
+    scene = scene_of(rig, seen_from(layout, SIDE), ["front", "left", "right"])
     assert [each.caption for each in scene.panels] == ["side, character's left", "back", "front"]
 
 
@@ -345,7 +372,7 @@ def test_a_frame_holds_the_whole_head_and_no_arm():
 
 def test_patches_and_fans_span_fields_and_axes_do_not(rig):
     layout = laid_out.layout_of(rig, groups=[("jawLeft", "chin"), ("jawLeft", "jawRight"), ("brow_L",)])
-    posed = list(elements_at(prepare(rig, layout), layout.base_values))
+    posed = list(elements_at(prepare(rig, layout), layout.character.base_values))
     posed[0] = crossed(posed[0], [(0.0, 0.1), (0.0, 0.1)])
     camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
     depth = np.full((300, 300), -np.inf)
@@ -356,15 +383,15 @@ def test_patches_and_fans_span_fields_and_axes_do_not(rig):
 
 def test_the_two_ends_of_an_axis_span_no_field_however_bent_it_is(rig):
     layout = laid_out.layout_of(rig, groups=[("jawLeft", "jawRight")])
-    at = crossed(elements_at(prepare(rig, layout), layout.base_values)[0], [(0.0, 0.1), (0.0, 0.1)])
+    at = crossed(elements_at(prepare(rig, layout), layout.character.base_values)[0], [(0.0, 0.1), (0.0, 0.1)])
     camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
-    stick = replace(layout.elements[0], opposed=((0, 1),))
+    stick = replace(layout.elements[0], manipulator=replace(layout.elements[0].manipulator, opposed=((0, 1),)))
     assert overlay.mark(stick, at, camera, np.full((300, 300), -np.inf), 0.06).fields == ()
 
 
 def test_a_field_is_the_parallelogram_of_its_members(rig):
     layout = laid_out.layout_of(rig, groups=[("jawLeft", "chin")])
-    at = crossed(elements_at(prepare(rig, layout), layout.base_values)[0], [(0.0, 0.1), (0.0, 0.1)])
+    at = crossed(elements_at(prepare(rig, layout), layout.character.base_values)[0], [(0.0, 0.1), (0.0, 0.1)])
     camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
     outline = overlay.mark(layout.elements[0], at, camera, np.full((300, 300), -np.inf), 0.06).fields[0]
     corner = at.tracks[0][-1] + at.tracks[1][-1] - at.rest
@@ -444,7 +471,14 @@ def test_leader_lines_cross_no_other_and_no_name(layout, left):
     """Handles in a crowd, in rows closer than those of their names, and names of every length."""
     random = np.random.default_rng(7)
     for count in (3, 12, 30):
-        named = [replace(layout.elements[0], name=f"{i}", label="n" * random.integers(1, 30)) for i in range(count)]
+        named = [
+            replace(
+                layout.elements[0],
+                name=f"{i}",
+                look=replace(layout.elements[0].look, label="n" * random.integers(1, 30)),
+            )
+            for i in range(count)
+        ]
         at = random.uniform([250.0, 20.0], [550.0, 180.0], (count, 2))
         shown = [marked(each, (*place, *place)) for each, place in zip(named, at, strict=True)]
         names = lettering._column((800, 600), shown, left)
@@ -470,7 +504,7 @@ def crossing(one, other):
 
 
 def test_headings_stand_clear_of_the_row_and_of_large_handles(layout):
-    one = replace(layout.elements[0], category="global")
+    one = replace(layout.elements[0], placement=replace(layout.elements[0].placement, category="global"))
     large = np.array([[0.0, 60.0, 0.0], [20.0, 140.0, 0.0]])
     tops = []
     for outlines in ((), (large,)):
@@ -502,14 +536,14 @@ def test_leader_lines_differ_from_any_ground():
 
 def test_axes_that_go_both_ways_are_joysticks_and_coarse_elements_have_a_ring(layout):
     one = layout.elements[0]
-    patch = replace(one, kind="patch", members=(one.members[0],) * 3)
-    assert overlay.form_of(patch) == "patch"
-    assert overlay.form_of(replace(patch, opposed=((0, 1),))) == "joystick"
-    coarse = replace(one, inner=("finer",))
+    patch = replace(one.manipulator, kind="patch", members=(one.manipulator.members[0],) * 3)
+    joystick = replace(patch, opposed=((0, 1),))
+    assert [overlay.form_of(each) for each in (patch, joystick)] == ["patch", "joystick"]
+    coarse = replace(one, look=replace(one.look, inner=("finer",)))
     texts = [text for _, _, text, _ in picture._legend_entries([coarse])]
     assert texts[-1] == "coarse: opens into finer ones"
     assert not any(ringed for *_, ringed in picture._legend_entries([one]))
-    aside = replace(one, side="none")
+    aside = replace(one, look=replace(one.look, side="none"))
     on_board = replace(one, anchor=replace(one.anchor, on_board=True))
     for given, said in (([aside], "no side"), ([on_board], "board"), ([aside, on_board], "no side, board")):
         assert ("slider", VIOLET, said, False) in picture._legend_entries(given)
@@ -528,10 +562,10 @@ def test_a_character_in_parts_has_a_close_up_of_each_part_and_of_each_hand():
     assert [each.title for each in found] == ["face", "hands, character's left", "hands, character's right", "body"]
     shown = [element.name for each in found for element in each.layout.elements]
     assert sorted(shown) == sorted(element.name for element in layout.elements)
-    side = np.cross(rig.up, layout.view)
+    side = np.cross(rig.up, layout.frame.view)
     assert all(view @ side > -0.1 for view in found[1].views)
     assert all(view @ side < 0.1 for view in found[2].views)
-    eyes = [next(element for element in each.layout.elements if element.side != "none") for each in found[1:3]]
+    eyes = [next(element for element in each.layout.elements if element.look.side != "none") for each in found[1:3]]
     pair = replace(layout, elements=tuple(eyes))
     assert [each.title for each in sections(pair, evaluate(prepare(rig, pair)), rig.up)][1] == "hands"
     boards = sum(any(element.anchor.on_board for element in each.layout.elements) for each in found)
@@ -544,7 +578,7 @@ def test_a_part_without_handles_on_the_character_is_shown_without_the_skin_that_
     """The inside of a mouth: its controls are on the board, and its teeth alone are drawn."""
     rig = makers.face_with_teeth()
     whole = laid_out.layout_of(rig)
-    (teeth,) = (each for each in whole.elements if each.controls == {"teeth"})
+    (teeth,) = (each for each in whole.elements if each.manipulator.controls == {"teeth"})
     colours = complexion(rig, whole)
     board = replace(teeth, anchor=replace(teeth.anchor, on_board=True))
     hidden = cut_away(rig, replace(whole, elements=(board,)), colours).clear

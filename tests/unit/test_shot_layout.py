@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from pxr import Sdf
 
+from usdrigui.model import Placement
 from usdrigui.usd import shot_layout
 from usdrigui.usd.shot_layout import _author_new_shapes, _moved
 from usdrigui.usd.skin_binding import PointShape
@@ -19,7 +20,8 @@ def shape(channel, count=1):
 def test_a_prim_gets_the_shapes_that_any_of_its_elements_newly_follows(monkeypatch, channels, written):
     """Channel 0 is known to its layer; of two elements on the prim one may follow a new one."""
     found = []
-    elements = [SimpleNamespace(name=f"e{i}", anchor=SimpleNamespace(on_board=False)) for i in range(2)]
+    anchor, placement = SimpleNamespace(on_board=False), Placement()
+    elements = [SimpleNamespace(name=f"e{i}", anchor=anchor, placement=placement) for i in range(2)]
     drawn = {
         f"e{i}": [SimpleNamespace(shapes=(shape(channel),), points=np.zeros((1, 3)))]
         for i, channel in enumerate(channels)
@@ -33,7 +35,7 @@ def test_a_prim_gets_the_shapes_that_any_of_its_elements_newly_follows(monkeypat
     spans = [SimpleNamespace(element=f"e{i}", role="handle", points=np.array([i])) for i in (0, 1)]
     prim = SimpleNamespace(path="/Base/RigUI/face/shapes", spans=spans, shapes=["known"], targets=["/Base/x"], names=())
     rig = SimpleNamespace(root="/Shot/Char", channels=(SimpleNamespace(token="known"), SimpleNamespace(token="new")))
-    layout = SimpleNamespace(handle_width_of=lambda _: 1.0)
+    layout = SimpleNamespace(frame=SimpleNamespace(handle_width_of=lambda _: 1.0))
     shot = SimpleNamespace(rig=rig, layout=layout, base_root="/Base", prims=[prim])
     layer = Sdf.Layer.CreateAnonymous(".usda")
     scope = Sdf.CreatePrimInLayer(layer, "/Shot/Char/RigUI")

@@ -9,7 +9,24 @@ import numpy as np
 import pytest
 
 from usdrigui.errors import RigUIError
-from usdrigui.model import Anchor, Control, Drive, Element, Joint, Layout, Member, Skeleton, Skin
+from usdrigui.model import (
+    Anchor,
+    Control,
+    Drive,
+    Element,
+    Joint,
+    Layout,
+    LayoutCharacter,
+    LayoutFrame,
+    Look,
+    Manipulator,
+    Member,
+    MirrorPlane,
+    Placement,
+    Proof,
+    Skeleton,
+    Skin,
+)
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.usd import skin_binding
 from usdrigui.usd.skin_binding import PointShape, SkinBinding
@@ -61,14 +78,30 @@ def rig(weights, to_root=None, controls=None, **skin):
 def element(names, point=60, adapt="deform", beside=False):
     members = tuple(Member(name, np.array([0.0, 1.0]), np.array([[0.0, 0, 0], [0, 1, 0]]), 1.0, 1.0) for name in names)
     anchor = Anchor("/Root/mesh", point, 99, "", np.zeros(3), np.array([0.0, 0, 1]), beside)
-    return Element("e", "e", "slider", members, (), anchor, "none", "", "", "", adapt)
+    return Element(
+        name="e",
+        manipulator=Manipulator(kind="slider", members=members),
+        anchor=anchor,
+        look=Look(label="e", side="none", adapt=adapt),
+        placement=Placement(),
+    )
 
 
-def layout(made, *elements):
+def layout(made, *elements, base_values=None):
     return Layout(
-        made.root, elements, (), 0.1, "object", np.array([0.0, 0, 1]), np.zeros(3), np.zeros(3),
-        np.zeros(len(made.controls)), "", "stopped", 0.0, 0.0, 0.0,
-    )  # fmt: skip
+        character=LayoutCharacter(
+            root=made.root, base_values=np.zeros(len(made.controls)) if base_values is None else base_values
+        ),
+        elements=elements,
+        left_off=(),
+        frame=LayoutFrame(
+            space="object",
+            view=np.array([0.0, 0, 1]),
+            plane=MirrorPlane(origin=np.zeros(3), normal=np.zeros(3)),
+            handle_width=0.1,
+        ),
+        proof=Proof(method="", status="stopped", cost=0.0, bound=0.0, above_unary_bound=0.0),
+    )
 
 
 @pytest.mark.parametrize(
@@ -156,7 +189,7 @@ def test_layouts_of_another_rig_are_a_bug_of_ours():
     with pytest.raises(RigUIError, match="BUG"):
         SkinBinding(made, layout(made)).at_anchor(element(["chin"], point=99))
     with pytest.raises(RigUIError, match="BUG"):
-        SkinBinding(made, replace(layout(made), base_values=np.zeros(2)))
+        SkinBinding(made, layout(made, base_values=np.zeros(2)))
 
 
 def test_a_skeleton_that_collapses_space_is_refused():

@@ -32,7 +32,15 @@ def choices(rig):
     """Everything about a layout that is no number."""
     line = chain.lay_out(rig)
     return [
-        (each.name, each.kind, each.anchor.point, each.anchor.on_board, each.mirror, each.axes, each.reason)
+        (
+            each.name,
+            each.manipulator.kind,
+            each.anchor.point,
+            each.anchor.on_board,
+            each.manipulator.mirror,
+            each.manipulator.axes,
+            each.placement.reason,
+        )
         for each in line.layout.elements
     ]
 

@@ -94,7 +94,9 @@ def test_title_is_escaped(face):
 
 def test_names_cannot_end_the_script(face):
     rig, layout = face
-    element = replace(layout.elements[0], label="</script><script>alert(1)</script>")
+    element = replace(
+        layout.elements[0], look=replace(layout.elements[0].look, label="</script><script>alert(1)</script>")
+    )
     page = page_html([(rig, replace(layout, elements=(element, *layout.elements[1:])))], "face")
     assert "alert(1)" not in page
     assert page.count("</script>") == 2
@@ -122,9 +124,20 @@ def broken(layout, what):
     elif what == "point":
         element = replace(element, anchor=replace(element.anchor, point=10**6))
     elif what == "control":
-        element = replace(element, members=(replace(element.members[0], control="nobody"),))
+        element = replace(
+            element,
+            manipulator=replace(
+                element.manipulator, members=(replace(element.manipulator.members[0], control="nobody"),)
+            ),
+        )
     else:
-        element = replace(element, members=(replace(element.members[0], track=element.members[0].track * np.nan),))
+        element = replace(
+            element,
+            manipulator=replace(
+                element.manipulator,
+                members=(replace(element.manipulator.members[0], track=element.manipulator.members[0].track * np.nan),),
+            ),
+        )
     return replace(layout, elements=(element, *layout.elements[1:]))
 
 

@@ -191,11 +191,11 @@ def to_dwpicker(made: Picker, name: str, background: str = "") -> str:
             float(round(wide, 2)),
             float(round(high, 2)),
         )
-        form = "rounded_rect" if spot.element.kind == "slider" else "square"
+        form = "rounded_rect" if spot.element.manipulator.kind == "slider" else "square"
         button = _shape(form, place, _hex(spot.element))
-        button["action.targets"] = [member.control for member in spot.element.members]
+        button["action.targets"] = [member.control for member in spot.element.manipulator.members]
         shapes.append(
-            button | {"text.content": spot.element.label, "text.color": _ink(spot.element)}
+            button | {"text.content": spot.element.look.label, "text.color": _ink(spot.element)}
         )
     general = {
         "name": name,
@@ -274,7 +274,7 @@ def _panels(rig: Rig, layout: Layout, labels: bool) -> list[Panel]:
     posed = evaluate(prepare(rig, layout))
     colours = complexion(rig, main_layout(layout))
     whole = shading.body(rig.meshes, posed.points, colours)
-    if len(layout.parts) < 2:
+    if len(layout.frame.parts) < 2:
         return [_panel(rig.up, layout, posed, whole, "", labels)]
     panels = []
     for each in sections(layout, posed, rig.up):
@@ -288,7 +288,7 @@ def _panel(
     up: Floats, layout: Layout, posed: PosedLayout, subject: shading.Body, title: str, labels: bool
 ) -> Panel:
     """What is seen of a part, one handle width being `_HANDLE`."""
-    rows, scale = look(layout.view, up), _HANDLE / layout.handle_width
+    rows, scale = look(layout.frame.view, up), _HANDLE / layout.frame.handle_width
     plane = rows[:2].T * np.array([1.0, -1.0]) * scale  # pictures have y down
     corners = subject.corners
     skin = posed.points[np.unique(corners)]
@@ -425,7 +425,7 @@ def _box(panel: Panel) -> tuple[Floats, Floats]:
 def _drawn(spot: Spot) -> Floats:
     """(k, 2) points around everything drawn of an element."""
     points = list(spot.around)
-    wide = np.array([_LETTER * len(spot.element.label), 0.0])
+    wide = np.array([_LETTER * len(spot.element.look.label), 0.0])
     if spot.element.anchor.on_board:
         points += [_label_place(spot), _label_place(spot) + wide]
     if spot.lead is not None:
@@ -445,7 +445,9 @@ def _buttons(made: Picker) -> Floats:
     another."""
     if not made.spots:
         return np.zeros((0, 4))
-    wide = [max(_BUTTON, _BUTTON_LETTER * len(spot.element.label) + 10.0) for spot in made.spots]
+    wide = [
+        max(_BUTTON, _BUTTON_LETTER * len(spot.element.look.label) + 10.0) for spot in made.spots
+    ]
     sizes = np.stack([np.array(wide), np.full(len(wide), _BUTTON)], axis=1)
     at = spread(_BUTTON_SCALE * np.array([spot.handle for spot in made.spots]), sizes + 2.0)
     return np.concatenate([at - 0.5 * sizes, sizes], axis=1)
@@ -482,20 +484,20 @@ def _png(image: Image.Image) -> bytes:
 
 def _group(spot: Spot) -> list[str]:
     element, anchor = spot.element, spot.element.anchor
-    controls = [member.control for member in element.members]
+    controls = [member.control for member in element.manipulator.members]
     facts = {
         "id": element.name,
         "data-controls": json.dumps(controls, ensure_ascii=False),
-        "data-kind": element.kind,
-        "data-side": element.side,
-        "data-mirror": element.mirror,
+        "data-kind": element.manipulator.kind,
+        "data-side": element.look.side,
+        "data-mirror": element.manipulator.mirror,
         "data-anchor": f"{anchor.mesh}#{anchor.point}",
         "data-board": str(anchor.on_board).lower(),
     }
     attributes = " ".join(f'{name}="{markup(value)}"' for name, value in facts.items())
     lines = [f"<g {attributes}>"]
-    lines.append(f"<title>{markup(element.label)}: {markup(', '.join(controls))}</title>")
-    for member, track in zip(element.members, spot.tracks, strict=True):
+    lines.append(f"<title>{markup(element.look.label)}: {markup(', '.join(controls))}</title>")
+    for member, track in zip(element.manipulator.members, spot.tracks, strict=True):
         lines.append(
             f'<polyline data-control="{markup(member.control)}" points="{_points(track)}"'
             f' fill="none" stroke="{_hex(element)}" stroke-width="4" stroke-linecap="round"'
@@ -507,18 +509,20 @@ def _group(spot: Spot) -> list[str]:
         x += 4.0 if side == "start" else -4.0
         lines.append(
             f'<text x="{x:.2f}" y="{y + 5.0:.2f}" font-size="14"'
-            f' text-anchor="{side}">{markup(element.label)}</text>'
+            f' text-anchor="{side}">{markup(element.look.label)}</text>'
         )
     if anchor.on_board:
         x, y = _label_place(spot)
-        lines.append(f'<text x="{x:.2f}" y="{y:.2f}" font-size="14">{markup(element.label)}</text>')
+        lines.append(
+            f'<text x="{x:.2f}" y="{y:.2f}" font-size="14">{markup(element.look.label)}</text>'
+        )
     return [*lines, "</g>"]
 
 
 def _handle(spot: Spot) -> str:
     (x, y), r = spot.handle, 0.5 * _HANDLE
     style = f'fill="{_hex(spot.element)}" stroke="#ffffff" stroke-width="2"'
-    form = form_of(spot.element)
+    form = form_of(spot.element.manipulator)
     if form in ("patch", "joystick"):
         return (
             f'<rect x="{x - r:.2f}" y="{y - r:.2f}" width="{2 * r:.2f}" height="{2 * r:.2f}" rx="4"'

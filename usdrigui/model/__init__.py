@@ -15,7 +15,21 @@ from usdrigui.model.animation import Clip, Performance
 from usdrigui.model.assignment import GAP_FLOOR, Assignment, Status, Step
 from usdrigui.model.candidates import Candidates, CandidateSet, Category, ElementKind, Group
 from usdrigui.model.controls import Channel, Control, ControlKind, Drive, Joint, Skeleton
-from usdrigui.model.layout import Anchor, Decision, Element, Layout, LayoutPart, Member, Side
+from usdrigui.model.layout import (
+    Anchor,
+    Decision,
+    Element,
+    Layout,
+    LayoutCharacter,
+    LayoutFrame,
+    LayoutPart,
+    Look,
+    Manipulator,
+    Member,
+    Placement,
+    Proof,
+    Side,
+)
 from usdrigui.model.mesh import RigMesh, Shape, Skin, Subset
 from usdrigui.model.motion import BaseSurface, MirrorPlane, Motion, Symmetry, Trajectories
 from usdrigui.model.problem import Choice, ExtraPairs, LayoutProblem, Overlap, Variable
@@ -48,14 +62,20 @@ __all__ = [
     "Indices",
     "Joint",
     "Layout",
+    "LayoutCharacter",
+    "LayoutFrame",
     "LayoutPart",
     "LayoutProblem",
     "LeftOff",
+    "Look",
+    "Manipulator",
     "Member",
     "MirrorPlane",
     "Motion",
     "Overlap",
     "Performance",
+    "Placement",
+    "Proof",
     "Record",
     "Rig",
     "RigMesh",

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Literal
 
 from usdrigui.errors import Issue, issue
 from usdrigui.model.assignment import Status
 from usdrigui.model.candidates import ElementKind, axes_of
+from usdrigui.model.motion import MirrorPlane
 from usdrigui.model.record import Floats, Record
 from usdrigui.model.rig import Glyph, LeftOff
 
@@ -21,45 +22,16 @@ controls share it."""
 class Layout(Record):
     """All elements of one character (paper: L), what was left off, and the proof."""
 
-    root: str
-    """Prim path of the SkelRoot."""
+    character: LayoutCharacter
     elements: tuple[Element, ...]
     left_off: tuple[LeftOff, ...]
-    handle_width: float
-    """Diameter at which handles are drawn and kept apart; scene units."""
-    space: Literal["object", "view"]
-    view: Floats
-    """(3,) unit direction from the face to the viewer for which the layout was made."""
-    plane_origin: Floats
-    plane_normal: Floats
-    """(3,) symmetry plane; normal zero when there is none."""
-    base_values: Floats
-    """(controls,) base pose: value of every control, in the order of `Rig.controls`."""
-    method: str
-    status: Status
-    cost: float
-    bound: float
-    above_unary_bound: float
-    weights: tuple[tuple[str, float], ...] = field(default=())
-    """Settings of the objective that the cost depends on, by name."""
-    closed_by: str = ""
-    """What proved the gap or kept it from that, as `Assignment.closed_by`."""
-    parts: tuple[LayoutPart, ...] = ()
-    """Of a character in several parts; then `handle_width`, `view`, the plane and `weights` are
-    those of its main part, and the costs are sums."""
-    variant_path: str = ""
-    """Path of the SkelRoot with the variants in which the layout stands, ``/Char{LOD=low}``; empty
-    without."""
-
-    def handle_width_of(self, element: Element) -> float:
-        """Diameter of the handle of an element: that of its part."""
-        widths = {part.name: part.handle_width for part in self.parts}
-        return widths.get(element.part, self.handle_width)
+    frame: LayoutFrame
+    proof: Proof
 
     @property
     def controls(self) -> frozenset[str]:
         """Names of all controls that have an element."""
-        return frozenset().union(*(element.controls for element in self.elements))
+        return frozenset().union(*(each.manipulator.controls for each in self.elements))
 
     def mesh_gone(self, mesh: str, controls: int = 0) -> Issue:
         """LAYOUT_MESH_GONE of a mesh that is not there, with how many elements stand on it;
@@ -67,7 +39,62 @@ class Layout(Record):
         elements = sum(element.anchor.mesh == mesh for element in self.elements)
         message = f"is gone, and {elements} element{'s' * (elements != 1)} of the layout with it"
         more = f"; {controls} control{'s' * (controls != 1)} of the layout went too"
-        return issue("LAYOUT_MESH_GONE", mesh, f"{message}{more * bool(controls)}", self.root)
+        return issue(
+            "LAYOUT_MESH_GONE", mesh, f"{message}{more * bool(controls)}", self.character.root
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class LayoutCharacter(Record):
+    """The character for which a layout was made, in the pose in which its elements are stored."""
+
+    root: str
+    """Prim path of the SkelRoot."""
+    base_values: Floats
+    """(controls,) base pose: value of every control, in the order of `Rig.controls`."""
+    variant_path: str = ""
+    """Path of the SkelRoot with the variants in which the layout stands, ``/Char{LOD=low}``; empty
+    without."""
+
+    @property
+    def path(self) -> str:
+        """Of the SkelRoot, with the variants where the layout stands in some."""
+        return self.variant_path or self.root
+
+
+@dataclass(frozen=True, eq=False)
+class LayoutFrame(Record):
+    """From where a layout is seen, what it mirrors about, and how large it is drawn."""
+
+    space: Literal["object", "view"]
+    view: Floats
+    """(3,) unit direction from the face to the viewer for which the layout was made."""
+    plane: MirrorPlane
+    handle_width: float
+    """Diameter at which handles are drawn and kept apart; scene units."""
+    parts: tuple[LayoutPart, ...] = ()
+    """Of a character in several parts; then `handle_width`, `view` and `plane` are those of its
+    main part, and so are the weights of the proof; its costs are sums."""
+
+    def handle_width_of(self, part: str) -> float:
+        """Diameter of the handles of a part: of the main one where it has none of its own."""
+        widths = {each.name: each.handle_width for each in self.parts}
+        return widths.get(part, self.handle_width)
+
+
+@dataclass(frozen=True, eq=False)
+class Proof(Record):
+    """What the solver proved of a layout's cost."""
+
+    method: str
+    status: Status
+    cost: float
+    bound: float
+    above_unary_bound: float
+    weights: tuple[tuple[str, float], ...] = ()
+    """Settings of the objective that the cost depends on, by name."""
+    closed_by: str = ""
+    """What proved the gap or kept it from that, as `Assignment.closed_by`."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,7 +104,7 @@ class LayoutPart(Record):
     name: str
     handle_width: float
     view: Floats
-    """(3,) as `Layout.view`."""
+    """(3,) as `LayoutFrame.view`."""
     status: Status
     cost: float
     bound: float
@@ -89,38 +116,26 @@ class Element(Record):
 
     name: str
     """Unique; a valid prim name is made from it by the layer."""
-    label: str
+    manipulator: Manipulator
+    anchor: Anchor
+    look: Look
+    placement: Placement
+
+
+@dataclass(frozen=True, eq=False)
+class Manipulator(Record):
+    """The controls that an element moves, and how."""
+
     kind: ElementKind
     members: tuple[Member, ...]
     """In order; a bipolar slider has two opposed members, a joystick is a patch of up to four."""
-    opposed: tuple[tuple[int, int], ...]
+    opposed: tuple[tuple[int, int], ...] = ()
     """Pairs of member positions that are the two ends of one axis."""
-    anchor: Anchor
-    side: Side
-    mirror: str
+    mirror: str = ""
     """Name of the element on the other side, or empty."""
-    category: str
-    """For elements on the board: the heading under which it stands (``global``, ``hidden``,
-    ``composite``, ``requested``, ``crowded``); else empty."""
-    reason: str
-    """Why it stands on the board or shares an element; else empty."""
-    adapt: Literal["deform", "static"] = "deform"
-    glyph: Glyph | None = None
-    """Drawn as its handle; None for the usual shape."""
     reversed: tuple[int, ...] = ()
     """Positions of members that mirror those of `mirror` with the opposite sign: both go both
     ways."""
-    inner: tuple[str, ...] = ()
-    """Names of its members: the elements that are shown in its place when it is opened.  None
-    unless it is coarse."""
-    pinned: tuple[Decision, ...] = ()
-    """Decisions of a person that hold whenever the layout is made again."""
-    pinned_position: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    """Of the anchor at rest, in root space, on the rig for which they were made; means nothing
-    without ``anchor``."""
-    part: str = ""
-    """The part of the character to which it belongs: ``face``, ``hands``, ``feet``, ``body`` or one
-    of the configuration's; empty where a layer does not say."""
 
     @property
     def axes(self) -> tuple[tuple[int, ...], ...]:
@@ -132,6 +147,40 @@ class Element(Record):
     def controls(self) -> frozenset[str]:
         """Names of its controls."""
         return frozenset(member.control for member in self.members)
+
+
+@dataclass(frozen=True, eq=False)
+class Look(Record):
+    """How an element is shown."""
+
+    label: str
+    side: Side
+    """Tells its colour."""
+    adapt: Literal["deform", "static"] = "deform"
+    glyph: Glyph | None = None
+    """Drawn as its handle; None for the usual shape."""
+    inner: tuple[str, ...] = ()
+    """Names of its members: the elements that are shown in its place when it is opened.  None
+    unless it is coarse."""
+
+
+@dataclass(frozen=True, eq=False)
+class Placement(Record):
+    """Where an element belongs, and who or what decided it."""
+
+    part: str = ""
+    """The part of the character: ``face``, ``hands``, ``feet``, ``body`` or one of the
+    configuration's; empty where a layer does not say."""
+    category: str = ""
+    """On the board, the heading under which it stands (``global``, ``hidden``, ``composite``,
+    ``requested``, ``crowded``); else empty."""
+    reason: str = ""
+    """Why it stands on the board or shares an element; else empty."""
+    pinned: tuple[Decision, ...] = ()
+    """Decisions of a person that hold whenever the layout is made again."""
+    pinned_position: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    """Of the anchor at rest, in root space, on the rig for which they were made; means nothing
+    without ``anchor``."""
 
 
 @dataclass(frozen=True, eq=False)

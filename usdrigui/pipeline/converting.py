@@ -42,7 +42,7 @@ def convert(layer: Path, target: Path, settings: Settings) -> State:
         raise refuse("SOURCE_MISSING", str(layer), "does not sublayer any asset")
     source = Path(layouts[0].source)
     reads = [read_rigs_isolated(source, each) for each in chosen]
-    laid = {pair[1].variant_path or pair[1].root: pair for pair in _pairs(layouts, reads, source)}
+    laid = {pair[1].character.path: pair for pair in _pairs(layouts, reads, source)}
     check_target(source, target)
     check_replaceable(target, settings.read)
     from usdrigui.usd.layer import write_layout
@@ -69,15 +69,16 @@ def _pairs(
 def _rig_of(rigs: dict[str, Rig], layout: Layout, source: Path) -> Rig:
     """The character of a layout, if it still has the controls that the layout knows; raises
     LAYOUT_STALE."""
-    rig = rigs.get(layout.root)
+    root = layout.character.root
+    rig = rigs.get(root)
     if rig is None:
-        raise refuse("LAYOUT_STALE", layout.root, f"{source} no longer has this character")
+        raise refuse("LAYOUT_STALE", root, f"{source} no longer has this character")
     unknown = sorted(layout.controls - {control.name for control in rig.controls})
-    if unknown or len(layout.base_values) != len(rig.controls):
+    if unknown or len(layout.character.base_values) != len(rig.controls):
         what = (
             f"it has no control {unknown[0]!r}"
             if unknown
             else f"it has {len(rig.controls)} controls"
         )
-        raise refuse("LAYOUT_STALE", layout.root, f"{what}, as {source} and its configuration are")
+        raise refuse("LAYOUT_STALE", root, f"{what}, as {source} and its configuration are")
     return rig

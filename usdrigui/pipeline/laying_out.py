@@ -213,7 +213,7 @@ def _read_over(shot: Path, settings: Settings, layers: ReferenceLayers) -> list[
     found = _read(shot, layers, settings)
     assert found.references.base is not None
     sets = frozenset[str]().union(
-        *(asset_selections(each.variant_path) for each in found.references.base.layouts)
+        *(asset_selections(each.character.variant_path) for each in found.references.base.layouts)
     )
     if not sets:
         return [found]
@@ -280,7 +280,9 @@ def _laid_out(
 def _beside(report: CharacterReport, first: CharacterReport) -> CharacterReport:
     """What a variant keeps of the first one is no history of its own."""
     return replace(
-        report, difference=None, matchings={first.layout.variant_path: report.matchings["previous"]}
+        report,
+        difference=None,
+        matchings={first.layout.character.variant_path: report.matchings["previous"]},
     )
 
 
@@ -426,7 +428,7 @@ def _account(
     }
     rows = rows_of(rig, layout, peaks, twins, explained_by)
     added = _added(existing, layout.elements)
-    nothing = () if existing is None or added else (_nothing_added(layout.root, layout.elements),)
+    nothing = () if existing is None or added else (_nothing_added(layout),)
     short = (
         found
         for each in laid
@@ -464,13 +466,13 @@ def _part_row(laid: LaidPart) -> PartRow:
     elements = [element for element in laid.layout.elements if not element.anchor.on_board]
     controls = [motion.control for motion in laid.inputs.face.trajectories.motions]
     names = tuple(laid.inputs.face.rig.controls[control].name for control in controls)
-    on_it = frozenset().union(*(element.controls for element in elements))
+    on_it = frozenset().union(*(element.manipulator.controls for element in elements))
     return PartRow(
         laid.inputs.part,
         names,
         len(on_it),
-        laid.layout.handle_width,
-        laid.layout.view,
+        laid.layout.frame.handle_width,
+        laid.layout.frame.view,
         laid.assignment,
     )
 
@@ -482,8 +484,8 @@ def _added(existing: Layout | None, elements: tuple[Element, ...]) -> frozenset[
     )
 
 
-def _nothing_added(root: str, elements: tuple[Element, ...]) -> Issue:
-    return issue("BASE_COMPLETE", root, f"{len(elements)} elements stand")
+def _nothing_added(layout: Layout) -> Issue:
+    return issue("BASE_COMPLETE", layout.character.root, f"{len(layout.elements)} elements stand")
 
 
 def _source_row(source: SourceFile, asset: Path) -> SourceRow:

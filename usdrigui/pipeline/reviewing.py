@@ -138,7 +138,11 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...],
     """What the stage has, why layouts have no character there any more, and what was read."""
     found, read = read_composed_isolated(layer, settings)
     wanted = settings.read.skel_root
-    layouts = {each.root: each for each in found.layouts if not wanted or each.root == wanted}
+    layouts = {
+        each.character.root: each
+        for each in found.layouts
+        if not wanted or each.character.root == wanted
+    }
     characters = tuple(
         (each, _with_base(each, layouts[each.root], read.listed.get(each.root, ())))
         for each in read.rigs
@@ -166,12 +170,15 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...],
 def _with_base(rig: Rig, layout: Layout, listed: Sequence[str]) -> Layout:
     """The layout with a base pose in the order of the rig's controls, where its own is of just
     these, `listed` in any order; where it tells of none, with that of the defaults."""
-    if not len(layout.base_values):
-        return replace(layout, base_values=np.array([each.default for each in rig.controls]))
-    if len(listed) != len(rig.controls) or not rig.control_names.issuperset(listed):
+    own = layout.character.base_values
+    if not len(own):
+        values = {each.name: each.default for each in rig.controls}
+    elif len(listed) != len(rig.controls) or not rig.control_names.issuperset(listed):
         return layout
-    values = dict(zip(listed, layout.base_values.tolist(), strict=True))
-    return replace(layout, base_values=np.array([values[each.name] for each in rig.controls]))
+    else:
+        values = dict(zip(listed, own.tolist(), strict=True))
+    base = np.array([values[each.name] for each in rig.controls])
+    return replace(layout, character=replace(layout.character, base_values=base))
 
 
 def check(
@@ -216,7 +223,7 @@ def open_layouts(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Loaded:
     layouts, read = read_open_layouts(stage, settings)
     refuse_unsound(read)
     _refuse_lost(read.lost)
-    by_root = {each.root: each for each in layouts}
+    by_root = {each.character.root: each for each in layouts}
     characters = tuple(
         (rig, _with_base(rig, by_root[rig.root], read.listed.get(rig.root, ())))
         for rig in read.rigs
@@ -288,11 +295,11 @@ def _upright(rig: Rig, layout: Layout) -> Rig:
 
     The layout's view and the left of the character tell that direction up to the tilt of the view.
     """
-    left = _left(layout.elements, layout.plane_normal)
-    up = np.cross(layout.view, left / max(float(np.linalg.norm(left)), 1e-300))
+    left = _left(layout.elements, layout.frame.plane.normal)
+    up = np.cross(layout.frame.view, left / max(float(np.linalg.norm(left)), 1e-300))
     length = float(np.linalg.norm(up))
     ahead = np.sum([each.anchor.normal for each in layout.elements], axis=0)
-    if layout.view @ ahead <= _LYING * np.linalg.norm(ahead):
+    if layout.frame.view @ ahead <= _LYING * np.linalg.norm(ahead):
         return rig  # a view from above or aside tells nothing
     if length < _SIDEWAYS or abs(float(up @ rig.up)) > _LYING * length:
         return rig
@@ -307,7 +314,7 @@ def _left(elements: tuple[Element, ...], plane_normal: Floats) -> Floats:
     if plane_normal.any():
         return plane_normal
     left, right = (
-        [each.anchor.position for each in elements if each.side == side]
+        [each.anchor.position for each in elements if each.look.side == side]
         for side in ("left", "right")
     )
     return np.mean(left, axis=0) - np.mean(right, axis=0) if left and right else np.zeros(3)
@@ -322,14 +329,12 @@ def _of_part(layout: Layout, character: Divided, part: Part) -> Layout:
     )
 
     def own(element: Element) -> bool:
-        control = index.get(element.members[0].control, -1)
+        control = index.get(element.manipulator.members[0].control, -1)
         return control in part.controls or (part is character.parts[0] and control not in others)
 
     elements = tuple(element for element in layout.elements if own(element))
-    widths = {each.name: each.handle_width for each in layout.parts}
-    return replace(
-        layout, elements=elements, handle_width=widths.get(part.name, layout.handle_width)
-    )
+    width = layout.frame.handle_width_of(part.name)
+    return replace(layout, elements=elements, frame=replace(layout.frame, handle_width=width))
 
 
 def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tuple[Issue, ...]:
@@ -373,12 +378,15 @@ def diff(before: Path, after: Path, settings: Settings) -> LayerDifference:
 
 def _difference(before: Path, after: Path, settings: ReadSettings) -> LayerDifference:
     old, new = (
-        {each.root: each for each in read_layouts_isolated(layer, settings).layouts}
+        {each.character.root: each for each in read_layouts_isolated(layer, settings).layouts}
         for layer in (before, after)
     )
     shared = [(old[root], new[root]) for root in new if root in old]
     found = tuple(
-        replace(difference_stage.difference(first, second), root=second.variant_path or second.root)
+        replace(
+            difference_stage.difference(first, second),
+            root=second.character.path,
+        )
         for first, second in shared
     )
     return LayerDifference(str(before), str(after), found, tuple(sorted(old.keys() ^ new.keys())))

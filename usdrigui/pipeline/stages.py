@@ -425,21 +425,31 @@ def joined(laid: Sequence[LaidPart]) -> Layout:
     if len(laid) == 1:
         return main
     parts = [
-        LayoutPart(name, each.handle_width, each.view, each.status, each.cost, each.bound)
+        LayoutPart(
+            name,
+            each.frame.handle_width,
+            each.frame.view,
+            each.proof.status,
+            each.proof.cost,
+            each.proof.bound,
+        )
         for name, each in layouts.items()
     ]
-    last = [each for each in layouts.values() if each.status != "optimal"] or [main]
+    last = [each for each in layouts.values() if each.proof.status != "optimal"] or [main]
     return replace(
         main,
         elements=tuple(element for each in layouts.values() for element in each.elements),
         left_off=tuple(dict.fromkeys(left for each in layouts.values() for left in each.left_off)),
-        parts=tuple(parts),
-        method=last[-1].method,
-        closed_by=last[-1].closed_by,
-        status=last[-1].status,
-        cost=sum(each.cost for each in parts),
-        bound=sum(each.bound for each in parts),
-        above_unary_bound=sum(each.above_unary_bound for each in layouts.values()),
+        frame=replace(main.frame, parts=tuple(parts)),
+        proof=replace(
+            main.proof,
+            method=last[-1].proof.method,
+            closed_by=last[-1].proof.closed_by,
+            status=last[-1].proof.status,
+            cost=sum(each.cost for each in parts),
+            bound=sum(each.bound for each in parts),
+            above_unary_bound=sum(each.proof.above_unary_bound for each in layouts.values()),
+        ),
     )
 
 

@@ -84,21 +84,21 @@ def prepare(rig: Rig, layout: Layout) -> Poser:
     anchors, rows = subset(rig, points)
     names = {control.name: index for index, control in enumerate(rig.controls)}
     owned = tuple(_controls(names, element) for element in layout.elements)
-    if len(layout.base_values) != len(rig.controls):
+    if len(layout.character.base_values) != len(rig.controls):
         raise refuse(
             "LAYOUT_STALE",
-            layout.root,
+            layout.character.root,
             "the base pose has another number of controls than the character",
         )
-    base, still, still_base = posed(anchors, layout.base_values), anchors, None
+    base, still, still_base = posed(anchors, layout.character.base_values), anchors, None
     carrier = -1
-    if any(element.adapt == "static" for element in layout.elements):
+    if any(element.look.adapt == "static" for element in layout.elements):
         carrier = carrying_joint(
             rig, points[[not each.anchor.on_board for each in layout.elements]]
         )
     if carrier >= 0:
         still, _ = subset(on_one_joint(rig, carrier), points)
-        still_base = posed(still, layout.base_values)
+        still_base = posed(still, layout.character.base_values)
     return Poser(
         rig,
         layout,
@@ -118,7 +118,7 @@ def evaluate(poser: Poser, values: ArrayLike | None = None) -> PosedLayout:
 
     Raises RigUIError POSE_VALUE for values that are not finite or of another number.
     """
-    at = checked_values(poser.rig, poser.layout.base_values if values is None else values)
+    at = checked_values(poser.rig, poser.layout.character.base_values if values is None else values)
     return PosedLayout(deform(poser.rig, at), elements_at(poser, at))
 
 
@@ -192,31 +192,33 @@ def _element(
     anchor, carry = _carried(_map(skin, before, row), _map(skin, others, row), base)
     if follows.deforms:
         anchor = others.points[row]
-    tracks = tuple(carried(member.track, base, anchor, carry) for member in element.members)
+    tracks = tuple(
+        carried(member.track, base, anchor, carry) for member in element.manipulator.members
+    )
     owned = poser.owned[index]
     rest, handle = slid(
-        [member.values for member in element.members],
+        [member.values for member in element.manipulator.members],
         tracks,
-        poser.layout.base_values[owned].tolist(),
+        poser.layout.character.base_values[owned].tolist(),
         values[owned].tolist(),
     )
     if follows.deforms:
         handle = whole.points[row]
     glyph = np.zeros((0, 3))
-    if element.glyph is not None:
+    if element.look.glyph is not None:
         held = (
             _carried(_map(skin, before, row), _map(skin, whole, row), base)[1]
             if follows.deforms
             else carry
         )
-        glyph = handle + element.glyph.points @ held
+        glyph = handle + element.look.glyph.points @ held
     return PosedElement(tracks, handle, rest, facing(element.anchor.normal, carry), glyph)
 
 
 def _without(poser: Poser, skin: Rig, held: Indices, whole: Posed, values: Floats) -> Posed:
     """The anchors on a skin with the controls `held` at the base pose and all others at
     `values`."""
-    base_values = poser.layout.base_values
+    base_values = poser.layout.character.base_values
     away = held[values[held] != base_values[held]]
     if not len(away):
         return whole
@@ -292,18 +294,20 @@ def _followings(
     stands = [element.anchor.on_board for element in elements]
     board = board_controls(controls, itertools.compress(owned, stands))
     return tuple(
-        following(own, board, carrier, on_board=on_board, static=element.adapt == "static")
+        following(own, board, carrier, on_board=on_board, static=element.look.adapt == "static")
         for element, own, on_board in zip(elements, owned, stands, strict=True)
     )
 
 
 def _controls(names: Mapping[str, int], element: Element) -> Indices:
-    for member in element.members:
+    for member in element.manipulator.members:
         if member.control not in names:
             raise refuse(
                 "LAYOUT_STALE", member.control, f"the control of {element.name} does not exist"
             )
-    return np.array([names[member.control] for member in element.members], dtype=np.int64)
+    return np.array(
+        [names[member.control] for member in element.manipulator.members], dtype=np.int64
+    )
 
 
 # --- elements that do not deform ------------------------------------------------------------------

@@ -119,7 +119,7 @@ def _attached(
     source = open_layer(asset)
     if any(_entries(asset, source, layer)):
         return "unchanged"
-    roots = [layout.root for layout in layouts]
+    roots = [layout.character.root for layout in layouts]
     for root in roots:
         if root in read.composed_from:
             raise refuse(
@@ -143,9 +143,11 @@ def _sublayer(asset: Path, layer: Path) -> _Edit:
 def _payloads(asset: Path, layer: Path, layouts: Sequence[Layout]) -> _Edit:
     opened, entry = open_layer(layer), relative_asset_path(layer, asset)
     for layout in layouts:
-        payloads.check_reachable(layer, opened, layout.variant_path, layout.root)
+        own = layout.character
+        payloads.check_reachable(layer, opened, own.variant_path, own.root)
     wanted = tuple(
-        payloads.PayloadOf(root, entry) for root in dict.fromkeys(each.root for each in layouts)
+        payloads.PayloadOf(root, entry)
+        for root in dict.fromkeys(each.character.root for each in layouts)
     )
     return _Edit(
         functools.partial(payloads.add, payloads=wanted),
@@ -174,7 +176,7 @@ def _has_layout(path: Path, settings: ReadSettings) -> bool:
 def _in_its_variant(layouts: Sequence[Layout], settings: Settings) -> Settings:
     """The settings with the variants selected in which a layout stands: the asset may select
     others."""
-    chosen = {**asset_selections(layouts[0].variant_path), **settings.read.variants}
+    chosen = {**asset_selections(layouts[0].character.variant_path), **settings.read.variants}
     return replace(settings, read=replace(settings.read, variants=chosen))
 
 
@@ -183,20 +185,22 @@ def _check_of(asset: Path, layouts: Sequence[Layout], rigs: Sequence[Rig]) -> No
     without any control that it has."""
     by_root = {rig.root: rig for rig in rigs}
     for layout in layouts:
-        if layout.root not in by_root:
-            raise refuse("ATTACH_MISMATCH", layout.root, f"{asset} has no character at this path")
-        if layout.controls and layout.controls.isdisjoint(by_root[layout.root].control_names):
+        root = layout.character.root
+        if root not in by_root:
+            raise refuse("ATTACH_MISMATCH", root, f"{asset} has no character at this path")
+        if layout.controls and layout.controls.isdisjoint(by_root[root].control_names):
             raise refuse(
-                "ATTACH_MISMATCH", layout.root, f"shares no control with the character of {asset}"
+                "ATTACH_MISMATCH", root, f"shares no control with the character of {asset}"
             )
 
 
 def _controls_gone(layouts: Sequence[Layout], rigs: Sequence[Rig]) -> Iterator[Issue]:
     known = {rig.root: rig.control_names for rig in rigs}
     for layout in layouts:
-        unknown = sorted(layout.controls.difference(known[layout.root]))
+        root = layout.character.root
+        unknown = sorted(layout.controls.difference(known[root]))
         if unknown:
-            yield issue("ATTACH_CONTROLS_GONE", layout.root, f"has no control {listed(unknown)}")
+            yield issue("ATTACH_CONTROLS_GONE", root, f"has no control {listed(unknown)}")
 
 
 def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:
@@ -349,7 +353,9 @@ def _means(text: str, layer: Sdf.Layer) -> bool:
 
 def _holds_layouts(roots: Sequence[str], settings: ReadSettings, path: Path) -> bool:
     """Whether the file composes to a character with the layouts."""
-    return set(roots) <= {each.root for each in read_layouts_isolated(path, settings).layouts}
+    return set(roots) <= {
+        each.character.root for each in read_layouts_isolated(path, settings).layouts
+    }
 
 
 def _readable(settings: Settings, path: Path) -> bool:

@@ -64,7 +64,7 @@ def drawings(elements: Sequence[DrawnElement]) -> tuple[Drawing, ...]:
                 len(bound.joints)
             )  # UsdSkel takes a point without influences to the origin
             key = (
-                each.element.part,
+                each.element.placement.part,
                 each.inner,
                 bound.skeleton,
                 bound.method if skinned else "",
@@ -139,7 +139,7 @@ def _author_faces(mesh: Sdf.PrimSpec, drawing: Drawing, elements: Sequence[Drawn
     )
     # To the last bit as USD computes it of what is written, in single precision.
     extent.default = UsdGeom.PointBased.ComputeExtent(mesh.attributes["points"].default)
-    sides = [elements[position].element.side for position, _ in drawing.parts]
+    sides = [elements[position].element.look.side for position, _ in drawing.parts]
     colours = [linear(side) for side in dict.fromkeys(sides)]
     which = [list(dict.fromkeys(sides)).index(side) for side in sides]
     repeated = np.repeat(which, [len(part.faces.counts) for part in parts])

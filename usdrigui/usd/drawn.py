@@ -117,8 +117,9 @@ def _felt(shapes: tuple[PointShape, ...], budget: float) -> tuple[PointShape, ..
 def _tracks(skin: SkinBinding, binding: AnchorBinding, element: Element, width: float) -> Drawn:
     """A spike for each member, and polygons between those that are neighbours (paper section
     4.1)."""
-    base = np.array([skin.value(member.control) for member in element.members])
-    members = [_bent(member, element.anchor.normal, width) for member in element.members]
+    moved = element.manipulator.members
+    base = np.array([skin.value(member.control) for member in moved])
+    members = [_bent(member, element.anchor.normal, width) for member in moved]
     spikes = [
         # Each a little narrower, so that two which begin in one place do not begin in the same
         # points.
@@ -138,11 +139,9 @@ def _tracks(skin: SkinBinding, binding: AnchorBinding, element: Element, width: 
         ),
     )
     rows = [_values_along(base, i, member) for i, member in enumerate(members)]
-    values = np.concatenate(
-        [*rows, *(_values_at(base, element.members, ends) for ends, _ in areas)]
-    )
+    values = np.concatenate([*rows, *(_values_at(base, moved, ends) for ends, _ in areas)])
     positions = np.concatenate([points for points, _ in pieces])
-    return _still(skin, binding, element.members, values, positions, faces, len(areas), width)
+    return _still(skin, binding, moved, values, positions, faces, len(areas), width)
 
 
 def _bent(member: Member, normal: Floats, width: float) -> Member:
@@ -268,7 +267,7 @@ def _areas(element: Element) -> list[tuple[list[int], Floats]]:
     They end short of the tracks: surfaces that touch in a point make a mesh no manifold, and points
     that are in one place look like a mistake.
     """
-    pairs = [] if element.kind == "slider" else _neighbours(element)
+    pairs = [] if element.manipulator.kind == "slider" else _neighbours(element)
     polygons: list[list[int]] = []
     for a, b in pairs:
         if polygons and polygons[-1][-1] == a:
@@ -289,20 +288,20 @@ def _end(element: Element, end: int) -> Floats:
     """(3,) where one of `_ends` is in the base pose; the handle for -1."""
     if end < 0:
         return element.anchor.position
-    member = element.members[end % len(element.members)]
-    return np.asarray(member.track[-1 if end < len(element.members) else 0])
+    members = element.manipulator.members
+    return np.asarray(members[end % len(members)].track[-1 if end < len(members) else 0])
 
 
 def _ends(element: Element) -> tuple[list[int], Floats]:
     """The ends of tracks away from the handle, with the angle of each around the normal: i the last
     point of the track of member i, m + i the first."""
-    count, home = len(element.members), element.anchor.position
-    away = [member.track[-1] - home for member in element.members]
-    away += [member.track[0] - home for member in element.members]
+    tracks, home = [each.track for each in element.manipulator.members], element.anchor.position
+    away = [*(track[-1] - home for track in tracks), *(track[0] - home for track in tracks)]
     ends = [
         end
         for end, each in enumerate(away)
-        if end < count or np.linalg.norm(each) > _BESIDE * np.linalg.norm(away[end - count])
+        if end < len(tracks)
+        or np.linalg.norm(each) > _BESIDE * np.linalg.norm(away[end - len(tracks)])
     ]
     normal = np.array(element.anchor.normal, dtype=np.float64)
     first = np.cross(axis_across(normal), normal)
@@ -317,6 +316,7 @@ def _neighbours(element: Element) -> list[tuple[int, int]]:
     """Pairs of `_ends` that are next to each other around the normal, at most 180 degrees apart;
     never the two ends of one axis."""
     ends, angle = _ends(element)
+    count, axes = len(element.manipulator.members), element.manipulator.axes
     order = np.argsort(angle, kind="stable")
     rounds = list(zip(order, np.roll(order, -1), strict=True))
     pairs = []
@@ -324,10 +324,8 @@ def _neighbours(element: Element) -> list[tuple[int, int]]:
         between = (angle[b] - angle[a]) % (2.0 * np.pi)
         if len(order) == 2 and between > np.pi:
             a, b, between = b, a, 2.0 * np.pi - between
-        members = {ends[a] % len(element.members), ends[b] % len(element.members)}
-        if _FLAT < between < np.pi - _FLAT and not any(
-            members <= set(axis) for axis in element.axes
-        ):
+        members = {ends[a] % count, ends[b] % count}
+        if _FLAT < between < np.pi - _FLAT and not any(members <= set(axis) for axis in axes):
             pairs.append((ends[a], ends[b]))
     return pairs
 
@@ -348,7 +346,7 @@ def _follower(skin: SkinBinding, binding: AnchorBinding, element: Element, width
 
 def _form(element: Element, width: float) -> tuple[Floats, Faces]:
     """Points (q, 3) around a handle's centre in the base pose, and the faces between them."""
-    glyph = element.glyph
+    glyph = element.look.glyph
     if glyph is None:
         return 0.5 * width * _shard(element.anchor.normal), Faces.alike(np.arange(3)[None])
     if glyph.form == "mesh":
@@ -369,7 +367,7 @@ def _slider(skin: SkinBinding, binding: AnchorBinding, element: Element, width: 
     tracks."""
     around, faces = _form(element, width)
     shapes: dict[int, PointShape] = {}
-    for member in element.members:
+    for member in element.manipulator.members:
         along = _along_track(skin, binding, member)
         if along is not None:
             shapes.setdefault(along.channel, _short(along, skin))

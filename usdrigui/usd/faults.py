@@ -89,7 +89,7 @@ def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
             if not hashes[anchor.mesh]:
                 found.append(layout.mesh_gone(anchor.mesh))
             elif change := anchor.mesh_change(hashes[anchor.mesh]):
-                found.append(issue("LAYOUT_TOPOLOGY", element.name, change, layout.root))
+                found.append(issue("LAYOUT_TOPOLOGY", element.name, change, layout.character.root))
     return tuple(dict.fromkeys((*found, *contradictions(stage))))
 
 

@@ -14,7 +14,20 @@ import numpy as np
 from pxr import Usd, UsdGeom, Vt
 
 from usdrigui.errors import refuse
-from usdrigui.model import Element, Floats, Glyph, Layout, LeftOff, Member
+from usdrigui.model import (
+    Element,
+    Floats,
+    Glyph,
+    Layout,
+    LayoutCharacter,
+    LayoutFrame,
+    LeftOff,
+    Look,
+    Manipulator,
+    Member,
+    MirrorPlane,
+    Proof,
+)
 from usdrigui.usd import schema
 from usdrigui.usd.author import Property
 from usdrigui.usd.properties import (
@@ -29,7 +42,7 @@ from usdrigui.usd.properties import (
     element_names,
     has,
     integers_of,
-    pinned,
+    placement,
     read_anchor,
     strings,
     value_of,
@@ -95,21 +108,26 @@ def layout(scope: Usd.Prim) -> Layout:
         for name in ("viewDirection", "planeOrigin", "planeNormal")
     )
     return Layout(
-        root=str(scope.GetPath().GetParentPath()),
+        character=LayoutCharacter(
+            root=str(scope.GetPath().GetParentPath()), base_values=array_of(values)
+        ),
         elements=elements,
         left_off=_left_off(scope),
-        handle_width=float(value_of(scope, schema.LAYOUT, "handleWidth")) or _drawn_width(scope),
-        space=_value(scope, "layout:space"),
-        view=view,
-        plane_origin=origin,
-        plane_normal=normal,
-        base_values=array_of(values),
-        method=str(_value(scope, "solution:solver")),
-        status=_value(scope, "solution:status"),
-        cost=float(_value(scope, "solution:cost")),
-        bound=float(_value(scope, "solution:bound")),
-        above_unary_bound=float(_value(scope, "solution:inPlay")),
-        weights=_weights(scope),
+        frame=LayoutFrame(
+            space=_value(scope, "layout:space"),
+            view=view,
+            plane=MirrorPlane(origin=origin, normal=normal),
+            handle_width=float(value_of(scope, schema.LAYOUT, "handleWidth"))
+            or _drawn_width(scope),
+        ),
+        proof=Proof(
+            method=str(_value(scope, "solution:solver")),
+            status=_value(scope, "solution:status"),
+            cost=float(_value(scope, "solution:cost")),
+            bound=float(_value(scope, "solution:bound")),
+            above_unary_bound=float(_value(scope, "solution:inPlay")),
+            weights=_weights(scope),
+        ),
     )
 
 
@@ -152,19 +170,23 @@ def _element(prim: Usd.Prim) -> Element:
     instances, name = control_instances(prim), element_name(prim)
     return Element(
         name=name,
-        label=str(prim.GetMetadata("displayName") or name),
-        kind=get("elementType"),
-        members=tuple(_member(prim, instance, len(instances)) for instance in instances),
-        opposed=_pairs(prim, len(instances)),
+        manipulator=Manipulator(
+            kind=get("elementType"),
+            members=tuple(_member(prim, instance, len(instances)) for instance in instances),
+            opposed=_pairs(prim, len(instances)),
+            mirror=next(iter(element_names(prim, "mirror")), ""),
+            reversed=_positions(prim, len(instances)),
+        ),
         anchor=read_anchor(prim),
-        side=get("side"),
-        reversed=_positions(prim, len(instances)),
-        mirror=next(iter(element_names(prim, "mirror")), ""),
-        category=str(_value(prim, "element:family")),
-        reason=str(_value(prim, "element:reason")),
-        inner=element_names(prim, "members"),
-        **pinned(prim),
-        **_handle(prim),
+        look=Look(
+            label=str(prim.GetMetadata("displayName") or name),
+            side=get("side"),
+            inner=element_names(prim, "members"),
+            **_handle(prim),
+        ),
+        placement=placement(
+            prim, "", str(_value(prim, "element:family")), str(_value(prim, "element:reason"))
+        ),
     )
 
 

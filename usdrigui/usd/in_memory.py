@@ -38,7 +38,7 @@ def read_open_layouts(
     """
     stage = _copy(source, settings.read.variants)
     layouts = read_layout(stage)
-    return layouts, _result(stage, settings, (), {each.root for each in layouts})
+    return layouts, _result(stage, settings, (), {each.character.root for each in layouts})
 
 
 def _result(

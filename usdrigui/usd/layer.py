@@ -19,7 +19,18 @@ from pxr import Sdf, Tf, UsdGeom
 
 from usdrigui.errors import refuse
 from usdrigui.levels import inner_names
-from usdrigui.model import Anchor, Control, Element, Floats, Layout, Member, Rig, Skeleton
+from usdrigui.model import (
+    Anchor,
+    Control,
+    Element,
+    Floats,
+    Layout,
+    LayoutFrame,
+    Look,
+    Member,
+    Rig,
+    Skeleton,
+)
 from usdrigui.settings import OutputSettings
 from usdrigui.usd import author, schema
 from usdrigui.usd.control_api import author_control_api, author_limits
@@ -70,7 +81,7 @@ def write_layout(
     reference = "" if settings.bare else relative_asset_path(source, target)
     layer = layer_for(laid, reference, settings, metadata)
     content = layer_bytes(layer, target.suffix, str(target))
-    roots = [layout.variant_path or layout.root for _, layout in laid]
+    roots = [layout.character.path for _, layout in laid]
     return write(content, target, verify=functools.partial(holds_layouts, roots))
 
 
@@ -210,7 +221,7 @@ def author_metadata(layer: Sdf.Layer, metadata: Mapping[str, Any], laid: Laid) -
     root = layer.pseudoRoot
     if laid:
         # A source may do without; whoever references the layer then still gets the character.
-        root.SetInfo("defaultPrim", Sdf.Path(laid[0][1].root).GetPrefixes()[0].name)
+        root.SetInfo("defaultPrim", Sdf.Path(laid[0][1].character.root).GetPrefixes()[0].name)
     for key in _METADATA:
         if key in metadata:
             value = metadata[key]
@@ -222,14 +233,14 @@ def author_metadata(layer: Sdf.Layer, metadata: Mapping[str, Any], laid: Laid) -
 
 def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
     """The Scope of one character with all its elements."""
-    root = author_variant(layer, layout.variant_path or layout.root)
+    root = author_variant(layer, layout.character.path)
     scope = author.prim(root, schema.SCOPE, "Scope", (schema.LAYOUT,))
     scope.SetInfo("documentation", _ABOUT)
     author.put(scope, "purpose", "token", "guide", uniform=True)
     author.declare(
         scope,
         schema.LAYOUT,
-        _frame(rig.skeletons, layout) | account(rig.controls, layout.base_values),
+        _frame(rig.skeletons, layout.frame) | account(rig.controls, layout.character.base_values),
     )
     author.note(scope, books(layout))
     subsets = author_elements(scope, rig, layout, layout.elements)
@@ -242,20 +253,18 @@ def _plain(path: Sdf.Path) -> Sdf.Path:
     return path.StripAllVariantSelections()
 
 
-def _frame(skeletons: tuple[Skeleton, ...], layout: Layout) -> dict[str, Any]:
+def _frame(skeletons: tuple[Skeleton, ...], frame: LayoutFrame) -> dict[str, Any]:
     """RigUILayoutAPI: where and how large the elements are."""
     return {
         "skeleton": [skeleton.path for skeleton in skeletons],
-        "space": layout.space,
-        "viewDirection": layout.view,
-        "planeOrigin": layout.plane_origin,
-        "planeNormal": layout.plane_normal,
-        "handleWidth": layout.handle_width,
-        "parts": [part.name for part in layout.parts],
-        "partHandleWidths": np.array(
-            [part.handle_width for part in layout.parts], dtype=np.float64
-        ),
-        "partViewDirections": [part.view for part in layout.parts],
+        "space": frame.space,
+        "viewDirection": frame.view,
+        "planeOrigin": frame.plane.origin,
+        "planeNormal": frame.plane.normal,
+        "handleWidth": frame.handle_width,
+        "parts": [part.name for part in frame.parts],
+        "partHandleWidths": np.array([part.handle_width for part in frame.parts], dtype=np.float64),
+        "partViewDirections": [part.view for part in frame.parts],
     }
 
 
@@ -269,19 +278,20 @@ def account(controls: tuple[Control, ...], base_values: Floats) -> dict[str, Any
 
 def books(layout: Layout) -> dict[str, Any]:
     """What only usdrigui itself asks of a layout: how it was found, and what was left off."""
+    proof, parts = layout.proof, layout.frame.parts
     return {
         "solution": {
-            "solver": layout.method,
-            "status": layout.status,
-            "closedBy": layout.closed_by,
-            "cost": layout.cost,
-            "bound": layout.bound,
-            "aboveUnaryBound": layout.above_unary_bound,
-            "partStatuses": [part.status for part in layout.parts],
-            "partCosts": np.array([part.cost for part in layout.parts], dtype=np.float64),
-            "partBounds": np.array([part.bound for part in layout.parts], dtype=np.float64),
-            "weightNames": [name for name, _ in layout.weights],
-            "weightValues": np.array([value for _, value in layout.weights], dtype=np.float64),
+            "solver": proof.method,
+            "status": proof.status,
+            "closedBy": proof.closed_by,
+            "cost": proof.cost,
+            "bound": proof.bound,
+            "aboveUnaryBound": proof.above_unary_bound,
+            "partStatuses": [part.status for part in parts],
+            "partCosts": np.array([part.cost for part in parts], dtype=np.float64),
+            "partBounds": np.array([part.bound for part in parts], dtype=np.float64),
+            "weightNames": [name for name, _ in proof.weights],
+            "weightValues": np.array([value for _, value in proof.weights], dtype=np.float64),
         },
         "leftOff": {
             "controls": [left.control for left in layout.left_off],
@@ -306,7 +316,9 @@ def author_elements(
     inner = inner_names(layout.elements)
     drawn = [
         DrawnElement(
-            each, each.name in inner, drawn_parts(skin, each, layout.handle_width_of(each))
+            each,
+            each.name in inner,
+            drawn_parts(skin, each, layout.frame.handle_width_of(each.placement.part)),
         )
         for each in elements
     ]
@@ -335,24 +347,25 @@ def _author_element(
     paths: Mapping[str, Sdf.Path],
 ) -> None:
     """What one element says about itself."""
-    instances = instances_of(element.members)
+    manipulator = element.manipulator
+    instances = instances_of(manipulator.members)
     applied = [f"{schema.CONTROL}:{instance}" for instance in instances.values()]
     author.apply(subset, (schema.ELEMENT, *applied))
-    if element.label != subset.name:
-        subset.SetInfo("displayName", element.label)
-    if element.reason:
-        subset.SetInfo("documentation", element.reason)
+    if element.look.label != subset.name:
+        subset.SetInfo("displayName", element.look.label)
+    if element.placement.reason:
+        subset.SetInfo("documentation", element.placement.reason)
     _author_element_api(subset, element, instances, paths)
     _author_anchor_api(subset, element.anchor)
-    _author_handle_api(subset, element)
+    _author_handle_api(subset, element.look)
     opposes = {
-        element.members[b].control: instances[element.members[a].control]
-        for a, b in element.opposed
+        manipulator.members[b].control: instances[manipulator.members[a].control]
+        for a, b in manipulator.opposed
     }
-    for position, member in enumerate(element.members):
+    for position, member in enumerate(manipulator.members):
         figures = {
             "opposes": opposes.get(member.control, ""),
-            "mirrorReversed": position in element.reversed,
+            "mirrorReversed": position in manipulator.reversed,
             **_track(member, skin.control(member.control)),
         }
         author_control_api(
@@ -391,14 +404,16 @@ def _author_element_api(
         schema.ELEMENT,
         {
             "name": "" if element.name == subset.name else element.name,
-            "elementType": element.kind,
+            "elementType": element.manipulator.kind,
             "controls": list(instances.values()) if len(instances) > 1 else (),
-            "side": element.side,
-            "mirror": [paths[element.mirror]] if element.mirror in paths else [],
-            "members": [paths[name] for name in element.inner],
-            "category": element.category,
-            "pinned": element.pinned,
-            "pinnedPosition": element.pinned_position,
+            "side": element.look.side,
+            "mirror": [paths[element.manipulator.mirror]]
+            if element.manipulator.mirror in paths
+            else [],
+            "members": [paths[name] for name in element.look.inner],
+            "category": element.placement.category,
+            "pinned": element.placement.pinned,
+            "pinnedPosition": element.placement.pinned_position,
         },
     )
 
@@ -418,14 +433,14 @@ def _author_anchor_api(subset: Sdf.PrimSpec, anchor: Anchor) -> None:
     )
 
 
-def _author_handle_api(subset: Sdf.PrimSpec, element: Element) -> None:
-    values: dict[str, Any] = {"adapt": element.adapt}
-    if element.glyph is not None:
+def _author_handle_api(subset: Sdf.PrimSpec, look: Look) -> None:
+    values: dict[str, Any] = {"adapt": look.adapt}
+    if look.glyph is not None:
         values |= {
-            "glyph": element.glyph.name,
-            "glyphType": element.glyph.form,
-            "glyphOffsets": element.glyph.points,
-            "glyphCounts": element.glyph.counts,
-            "glyphIndices": element.glyph.indices if element.glyph.form == "mesh" else (),
+            "glyph": look.glyph.name,
+            "glyphType": look.glyph.form,
+            "glyphOffsets": look.glyph.points,
+            "glyphCounts": look.glyph.counts,
+            "glyphIndices": look.glyph.indices if look.glyph.form == "mesh" else (),
         }
     author.declare(subset, schema.HANDLE, values)

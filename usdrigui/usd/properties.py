@@ -14,7 +14,7 @@ import numpy as np
 from pxr import Sdf, Usd, Vt
 
 from usdrigui.errors import refuse
-from usdrigui.model import Anchor, Decision, Element, Floats, Glyph, Indices
+from usdrigui.model import Anchor, Decision, Element, Floats, Glyph, Indices, Placement
 from usdrigui.usd import author, schema
 from usdrigui.usd.arrays import value_at
 
@@ -160,8 +160,8 @@ _DECIDED: Mapping[Decision, frozenset[str]] = {
 """Properties in which the decisions of a layout stand."""
 
 
-def pinned(prim: Usd.Prim) -> dict[str, Any]:
-    """The decisions of a person that are on record; raises LAYOUT_INVALID."""
+def placement(prim: Usd.Prim, part: str, category: str, reason: str) -> Placement:
+    """With the decisions of a person that are on record; raises LAYOUT_INVALID."""
     values = value_of(prim, schema.ELEMENT, "pinned")
     unknown = sorted(set(strings(values)) - set(get_args(Decision)))
     if unknown:
@@ -170,11 +170,9 @@ def pinned(prim: Usd.Prim) -> dict[str, Any]:
             f"{prim.GetPath()}.rigUI:element:pinned",
             f"{unknown[0]!r} is not a kind of decision",
         )
-    place = array_of(value_of(prim, schema.ELEMENT, "pinnedPosition"))
-    return {
-        "pinned": tuple(each for each in get_args(Decision) if each in values),
-        "pinned_position": tuple(place.tolist()),
-    }
+    x, y, z = array_of(value_of(prim, schema.ELEMENT, "pinnedPosition")).tolist()
+    decided = tuple(each for each in get_args(Decision) if each in values)
+    return Placement(part, category, reason, decided, (x, y, z))
 
 
 def corrected(element: Element, prim: Usd.Prim) -> Element:
@@ -188,14 +186,15 @@ def corrected(element: Element, prim: Usd.Prim) -> Element:
     found = {decision for decision, names in _DECIDED.items() if authored & names}
     if not found or author.properties(schema.ELEMENT)["pinned"].name in authored:
         return element
-    position = element.pinned_position
+    own = element.placement
+    position = own.pinned_position
     if "anchor" in found:
         known = author.properties(schema.ANCHOR)["position"].name in authored
         x, y, z = element.anchor.position.tolist() if known else (np.nan,) * 3
         position = (x, y, z)
-    both = found | set(element.pinned)
+    both = found | set(own.pinned)
     ordered = tuple(each for each in get_args(Decision) if each in both)
-    return replace(element, pinned=ordered, pinned_position=position)
+    return replace(element, placement=replace(own, pinned=ordered, pinned_position=position))
 
 
 def _authored_above(prim: Usd.Prim) -> set[str]:
@@ -245,10 +244,10 @@ def _check_unique(scope: Usd.Prim, names: list[str]) -> None:
 def _check_levels(scope: Usd.Prim, elements: tuple[Element, ...]) -> None:
     known, coarse = (
         {element.name for element in elements},
-        {element.name for element in elements if element.inner},
+        {element.name for element in elements if element.look.inner},
     )
     for element in elements:
-        for name in element.inner:
+        for name in element.look.inner:
             if name not in known or name in coarse:
                 what = "is coarse itself" if name in coarse else "is not an element of the layout"
                 raise refuse(

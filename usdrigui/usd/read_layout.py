@@ -23,9 +23,15 @@ from usdrigui.model import (
     Glyph,
     Indices,
     Layout,
+    LayoutCharacter,
+    LayoutFrame,
     LayoutPart,
     LeftOff,
+    Look,
+    Manipulator,
     Member,
+    MirrorPlane,
+    Proof,
     Status,
 )
 from usdrigui.usd import first_format, schema
@@ -41,7 +47,7 @@ from usdrigui.usd.properties import (
     element_names,
     has,
     integers_of,
-    pinned,
+    placement,
     read_anchor,
     strings,
     targets,
@@ -60,8 +66,8 @@ _FLATTENED = "Flattened_Prototype_"
 def read_layout(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Layout, ...]:
     """All layouts that a layer or stage holds, one per character, in stage order.
 
-    What the layer leaves out takes the schema's fallback.  `Layout.base_values` are in the order in
-    which the layer names the controls (`base_controls`).
+    What the layer leaves out takes the schema's fallback.  `LayoutCharacter.base_values` are in the
+    order in which the layer names the controls (`base_controls`).
 
     Raises RigUIError FILE_NOT_FOUND, FILE_NOT_USD, LAYER_MISSING, LAYER_UNREADABLE, LAYOUT_MISSING
     (no prim has RigUILayoutAPI), LAYOUT_OFF (variant selections leave all of them out),
@@ -106,7 +112,9 @@ def with_corrections(stage: Usd.Stage, layouts: tuple[Layout, ...]) -> tuple[Lay
     return tuple(
         replace(
             layout,
-            elements=tuple(map(corrected, layout.elements, element_prims(scopes[layout.root]))),
+            elements=tuple(
+                map(corrected, layout.elements, element_prims(scopes[layout.character.root]))
+            ),
         )
         for layout in layouts
     )
@@ -178,7 +186,7 @@ def composed_layouts(stage: Usd.Stage) -> dict[str, str]:
 
 
 def base_controls(scope: Usd.Prim) -> tuple[str, ...]:
-    """Names of the controls whose values `Layout.base_values` lists, of the layout at `scope`."""
+    """Names of the controls of the layout at `scope`, in the order of its base values."""
     return tuple(strings(value_of(scope, schema.LAYOUT, "baseControls")))
 
 
@@ -244,18 +252,21 @@ def _layout(scope: Usd.Prim) -> Layout:
     elements = tuple(_element(prim) for prim in element_prims(scope))
     check_elements(scope, elements)
     return Layout(
-        root=str(scope.GetPath().GetParentPath()),
+        character=LayoutCharacter(
+            root=str(scope.GetPath().GetParentPath()),
+            base_values=_base_values(scope),
+            variant_path=_variant_path(scope),
+        ),
         elements=elements,
         left_off=_left_off(scope),
-        handle_width=float(get("handleWidth")) or _drawn_width(scope),
-        space=get("space"),
-        view=array_of(get("viewDirection")),
-        plane_origin=array_of(get("planeOrigin")),
-        plane_normal=array_of(get("planeNormal")),
-        base_values=_base_values(scope),
-        parts=_parts(scope),
-        variant_path=_variant_path(scope),
-        **_solution(scope),
+        frame=LayoutFrame(
+            space=get("space"),
+            view=array_of(get("viewDirection")),
+            plane=MirrorPlane(array_of(get("planeOrigin")), array_of(get("planeNormal"))),
+            handle_width=float(get("handleWidth")) or _drawn_width(scope),
+            parts=_parts(scope),
+        ),
+        proof=_proof(scope),
     )
 
 
@@ -302,22 +313,22 @@ def _base_values(scope: Usd.Prim) -> Floats:
     return array_of(values)
 
 
-def _solution(scope: Usd.Prim) -> dict[str, Any]:
+def _proof(scope: Usd.Prim) -> Proof:
     """What the layer says of how it was found; a layout made by hand says nothing."""
     status = _noted(scope, "solution", "status", "stopped")
     if status not in get_args(Status):
         raise _misnoted(scope, "solution", "status", f"{status!r} is none")
     names, values = (_noted(scope, "solution", f"weight{each}", ()) for each in ("Names", "Values"))
     check_equal(scope, "solution weights", names, values)
-    return {
-        "method": _noted(scope, "solution", "solver", ""),
-        "status": status,
-        "cost": _noted(scope, "solution", "cost", 0.0),
-        "bound": _noted(scope, "solution", "bound", -np.inf),
-        "above_unary_bound": _noted(scope, "solution", "aboveUnaryBound", 0.0),
-        "closed_by": _noted(scope, "solution", "closedBy", ""),
-        "weights": tuple(zip(strings(names), array_of(values).tolist(), strict=True)),
-    }
+    return Proof(
+        method=_noted(scope, "solution", "solver", ""),
+        status=status,
+        cost=_noted(scope, "solution", "cost", 0.0),
+        bound=_noted(scope, "solution", "bound", -np.inf),
+        above_unary_bound=_noted(scope, "solution", "aboveUnaryBound", 0.0),
+        weights=tuple(zip(strings(names), array_of(values).tolist(), strict=True)),
+        closed_by=_noted(scope, "solution", "closedBy", ""),
+    )
 
 
 def _left_off(scope: Usd.Prim) -> tuple[LeftOff, ...]:
@@ -358,25 +369,31 @@ def _element(prim: Usd.Prim) -> Element:
     instances, name = control_instances(prim), element_name(prim)
     return Element(
         name=name,
-        label=str(prim.GetMetadata("displayName") or prim.GetName()),
-        kind=get("elementType"),
-        members=tuple(_member(prim, instance) for instance in instances),
-        opposed=_opposed(prim, instances),
-        anchor=read_anchor(prim),
-        side=get("side"),
-        reversed=tuple(
-            i
-            for i, each in enumerate(instances)
-            if value_of(prim, schema.CONTROL, "mirrorReversed", each)
+        manipulator=Manipulator(
+            kind=get("elementType"),
+            members=tuple(_member(prim, instance) for instance in instances),
+            opposed=_opposed(prim, instances),
+            mirror=next(iter(element_names(prim, "mirror")), ""),
+            reversed=tuple(
+                i
+                for i, each in enumerate(instances)
+                if value_of(prim, schema.CONTROL, "mirrorReversed", each)
+            ),
         ),
-        mirror=next(iter(element_names(prim, "mirror")), ""),
-        category=str(get("category")),
-        part=str(value_of(prim.GetParent(), schema.DRAWING, "part")),
-        reason=prim.GetDocumentation() if prim.HasAuthoredDocumentation() else "",
-        inner=element_names(prim, "members"),
-        adapt=value_of(prim, schema.HANDLE, "adapt"),
-        glyph=_glyph(prim),
-        **pinned(prim),
+        anchor=read_anchor(prim),
+        look=Look(
+            label=str(prim.GetMetadata("displayName") or prim.GetName()),
+            side=get("side"),
+            adapt=value_of(prim, schema.HANDLE, "adapt"),
+            glyph=_glyph(prim),
+            inner=element_names(prim, "members"),
+        ),
+        placement=placement(
+            prim,
+            str(value_of(prim.GetParent(), schema.DRAWING, "part")),
+            str(get("category")),
+            prim.GetDocumentation() if prim.HasAuthoredDocumentation() else "",
+        ),
     )
 
 

@@ -178,7 +178,7 @@ def _composed(path: Path, settings: Settings) -> Response:
     ):
         open_stage(path, settings.read.variants)  # kept, so that what opens it next finds it so
         found = _layouts_in(path, stages, before)
-        laid_out = {each.root for each in found.layouts}
+        laid_out = {each.character.root for each in found.layouts}
         some = read_characters(path, settings, laid_out)
         rigs = _with_diagnostics(some.rigs, path, diagnostics)
         stage = _stage_of(path, stages)

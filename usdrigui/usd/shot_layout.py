@@ -100,7 +100,9 @@ def _author(layer: Sdf.Layer, shot: ShotLayout) -> None:
     )
     scope = Sdf.PrimSpec(root, schema.SCOPE, Sdf.SpecifierOver)
     author.apply(scope, [schema.LAYOUT])
-    author.declare(scope, schema.LAYOUT, account(rig.controls, layout.base_values), fallbacks=True)
+    author.declare(
+        scope, schema.LAYOUT, account(rig.controls, layout.character.base_values), fallbacks=True
+    )
     author.note(scope, books(layout))
     taken = {name for prim in shot.prims for name in (*prim.names, prim.path.rpartition("/")[2])}
     added = [element for element in layout.elements if element.name in shot.added]
@@ -111,9 +113,9 @@ def _author(layer: Sdf.Layer, shot: ShotLayout) -> None:
 
 def _author_new_shapes(scope: Sdf.PrimSpec, shot: ShotLayout, elements: Sequence[Element]) -> None:
     """Let what is drawn of existing elements follow the shapes that their layer does not know."""
-    skin, width = SkinBinding(shot.rig, shot.layout), shot.layout.handle_width_of
+    skin, width = SkinBinding(shot.rig, shot.layout), shot.layout.frame.handle_width_of
     parts = {
-        each.name: drawn_parts(skin, each, width(each))
+        each.name: drawn_parts(skin, each, width(each.placement.part))
         for each in elements
         if not each.anchor.on_board
     }

@@ -112,7 +112,7 @@ class SkinBinding:
 
     def __init__(self, rig: Rig, layout: Layout) -> None:
         self.rig = rig
-        self.values = _base_values(rig.root, rig.controls, layout.base_values)
+        self.values = _base_values(rig.root, rig.controls, layout.character.base_values)
         self.weights = channel_state(rig, self.values)[0]
         self._controls = {control.name: control for control in rig.controls}
         self._meshes = {mesh.path: mesh for mesh in rig.meshes}
@@ -148,7 +148,7 @@ class SkinBinding:
             self._board,
             self._rigid,
             on_board=element.anchor.on_board,
-            static=element.adapt == "static",
+            static=element.look.adapt == "static",
         )
         held = [self.rig.controls[each] for each in follows.held.tolist()]
         deforms = follows.deforms
@@ -175,9 +175,11 @@ class SkinBinding:
 
     def _own(self, element: Element) -> Indices:
         """The controls of an element, as indices into `Rig.controls`."""
-        for member in element.members:
+        for member in element.manipulator.members:
             self.control(member.control)
-        return np.array([self._positions[each.control] for each in element.members], dtype=np.int64)
+        return np.array(
+            [self._positions[each.control] for each in element.manipulator.members], dtype=np.int64
+        )
 
     def maps_at(self, handle: JointBinding, settings: Sequence[dict[str, float]]) -> Floats:
         """Affine maps (len(settings), 4, 3) of the handle with some controls away from the base

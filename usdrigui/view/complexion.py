@@ -132,15 +132,15 @@ def _seen(rig: Rig, layout: Layout) -> _Seen | None:
     ]
     if not free.any() or not len(corners) or not on_face:
         return None
-    rows = look(layout.view, rig.up)
-    points = deform(rig, layout.base_values)
+    rows = look(layout.frame.view, rig.up)
+    points = deform(rig, layout.character.base_values)
     points = np.where(np.isfinite(points), points, 0.0)
     places = weld(points)
     used = np.isin(np.arange(len(points)), corners)
     pieces = np.where(used, components(corners, places), -1)
     sheets = np.where(used, components(corners, np.arange(len(points))), -1)
     anchors = np.array(on_face) @ rows[:2].T
-    middle = float(layout.plane_origin @ rows[0])
+    middle = float(layout.frame.plane.origin @ rows[0])
     normals = vertex_normals(points, corners, places) @ rows.T
     low, high = anchors.min(axis=0), anchors.max(axis=0)
     return _Seen(
@@ -150,7 +150,7 @@ def _seen(rig: Rig, layout: Layout) -> _Seen | None:
         corners,
         sheets,
         free & used,
-        layout.handle_width,
+        layout.frame.handle_width,
         middle,
         low,
         high,

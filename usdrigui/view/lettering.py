@@ -151,17 +151,17 @@ def name_on_board(picture: Image.Image, shown: Named) -> None:
     free = np.array(
         [_room(boxes, rows, index, pitch, picture.width) for index in range(len(shown))]
     )
-    wide = [font(size, each.label).getlength(legible(each.label)) for each, _ in shown]
+    wide = [font(size, each.look.label).getlength(legible(each.look.label)) for each, _ in shown]
     tight = np.array(wide) > free
     small = {element.name for (element, _), cut in zip(shown, tight, strict=True) if cut}
     for (element, _), box, y, room in zip(shown, boxes, rows, free, strict=True):
         # Twins have one size, so that they look alike.
-        small_one = small & {element.name, element.mirror}
-        own = font(min(9, size) if small_one else size, element.label)
+        small_one = small & {element.name, element.manipulator.mirror}
+        own = font(min(9, size) if small_one else size, element.look.label)
         place = (float(box[2]) + 9.0, float(y))
         pen.text(
             place,
-            cut(legible(element.label), own, float(room)),
+            cut(legible(element.look.label), own, float(room)),
             fill=_INK,
             font=own,
             anchor="lm",
@@ -220,11 +220,11 @@ def _column(size: tuple[int, int], shown: Named, left: bool) -> list[_Name]:
     free = size[1] - 34.0
     pitch = min(free / len(shown), 2.2 * _LARGEST)
     size_ = int(np.clip(pitch - 2.0, _LEAST, _LARGEST))
-    types = [font(size_, element.label) for element, _ in shown]
+    types = [font(size_, element.look.label) for element, _ in shown]
     handles = np.array([drawn.handle[:2] for _, drawn in shown])
     rows = spread(handles[:, 1], pitch, 8.0, size[1] - 26.0)
     texts = [
-        cut(legible(element.label), type_, CALLED)
+        cut(legible(element.look.label), type_, CALLED)
         for (element, _), type_ in zip(shown, types, strict=True)
     ]
     lengths = [type_.getlength(text) for type_, text in zip(types, texts, strict=True)]
@@ -305,15 +305,17 @@ def _headings(
     for column in _columns(shown, boxes, rows, pitch):
         family, above = "", -np.inf
         for index in sorted(column, key=lambda each: float(rows[each])):
-            if shown[index][0].category not in ("", family):
-                family = shown[index][0].category
+            if shown[index][0].placement.category not in ("", family):
+                family = shown[index][0].placement.category
                 top = float(boxes[index, 1])
                 line = max(0.5 * (top - above), 0.0) if np.isfinite(above) else np.inf
                 place = (
                     float(boxes[column, 0].min()) - 4.0,
                     top - min(line, max(0.5 * pitch + 4.0, _CLEAR)),
                 )
-                text = _FAMILIES.get(family, family).replace("face", shown[index][0].part or "face")
+                text = _FAMILIES.get(family, family).replace(
+                    "face", shown[index][0].placement.part or "face"
+                )
                 found.append((text, *place))
             above = float(boxes[index, 3])
     return found
@@ -328,7 +330,9 @@ def _columns(shown: Named, boxes: Floats, rows: Floats, pitch: float) -> list[li
         row = np.flatnonzero(
             (np.abs(rows - rows[index]) < 0.4 * pitch) & (boxes[:, 0] < boxes[index, 0] - 1.0)
         )
-        if any(shown[other][0].name == shown[index][0].mirror for other in row.tolist()):
+        if any(
+            shown[other][0].name == shown[index][0].manipulator.mirror for other in row.tolist()
+        ):
             continue
         if boxes[index, 0] > last + 3.0 * pitch:
             columns.append([])

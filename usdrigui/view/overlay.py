@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 from PIL import Image, ImageDraw
 
-from usdrigui.model import Element, Flags, Floats, Glyph, Record
+from usdrigui.model import Element, Flags, Floats, Glyph, Manipulator, Record
 from usdrigui.palette import BOARD, SIDES, Colour
 from usdrigui.pose.evaluate import PosedElement
 from usdrigui.ties import axis_across
@@ -62,16 +62,16 @@ class Mark(Record):
 
 def colour_of(element: Element) -> Colour:
     """The colour in which an element is drawn."""
-    return BOARD if element.anchor.on_board else SIDES[element.side]
+    return BOARD if element.anchor.on_board else SIDES[element.look.side]
 
 
-def form_of(element: Element) -> str:
-    """Which handle an element gets: a key of `FORMS`."""
-    signed = any(member.values[0] < 0.0 < member.values[-1] for member in element.members)
-    both_ways = bool(element.opposed) or signed
-    if element.kind == "slider":
+def form_of(manipulator: Manipulator) -> str:
+    """Which handle an element with it gets: a key of `FORMS`."""
+    signed = any(member.values[0] < 0.0 < member.values[-1] for member in manipulator.members)
+    both_ways = bool(manipulator.opposed) or signed
+    if manipulator.kind == "slider":
         return "two-way" if both_ways else "slider"
-    return "joystick" if element.kind == "patch" and both_ways else element.kind
+    return "joystick" if manipulator.kind == "patch" and both_ways else manipulator.kind
 
 
 def mark(
@@ -81,18 +81,20 @@ def mark(
     tracks = tuple(_resampled(camera.project(track)) for track in posed.tracks)
     handle = camera.project(posed.handle)
     slack = 0.5 * handle_width
-    fields = _fields(element, posed, camera) if element.kind != "slider" else ()
+    fields = (
+        _fields(element.manipulator, posed, camera) if element.manipulator.kind != "slider" else ()
+    )
     return Mark(
         colour_of(element),
-        form_of(element),
+        form_of(element.manipulator),
         tracks,
         tuple(_seen(track, depth, slack) for track in tracks),
         handle,
         bool(_seen(handle[None], depth, slack)[0]),
         fields,
-        _outlines(element.glyph, posed, camera, handle_width),
-        element.glyph is not None and element.glyph.form == "mesh",
-        bool(element.inner),
+        _outlines(element.look.glyph, posed, camera, handle_width),
+        element.look.glyph is not None and element.look.glyph.form == "mesh",
+        bool(element.look.inner),
         _radius(camera, handle_width),
     )
 
@@ -213,7 +215,7 @@ def _seen(at: Floats, depth: Floats, slack: float) -> Flags:
     return np.asarray(at[:, 2] >= depth[row, column] - slack)
 
 
-def _fields(element: Element, posed: PosedElement, camera: Camera) -> tuple[Floats, ...]:
+def _fields(manipulator: Manipulator, posed: PosedElement, camera: Camera) -> tuple[Floats, ...]:
     """Outlines (k, 2), pixels, of the parallelograms between arms next to each other by angle
     (paper section 4.2).
 
@@ -222,7 +224,7 @@ def _fields(element: Element, posed: PosedElement, camera: Camera) -> tuple[Floa
     """
     lines = [
         (number, posed.tracks[i] - posed.rest)
-        for number, axis in enumerate(element.axes)
+        for number, axis in enumerate(manipulator.axes)
         for i in axis
     ]
     halves = [(axis, arm) for axis, line in lines for arm in _arms(line)]

@@ -30,8 +30,8 @@ VIEWS = {
     "right": -90.0,
     "back": 180.0,
 }
-"""Degrees about the up axis from `Layout.view` toward the character's own left: ``front`` is the
-view that the layout was made for, whichever that is.  Captions say what is shown."""
+"""Degrees about the up axis from `LayoutFrame.view` toward the character's own left: ``front`` is
+the view that the layout was made for, whichever that is.  Captions say what is shown."""
 
 _TITLE, _CAPTION, _LEGEND, _GAP, _EDGE = 66, 24, 42, 14, 22
 """Heights of the title above the panels, of captions and legend below, space between panels and
@@ -81,7 +81,7 @@ def render(
     """
     _check(views, size)
     posed = evaluate(prepare(rig, layout), values)
-    if views is not None or len(layout.parts) < 2:
+    if views is not None or len(layout.frame.parts) < 2:
         return _page(
             rig, layout, posed, _set_up(rig, layout, posed, views, size, labels), size, title
         )
@@ -149,18 +149,18 @@ def _set_up(
     colours = colours or complexion(rig, main_layout(layout))
     skin, ahead = (
         _skin(rig.meshes, posed, colours),
-        directions.ahead_of(rig, layout.plane_normal, layout.base_values),
+        directions.ahead_of(rig, layout.frame.plane.normal, layout.character.base_values),
     )
     if views is None:
         shown = [
-            (layout.view, True),
-            *((each, False) for each in directions.companions(layout.view, ahead, rig.up)),
+            (layout.frame.view, True),
+            *((each, False) for each in directions.companions(layout.frame.view, ahead, rig.up)),
         ]
     else:
         azimuths = [VIEWS[view] if isinstance(view, str) else None for view in views]
         shown = [
             (
-                (directions.turned(layout.view, rig.up, at), at == 0.0)
+                (directions.turned(layout.frame.view, rig.up, at), at == 0.0)
                 if at is not None
                 else (np.asarray(view), i == 0)
             )
@@ -182,7 +182,7 @@ def _set_up(
             )
         )
         if own and any(element.anchor.on_board for element in layout.elements):
-            boards.append(_framed_board(layout.elements, layout.handle_width, posed, rows))
+            boards.append(_framed_board(layout.elements, layout.frame.handle_width, posed, rows))
     panels += boards
     cameras, corners = _arranged(panels, size)
     return _Scene(
@@ -325,10 +325,10 @@ def _framed(
     tracks = [track for each, at in placed if not each.anchor.on_board for track in at.tracks]
     low, high = bare = _extent(tracks or [skin], rows)
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
-    half = np.maximum(half * (1.0 + 2.0 * _MARGIN), 0.5 * _LEAST_FRAME * layout.handle_width)
+    half = np.maximum(half * (1.0 + 2.0 * _MARGIN), 0.5 * _LEAST_FRAME * layout.frame.handle_width)
     half[0] = max(half[0], (0.85 if own else 0.72) * half[1])
     low, high = _around_head(middle - half, middle + half, bare, skin @ rows[:2].T)
-    names = [each.label for each in layout.elements if labels and not each.anchor.on_board]
+    names = [each.look.label for each in layout.elements if labels and not each.anchor.on_board]
     wide = min(lettering.widest(names), lettering.CALLED) + 16.0 if names else 0.0
     return _Framed(caption, rows, low, high, (wide, wide), labels)
 
@@ -343,7 +343,7 @@ def _framed_board(
         [line for at in drawn for line in (*at.tracks, at.glyph) if len(line)], rows
     )
     pad = 1.5 * handle_width
-    names = lettering.widest([each.label for each in elements if each.anchor.on_board]) + 6.0
+    names = lettering.widest([each.look.label for each in elements if each.anchor.on_board]) + 6.0
     return _Framed(
         "board", rows, low - pad, high + pad, (0.0, names), False, _ON_BOARD / handle_width
     )
@@ -434,9 +434,9 @@ def _panel(
     subject: Body, layout: Layout, posed: PosedLayout, panel: _Framed, camera: Camera
 ) -> Image.Image:
     shaded = shading.empty(camera) if panel.board else shading.shade(subject, camera)
-    picture = _developed(shaded)
+    picture, width = _developed(shaded), layout.frame.handle_width_of
     shown = [
-        (element, overlay.mark(element, at, camera, shaded.depth, layout.handle_width_of(element)))
+        (element, overlay.mark(element, at, camera, shaded.depth, width(element.placement.part)))
         for element, at in zip(layout.elements, posed.elements, strict=True)
         if element.anchor.on_board == bool(panel.board)
     ]
@@ -466,18 +466,16 @@ def _numbers(controls: int, layout: Layout, width: float) -> str:
     pixels."""
     on_face = sum(not element.anchor.on_board for element in layout.elements)
     board = len(layout.elements) - on_face
-    held = {part for part in (element.part for element in layout.elements) if part}
+    held = {part for part in (element.placement.part for element in layout.elements) if part}
     place = held.pop() if len(held) == 1 else "character" if held else "face"
     parts = [f"{controls} control{'s' * (controls != 1)}"]
     parts += [f"{on_face} elements on the {place}"] if on_face or not board else []
     parts += [f"{board} on the board"] if board else []
     parts += [f"{len(layout.left_off)} left off"] if layout.left_off else []
-    if np.isfinite(layout.bound) and np.isfinite(layout.cost):
-        gap = max(0.0, layout.cost - layout.bound) / max(abs(layout.cost), 1e-12)
-        parts.append(
-            f"cost {layout.cost:.4g}, {'optimal' if layout.status == 'optimal' else 'stopped'} at"
-            f" gap {gap:.2g} of the cost"
-        )
+    proof = layout.proof
+    if np.isfinite(proof.bound) and np.isfinite(proof.cost):
+        gap = max(0.0, proof.cost - proof.bound) / max(abs(proof.cost), 1e-12)
+        parts.append(f"cost {proof.cost:.4g}, {proof.status} at gap {gap:.2g} of the cost")
     font = lettering.font(14)
     while len(parts) > 1 and font.getlength(_BETWEEN.join(parts)) > width:
         parts.pop()
@@ -506,7 +504,7 @@ def _legend(page: Image.Image, elements: tuple[Element, ...]) -> None:
 
 
 def _legend_entries(elements: Sequence[Element]) -> list[tuple[str, palette.Colour, str, bool]]:
-    used = {"board" if each.anchor.on_board else each.side for each in elements}
+    used = {"board" if each.anchor.on_board else each.look.side for each in elements}
     names = {
         "left": "character's left",
         "right": "character's right",
@@ -520,12 +518,12 @@ def _legend_entries(elements: Sequence[Element]) -> list[tuple[str, palette.Colo
     entries = [
         ("slider", colours[side], text, False) for side, text in names.items() if side in used
     ]
-    forms = {overlay.form_of(each) for each in elements}
+    forms = {overlay.form_of(each.manipulator) for each in elements}
     grey = (128, 134, 142)
     if forms != {"slider"}:
         entries += [
             (form, grey, text, False) for form, text in overlay.FORMS.items() if form in forms
         ]
-    if any(each.inner for each in elements):
+    if any(each.look.inner for each in elements):
         entries.append(("slider", grey, "coarse: opens into finer ones", True))
     return entries

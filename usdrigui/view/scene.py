@@ -267,30 +267,30 @@ def _layout(rig: Rig, layout: Layout) -> Json:
     controls = {control.name: index for index, control in enumerate(rig.controls)}
     meshes = {mesh.path: index for index, mesh in enumerate(rig.meshes)}
     return {
-        "handleWidth": layout.handle_width,
-        "view": _list(layout.view),
-        "planeOrigin": _list(layout.plane_origin),
-        "planeNormal": _list(layout.plane_normal),
-        "baseValues": _list(layout.base_values),
+        "handleWidth": layout.frame.handle_width,
+        "view": _list(layout.frame.view),
+        "planeOrigin": _list(layout.frame.plane.origin),
+        "planeNormal": _list(layout.frame.plane.normal),
+        "baseValues": _list(layout.character.base_values),
         "elements": _elements(rig, meshes, controls, layout),
         "sections": _sections(rig, layout),
         "leftOff": [[each.control, each.stage, each.reason] for each in layout.left_off],
-        "method": layout.method,
-        "status": layout.status,
-        "cost": _finite(layout.cost),
-        "bound": _finite(layout.bound),
+        "method": layout.proof.method,
+        "status": layout.proof.status,
+        "cost": _finite(layout.proof.cost),
+        "bound": _finite(layout.proof.bound),
     }
 
 
 def _sections(rig: Rig, layout: Layout) -> list[Json]:
     """What is looked at by itself, the face first; none where a character is one part."""
-    if len(layout.parts) < 2:
+    if len(layout.frame.parts) < 2:
         return []
     return [
         {
             "title": each.title,
-            "handleWidth": each.layout.handle_width,
-            "view": _list(each.layout.view),
+            "handleWidth": each.layout.frame.handle_width,
+            "view": _list(each.layout.frame.view),
             "elements": [element.name for element in each.layout.elements],
         }
         for each in sections(layout, evaluate(prepare(rig, layout)), rig.up)
@@ -311,7 +311,9 @@ def _elements(
     carrier = carrying_joint(rig, np.array(rows, dtype=np.int64))
     for packed, mine, element in zip(found, own, layout.elements, strict=True):
         places = [
-            following(mine, board, carrier, on_board=on_board, static=element.adapt == "static")
+            following(
+                mine, board, carrier, on_board=on_board, static=element.look.adapt == "static"
+            )
             for on_board in (False, True)
         ]
         packed["follows"] = {"character": _follows(places[0]), "board": _follows(places[1])}
@@ -339,22 +341,22 @@ def _element(rig: Rig, meshes: dict[str, int], controls: dict[str, int], element
         )
     return {
         "name": element.name,
-        "label": element.label,
-        "kind": element.kind,
-        "members": [_member(element.name, controls, each) for each in element.members],
-        "axes": [list(axis) for axis in element.axes],
+        "label": element.look.label,
+        "kind": element.manipulator.kind,
+        "members": [_member(element.name, controls, each) for each in element.manipulator.members],
+        "axes": [list(axis) for axis in element.manipulator.axes],
         "mesh": meshes[anchor.mesh],
         "point": anchor.point,
         "position": _list(anchor.position),
         "normal": _list(anchor.normal),
         "onBoard": anchor.on_board,
-        "side": element.side,
-        "mirror": element.mirror,
-        "reversed": list(element.reversed),
-        "inner": list(element.inner),
-        "category": element.category,
-        "reason": element.reason,
-        "glyph": _glyph(element.glyph),
+        "side": element.look.side,
+        "mirror": element.manipulator.mirror,
+        "reversed": list(element.manipulator.reversed),
+        "inner": list(element.look.inner),
+        "category": element.placement.category,
+        "reason": element.placement.reason,
+        "glyph": _glyph(element.look.glyph),
     }
 
 

@@ -39,10 +39,10 @@ class Section:
 
 
 def sections(layout: Layout, posed: PosedLayout, up: Floats) -> tuple[Section, ...]:
-    """One section a part, in the order of `Layout.parts`; `up` (3,) is that of the rig."""
+    """One section a part, in the order of `LayoutFrame.parts`; `up` (3,) is that of the rig."""
     found: list[Section] = []
-    for part in layout.parts:
-        own = [i for i, element in enumerate(layout.elements) if element.part == part.name]
+    for part in layout.frame.parts:
+        own = [i for i, e in enumerate(layout.elements) if e.placement.part == part.name]
         sides = _sides(layout.elements, own)
         if not sides:
             title = _TITLES.get(part.name, part.name)
@@ -58,12 +58,11 @@ def sections(layout: Layout, posed: PosedLayout, up: Floats) -> tuple[Section, .
 def main_layout(layout: Layout) -> Layout:
     """The elements of the first part, which is the face where there is one; all of a character in
     one part."""
-    if not layout.parts:
+    if not layout.frame.parts:
         return layout
-    return replace(
-        layout,
-        elements=tuple(each for each in layout.elements if each.part == layout.parts[0].name),
-    )
+    first = layout.frame.parts[0].name
+    elements = tuple(each for each in layout.elements if each.placement.part == first)
+    return replace(layout, elements=elements)
 
 
 def cut_away(rig: Rig, layout: Layout, colours: Complexion) -> Complexion:
@@ -72,10 +71,10 @@ def cut_away(rig: Rig, layout: Layout, colours: Complexion) -> Complexion:
     if any(not element.anchor.on_board for element in layout.elements):
         return colours
     moved = np.zeros(len(colours.clear), dtype=np.bool_)
-    still = posed(rig, layout.base_values)
+    still = posed(rig, layout.character.base_values)
     for index, control in enumerate(rig.controls):
         if control.name in layout.controls:
-            start, value = sweep_start(rig, still, layout.base_values, index)
+            start, value = sweep_start(rig, still, layout.character.base_values, index)
             points, offsets = sweep(rig, start, index, [value, control.minimum, control.maximum])
             ways = np.linalg.norm(offsets - offsets[0], axis=2).max(axis=0)
             moved[points[ways > _TOUCHED * np.max(ways, initial=0.0)]] = True
@@ -94,12 +93,13 @@ def _section(
         layout,
         elements=tuple(layout.elements[i] for i in chosen),
         left_off=(),
-        handle_width=part.handle_width,
-        view=views[0] if views else part.view,
-        status=part.status,
-        cost=part.cost,
-        bound=part.bound,
-        parts=(),
+        frame=replace(
+            layout.frame,
+            handle_width=part.handle_width,
+            view=views[0] if views else part.view,
+            parts=(),
+        ),
+        proof=replace(layout.proof, status=part.status, cost=part.cost, bound=part.bound),
     )
     return Section(
         title, shown, replace(posed, elements=tuple(posed.elements[i] for i in chosen)), views
@@ -113,7 +113,7 @@ def _sides(elements: tuple[Element, ...], own: list[int]) -> list[tuple[Side, li
     sides: list[tuple[Side, list[int]]] = []
     boxes = []
     for side in ("left", "right"):
-        chosen = [i for i in placed if elements[i].side == side]
+        chosen = [i for i in placed if elements[i].look.side == side]
         places = np.array([elements[i].anchor.position for i in chosen])
         if len(places) < _SHOWN:
             return []

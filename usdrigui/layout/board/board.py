@@ -20,7 +20,18 @@ from usdrigui.layout.glyph_fitting import fitted_glyph
 from usdrigui.layout.names import common_label, element_name
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.visibility import screen
-from usdrigui.model import Anchor, Control, Element, Floats, Group, Member, Side
+from usdrigui.model import (
+    Anchor,
+    Control,
+    Element,
+    Floats,
+    Group,
+    Look,
+    Manipulator,
+    Member,
+    Placement,
+    Side,
+)
 
 CATEGORIES = (
     "global", "hidden", "interior", "composite", "viseme",
@@ -98,8 +109,8 @@ def _boards(requests: Requests, middle: float, half: float, up: Floats) -> list[
 def _right_end(element: Element, frame: Floats, width: float) -> float:
     """Where an existing element, its label included, ends across the screen, and a column may
     begin."""
-    across = max(float((member.track @ frame[0]).max()) for member in element.members)
-    return across + (2.0 + _LETTER * len(element.label)) * width
+    across = max(float((member.track @ frame[0]).max()) for member in element.manipulator.members)
+    return across + (2.0 + _LETTER * len(element.look.label)) * width
 
 
 def _cell_widths(controls: tuple[Control, ...], rows: list[tuple[BoardEntry, ...]]) -> list[float]:
@@ -204,20 +215,23 @@ def _element(
     flipped = face.symmetry.reversed
     return Element(
         name=names[own],
-        label=_label(face.rig.controls, entry),
-        kind=group.kind,
-        members=members,
-        opposed=group.opposed,
-        anchor=anchor,
-        side=side,
-        mirror=names[1 - own] if len(row) == 2 else "",
-        category=entry.category,
-        reason=entry.reason,
-        adapt=drawing.adapt,
-        glyph=fitted_glyph(face, overrides, anchor, members, side == "right"),
-        reversed=tuple(
-            m for m, each in enumerate(entry.controls) if len(row) == 2 and flipped[each]
+        manipulator=Manipulator(
+            kind=group.kind,
+            members=members,
+            opposed=group.opposed,
+            mirror=names[1 - own] if len(row) == 2 else "",
+            reversed=tuple(
+                m for m, each in enumerate(entry.controls) if len(row) == 2 and flipped[each]
+            ),
         ),
+        anchor=anchor,
+        look=Look(
+            label=_label(face.rig.controls, entry),
+            side=side,
+            adapt=drawing.adapt,
+            glyph=fitted_glyph(face, overrides, anchor, members, side == "right"),
+        ),
+        placement=Placement(category=entry.category, reason=entry.reason),
     )
 
 

@@ -26,9 +26,15 @@ from usdrigui.model import (
     Floats,
     Group,
     Layout,
+    LayoutCharacter,
+    LayoutFrame,
     LayoutProblem,
     LeftOff,
+    Look,
+    Manipulator,
     Member,
+    Placement,
+    Proof,
     Rig,
     Side,
 )
@@ -75,28 +81,38 @@ def layout(
             elements.extend(_on_face(face, group, choice, int(label), requests, settings.output))
     elements.extend(board_elements(face, board, requests, settings.output.adapt))
     return Layout(
-        root=face.rig.root,
-        variant_path=face.rig.variant_path,
+        character=LayoutCharacter(
+            root=face.rig.root, base_values=base_values, variant_path=face.rig.variant_path
+        ),
         elements=tuple(
-            replace(each, part=part)
+            replace(each, placement=replace(each.placement, part=part))
             for each in with_inner(elements, placement.groups, face.rig.controls)
         ),
         left_off=left_off,
-        handle_width=face.handle_width,
-        space=settings.candidates.space,
-        view=face.views.directions[0],
-        plane_origin=face.symmetry.plane.origin,
-        plane_normal=face.symmetry.plane.normal,
-        base_values=base_values,
-        method=assignment.method,
-        status=assignment.status,
-        cost=assignment.cost,
-        bound=assignment.bound,
-        above_unary_bound=assignment.above_unary_bound,
-        closed_by=assignment.closed_by,
-        weights=_weights(
-            placement.problem, face.trajectories.typical_length, settings.objective.samples
+        frame=LayoutFrame(
+            space=settings.candidates.space,
+            view=face.views.directions[0],
+            plane=face.symmetry.plane,
+            handle_width=face.handle_width,
         ),
+        proof=_proof(
+            assignment,
+            _weights(
+                placement.problem, face.trajectories.typical_length, settings.objective.samples
+            ),
+        ),
+    )
+
+
+def _proof(assignment: Assignment, weights: tuple[tuple[str, float], ...]) -> Proof:
+    return Proof(
+        assignment.method,
+        assignment.status,
+        assignment.cost,
+        assignment.bound,
+        assignment.above_unary_bound,
+        weights,
+        assignment.closed_by,
     )
 
 
@@ -161,20 +177,23 @@ def _on_face(
         made.append(
             Element(
                 name=names[copy],
-                label=common_label([face.rig.controls[control].label for control in controls]),
-                kind=group.kind,
-                members=members,
-                opposed=opposed,
-                anchor=anchor,
-                side=side,
-                mirror=mirror,
-                category="",
-                reason=group.reason_of(controls),
-                adapt=overrides[0].adapt or settings.adapt,
-                glyph=fitted_glyph(
-                    face, overrides, anchor, members, bool(mirror) and side == "right"
+                manipulator=Manipulator(
+                    kind=group.kind,
+                    members=members,
+                    opposed=opposed,
+                    mirror=mirror,
+                    reversed=_reversed(face, members) if mirror else (),
                 ),
-                reversed=_reversed(face, members) if mirror else (),
+                anchor=anchor,
+                look=Look(
+                    label=common_label([face.rig.controls[control].label for control in controls]),
+                    side=side,
+                    adapt=overrides[0].adapt or settings.adapt,
+                    glyph=fitted_glyph(
+                        face, overrides, anchor, members, bool(mirror) and side == "right"
+                    ),
+                ),
+                placement=Placement(reason=group.reason_of(controls)),
             )
         )
     return made

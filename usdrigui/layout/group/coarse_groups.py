@@ -60,7 +60,7 @@ def with_inner(
     made = tuple(elements)
     by_controls: dict[frozenset[str], list[str]] = {}
     for element in made:
-        by_controls.setdefault(element.controls, []).append(element.name)
+        by_controls.setdefault(element.manipulator.controls, []).append(element.name)
     inner: dict[str, list[str]] = {}
     by_name = {group.name: group for group in groups}
     for group in groups:
@@ -71,7 +71,10 @@ def with_inner(
                 theirs = _elements_of(member.copies, names, by_controls)
                 own = theirs[copy : copy + 1] if len(theirs) == len(copies) else theirs
                 inner.setdefault(name, []).extend(own)
-    return tuple(replace(each, inner=tuple(sorted(inner.get(each.name, ())))) for each in made)
+    return tuple(
+        replace(each, look=replace(each.look, inner=tuple(sorted(inner.get(each.name, ())))))
+        for each in made
+    )
 
 
 def _elements_of(

@@ -40,17 +40,13 @@ def layout_of(layouts: tuple[Layout, ...], rig: Rig) -> Layout | None:
     name.
     """
     found = _fitting(layouts, rig)
-    return (
-        replace(_moved(found, rig.root), variant_path=rig.variant_path)
-        if found is not None
-        else None
-    )
+    return None if found is None else _moved(found, rig.root, rig.variant_path)
 
 
 def root_in_base(layouts: tuple[Layout, ...], rig: Rig) -> str:
     """The SkelRoot's path in the layer of the existing layout; empty where there is none."""
     found = _fitting(layouts, rig)
-    return found.root if found is not None else ""
+    return found.character.root if found is not None else ""
 
 
 def new_controls(layout: Layout, rig: Rig) -> frozenset[int]:
@@ -70,10 +66,8 @@ def with_drawn_handles(
         for name, controls in settings.groups.groups.items()
         if not known.issuperset(controls)
     }
-    widths = {each.name: each.handle_width for each in layout.parts}
-    width = (
-        widths.get(part, layout.handle_width) or settings.objective.handle_size * surface.face_size
-    )
+    width = layout.frame.handle_width_of(part)
+    width = width or settings.objective.handle_size * surface.face_size
     size = width * (1.0 - _ROUNDING) / surface.face_size
     return replace(
         settings,
@@ -141,8 +135,8 @@ def uniquify_names(added: Layout, existing: Layout) -> Layout:
         replace(
             e,
             name=names[e.name],
-            mirror=names.get(e.mirror, ""),
-            inner=tuple(names[each] for each in e.inner),
+            manipulator=replace(e.manipulator, mirror=names.get(e.manipulator.mirror, "")),
+            look=replace(e.look, inner=tuple(names[each] for each in e.look.inner)),
         )
         for e in added.elements
     )
@@ -155,21 +149,21 @@ def combined(existing: Layout, added: Layout) -> Layout:
         existing,
         elements=(*existing.elements, *added.elements),
         left_off=added.left_off,
-        handle_width=existing.handle_width or added.handle_width,
-        base_values=added.base_values,
-        method=added.method,
-        status=added.status,
-        cost=added.cost,
-        bound=added.bound,
-        above_unary_bound=added.above_unary_bound,
-        closed_by=added.closed_by,
-        weights=added.weights,
+        frame=replace(
+            existing.frame, handle_width=existing.frame.handle_width or added.frame.handle_width
+        ),
+        character=replace(existing.character, base_values=added.character.base_values),
+        proof=added.proof,
     )
 
 
 def _fitting(layouts: tuple[Layout, ...], rig: Rig) -> Layout | None:
-    here = [layout for layout in layouts if layout.root == rig.root]
-    fitting = [layout for layout in here or layouts if _alike(_moved(layout, rig.root), rig)]
+    here = [layout for layout in layouts if layout.character.root == rig.root]
+    fitting = [
+        layout
+        for layout in here or layouts
+        if _alike(_moved(layout, rig.root, rig.variant_path), rig)
+    ]
     return fitting[0] if len(fitting) == 1 else None
 
 
@@ -182,15 +176,19 @@ def _alike(layout: Layout, rig: Rig) -> bool:
     )
 
 
-def _moved(layout: Layout, root: str) -> Layout:
+def _moved(layout: Layout, root: str, variant_path: str) -> Layout:
     """The layout of the same character at another path."""
     elements = tuple(
         replace(
-            each, anchor=replace(each.anchor, mesh=_moved_path(each.anchor.mesh, layout.root, root))
+            each,
+            anchor=replace(
+                each.anchor, mesh=_moved_path(each.anchor.mesh, layout.character.root, root)
+            ),
         )
         for each in layout.elements
     )
-    return replace(layout, root=root, elements=elements)
+    character = replace(layout.character, root=root, variant_path=variant_path)
+    return replace(layout, elements=elements, character=character)
 
 
 def _moved_path(path: str, before: str, after: str) -> str:
@@ -203,7 +201,7 @@ def _variable(
 ) -> Variable:
     point = np.array([rig.point_of(element.anchor.mesh, element.anchor.point)])
     samples = np.concatenate(
-        [resampled(member.track[None], count)[0] for member in element.members]
+        [resampled(member.track[None], count)[0] for member in element.manipulator.members]
     )
     samples, handle = flattened(samples, toward)[None, None], flattened(base[point], toward)[None]
     return Variable(element.name, point, np.zeros(1), samples, handle, np.inf, np.zeros(1))

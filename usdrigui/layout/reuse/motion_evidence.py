@@ -156,7 +156,7 @@ def between_anchors(
 ) -> Floats:
     """(left, new) evidence for controls of two layouts of one character."""
     one, other = _held(before.elements), _held(after.elements)
-    width = max(before.handle_width, after.handle_width, 1e-300)
+    width = max(before.frame.handle_width, after.frame.handle_width, 1e-300)
     found = np.zeros((len(left), len(new)))
     for row, name in enumerate(left):
         for column, new_name in enumerate(new):
@@ -284,7 +284,7 @@ def _held(elements: tuple[Element, ...]) -> dict[str, _Held]:
     """By control, the first level first; tracks on the board are drawn and say nothing."""
     found: dict[str, _Held] = {}
     for element in outer_first(elements):
-        for member in element.members if not element.anchor.on_board else ():
+        for member in element.manipulator.members if not element.anchor.on_board else ():
             found.setdefault(member.control, _Held(element, _displacement(member), member.track))
     return found
 

@@ -39,9 +39,9 @@ def fixed_by(
     found = dict(controls)
     placed: set[str] = set()
     for element in outer_first(layout.elements):
-        for member in element.members:
+        for member in element.manipulator.members:
             if member.control not in known:
-                where = f"{layout.root} element {element.name}"
+                where = f"{layout.character.root} element {element.name}"
                 raise refuse(
                     "CONFIG_UNKNOWN_CONTROL", where, f"{rig.root} has no control {member.control!r}"
                 )

@@ -24,6 +24,7 @@ from usdrigui.model import (
     Floats,
     Indices,
     Layout,
+    Placement,
     Rig,
     Symmetry,
     Trajectories,
@@ -88,25 +89,31 @@ def pins_of(layout: Layout, rig: Rig, rest: Floats, trajectories: Trajectories) 
     pins, issues = [], []
     held: set[str] = set()
     for element in outer_first(layout.elements):
-        known = tuple(
-            m.control for m in element.members if m.control in {c.name for c in rig.controls}
-        )
+        members, placement = element.manipulator.members, element.placement
+        known = tuple(m.control for m in members if m.control in {c.name for c in rig.controls})
         inner = bool(held & set(known))
         held |= set(known)
-        if not element.pinned or not known:
+        if not placement.pinned or not known:
             continue
         anchor, problem = "", None
-        if "anchor" in element.pinned and not element.anchor.on_board:
-            anchor, problem = _carried(
-                element, known, layout.handle_width_of(element), rig, rest, trajectories
-            )
+        if "anchor" in placement.pinned and not element.anchor.on_board:
+            width = layout.frame.handle_width_of(placement.part)
+            anchor, problem = _carried(element, known, width, rig, rest, trajectories)
         place = (
             ("board" if element.anchor.on_board else "face")
-            if "place" in element.pinned and not anchor
+            if "place" in placement.pinned and not anchor
             else ""
         )
         pins.append(
-            Pin(element.name, known, element.pinned, anchor, place, element.pinned_position, inner)
+            Pin(
+                element.name,
+                known,
+                placement.pinned,
+                anchor,
+                place,
+                placement.pinned_position,
+                inner,
+            )
         )
         issues += [problem] if problem is not None else []
     return Pins(tuple(pins), tuple(issues))
@@ -126,14 +133,14 @@ def _carried(
     same = same_point(element.anchor, points_of_meshes(rig.meshes, rig.starts))
     if same >= 0 and same in moved:
         return place_of(rig, same), None
-    if not len(moved) or not np.isfinite(element.pinned_position).all():
+    if not len(moved) or not np.isfinite(element.placement.pinned_position).all():
         why = (
             "its controls move no point together"
             if not len(moved)
             else "its mesh has other points or faces by now"
         )
         return "", issue("PIN_LOST", element.name, why)
-    apart = np.linalg.norm(rest[moved] - element.pinned_position, axis=1)
+    apart = np.linalg.norm(rest[moved] - element.placement.pinned_position, axis=1)
     nearest = first_smallest(apart)
     off = float(apart[nearest]) / max(width, 1e-300)
     message = f"is {off:.1f} handle widths from where it was pinned"
@@ -257,8 +264,8 @@ def with_decisions(
         c.name for c, override in zip(rig.controls, overrides, strict=True) if override.anchor
     }
     for element in layout.elements:
-        other = decided.get(element.mirror, frozenset())
-        if "anchor" in other and element.controls & anchored:
+        other = decided.get(element.manipulator.mirror, frozenset())
+        if "anchor" in other and element.manipulator.controls & anchored:
             decided[element.name] = decided.get(element.name, frozenset()) | {"anchor"}
     before = {
         element.name: pin.position for element, pin in _of_pins(layout.elements, pins) if pin.anchor
@@ -266,7 +273,8 @@ def with_decisions(
     return replace(
         layout,
         elements=tuple(
-            _pinned(e, decided, before, layout.handle_width, rig, rest) for e in layout.elements
+            replace(e, placement=_pinned(e, decided, before, layout.frame.handle_width, rig, rest))
+            for e in layout.elements
         ),
     )
 
@@ -280,11 +288,12 @@ def _from_configuration(
     together = [frozenset(members) for members in groups.values()]
     for element in elements:
         overrides = [
-            renamed.get(name) or asked.get(name, ControlSettings()) for name in element.controls
+            renamed.get(name) or asked.get(name, ControlSettings())
+            for name in element.manipulator.controls
         ]
         found: set[Decision] = {"anchor"} if any(each.anchor for each in overrides) else set()
         found |= {"place"} if any(each.place or each.near for each in overrides) else set()
-        found |= {"grouping"} if element.controls in together else set()
+        found |= {"grouping"} if element.manipulator.controls in together else set()
         if found:
             yield element.name, frozenset(found)
 
@@ -295,15 +304,15 @@ def _of_pins(elements: tuple[Element, ...], pins: Pins) -> Iterator[tuple[Elemen
         yield from (
             (element, pin)
             for pin in pins.pins
-            if pin.inner == inner and element.controls & set(pin.controls)
+            if pin.inner == inner and element.manipulator.controls & set(pin.controls)
         )
 
 
 def _levels(elements: tuple[Element, ...]) -> Iterator[tuple[Element, bool]]:
     held: set[str] = set()
     for element in outer_first(elements):
-        yield element, bool(held & element.controls)
-        held |= element.controls
+        yield element, bool(held & element.manipulator.controls)
+        held |= element.manipulator.controls
 
 
 def _pinned(
@@ -313,7 +322,7 @@ def _pinned(
     handle_width: float,
     rig: Rig,
     rest: Floats,
-) -> Element:
+) -> Placement:
     found = decided.get(element.name, frozenset())
     order: tuple[Decision, ...] = ("anchor", "place", "grouping")
     kept = tuple(
@@ -322,11 +331,11 @@ def _pinned(
         if each in found and not (each == "anchor" and element.anchor.on_board)
     )
     if "anchor" not in kept:
-        return replace(element, pinned=kept)
+        return replace(element.placement, pinned=kept)
     here = rest[rig.point_of(element.anchor.mesh, element.anchor.point)]
     then = np.array(before.get(element.name, (np.nan,) * 3))
     # The place that was decided stays on record while it is the same place: carrying it on adds up
     # no errors.
     near = float(np.linalg.norm(here - then)) <= _NEAR * handle_width
     x, y, z = (then if near else here).tolist()
-    return replace(element, pinned=kept, pinned_position=(x, y, z))
+    return replace(element.placement, pinned=kept, pinned_position=(x, y, z))

@@ -95,20 +95,23 @@ def kept_groups(elements: tuple[Element, ...], rig: Rig) -> tuple[KeptGroup, ...
     groups: list[KeptGroup] = []
     taken: set[int] = set()
     for element in outer_first(elements):
+        members = element.manipulator.members
         kept = [
             place
-            for place, member in enumerate(element.members)
+            for place, member in enumerate(members)
             if index.get(member.control, -1) not in taken
         ]
-        kept = [place for place in kept if element.members[place].control in index]
+        kept = [place for place in kept if members[place].control in index]
         if not kept:
             continue
-        controls = tuple(index[element.members[place].control] for place in kept)
+        controls = tuple(index[members[place].control] for place in kept)
         opposed = tuple(
-            (kept.index(a), kept.index(b)) for a, b in element.opposed if a in kept and b in kept
+            (kept.index(a), kept.index(b))
+            for a, b in element.manipulator.opposed
+            if a in kept and b in kept
         )
         groups.append(
-            KeptGroup(element.name if len(kept) == len(element.members) else "", controls, opposed)
+            KeptGroup(element.name if len(kept) == len(members) else "", controls, opposed)
         )
         taken |= set(controls)
     return tuple(groups)
@@ -163,7 +166,9 @@ def _places(elements: tuple[Element, ...], rig: Rig) -> tuple[dict[int, Place], 
             same_point(element.anchor, meshes), element.anchor.position, element.anchor.on_board
         )
         for control in (
-            index[member.control] for member in element.members if member.control in index
+            index[member.control]
+            for member in element.manipulator.members
+            if member.control in index
         ):
             if control not in places:
                 places[control] = place

@@ -86,7 +86,7 @@ class _Membership:
 
     @property
     def partners(self) -> frozenset[str]:
-        return self.element.controls
+        return self.element.manipulator.controls
 
 
 def difference(
@@ -106,8 +106,8 @@ def difference(
     names = matching.renamed
     then = with_names(before, names)
     old, new = (
-        _memberships(then.elements, then.plane_normal),
-        _memberships(after.elements, after.plane_normal),
+        _memberships(then.elements, then.frame.plane.normal),
+        _memberships(after.elements, after.frame.plane.normal),
     )
     was = {now: earlier for earlier, now in names.items()}
     changes = [
@@ -129,7 +129,7 @@ def difference(
         "moved",
     )
     found.sort(key=lambda change: kinds.index(change.kind))
-    return Difference(after.root, tuple(found), len(then.controls & after.controls))
+    return Difference(after.character.root, tuple(found), len(then.controls & after.controls))
 
 
 def _memberships(
@@ -140,7 +140,7 @@ def _memberships(
     memberships: dict[tuple[str, int], _Membership] = {}
     from_left = sorted(elements, key=lambda each: -float(each.anchor.position @ plane_normal))
     for element in outer_first(from_left):
-        for member in element.members:
+        for member in element.manipulator.members:
             count = 0
             while (member.control, count) in memberships:
                 count += 1
@@ -149,7 +149,7 @@ def _memberships(
 
 
 def _added(held: _Membership) -> Change:
-    why = (held.element.reason,) if held.element.reason else ()
+    why = (held.element.placement.reason,) if held.element.placement.reason else ()
     return Change(
         held.control, "added", held.element.name, np.nan, "", held.element.anchor.place, why
     )
@@ -180,7 +180,7 @@ def _renamed(
             new.control,
             "renamed",
             new.element.name,
-            _distance(before.handle_width, old, new),
+            _distance(before.frame.handle_width, old, new),
             *where,
             (),
             earlier,
@@ -198,7 +198,7 @@ def _compared(
     kind = _kind(before, after, old, new)
     if kind is None:
         return None
-    distance = _distance(before.handle_width, old, new)
+    distance = _distance(before.frame.handle_width, old, new)
     why = tuple(_reasons(before, after, old, new, kind, improvements))
     why = why or (_unexplained(before, after),)
     return Change(
@@ -225,7 +225,7 @@ def _kind(before: Layout, after: Layout, old: _Membership, new: _Membership) -> 
         return "moved"
     if _same_mesh(old, new):
         return None if old.element.anchor.point == new.element.anchor.point else "moved"
-    return "moved" if _distance(before.handle_width, old, new) > _STILL else None
+    return "moved" if _distance(before.frame.handle_width, old, new) > _STILL else None
 
 
 def _same_mesh(old: _Membership, new: _Membership) -> bool:
@@ -258,15 +258,15 @@ def _reasons(
     change = one.mesh_change(other.topology_hash, other.point_count)
     if not one.on_board and one.mesh == other.mesh and change:
         yield change
-    decided = "anchor" in new.element.pinned
+    decided = "anchor" in new.element.placement.pinned
     if kind in ("moved", "board", "regrouped") and not (one.on_board or decided):
-        yield from _crowd(after.elements, after.handle_width, old, new)
-    if kind == "board" and new.element.reason:
-        yield new.element.reason
-    newly = decided and "anchor" not in old.element.pinned
+        yield from _crowd(after.elements, after.frame.handle_width, old, new)
+    if kind == "board" and new.element.placement.reason:
+        yield new.element.placement.reason
+    newly = decided and "anchor" not in old.element.placement.pinned
     if newly or (decided and one.topology_hash == other.topology_hash and one.place != other.place):
         yield "its anchor, or its twin's, was decided by a person"
-    if "anchor" in set(old.element.pinned) - set(new.element.pinned):
+    if "anchor" in set(old.element.placement.pinned) - set(new.element.placement.pinned):
         yield "its anchor is no longer the one that a person had decided"
     handles = [_handles(layout.elements, new.control) for layout in (before, after)]
     if handles[0] != handles[1]:
@@ -277,10 +277,11 @@ def _reasons(
 
 def _unexplained(before: Layout, after: Layout) -> str:
     """What layouts tell of a change that none of its own circumstances explains."""
-    weights = sorted({name for name, _ in set(before.weights) ^ set(after.weights)})
+    weights = sorted({name for name, _ in set(before.proof.weights) ^ set(after.proof.weights)})
     if weights:
         return f"made with other settings: {listed(weights)}"
-    wider = after.handle_width / before.handle_width if before.handle_width > 0.0 else 1.0
+    then, now = before.frame.handle_width, after.frame.handle_width
+    wider = now / then if then > 0.0 else 1.0
     if abs(wider - 1.0) > _STILL:
         return f"handles are {wider:.2f} times as wide"
     return "no reason recorded: made with another motion, configuration or version"
@@ -290,7 +291,9 @@ def _handles(elements: tuple[Element, ...], control: str) -> int:
     """How many elements of the first level a control has: two, where it is doubled across the
     middle."""
     inner = inner_names(elements)
-    return sum(control in element.controls for element in elements if element.name not in inner)
+    return sum(
+        control in element.manipulator.controls for element in elements if element.name not in inner
+    )
 
 
 def _crowd(
@@ -298,11 +301,17 @@ def _crowd(
 ) -> Iterator[str]:
     """Whose handle is now nearer to the old place than two handles may be."""
     for element in elements:
-        if element is new.element or element.anchor.on_board or old.partners & element.controls:
+        if (
+            element is new.element
+            or element.anchor.on_board
+            or old.partners & element.manipulator.controls
+        ):
             continue
         apart = float(np.linalg.norm(element.anchor.position - old.element.anchor.position))
         if apart < handle_width * (1.0 - _STILL):
-            decided = ", whose anchor was decided by a person" * ("anchor" in element.pinned)
+            decided = ", whose anchor was decided by a person" * (
+                "anchor" in element.placement.pinned
+            )
             yield f"its place is taken by {element.name}{decided}"
 
 

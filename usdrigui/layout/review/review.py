@@ -97,13 +97,13 @@ def review(
     faults = [
         *_stale(face.rig, face.trajectories, layout, settings.read, whole or layout),
         *_unplaced(face, layout, requests, listed),
-        *_crowded(layout.elements, layout.handle_width or face.handle_width),
+        *_crowded(layout.elements, layout.frame.handle_width or face.handle_width),
     ]
     sound = _sound(face, layout.elements)
-    pinned = {element.name for element in layout.elements if "anchor" in element.pinned}
+    pinned = {element.name for element in layout.elements if "anchor" in element.placement.pinned}
     issues = [*faults, *_hidden(face, tuple(each for each in sound if each.name not in pinned))]
     problem, choices, labels = _as_problem(face, candidates, layout, sound, requests, settings)
-    mates = _mates(face, layout, problem, choices, labels)
+    mates = _mates(face, layout.elements, problem, choices, labels)
     rated = tuple(
         _rated(face, problem, choices, labels, index, mates[index]) for index in range(len(choices))
     )
@@ -147,7 +147,7 @@ def refuse_stale(
 def _stale(
     rig: Rig, trajectories: Trajectories, layout: Layout, settings: ReadSettings, whole: Layout
 ) -> Iterator[Issue]:
-    comparable = not _custom_base(layout.base_values, settings)
+    comparable = not _custom_base(layout.character.base_values, settings)
     meshes = {mesh.path: mesh for mesh in rig.meshes}
     known = rig.control_names
     lacking = not known.issuperset(layout.controls)
@@ -164,7 +164,7 @@ def _stale(
             yield from _anchor_faults(
                 rig, trajectories.surface, element, mesh, comparable=comparable
             )
-        for member in element.members:
+        for member in element.manipulator.members:
             if member.control not in known | along:
                 now = (
                     f"; {renamed[member.control]!r} moves as it did"
@@ -208,7 +208,7 @@ def _unplaced(
     face: Face, layout: Layout, requests: Requests, listed: frozenset[str]
 ) -> Iterator[Issue]:
     known = layout.controls | {left.control for left in layout.left_off}
-    if not layout.method:  # nobody but the list tells what is left off by hand
+    if not layout.proof.method:  # nobody but the list tells what is left off by hand
         known |= listed
     names = [
         face.control_name(motion.control)
@@ -216,9 +216,9 @@ def _unplaced(
         if not requests.overrides[motion.control].exclude
     ]
     new = [name for name in names if name not in known]
-    if len(new) > 1 and not listed and not layout.method:
+    if len(new) > 1 and not listed and not layout.proof.method:
         clause = "controls have no element, and rigUI:layout:baseControls lists none"
-        yield issue("LAYOUT_CONTROL_NEW", layout.root, f"{len(new)} {clause}")
+        yield issue("LAYOUT_CONTROL_NEW", layout.character.root, f"{len(new)} {clause}")
         return
     for name in new:
         yield issue("LAYOUT_CONTROL_NEW", name, "has no element and is not listed without one")
@@ -259,7 +259,7 @@ def _sound(face: Face, elements: tuple[Element, ...]) -> tuple[Element, ...]:
         for element in elements
         if not element.anchor.on_board
         and 0 <= element.anchor.point < meshes.get(element.anchor.mesh, 0)
-        and all(member.control in moving for member in element.members)
+        and all(member.control in moving for member in element.manipulator.members)
     )
 
 
@@ -272,7 +272,7 @@ def _as_problem(
     settings: Settings,
 ) -> tuple[LayoutProblem, tuple[Choice, ...], Indices]:
     """The problem in which every element is one variable, its own anchor among the candidates."""
-    groups = _as_groups(face.rig, layout, elements)
+    groups = _as_groups(face.rig, layout.elements, elements)
     points = [face.rig.point_of(element.anchor.mesh, element.anchor.point) for element in elements]
     sets = _with_points(
         face, candidates, groups, points, settings.candidates.occlusion_weight, settings.objective
@@ -294,38 +294,43 @@ def _as_problem(
     )
 
 
-def _as_groups(rig: Rig, layout: Layout, elements: tuple[Element, ...]) -> tuple[Group, ...]:
+def _as_groups(
+    rig: Rig, elements: tuple[Element, ...], sound: tuple[Element, ...]
+) -> tuple[Group, ...]:
     index = {control.name: number for number, control in enumerate(rig.controls)}
-    seen, parts = states(layout.elements), _parts(layout)
+    seen, parts = states(elements), _parts(elements)
     controls = {
-        each.name: tuple(index[member.control] for member in each.members) for each in elements
+        each.name: tuple(index[member.control] for member in each.manipulator.members)
+        for each in sound
     }
     return tuple(
         Group(
             element.name,
-            element.kind,
+            element.manipulator.kind,
             controls[element.name],
-            element.opposed,
+            element.manipulator.opposed,
             # A copy of a doubled element is not held to the mirror plane; that of a pair never is.
-            controls.get(element.mirror, ()),
+            controls.get(element.manipulator.mirror, ()),
             "",
             part=element.name in parts,
             states=seen[element.name],
         )
-        for element in elements
+        for element in sound
     )
 
 
-def _parts(layout: Layout) -> frozenset[str]:
+def _parts(elements: tuple[Element, ...]) -> frozenset[str]:
     """Names of the elements all of whose controls a coarse element holds too."""
-    inner = inner_names(layout.elements)
+    inner = inner_names(elements)
     outer = {
         m.control
-        for element in layout.elements
+        for element in elements
         if element.name not in inner
-        for m in element.members
+        for m in element.manipulator.members
     }
-    return frozenset(e.name for e in layout.elements if e.name in inner and outer >= e.controls)
+    return frozenset(
+        e.name for e in elements if e.name in inner and outer >= e.manipulator.controls
+    )
 
 
 def _with_points(
@@ -367,11 +372,15 @@ def _with_point(
 
 
 def _mates(
-    face: Face, layout: Layout, problem: LayoutProblem, choices: tuple[Choice, ...], labels: Indices
+    face: Face,
+    elements: tuple[Element, ...],
+    problem: LayoutProblem,
+    choices: tuple[Choice, ...],
+    labels: Indices,
 ) -> list[int]:
     """For every element the other one of its pair, where the two stand as mirror images; else
     -1."""
-    mirror = {element.name: element.mirror for element in layout.elements}
+    mirror = {element.name: element.manipulator.mirror for element in elements}
     index = {variable.name: i for i, variable in enumerate(problem.variables)}
     at = [int(choice.anchors[label, 0]) for choice, label in zip(choices, labels, strict=True)]
     mates = [index.get(mirror[variable.name], -1) for variable in problem.variables]

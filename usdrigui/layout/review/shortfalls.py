@@ -23,7 +23,7 @@ def _still_places(face: Face, elements: tuple[Element, ...], asked: Settings) ->
     peaks = {face.control_name(each.control): each.peak for each in face.trajectories.motions}
     least = asked.candidates.least_kept
     for element in elements:
-        for member in element.members:
+        for member in element.manipulator.members:
             override, peak = asked.controls.get(member.control), peaks.get(member.control, 0.0)
             if (
                 override is None

@@ -20,22 +20,22 @@ def test_the_board_is_tidy_and_outside_the_silhouette():
     more = {f"copy{i}": 0.3 * each for i, each in enumerate(list(SHAPES.values())[:8])}
     line = chain.lay_out(makers.face_with(whole=np.full_like(POINTS, 0.2), **more))
     board = [element for element in line.layout.elements if element.anchor.on_board]
-    assert {element.category for element in board} == {"global", "composite"}
+    assert {element.placement.category for element in board} == {"global", "composite"}
     spots = np.array([element.anchor.position for element in board])
-    width = line.layout.handle_width
-    tracks = np.concatenate([m.track for e in board for m in e.members])
+    width = line.layout.frame.handle_width
+    tracks = np.concatenate([m.track for e in board for m in e.manipulator.members])
     assert tracks[:, 0].min() > POINTS[:, 0].max() + width
     apart = np.linalg.norm(spots[:, None] - spots[None], axis=2) + 9e9 * np.eye(len(spots))
     assert apart.min() >= 1.6 * width
     assert np.ptp(spots[:, 2]) < 1e-9
     for element in board:
-        assert element.reason
-        for member in element.members:
+        assert element.placement.reason
+        for member in element.manipulator.members:
             drawn = np.linalg.norm(np.diff(member.track, axis=0), axis=1).sum()
             assert drawn == pytest.approx(member.magnification * member.arc_length, rel=1e-6)
-    pairs = [element for element in board if element.mirror]
+    pairs = [element for element in board if element.manipulator.mirror]
     for element in pairs:
-        other = next(each for each in board if each.name == element.mirror)
+        other = next(each for each in board if each.name == element.manipulator.mirror)
         assert element.anchor.position[1] == pytest.approx(other.anchor.position[1])
 
 
@@ -44,12 +44,14 @@ def test_what_the_configuration_sends_beside_stands_under_a_heading_of_its_own()
         makers.face_with(whole=np.full_like(POINTS, 0.2)),
         chain.settings(controls={"chin": {"place": "board"}, "whole": {"place": "board"}}),
     )
-    families = {name: element.category for name, element in chain.by_name(line).items() if element.anchor.on_board}
+    families = {
+        name: element.placement.category for name, element in chain.by_name(line).items() if element.anchor.on_board
+    }
     assert families == {"chin": "requested", "whole": "global"}
-    assert "configuration" in chain.by_name(line)["chin"].reason
+    assert "configuration" in chain.by_name(line)["chin"].placement.reason
     heights = {name: chain.by_name(line)[name].anchor.position[1] for name in families}
     # A heading stands between them: a row of 2.4 widths for it and one for the element.
-    assert heights["whole"] - heights["chin"] == pytest.approx(4.8 * line.layout.handle_width)
+    assert heights["whole"] - heights["chin"] == pytest.approx(4.8 * line.layout.frame.handle_width)
 
 
 def test_a_crowded_face_sends_the_least_displaced_controls_to_the_board():
@@ -60,13 +62,13 @@ def test_a_crowded_face_sends_the_least_displaced_controls_to_the_board():
     line = chain.lay_out(rig, chain.settings(groups={"opposed": False}, candidates={"board_composite": False}))
     board = [element for element in line.layout.elements if element.anchor.on_board]
     assert board
-    assert {element.category for element in board} == {"crowded"}
-    assert all(element.reason for element in board)
+    assert {element.placement.category for element in board} == {"crowded"}
+    assert all(element.placement.reason for element in board)
     peaks = {rig.controls[m.control].name: m.arc_length.max() for m in line.face.trajectories.motions}
-    left = [peaks[m.control] for e in board for m in e.members]
-    stayed = [peaks[m.control] for e in line.layout.elements if not e.anchor.on_board for m in e.members]
+    left = [peaks[m.control] for e in board for m in e.manipulator.members]
+    stayed = [peaks[m.control] for e in line.layout.elements if not e.anchor.on_board for m in e.manipulator.members]
     assert np.mean(left) < np.mean(stayed)
-    assert all(member.control.startswith("c") for element in board for member in element.members)
+    assert all(member.control.startswith("c") for element in board for member in element.manipulator.members)
 
 
 def test_the_board_hangs_on_the_joint_that_holds_the_face():
@@ -174,7 +176,8 @@ def test_a_new_board_begins_right_of_one_that_exists_and_of_those_of_other_parts
         SimpleNamespace(track=np.array([[9.0, 0, 1], [0, 0, 2]])),
         SimpleNamespace(track=np.array([[0.0, 0, 1.5]])),
     ]
-    assert board._right_end(SimpleNamespace(members=tracks, label="four"), frame, 0.5) == pytest.approx(4.44)
+    element = SimpleNamespace(manipulator=SimpleNamespace(members=tracks), look=SimpleNamespace(label="four"))
+    assert board._right_end(element, frame, 0.5) == pytest.approx(4.44)
 
     def element(height, on_board=True):
         return SimpleNamespace(anchor=SimpleNamespace(position=np.array([0.0, height, 0.0]), on_board=on_board))

@@ -13,7 +13,7 @@ NOSTRIL = (0.12, 0.05)
 
 
 def height_of(name, line):
-    (element,) = (each for each in line.layout.elements if name in each.controls)
+    (element,) = (each for each in line.layout.elements if name in each.manipulator.controls)
     return element.anchor.position[1]
 
 

@@ -30,7 +30,8 @@ def at(*degrees, lift=0.0):
 )
 def test_only_neighbours_at_half_a_turn_or_less_span_a_parallelogram(degrees, expected, lift):
     tracks = [SimpleNamespace(track=np.stack([np.zeros(3), way])) for way in at(*degrees, lift=lift)]
-    fan = SimpleNamespace(anchor=SimpleNamespace(position=np.zeros(3), normal=UP), members=tracks, axes=())
+    anchor = SimpleNamespace(position=np.zeros(3), normal=UP)
+    fan = SimpleNamespace(anchor=anchor, manipulator=SimpleNamespace(members=tracks, axes=()))
     assert set(drawn._neighbours(fan)) == expected
 
 

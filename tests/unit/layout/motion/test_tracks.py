@@ -22,7 +22,7 @@ def test_tracks_are_sampled_at_equal_steps_of_arc_length():
 def test_short_tracks_are_enlarged_and_the_magnification_recorded():
     assert magnification(np.array([0.5, 2.0, 0.0]), 1.0).tolist() == [2.0, 1.0, 1.0]
     line = chain.lay_out(makers.face_with(tiny=0.01 * makers.bump(POINTS, (0.5, 0.0), (0, 0, 1), 0.2)))
-    tiny = next(m for e in line.layout.elements for m in e.members if m.control == "tiny")
+    tiny = next(m for e in line.layout.elements for m in e.manipulator.members if m.control == "tiny")
     drawn = np.linalg.norm(tiny.track[-1] - tiny.track[0])
-    assert drawn == pytest.approx(1.5 * line.layout.handle_width, rel=1e-6)
+    assert drawn == pytest.approx(1.5 * line.layout.frame.handle_width, rel=1e-6)
     assert tiny.magnification * tiny.arc_length == pytest.approx(drawn, rel=1e-6)

@@ -164,22 +164,26 @@ def test_a_body_does_not_change_the_scale_of_its_face():
 def test_parts_keep_clear_of_each_other_and_their_proofs_add_up():
     laid = chain.laid_parts(BODY)
     whole, sums = joined(laid), joined_assignment([each.assignment for each in laid], ["face", "hands", "body"])
-    assert [part.name for part in whole.parts] == ["face", "hands", "body"]
-    assert whole.cost == pytest.approx(sum(part.cost for part in whole.parts)) == sums.cost
+    assert [part.name for part in whole.frame.parts] == ["face", "hands", "body"]
+    assert whole.proof.cost == pytest.approx(sum(part.cost for part in whole.frame.parts)) == sums.cost
     standing = [element for element in whole.elements if not element.anchor.on_board]
-    assert {element.part for element in standing} == {"face", "hands", "body"}
-    assert all(" face" not in element.reason for element in whole.elements if element.part != "face")
+    assert {element.placement.part for element in standing} == {"face", "hands", "body"}
+    assert all(
+        " face" not in element.placement.reason for element in whole.elements if element.placement.part != "face"
+    )
+    width_of = whole.frame.handle_width_of
     for number, one in enumerate(standing):
         for other in standing[number + 1 :]:
             apart = np.linalg.norm(one.anchor.position - other.anchor.position)
-            assert apart >= max(whole.handle_width_of(one), whole.handle_width_of(other)) * (1.0 - 1e-9)
+            assert apart >= max(width_of(each.placement.part) for each in (one, other)) * (1.0 - 1e-9)
 
 
 def test_the_whole_says_of_the_part_that_is_not_proved_why():
     laid = chain.laid_parts(BODY)
     open_ = {"status": "stopped", "method": "highs", "closed_by": "interrupt"}
-    laid[1] = replace(laid[1], layout=replace(laid[1].layout, **open_), assignment=replace(laid[1].assignment, **open_))
-    found = joined(laid), joined_assignment([each.assignment for each in laid], ["face", "hands", "body"])
+    layout = replace(laid[1].layout, proof=replace(laid[1].layout.proof, **open_))
+    laid[1] = replace(laid[1], layout=layout, assignment=replace(laid[1].assignment, **open_))
+    found = joined(laid).proof, joined_assignment([each.assignment for each in laid], ["face", "hands", "body"])
     assert {(each.status, each.method, each.closed_by) for each in found} == {tuple(open_.values())}
 
 
@@ -240,12 +244,16 @@ def test_the_layer_draws_the_handles_of_each_part_at_its_own_width(monkeypatch):
     layout = laid_out.layout_of(rig, only=["chin", "smile_L"])
     own = {element.name: name for element, name in zip(layout.elements, ("face", "body"), strict=True)}
     widths = {"face": 0.02, "body": 0.3}
-    parts = tuple(LayoutPart(name, width, layout.view, "optimal", 0.0, 0.0) for name, width in widths.items())
-    layout = replace(layout, elements=tuple(replace(e, part=own[e.name]) for e in layout.elements), parts=parts)
+    parts = tuple(LayoutPart(name, width, layout.frame.view, "optimal", 0.0, 0.0) for name, width in widths.items())
+    layout = replace(
+        layout,
+        elements=tuple(replace(e, placement=replace(e.placement, part=own[e.name])) for e in layout.elements),
+        frame=replace(layout.frame, parts=parts),
+    )
     drawn, draw = {}, layer.drawn_parts
 
     def seen(carriage, element, width):
-        drawn[element.part] = width
+        drawn[element.placement.part] = width
         return draw(carriage, element, width)
 
     monkeypatch.setattr(layer, "drawn_parts", seen)

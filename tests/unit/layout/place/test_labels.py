@@ -79,7 +79,7 @@ def test_handles_that_want_one_place_are_kept_a_width_apart_by_constraint(kept_a
     one, other = (each.anchor for each in line.layout.elements)
     assert not one.on_board
     assert not other.on_board
-    assert (np.linalg.norm(one.position - other.position) >= line.layout.handle_width) == kept_apart
+    assert (np.linalg.norm(one.position - other.position) >= line.layout.frame.handle_width) == kept_apart
 
 
 SHAPES = makers.face_shapes(POINTS)
@@ -135,7 +135,7 @@ def test_elements_without_candidates_on_the_plane_are_not_driven_off_the_face():
     assert not chain.by_name(line)["cheeks"].anchor.on_board
     chin = chain.by_name(line)["chin"]
     assert abs(chin.anchor.position[0]) < 1e-6
-    assert chin.side == "middle"
+    assert chin.look.side == "middle"
 
 
 def test_a_middle_control_may_be_doubled():
@@ -144,7 +144,7 @@ def test_a_middle_control_may_be_doubled():
     elements = chain.by_name(line)
     one, other = elements["cheeks"], elements["cheeks_mirror"]
     assert one.anchor.position[0] == pytest.approx(-other.anchor.position[0], abs=1e-6)
-    assert one.mirror == "cheeks_mirror"
+    assert one.manipulator.mirror == "cheeks_mirror"
 
 
 def test_the_paper_preset_takes_the_constants_literally():
@@ -174,7 +174,7 @@ def test_a_flat_layout_spaces_and_measures_what_the_viewer_sees():
     for variable in line.problem.variables:
         for flat_part in (variable.samples[..., 2], variable.handles[..., 2]):
             assert flat_part.size == 0 or np.ptp(flat_part) < 1e-9
-    assert chain.lay_out(makers.face_with(up=up), flat).layout.space == "view"
+    assert chain.lay_out(makers.face_with(up=up), flat).layout.frame.space == "view"
 
 
 def test_a_control_kept_on_the_face_cannot_leave_it():

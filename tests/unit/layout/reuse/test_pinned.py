@@ -31,11 +31,11 @@ def decided():
 
 
 def pinned(layout):
-    return {each.name: each.pinned for each in layout.elements if each.pinned}
+    return {each.name: each.placement.pinned for each in layout.elements if each.placement.pinned}
 
 
 def place(layout, control):
-    (element,) = [each for each in layout.elements if control in each.controls and not each.inner]
+    (element,) = [each for each in layout.elements if control in each.manipulator.controls and not each.look.inner]
     return None if element.anchor.on_board else element.anchor.position
 
 
@@ -45,7 +45,7 @@ def test_decisions_of_the_configuration_are_recorded_with_their_places(decided):
     assert found["sneer_R"] == ("place",)
     assert next(kinds for name, kinds in found.items() if "pucker" in name or name == "mouth") == ("grouping",)
     left = next(each for each in decided.elements if each.name == "brow_L")
-    assert np.allclose(left.pinned_position, left.anchor.position, atol=1e-6)
+    assert np.allclose(left.placement.pinned_position, left.anchor.position, atol=1e-6)
 
 
 def without(rig, *names):
@@ -88,7 +88,7 @@ def test_five_decisions_stand_through_ten_versions_of_a_rig(decided):
             apart = np.linalg.norm(place(layout, names[control]) - place(decided, control))
             assert apart <= half, (number, control)
         assert place(layout, names["sneer_R"]) is None, number
-        together = {frozenset(each.controls) for each in layout.elements}
+        together = {frozenset(each.manipulator.controls) for each in layout.elements}
         assert frozenset({names["pucker"], names["chin"]}) in together, number
         assert len(pinned(layout)) == len(pinned(decided)), number
         assert not [each for each in inputs.issues if each.code.startswith("PIN_")], number
@@ -103,14 +103,16 @@ def test_one_side_moves_the_other_unless_that_is_left_to_itself():
         inputs, _, layout = lay_out(face, load({"controls": controls}))
         right = next(each for each in layout.elements if each.name == "brow_R")
         assert (right.anchor.point == int(inputs.face.symmetry.partner[914])) is same
-        assert (right.pinned == ("anchor",)) is same
+        assert (right.placement.pinned == ("anchor",)) is same
 
 
 def test_a_pin_that_is_in_the_way_of_another_is_given_up_with_a_warning_and_not_the_run(decided):
     """Two pins on one spot, as two people may leave them."""
     left = next(each for each in decided.elements if each.name == "brow_L")
     elements = tuple(
-        replace(each, anchor=left.anchor, pinned=("anchor",)) if each.name == "blink_L" else each
+        replace(each, anchor=left.anchor, placement=replace(each.placement, pinned=("anchor",)))
+        if each.name == "blink_L"
+        else each
         for each in decided.elements
     )
     face = makers.face()
@@ -118,13 +120,15 @@ def test_a_pin_that_is_in_the_way_of_another_is_given_up_with_a_warning_and_not_
     lost = {each.path for each in inputs.issues if each.code == "PIN_LOST"}
     assert len(lost) == 1
     assert lost <= {"brow_L", "blink_L"}
-    assert {member.control for each in layout.elements for member in each.members} >= {"brow_L", "blink_L"}
+    assert {member.control for each in layout.elements for member in each.manipulator.members} >= {"brow_L", "blink_L"}
 
 
 @pytest.mark.parametrize("known", [True, False])
 def test_a_pin_far_from_all_that_its_control_moves_says_so(decided, known):
     away = (9.0, 9.0, 9.0) if known else (np.nan,) * 3
-    elements = tuple(replace(each, pinned_position=away) for each in decided.elements)
+    elements = tuple(
+        replace(each, placement=replace(each.placement, pinned_position=away)) for each in decided.elements
+    )
     rig = another_mesh(45, 51)
     inputs, _, _ = lay_out(rig, previous={rig.root: replace(decided, elements=elements)})
     assert {each.code for each in inputs.issues if each.code.startswith("PIN_")} == {
@@ -135,7 +139,10 @@ def test_a_pin_far_from_all_that_its_control_moves_says_so(decided, known):
 def test_check_does_not_argue_with_what_is_pinned():
     line = chain.lay_out(makers.face(), chain.settings(controls={"brow_L": {"anchor": ANCHOR}}))
     rated = chain.problem_of(makers.face()).inputs
-    free = replace(line.layout, elements=tuple(replace(each, pinned=()) for each in line.layout.elements))
+    free = replace(
+        line.layout,
+        elements=tuple(replace(each, placement=replace(each.placement, pinned=())) for each in line.layout.elements),
+    )
     for layout, argued in ((free, True), (line.layout, False)):
         found = review(rated.face, rated.candidates, rated.requests, rated.settings, layout)
         named = {each.path for each in found.issues if each.code == "LAYOUT_BETTER_PLACE"}

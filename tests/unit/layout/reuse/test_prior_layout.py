@@ -31,12 +31,12 @@ def anchors(layout):
     return {
         member.control: "board" if element.anchor.on_board else element.anchor.point
         for element in layout.elements
-        for member in element.members
+        for member in element.manipulator.members
     }
 
 
 def partners(layout):
-    return {frozenset(member.control for member in element.members) for element in layout.elements}
+    return {frozenset(member.control for member in element.manipulator.members) for element in layout.elements}
 
 
 @pytest.fixture(scope="module")
@@ -59,7 +59,7 @@ def at_another_place(line, name, column=0):
     motion = next(
         each
         for each in line.face.trajectories.motions
-        if line.face.rig.controls[each.control].name == element.members[0].control
+        if line.face.rig.controls[each.control].name == element.manipulator.members[0].control
     )
     reach = np.linalg.norm(line.face.trajectories.surface.points[motion.points] - element.anchor.position, axis=1)
     point = int(motion.points[np.argsort(reach)[len(reach) // 2 + column]])
@@ -76,8 +76,8 @@ def test_a_fixed_layout_comes_back_to_the_point_and_in_its_pairs(face, before):
     again = lay_out(face, settings, PriorLayout(kept_groups(before.layout.elements, face)))
     assert anchors(again.layout) == anchors(before.layout)
     assert partners(again.layout) == partners(before.layout)
-    mirrors = {element.name: element.mirror for element in before.layout.elements}
-    assert {element.name: element.mirror for element in again.layout.elements} == mirrors
+    mirrors = {element.name: element.manipulator.mirror for element in before.layout.elements}
+    assert {element.name: element.manipulator.mirror for element in again.layout.elements} == mirrors
 
 
 def test_a_group_on_the_board_stays_together_whatever_takes_its_controls_off_the_face():
@@ -216,19 +216,22 @@ def test_groups_stay_and_new_controls_do_not_join_old_ones(face):
         face, chain.settings(groups={"opposed": False}), prior_of_previous(merged.layout.elements, face, 0.1)
     )
     assert frozenset(["jawLeft", "jawRight"]) in partners(kept.layout)
-    (jaw,) = [element for element in kept.layout.elements if len(element.members) > 1]
-    assert jaw.opposed == ((0, 1),)
+    (jaw,) = [element for element in kept.layout.elements if len(element.manipulator.members) > 1]
+    assert jaw.manipulator.opposed == ((0, 1),)
 
 
 def test_every_move_between_two_layouts_has_a_reason(before):
     elsewhere, _ = at_another_place(before, "chin")
-    weights = dict(before.layout.weights)
+    weights = dict(before.layout.proof.weights)
     told = {
         "no reason recorded": before.layout,
         "made with other settings: displacement_weight": replace(
-            before.layout, weights=tuple((weights | {"displacement_weight": 0.5}).items())
+            before.layout,
+            proof=replace(before.layout.proof, weights=tuple((weights | {"displacement_weight": 0.5}).items())),
         ),
-        "handles are 2.00 times as wide": replace(before.layout, handle_width=2.0 * before.layout.handle_width),
+        "handles are 2.00 times as wide": replace(
+            before.layout, frame=replace(before.layout.frame, handle_width=2.0 * before.layout.frame.handle_width)
+        ),
     }
     for reason, after in told.items():
         changes = difference(elsewhere, after).changes
@@ -240,14 +243,16 @@ def test_every_move_between_two_layouts_has_a_reason(before):
 def test_of_a_swap_the_control_that_a_person_anchored_is_the_cause(before, pinned_before):
     chin, pucker = (next(e for e in before.layout.elements if e.name == name) for name in ("chin", "pucker"))
     swapped = {
-        "chin": replace(chin, anchor=pucker.anchor, pinned=("anchor",)),
+        "chin": replace(chin, anchor=pucker.anchor, placement=replace(chin.placement, pinned=("anchor",))),
         "pucker": replace(pucker, anchor=chin.anchor),
     }
 
     def of(changed):
         return replace(before.layout, elements=tuple(changed.get(e.name, e) for e in before.layout.elements))
 
-    found = difference(of({"chin": replace(chin, pinned=pinned_before)}), of(swapped))
+    found = difference(
+        of({"chin": replace(chin, placement=replace(chin.placement, pinned=pinned_before))}), of(swapped)
+    )
     assert {change.control: change.why for change in found.changes} == {
         "chin": ("its anchor, or its twin's, was decided by a person",),
         "pucker": ("its place is taken by chin, whose anchor was decided by a person",),

@@ -16,5 +16,5 @@ def test_the_nearest_handle_is_named_with_its_distance_in_handle_widths():
     assert {each.element for each in rated} == set(places)
     for each in rated:
         apart = {name: np.linalg.norm(places[each.element] - at) for name, at in places.items() if name != each.element}
-        assert each.distance * line.layout.handle_width == pytest.approx(min(apart.values()))
+        assert each.distance * line.layout.frame.handle_width == pytest.approx(min(apart.values()))
         assert apart[each.nearest] == pytest.approx(min(apart.values()))
