@@ -35,7 +35,7 @@ from usdrigui.layout.place.problem import placement_problem
 from usdrigui.model import Assignment, Candidates, Floats, Indices, Layout, LayoutProblem, Variable
 from usdrigui.overlap import total_cost
 from usdrigui.pipeline.stages import ProblemInputs, build_problem, layout_of
-from usdrigui.settings import SolveSettings, load
+from usdrigui.settings import SolveSettings, load, with_sections
 from usdrigui.solve import solve
 from usdrigui.solve.clusters import Linkage
 from usdrigui.usd.reader_process import read_rigs_isolated
@@ -112,7 +112,7 @@ def _arguments() -> argparse.Namespace:
 def ablation(inputs: ProblemInputs, words: list[str] | None = None) -> Iterator[Row]:
     """The rows of one character as they are made; the full row comes first and always, for its
     bound."""
-    limits = inputs.settings.solve
+    limits = inputs.settings.layout.solve
     start = time.perf_counter()
     full = solve(inputs.placement.problem, limits)
     yield _row(inputs, *FULL, full.labels, full.bound, time.perf_counter() - start)
@@ -234,10 +234,11 @@ def _with_settings(
     """The problem under other settings, its labels those of the full one; `plane` scales the
     weight of the plane."""
     settings = inputs.settings
-    changed = replace(
+    symmetry = settings.character.symmetry
+    changed = with_sections(
         settings,
-        objective=replace(settings.objective, displacement_weight=weight),
-        symmetry=replace(settings.symmetry, plane_weight=plane * settings.symmetry.plane_weight),
+        objective=replace(settings.layout.objective, displacement_weight=weight),
+        symmetry=replace(symmetry, plane_weight=plane * symmetry.plane_weight),
     )
     other = placement_problem(
         inputs.face, candidates, inputs.placement.groups, inputs.requests, changed

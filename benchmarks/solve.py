@@ -169,7 +169,7 @@ def _part_problems(asset: Path, *, fold: bool) -> Iterator[tuple[str, LayoutProb
         inputs = part_problem(character, part, elements)
         yield part.name, inputs.placement.problem
         if part is not character.parts[-1]:
-            found = solve(inputs.placement.problem, settings.solve)
+            found = solve(inputs.placement.problem, settings.layout.solve)
             elements += tuple(layout_of(inputs, found).elements)
 
 

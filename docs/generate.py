@@ -21,7 +21,8 @@ from typing import Any
 from pxr import Sdf
 
 from usdrigui.codes import CODES
-from usdrigui.settings import PRESETS, Settings
+from usdrigui.settings import PRESETS
+from usdrigui.settings.config_sections import section_types
 from usdrigui.settings.table import About, settings_in
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -233,7 +234,7 @@ _HEAD = "| key | type | default | unit | from, to | meaning |\n|---|---|---|---|
 
 def _parts() -> Iterator[tuple[str, Any]]:
     """The parts of the settings, those with a name of the user's own as ``controls."NAME"``."""
-    for name, hint in typing.get_type_hints(Settings).items():
+    for name, hint in section_types().items():
         free = typing.get_origin(hint) is Mapping
         yield (f'{name}."NAME"', typing.get_args(hint)[1]) if free else (name, hint)
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.place.candidates import find_candidates
+from usdrigui.layout.place.terms import LinearTerms
 from usdrigui.layout.reuse.prior_layout import NO_PRIOR
 from usdrigui.pipeline.progress import Clock
 from usdrigui.pipeline.stages import LaidPart, References, divided, layout_of, measure, part_problem, problem_at
@@ -56,7 +57,7 @@ class Line:
     def grouping(self):
         """What the stage of groups reads, but for what the configuration says of controls."""
         inputs = self.inputs
-        groups, symmetry = inputs.settings.groups, inputs.settings.symmetry
+        groups, symmetry = inputs.settings.layout.groups, inputs.settings.character.symmetry
         return self.face, self.candidates, inputs.similarity, inputs.requests, groups, symmetry
 
 
@@ -82,20 +83,27 @@ def with_candidates(rig, settings=None):
     return Line(
         Placing(
             found.face,
-            find_candidates(found.face, found.classification, found.requests, settings.candidates, settings.objective),
+            find_candidates(
+                found.face,
+                found.classification,
+                found.requests,
+                settings.layout.candidates,
+                LinearTerms.of(settings.layout),
+                settings.layout.objective.samples,
+            ),
         )
     )
 
 
 def _start(rig, settings, base_values):
     values = np.array([each.default for each in rig.controls]) if base_values is None else base_values
-    return rig, trajectories(rig, settings.trajectories, values), settings, values
+    return rig, trajectories(rig, settings.character.trajectories, values), settings, values
 
 
 def lay_out(rig, settings=None, base_values=None, prior=NO_PRIOR):
     """All the way, solved to optimality."""
     line = problem_of(rig, settings, base_values, prior)
-    return solved(line, replace(line.inputs.settings.solve, gap=1e-9))
+    return solved(line, replace(line.inputs.settings.layout.solve, gap=1e-9))
 
 
 def solved(line, settings):
@@ -109,14 +117,14 @@ def laid_parts(rig):
     character, laid = divided(rig, Settings()), []
     for part in character.parts:
         inputs = part_problem(character, part, [element for each in laid for element in each.layout.elements])
-        found = solve(inputs.placement.problem, inputs.settings.solve)
+        found = solve(inputs.placement.problem, inputs.settings.layout.solve)
         laid.append(LaidPart(inputs, layout_of(inputs, found), found))
     return laid
 
 
-def settings(**parts):
-    """Settings from nested keyword arguments, one per part."""
-    return load(parts)
+def settings(**sections):
+    """Settings from nested keyword arguments, one per section."""
+    return load(sections)
 
 
 def by_name(line):

@@ -27,5 +27,5 @@ def read(name):
 def lay_out(rig, settings=SETTINGS, **references):
     """The problem, its solution and the layout; `references` as of `usdrigui.references.ReferenceLayouts`."""
     inputs = build_problem(rig, settings, references=ReferenceLayouts(**references))
-    found = solve(inputs.placement.problem, settings.solve)
+    found = solve(inputs.placement.problem, settings.layout.solve)
     return inputs, found, layout_of(inputs, found)

@@ -12,7 +12,7 @@ import numpy as np
 from pxr import Gf, Usd, UsdGeom, UsdSkel, Vt
 
 from usdrigui.model import Channel
-from usdrigui.settings import Settings
+from usdrigui.settings import Settings, load
 from usdrigui.usd.rig import read_rigs
 
 ASSETS = Path(__file__).resolve().parents[2] / "shared" / "assets"
@@ -37,8 +37,8 @@ def line_of(name):
 
 def laid_out(rig, work=WORK):
     """Every record of the layout of `rig`."""
-    settings = replace(Settings(), solve=replace(Settings().solve, work_limit=work))
-    return chain.solved(chain.problem_of(rig, settings), settings.solve)
+    settings = load({"solve": {"work_limit": work}})
+    return chain.solved(chain.problem_of(rig, settings), settings.layout.solve)
 
 
 def on_face(line):

@@ -24,8 +24,9 @@ from usdrigui.layout.motion.activity import (
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import Candidates, Control, Indices, Performance, Rig
-from usdrigui.settings import ControlSettings, ReadSettings, Settings
+from usdrigui.settings import ControlSettings, Settings
 from usdrigui.usd.reader_process import read_performances_isolated
+from usdrigui.usd.reader_records import Opening
 
 _ACTIVE = 0.05
 """Activity from which a control is said to be active in a frame."""
@@ -33,10 +34,10 @@ _NAMED = 3
 """Controls of a set whose names make the name of its element."""
 
 
-def performances(paths: Sequence[Path], settings: ReadSettings) -> tuple[Performance, ...]:
+def performances(paths: Sequence[Path], opening: Opening) -> tuple[Performance, ...]:
     """Every animation of some files.  Raises ANIMATION_MISSING and everything that reading an asset
     can raise."""
-    return tuple(each for path in paths for each in read_performances_isolated(path, settings))
+    return tuple(each for path in paths for each in read_performances_isolated(path, opening))
 
 
 def weighted(
@@ -69,7 +70,7 @@ def animation_facts(
     """What the animations say of a character, and what is odd about them; raises as `weighted`."""
     rig = face.rig
     done, twins = activity(rig, clips), _twins(rig.controls, face.symmetry.twins)
-    worth = importances(done, twins, settings.animation.weight)
+    worth = importances(done, twins, settings.character.animation.weight)
     active = (done.amounts >= _ACTIVE).mean(axis=0)
     uses = [
         UseFacts(name, float(done.use[i]), float(active[i]), worth[name])
@@ -80,12 +81,18 @@ def animation_facts(
 
     def one_place(names: Sequence[str]) -> bool:
         return share_a_place(
-            face, candidates, similarity, requests, settings.groups, settings.symmetry, names
+            face,
+            candidates,
+            similarity,
+            requests,
+            settings.layout.groups,
+            settings.character.symmetry,
+            names,
         )
 
     sets = [
         _suggestion(rig, controls, agreement, twins, one_place)
-        for controls, agreement in together(done, twins, settings.animation.together)
+        for controls, agreement in together(done, twins, settings.character.animation.together)
     ]
     text = "\n".join(
         [

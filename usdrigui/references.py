@@ -32,12 +32,11 @@ from usdrigui.model import Layout, Performance, Rig, Trajectories
 from usdrigui.settings import (
     ControlSettings,
     LikeSettings,
-    ReadSettings,
     Settings,
     TrajectorySettings,
 )
 from usdrigui.usd.reader_process import read_composed_isolated, read_layouts_isolated
-from usdrigui.usd.reader_records import LayoutsResult
+from usdrigui.usd.reader_records import LayoutsResult, Limits, Opening
 from usdrigui.usd.source import SourceFile
 
 
@@ -80,7 +79,7 @@ class ReferenceLayouts:
         return layout_of(self.base.layouts, rig) if self.base is not None else None
 
 
-def read_references(layers: ReferenceLayers, settings: ReadSettings) -> ReferenceLayouts:
+def read_references(layers: ReferenceLayers, opening: Opening) -> ReferenceLayouts:
     """Read the layers, each in a process of its own.
 
     Raises LAYOUT_MISSING, SOURCE_MISSING for a `like` that does not name its character, and
@@ -98,11 +97,11 @@ def read_references(layers: ReferenceLayers, settings: ReadSettings) -> Referenc
             "--base",
             "keeps the whole layout, and cannot be combined with another layout",
         )
-    clips = performances(layers.animations, settings)
-    base = read_layouts_isolated(layers.base, settings) if layers.base else None
-    fixed = read_layouts_isolated(layers.fixed, settings) if layers.fixed else None
-    previous = read_layouts_isolated(layers.previous, settings) if layers.previous else None
-    like, theirs = _characters(layers.like, settings) if layers.like else ((), ())
+    clips = performances(layers.animations, opening)
+    base = read_layouts_isolated(layers.base, opening) if layers.base else None
+    fixed = read_layouts_isolated(layers.fixed, opening) if layers.fixed else None
+    previous = read_layouts_isolated(layers.previous, opening) if layers.previous else None
+    like, theirs = _characters(layers.like, opening.limits) if layers.like else ((), ())
     sources = (
         *theirs,
         *(source for each in (base, fixed, previous) if each for source in each.sources),
@@ -326,16 +325,11 @@ def _imitated(like: Sequence[tuple[Rig, Layout]], root: str) -> tuple[Rig, Layou
 
 
 def _characters(
-    layer: Path, settings: ReadSettings
+    layer: Path, limits: Limits
 ) -> tuple[tuple[tuple[Rig, Layout], ...], tuple[SourceFile, ...]]:
     """The characters of a layer to imitate, read without what the configuration says of ours, and
     their files."""
-    limits = ReadSettings(
-        time_limit=settings.time_limit,
-        memory_limit=settings.memory_limit,
-        size_limit=settings.size_limit,
-    )
-    found, read = read_composed_isolated(layer, Settings(read=limits))
+    found, read = read_composed_isolated(layer, Settings(), limits)
     layouts = _by_root(found)
     characters = tuple((rig, layouts[rig.root]) for rig in read.rigs if rig.root in layouts)
     return characters, read.sources

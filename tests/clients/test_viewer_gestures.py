@@ -437,7 +437,7 @@ def test_rearranged_element_makes_a_partial_layout(viewer, tmp_path):
     viewer.page.locator("summary", has_text="Layout").click()
     path = saved(viewer, "Save partial layout", tmp_path, "layout.toml")
     settings = load(tomllib.loads(path.read_text()))
-    mesh, _, point = settings.controls["sneer_L"].anchor.partition("#")
+    mesh, _, point = settings.rig.controls["sneer_L"].anchor.partition("#")
     assert mesh == "/Root/mesh"
     where = makers.face().meshes[0].points[int(point)]
     assert where[:2] == pytest.approx([0.2, 0.1], abs=0.03)
@@ -451,7 +451,7 @@ def test_an_element_off_the_face_is_beside_it(viewer, tmp_path):
     viewer.drag(viewer.element("sneer_L")["handle"], [30, 40])
     viewer.page.locator("summary", has_text="Layout").click()
     path = saved(viewer, "Save partial layout", tmp_path, "layout.toml")
-    assert load(tomllib.loads(path.read_text())).controls["sneer_L"].place == "board"
+    assert load(tomllib.loads(path.read_text())).rig.controls["sneer_L"].place == "board"
 
 
 # --- evaluation --------------------------------------------------------------------------------------

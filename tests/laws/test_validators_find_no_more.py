@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import replace
 from pathlib import Path
 
 import laid_out
@@ -12,7 +11,7 @@ import real_rigs
 from pxr import Usd
 
 from usdrigui import pipeline
-from usdrigui.settings import Settings
+from usdrigui.settings import load
 
 SAMPLE = Path(__file__).resolve().parents[2] / "sample_assets" / "char.usda"
 SMALL = ("facecap_blender", "godette", "mh_poseunits", "openusd_blendshapes")
@@ -25,7 +24,7 @@ RIGS = [
         if path.stem in SMALL
     ),
 ]
-SETTINGS = replace(Settings(), solve=replace(Settings().solve, work_limit=real_rigs.WORK))
+SETTINGS = load({"solve": {"work_limit": real_rigs.WORK}})
 
 
 def of_usd(path):

@@ -12,11 +12,7 @@ FIELDS, FUNCTIONS = 5, 10
 
 WHOLE = {
     "Rig": 165,
-    "Settings": 73,
     "Motion": 40,
-    "ReadSettings": 27,
-    "ObjectiveSettings": 17,
-    "CandidateSettings": 15,
 }
 """Records that many functions take whole, which decision 150 names, and how many functions at most."""
 ONE_FIELD = 33

@@ -37,7 +37,7 @@ pytestmark = [
 ]
 
 
-PROVED = Settings().solve.work_limit
+PROVED = Settings().layout.solve.work_limit
 
 
 def anchors(line):

@@ -9,9 +9,9 @@ import pytest
 from pxr import Sdf, Usd
 
 from usdrigui.cli import main
-from usdrigui.settings import ReadSettings
 from usdrigui.usd import reader_process
 from usdrigui.usd.reader_process import read_layer_isolated
+from usdrigui.usd.reader_records import Opening
 
 COMMANDS = (
     "process char.usda -o out.usda",
@@ -61,7 +61,7 @@ def test_a_layer_by_itself_names_all_that_it_brings_along(tmp_path):
     }.items():
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text(f"#usda 1.0\n{text}")
-    found = read_layer_isolated(tmp_path / "a.usda", ReadSettings())
+    found = read_layer_isolated(tmp_path / "a.usda", Opening())
     assert found.sublayers == ("./gone.usda", "./b.usda")
     assert {str((tmp_path / each).resolve().relative_to(tmp_path.resolve())) for each in found.needed} == {
         "gone.usda",

@@ -22,11 +22,12 @@ from usdrigui.errors import Exit, RigUIError
 from usdrigui.layout import glyph_fitting as fitting
 from usdrigui.model import Glyph
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare
-from usdrigui.settings import OutputSettings, ReadSettings, load
+from usdrigui.settings import OutputSettings, load
 from usdrigui.usd import glyphs
 from usdrigui.usd.layer import layer_for, stage_metadata
 from usdrigui.usd.read_layout import read_layout
 from usdrigui.usd.reader_process import read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.reader_records import Opening
 from usdrigui.usd.rig import read_rigs
 from usdrigui.view import overlay, shading
 from usdrigui.view.scene import pack
@@ -333,7 +334,7 @@ def test_glyphs_come_back_from_the_layer(tmp_path):
     layout = with_glyphs(laid_out.layout_of(rig, beside=("brow_L",)))
     path = written(tmp_path, rig, layout, source)
     assert not laid_out.validation_errors(Usd.Stage.Open(str(path)))
-    (back,) = read_layouts_isolated(path, ReadSettings()).layouts
+    (back,) = read_layouts_isolated(path, Opening()).layouts
     for one, other in zip(layout.elements, back.elements, strict=True):
         assert (one.look.glyph.name, one.look.glyph.form) == (other.look.glyph.name, other.look.glyph.form)
         assert np.allclose(one.look.glyph.points, other.look.glyph.points, atol=1e-6)

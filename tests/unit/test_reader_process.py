@@ -19,10 +19,10 @@ from pxr import Sdf
 from skel_stages import character, head
 
 from usdrigui.errors import Exit, RigUIError
-from usdrigui.settings import ReadSettings, Settings, load
+from usdrigui.settings import Settings, load
 from usdrigui.usd import reader_main, reader_process, serialization
 from usdrigui.usd.reader_process import read_layouts_isolated, read_rigs_isolated
-from usdrigui.usd.reader_records import Limits, Request
+from usdrigui.usd.reader_records import Limits, Opening, Request
 from usdrigui.usd.rig import read_characters, read_rigs
 from usdrigui.usd.source import check_unchanged
 
@@ -166,7 +166,7 @@ def test_a_layout_comes_back_too(tmp_path):
     path = head(tmp_path / "char.usda")
     assert main(["process", str(path), "--quiet"]) == 0
     layer = tmp_path / "char.rigui.usda"
-    found = read_layouts_isolated(layer, ReadSettings())
+    found = read_layouts_isolated(layer, Opening())
     here = read_layout(layer)
     assert [b"".join(serialization.encode(each)) for each in found.layouts] == [
         b"".join(serialization.encode(each)) for each in here

@@ -697,7 +697,7 @@ def test_a_range_of_one_side_holds_for_the_other_unless_set_otherwise(said, maxi
     channels = tuple(Channel(token, "/anim", i) for i, token in enumerate(("brow_L", "brow_R")))
     nothing = [[float("nan")] * 2] * 2
     authored = Authored(nothing, nothing, [[0.0, 1.0]] * 2, [[0.0, 1.0]] * 2)
-    drafts = blend_shape_drafts(channels, {0, 1}, authored, np.zeros(2), load({"controls": said}).controls)
+    drafts = blend_shape_drafts(channels, {0, 1}, authored, np.zeros(2), load({"controls": said}).rig.controls)
     assert [draft.range.maximum for draft in drafts] == maxima
 
 

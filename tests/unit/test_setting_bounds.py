@@ -10,16 +10,16 @@ import pytest
 
 from usdrigui.errors import RigUIError
 from usdrigui.settings import ControlSettings, JointSettings, PoseSettings, Settings, load
+from usdrigui.settings.config_sections import section_types, sections
 from usdrigui.settings.editor_schema import editor_schema
 from usdrigui.settings.table import settings_in
 
 
 def _settings(kinds=object):
     """By key, every setting but those in free tables, and what is known of it."""
-    parts = {each.name: getattr(Settings(), each.name) for each in dataclasses.fields(Settings)}
     return {
         f"{name}.{each.name}": about
-        for name, part in parts.items()
+        for name, part in sections(Settings()).items()
         if dataclasses.is_dataclass(part)
         for each, about in settings_in(part)
         if isinstance(getattr(part, each.name), kinds) and not isinstance(getattr(part, each.name), bool)
@@ -35,7 +35,7 @@ def test_every_number_has_bounds():
 
 
 def test_every_setting_is_documented_once_and_few_are_for_everybody():
-    parts = [*(type(getattr(Settings(), name)) for name in ("run", "read", "objective")), ControlSettings, PoseSettings]
+    parts = [*(section_types()[name] for name in ("run", "read", "objective")), ControlSettings, PoseSettings]
     assert all(len(list(settings_in(part))) == len(dataclasses.fields(part)) for part in parts)
     user = [key for key, about in _settings().items() if about.level == "user"]
     tables = [each for part in (ControlSettings, PoseSettings, JointSettings) for each, _ in settings_in(part)]
@@ -47,13 +47,13 @@ def test_every_setting_is_documented_once_and_few_are_for_everybody():
 )
 def test_earlier_names_are_read(old, new):
     part, name = old.split(".")
-    assert getattr(getattr(load({part: {name: 0.5}}), part), new) == 0.5
+    assert getattr(sections(load({part: {name: 0.5}}))[part], new) == 0.5
 
 
 @pytest.mark.parametrize("key", sorted(BOUNDS))
 def test_numbers_beyond_their_bounds_are_refused(key):
     part, name = key.split(".")
-    kind, (least, largest) = type(getattr(getattr(Settings(), part), name)), BOUNDS[key]
+    kind, (least, largest) = type(getattr(sections(Settings())[part], name)), BOUNDS[key]
     load({part: {name: kind(least)}})
     load({part: {name: kind(largest)}})
     for value in (kind(least - 1), kind(largest * 2 + 1)):

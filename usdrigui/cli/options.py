@@ -17,6 +17,7 @@ from usdrigui.errors import NO_LAYOUT, Exit, RigUIError, refuse
 
 if TYPE_CHECKING:
     from usdrigui.settings import ReadSettings, Settings, UnsoundSettingsError
+    from usdrigui.usd.reader_records import Opening
 
 _BESIDE_CHAR = "CHAR.rigui.toml beside CHAR"
 _BELOW_LAYER = "LAYER.toml, or else CHAR.rigui.toml beside the CHAR below LAYER"
@@ -157,12 +158,12 @@ def settings_quietly(arguments: argparse.Namespace) -> Settings:
     except settings.UnsoundSettingsError as error:
         # Faults of the files are reported with those of the command line.
         try:
-            load(*map(settings.read_toml, _configuration(arguments, error.sound.read)))
+            load(*map(settings.read_toml, _configuration(arguments, error.sound.rig.read)))
         except RigUIError as all_of_it:
             if isinstance(all_of_it, settings.UnsoundSettingsError):
                 raise
         raise
-    arguments.configuration = files = _configuration(arguments, loaded.read)
+    arguments.configuration = files = _configuration(arguments, loaded.rig.read)
     return load(*map(settings.read_toml, files)) if files else loaded
 
 
@@ -276,12 +277,14 @@ def _configuration(arguments: argparse.Namespace, limits: ReadSettings) -> Seque
     layer: Path | None = getattr(arguments, "layer", None)
     if asset is not None:
         return list(_existing(_beside(asset)))
-    return list(itertools.islice(_of_layer(layer, limits), 1)) if layer is not None else []
+    if layer is None:
+        return []
+    from usdrigui.usd.reader_records import Opening
+
+    return list(itertools.islice(_of_layer(layer, Opening.of(limits)), 1))
 
 
-def _of_layer(
-    layer: Path, limits: ReadSettings, above: frozenset[str] = frozenset()
-) -> Iterator[Path]:
+def _of_layer(layer: Path, opening: Opening, above: frozenset[str] = frozenset()) -> Iterator[Path]:
     """The configurations of what a command takes as a layout, the first of which counts; `above`
     are layers over it.
 
@@ -292,7 +295,7 @@ def _of_layer(
     from usdrigui.usd.reader_process import read_layouts_isolated
 
     try:
-        found = read_layouts_isolated(layer, limits)
+        found = read_layouts_isolated(layer, opening)
     except RigUIError as error:
         # Perhaps its configuration raises the limit that it ran into, or the variant selected has
         # no layout; only its name can tell which that is.
@@ -313,7 +316,7 @@ def _of_layer(
     above |= {os.path.realpath(layer)}
     # Layers can have each other as sublayers, in a circle.
     if found.composed_from and os.path.realpath(found.source) not in above:
-        yield from _of_layer(Path(found.source), limits, above)
+        yield from _of_layer(Path(found.source), opening, above)
 
 
 def _beside(asset: Path) -> Path | None:

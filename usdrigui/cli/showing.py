@@ -234,7 +234,7 @@ def _picture(arguments: argparse.Namespace) -> Exit:
     if arguments.output.suffix == ".gif":
         content = sheet.film_gif(characters, frames=arguments.frames)
     else:
-        pose = settings.read.pose
+        pose = settings.rig.read.pose
         content = sheet.sheet_png(characters, labels=arguments.labels, pose=pose)
     state = pipeline.write_file(content, arguments.output, read)
     for line in (f"{state} {arguments.output}", *sheet.spelt_out(characters)):

@@ -86,10 +86,10 @@ def _check(
     source: ReadResult, settings: Settings, like: tuple[tuple[Rig, Layout], ...], faults: Faults
 ) -> None:
     with faults.collected():
-        check_terms(settings.objective.terms)
+        check_terms(settings.layout.objective.terms)
     for rig in source.rigs:
         _check_rig(rig, settings, source.cameras, like, faults)
-    _check_parts(source, settings.parts, faults)
+    _check_parts(source, settings.character.parts, faults)
 
 
 def _check_rig(
@@ -99,23 +99,23 @@ def _check_rig(
     like: tuple[tuple[Rig, Layout], ...],
     faults: Faults,
 ) -> None:
-    controls = settings.controls
+    controls = settings.rig.controls
     index = control_index(rig, controls)
     with faults.collected():
-        camera_of(rig.root, settings.candidates.view, cameras)
+        camera_of(rig.root, settings.layout.candidates.view, cameras)
     with faults.collected():
-        base_values_of(rig.root, rig.controls, settings.read.pose)
+        base_values_of(rig.root, rig.controls, settings.rig.read.pose)
     for name in (each for each in controls if each in index):
-        _check_places(rig, settings.controls, name, faults)
+        _check_places(rig, settings.rig.controls, name, faults)
     with faults.collected():
         configured_twins(rig, controls)
     with faults.collected():
         check_orbits(rig.controls, control_overrides(rig, controls), index)
     with faults.collected():
         # A fault of a pose is reported once, for the pose.
-        check_groups(settings.groups.groups, {*rig.control_names, *settings.poses})
+        check_groups(settings.layout.groups.groups, {*rig.control_names, *settings.rig.poses})
     with faults.collected():
-        check_like(like, rig, settings.like.names)
+        check_like(like, rig, settings.character.like.names)
 
 
 def _check_places(

@@ -16,7 +16,7 @@ from usdrigui.usd.reader_process import (
     read_layouts_isolated,
     read_rigs_isolated,
 )
-from usdrigui.usd.reader_records import LayoutsResult, ReadResult
+from usdrigui.usd.reader_records import LayoutsResult, Opening, ReadResult
 from usdrigui.usd.safe_write import State, Transaction
 
 
@@ -28,9 +28,10 @@ def convert(layer: Path, target: Path, settings: Settings) -> State:
     CONVERT_COMPOSED (another layer brings the layout in, or a part of it), FILE_TARGET and all that
     reading and writing can raise.
     """
-    own = read_layer_isolated(layer, settings.read)
+    opening = Opening.of(settings.rig.read)
+    own = read_layer_isolated(layer, opening)
     chosen = [selecting(settings, each) for each in own.variants] or [settings]
-    layouts = [read_layouts_isolated(layer, each.read) for each in chosen]
+    layouts = [read_layouts_isolated(layer, Opening.of(each.rig.read)) for each in chosen]
     origins = [path for each in layouts for path in each.composed_from.values()]
     if origins or not own.ours:
         raise refuse(
@@ -44,7 +45,7 @@ def convert(layer: Path, target: Path, settings: Settings) -> State:
     reads = [read_rigs_isolated(source, each) for each in chosen]
     laid = {pair[1].character.path: pair for pair in _pairs(layouts, reads, source)}
     check_target(source, target)
-    check_replaceable(target, settings.read)
+    check_replaceable(target, opening)
     from usdrigui.usd.layer import write_layout
 
     make_folder(target)

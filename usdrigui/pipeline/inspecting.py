@@ -25,6 +25,7 @@ from usdrigui.pipeline.stages import (
 from usdrigui.references import ReferenceLayers, read_references
 from usdrigui.settings import Settings
 from usdrigui.usd.reader_process import read_rigs_isolated
+from usdrigui.usd.reader_records import Opening
 
 
 def inspect(
@@ -43,8 +44,9 @@ def inspect(
     clock = Clock(progress)
     with clock.stage("read"):
         source = read_rigs_isolated(asset, settings)
-        clips = animation.performances(animations, settings.read)
-        references = read_references(ReferenceLayers(like=like), settings.read)
+        opening = Opening.of(settings.rig.read)
+        clips = animation.performances(animations, opening)
+        references = read_references(ReferenceLayers(like=like), opening)
         refuse_unsound(source, settings, references)
     issues: list[Issue] = []
     characters = []
@@ -181,8 +183,8 @@ def _group_lines(inputs: ProblemInputs) -> tuple[str, ...]:
             inputs.candidates,
             inputs.similarity,
             inputs.requests,
-            inputs.settings.groups,
-            inputs.settings.symmetry,
+            inputs.settings.layout.groups,
+            inputs.settings.character.symmetry,
             inputs.placement.groups,
         )
     )

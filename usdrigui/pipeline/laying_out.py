@@ -46,7 +46,7 @@ from usdrigui.settings import Settings
 from usdrigui.settings import document as settings_document
 from usdrigui.settings.parts import OutputSettings
 from usdrigui.usd.reader_process import read_rigs_isolated, read_variants_isolated
-from usdrigui.usd.reader_records import ReadResult
+from usdrigui.usd.reader_records import Opening, ReadResult
 from usdrigui.usd.safe_write import Transaction, same_file
 from usdrigui.usd.schema import SCOPE
 from usdrigui.usd.source import SourceFile, check_unchanged
@@ -87,7 +87,8 @@ def process(
                 asset, target, each.source, each.settings.output, over_base=layers.base is not None
             )
             _check_base(each, target)
-        check_replaceable(target, settings.read, asset if output is None else None)
+        opening = Opening.of(settings.rig.read)
+        check_replaceable(target, opening, asset if output is None else None)
     laid = _laid_out(readings, clock, stop)
     reports = [report for _, report in laid]
     outcome: Outcome = "dry run"
@@ -130,8 +131,8 @@ def process_stage(
     root = stage.GetRootLayer() if hasattr(stage, "GetRootLayer") else stage
     with clock.stage("read"):
         sets = (
-            in_memory.read_open_variants(stage, settings.read.variants)
-            if settings.read.each_variant
+            in_memory.read_open_variants(stage, settings.rig.read.variants)
+            if settings.rig.read.each_variant
             else {}
         )
         readings, plain = _read_each(
@@ -181,14 +182,15 @@ def _readings(
     """The asset in each of the variants that are to be laid out; and what says of the others that
     they are left off."""
     if layers.base is not None:
-        if settings.read.each_variant:
+        if settings.rig.read.each_variant:
             raise refuse(
                 "CONFIG_VALUE",
                 "--base",
                 "adds to the variant that the shot selects, and to no other",
             )
         return _read_over(asset, settings, layers), ()
-    sets = read_variants_isolated(asset, settings.read) if settings.read.each_variant else {}
+    read = settings.rig.read
+    sets = read_variants_isolated(asset, Opening.of(read)) if read.each_variant else {}
     return _read_each(settings, sets, functools.partial(_read, asset, layers))
 
 
@@ -202,7 +204,7 @@ def _read_each(
 
 def _read(asset: Path, layers: ReferenceLayers, settings: Settings) -> Reading:
     source = read_rigs_isolated(asset, settings)
-    references = read_references(layers, settings.read)
+    references = read_references(layers, Opening.of(settings.rig.read))
     refuse_unsound(source, settings, references)
     return Reading(settings, source, references)
 
@@ -232,16 +234,13 @@ def _of_variant(
     """Some characters of a shot, over the layout that the base has for the variants that they
     select."""
     source = replace(found.source, rigs=tuple(rigs))
-    return Reading(
-        found.settings,
-        source,
-        read_references(layers, variants.selecting(found.settings, chosen).read),
-    )
+    opening = Opening.of(variants.selecting(found.settings, chosen).rig.read)
+    return Reading(found.settings, source, read_references(layers, opening))
 
 
 def _check_above(readings: Sequence[Reading]) -> None:
     """Raise VARIANT_BELOW where a layout would stand whichever variant of a set is selected."""
-    for name in readings[0].settings.read.variants:
+    for name in readings[0].settings.rig.read.variants:
         rigs = [rig for each in readings for rig in each.source.rigs]
         if not any(name in asset_selections(rig.variant_path) for rig in rigs):
             raise refuse(
@@ -268,7 +267,7 @@ def _laid_out(
     reports: list[tuple[Reading, CharacterReport]] = []
     for each in readings:
         references, characters = followed(each.references, each.source.rigs)
-        for rig in rigs_over(references, characters, each.settings.trajectories):
+        for rig in rigs_over(references, characters, each.settings.character.trajectories):
             same = [report for _, report in reports if report.root == rig.root]
             if not any(report.rig.variant_path == rig.variant_path for report in same):
                 own = as_sibling(references, rig, same[0].layout) if same else references
@@ -381,7 +380,7 @@ def _lay_out(
         neighbours = tuple(element for each in laid for element in each.layout.elements)
         inputs = part_problem(character, part, neighbours, clock)
         with clock.stage("solve", can_stop=True):
-            assignment = solve(inputs.placement.problem, settings.solve, clock.solving, stop)
+            assignment = solve(inputs.placement.problem, settings.layout.solve, clock.solving, stop)
         with clock.stage("layout"):
             laid.append(LaidPart(inputs, layout_of(inputs, assignment), assignment))
     layout = joined(laid)

@@ -22,7 +22,6 @@ from usdrigui.pipeline.progress import Clock, ProgressCallback
 from usdrigui.pipeline.stages import Divided, divided, part_problem
 from usdrigui.pipeline.targets import default_output
 from usdrigui.settings import Settings
-from usdrigui.settings.parts import ReadSettings
 from usdrigui.usd.reader_process import (
     read_composed_isolated,
     read_faults_isolated,
@@ -30,7 +29,7 @@ from usdrigui.usd.reader_process import (
     read_rigs_isolated,
     read_variants_isolated,
 )
-from usdrigui.usd.reader_records import ReadResult
+from usdrigui.usd.reader_records import Opening, ReadResult
 
 if TYPE_CHECKING:
     from pxr import Sdf, Usd
@@ -137,7 +136,7 @@ def _refuse_lost(lost: Sequence[Issue]) -> None:
 def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...], ReadResult]:
     """What the stage has, why layouts have no character there any more, and what was read."""
     found, read = read_composed_isolated(layer, settings)
-    wanted = settings.read.skel_root
+    wanted = settings.rig.read.skel_root
     layouts = {
         each.character.root: each
         for each in found.layouts
@@ -191,11 +190,11 @@ def check(
     be read.
     """
     clock = Clock(progress)
-    if not settings.read.each_variant:
+    if not settings.rig.read.each_variant:
         return _checked(layer, settings, clock)
     reviews, plain = variants.in_each_variant(
         settings,
-        read_variants_isolated(layer, settings.read),
+        read_variants_isolated(layer, Opening.of(settings.rig.read)),
         lambda chosen: _checked(layer, chosen, clock),
     )
     characters = {root: review for each in reviews for root, review in each.characters}
@@ -208,7 +207,7 @@ def _checked(layer: Path, settings: Settings, clock: Clock) -> LayerReview:
         try:
             loaded, stale, source = _loaded(layer, settings)
         except RigUIError as error:
-            if settings.read.each_variant:
+            if settings.rig.read.each_variant:
                 raise
             faults = _source_faults(layer, settings, error)
             return LayerReview(str(layer), (), clock.seconds, faults, of_asset=True)
@@ -268,7 +267,10 @@ def _reviewed(
     cameras: Mapping[str, Floats],
 ) -> review_stage.Review:
     """Every part of a layout rated by the problem of that part."""
-    front = settings.candidates.view in ("", "front")  # others are named by the up of the stage
+    front = settings.layout.candidates.view in (
+        "",
+        "front",
+    )  # others are named by the up of the stage
     character = divided(_upright(rig, layout) if front else rig, settings, clock, cameras)
     found = []
     for part in character.parts:
@@ -344,7 +346,7 @@ def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tupl
     if missing.code not in NO_LAYOUT:
         raise refusal
     off = [] if missing.code == "LAYOUT_MISSING" else [replace(missing, severity="info")]
-    found = read_faults_isolated(asset, settings.read)
+    found = read_faults_isolated(asset, Opening.of(settings.rig.read))
     if found.empty:
         raise refusal
     try:
@@ -364,21 +366,22 @@ def diff(before: Path, after: Path, settings: Settings) -> LayerDifference:
     Of the variants of `read.each_variant` each by itself, as far as the second layer has a layout
     in it.  Raises RigUIError where a layer cannot be read.
     """
-    if not settings.read.each_variant:
-        return _difference(before, after, settings.read)
+    opening = Opening.of(settings.rig.read)
+    if not settings.rig.read.each_variant:
+        return _difference(before, after, opening)
     each, _ = variants.in_each_variant(
         settings,
-        read_variants_isolated(after, settings.read),
-        lambda chosen: _difference(before, after, chosen.read),
+        read_variants_isolated(after, opening),
+        lambda chosen: _difference(before, after, Opening.of(chosen.rig.read)),
     )
     characters = {one.root: one for found in each for one in found.characters}
     only = {root for found in each for root in found.only_in_one}
     return LayerDifference(str(before), str(after), tuple(characters.values()), tuple(sorted(only)))
 
 
-def _difference(before: Path, after: Path, settings: ReadSettings) -> LayerDifference:
+def _difference(before: Path, after: Path, opening: Opening) -> LayerDifference:
     old, new = (
-        {each.character.root: each for each in read_layouts_isolated(layer, settings).layouts}
+        {each.character.root: each for each in read_layouts_isolated(layer, opening).layouts}
         for layer in (before, after)
     )
     shared = [(old[root], new[root]) for root in new if root in old]

@@ -32,6 +32,7 @@ from usdrigui.layout.parts.joint_regions import FACE
 from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.place.handle_width import handle_width, on_face
 from usdrigui.layout.place.problem import PlacementProblem, placement_problem
+from usdrigui.layout.place.terms import LinearTerms
 from usdrigui.layout.reuse.existing_layout import of_new_controls, with_drawn_handles
 from usdrigui.layout.reuse.identity import Matching, matching_issues
 from usdrigui.layout.reuse.pinned import Pins, with_decisions, with_pins, with_twins
@@ -66,7 +67,7 @@ from usdrigui.references import (
     prior_layout_of,
     with_fixed,
 )
-from usdrigui.settings import PartSettings, Settings
+from usdrigui.settings import PartSettings, Settings, with_sections
 
 
 @dataclass(frozen=True, eq=False)
@@ -191,18 +192,18 @@ def divided(
     """A character with its trajectories and its parts: what the problems of all parts are built
     from."""
     clock, references = clock or Clock(), references or ReferenceLayouts()
-    camera = camera_of(rig.root, settings.candidates.view, cameras or {})
-    base_values = base_values_of(rig.root, rig.controls, settings.read.pose)
+    camera = camera_of(rig.root, settings.layout.candidates.view, cameras or {})
+    base_values = base_values_of(rig.root, rig.controls, settings.rig.read.pose)
     with clock.stage("trajectories"):
-        found = trajectories(rig, settings.trajectories, base_values)
+        found = trajectories(rig, settings.character.trajectories, base_values)
     _refuse_motionless(rig.root, found.motions)
-    own = own_references(references, rig, found, settings.like, settings.trajectories)
-    asked = settings
-    settings = replace(asked, controls=with_fixed(own, rig, asked.controls))
-    pins = decisions(own, rig, found, settings.objective.keep_penalty)
+    asked, whole = settings, settings.character
+    own = own_references(references, rig, found, whole.like, whole.trajectories)
+    settings = with_sections(asked, controls=with_fixed(own, rig, asked.rig.controls))
+    pins = decisions(own, rig, found, settings.layout.objective.keep_penalty)
     existing = references.existing(rig)
     if existing is not None:
-        refuse_stale(rig, found, existing, settings.read)
+        refuse_stale(rig, found, existing, settings.rig.read)
     with clock.stage("symmetry"):
         parts = divide(rig, found, settings)
         symmetry = None
@@ -211,9 +212,9 @@ def divided(
                 rig,
                 found,
                 displacement_fields(found),
-                settings.symmetry,
-                configured_twins(rig, settings.controls),
-                settings.trajectories,
+                whole.symmetry,
+                configured_twins(rig, settings.rig.controls),
+                whole.trajectories,
                 base_values,
             )
     return Divided(
@@ -238,18 +239,26 @@ def part_problem(
     """The layout problem of one part; `neighbours` are the elements of the parts that are laid out
     already."""
     rig, settings, found = character.rig, character.settings, character.trajectories
+    layout = settings.layout
     if len(character.parts) > 1:
-        found = of_controls(rig, found, part.controls, part.excluded, settings.trajectories)
-        settings = of_part(settings, rig, part)
+        found = of_controls(
+            rig, found, part.controls, part.excluded, settings.character.trajectories
+        )
+        layout = of_part(layout, rig, part)
     if character.existing is not None:
-        settings = with_drawn_handles(character.existing, part.name, found.surface, settings)
+        layout = with_drawn_handles(character.existing, part.name, found.surface, layout)
+    settings = replace(settings, layout=layout)
     prior = prior_layout_of(
-        character.references, rig, found, settings.like, settings.objective.keep_penalty
+        character.references,
+        rig,
+        found,
+        settings.character.like,
+        settings.layout.objective.keep_penalty,
     )
     references = References(prior, character.existing, character.clips, tuple(neighbours))
     pins, values = character.pins, character.base_values
     while True:
-        fixed = replace(settings, controls=with_pins(settings.controls, pins))
+        fixed = with_sections(settings, controls=with_pins(settings.rig.controls, pins))
         try:
             inputs = problem_at(
                 rig,
@@ -290,7 +299,7 @@ def build_problem(
     references: ReferenceLayouts | None = None,
 ) -> ProblemInputs:
     """The layout problem of all controls of a rig as one part."""
-    whole = replace(settings, parts=PartSettings(divide=False))
+    whole = with_sections(settings, parts=PartSettings(divide=False))
     character = divided(rig, whole, clock, cameras, references)
     return part_problem(character, character.parts[0], (), clock)
 
@@ -313,9 +322,15 @@ def problem_at(
     clock = clock or Clock()
     measured = measure(rig, found, settings, base_values, references, clock, camera, part, whole)
     face, requests, alike = measured.face, measured.requests, measured.similarity
+    layout = settings.layout
     with clock.stage("candidates"):
         candidates = find_candidates(
-            face, measured.classification, requests, settings.candidates, settings.objective
+            face,
+            measured.classification,
+            requests,
+            layout.candidates,
+            LinearTerms.of(layout),
+            layout.objective.samples,
         )
         candidates = of_new_controls(requests.existing, rig, found.motions, candidates)
     with clock.stage("problem"):
@@ -324,11 +339,11 @@ def problem_at(
             candidates,
             alike,
             requests,
-            settings.groups,
-            settings.symmetry,
-            settings.controls,
+            layout.groups,
+            settings.character.symmetry,
+            settings.rig.controls,
         )
-        groups = with_levels(rig, groups, settings.levels, requests.existing_names)
+        groups = with_levels(rig, groups, layout.levels, requests.existing_names)
         placement = placement_problem(face, candidates, groups, requests, settings)
     return ProblemInputs(
         part,
@@ -357,38 +372,56 @@ def measure(
     """The stages before placing; parameters as of `problem_at`."""
     _refuse_motionless(rig.root, found.motions)
     with clock.stage("symmetry"):
-        fields, twins = displacement_fields(found), configured_twins(rig, settings.controls)
+        fields, twins = displacement_fields(found), configured_twins(rig, settings.rig.controls)
         if whole is not None and whole.plane.normal.any() and part != FACE:
             # A hand by itself is nearly symmetric about its middle finger.
             symmetry = about_plane_of(
-                rig, found.motions, fields, whole, settings.symmetry.twin_similarity, twins
+                rig,
+                found.motions,
+                fields,
+                whole,
+                settings.character.symmetry.twin_similarity,
+                twins,
             )
         else:
             symmetry = symmetry_at_pose(
-                rig, found, fields, settings.symmetry, twins, settings.trajectories, base_values
+                rig,
+                found,
+                fields,
+                settings.character.symmetry,
+                twins,
+                settings.character.trajectories,
+                base_values,
             )
             if whole is not None and not symmetry.plane.normal.any():
                 symmetry = about_plane_of(
-                    rig, found.motions, fields, whole, settings.symmetry.twin_similarity, twins
+                    rig,
+                    found.motions,
+                    fields,
+                    whole,
+                    settings.character.symmetry.twin_similarity,
+                    twins,
                 )
     with clock.stage("candidates"):
         views = find_views(
             rig,
             found,
             symmetry.plane,
-            settings.candidates.view,
-            settings.candidates.occlusion,
+            settings.layout.candidates.view,
+            settings.layout.candidates.occlusion,
             camera,
         )
         requests = _requests(rig, found, symmetry, settings, references)
         expected = expectations(found, symmetry, views, requests.names.meanings)
         requests = replace(requests, names=replace(requests.names, expected=expected))
         alike = similarity(fields)
-        classification = classify(rig, found, symmetry, views, alike, requests, settings.candidates)
-        toward = views.flat_direction(settings.candidates.space)
+        classification = classify(
+            rig, found, symmetry, views, alike, requests, settings.layout.candidates
+        )
+        toward = views.flat_direction(settings.layout.candidates.space)
         placed = on_face(found.motions, classification, requests.overrides)
-        width = handle_width(found, views, placed, toward, settings.objective)
-        if settings.objective.distinctive_weight > 0.0:
+        width = handle_width(found, views, placed, toward, settings.layout.objective)
+        if settings.layout.objective.distinctive_weight > 0.0:
             found = with_common_motion(found, alike, placed, views.anywhere)
     return Measured(Face(rig, found, symmetry, views, width), alike, requests, classification)
 
@@ -411,8 +444,8 @@ def layout_of(inputs: ProblemInputs, assignment: Assignment) -> Layout:
         found,
         rig,
         posed(rig, None).points,
-        asked.controls,
-        asked.groups.groups,
+        asked.rig.controls,
+        asked.layout.groups.groups,
         inputs.pins,
         inputs.requests.overrides,
     )
@@ -485,13 +518,16 @@ def _requests(
 ) -> Requests:
     """The configuration and the existing layouts, as what they ask of each control."""
     overrides = with_twins(
-        rig, found, symmetry, control_overrides(rig, settings.controls, settings.groups.groups)
+        rig,
+        found,
+        symmetry,
+        control_overrides(rig, settings.rig.controls, settings.layout.groups.groups),
     )
     overrides = animation.weighted(
-        rig, symmetry.twins, overrides, references.clips, settings.animation.weight
+        rig, symmetry.twins, overrides, references.clips, settings.character.animation.weight
     )
     names = [control.name for control in rig.controls]
-    meant = meanings(names) if settings.candidates.conventions else (None,) * len(names)
+    meant = meanings(names) if settings.layout.candidates.conventions else (None,) * len(names)
     return Requests(
         overrides,
         references.prior,

@@ -7,8 +7,8 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from usdrigui.errors import RigUIError, refuse
-from usdrigui.settings import ReadSettings
 from usdrigui.usd.reader_process import read_layer_isolated
+from usdrigui.usd.reader_records import Opening
 from usdrigui.usd.safe_write import State, Transaction, check_not_read, file_error, same_file
 
 _LAYER_SUFFIXES = (".usd", ".usda", ".usdc")
@@ -65,7 +65,7 @@ def check_target(asset: Path, target: Path) -> None:
         raise refuse("FILE_TARGET", str(target), "a layout layer ends in .usda, .usdc or .usd")
 
 
-def check_replaceable(target: Path, settings: ReadSettings, asset: Path | None = None) -> None:
+def check_replaceable(target: Path, opening: Opening, asset: Path | None = None) -> None:
     """What stands at the target must be a layout layer of ours: nobody's own work is replaced by a
     slip of the hand.
 
@@ -77,7 +77,7 @@ def check_replaceable(target: Path, settings: ReadSettings, asset: Path | None =
     if not target.is_file() or not target.stat().st_size or not os.access(target, os.W_OK):
         return  # writing will refuse what may not be written
     try:
-        existing = read_layer_isolated(target, settings)
+        existing = read_layer_isolated(target, opening)
     except RigUIError as error:
         raise refuse(
             "FILE_TARGET", str(target), f"exists and cannot be read as a layout layer: {error}"

@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TypeVar
 
 from usdrigui.errors import NO_LAYOUT, Issue, RigUIError, issue
-from usdrigui.settings import Settings
+from usdrigui.settings import Settings, with_sections
 from usdrigui.settings.parts import ReadSettings
 from usdrigui.usd.variant_paths import unknown_set
 
@@ -33,7 +33,7 @@ def in_each_variant(
         try:
             found.append(act(chosen))
         except RigUIError as error:
-            plain.append(left_off(error, chosen.read))
+            plain.append(left_off(error, chosen.rig.read))
             refusals.append(error)
     if not found:
         raise refusals[0]
@@ -47,7 +47,7 @@ def each_variant(settings: Settings, sets: Mapping[str, tuple[str, ...]]) -> Ite
     `sets`: all variants by the name of their set.  Raises VARIANT_UNKNOWN for a set that is not
     there.
     """
-    read = settings.read
+    read = settings.rig.read
     for name in read.each_variant:
         if name not in sets:
             raise unknown_set(name, sets)
@@ -63,7 +63,7 @@ def each_variant(settings: Settings, sets: Mapping[str, tuple[str, ...]]) -> Ite
 
 def selecting(settings: Settings, variants: Mapping[str, str]) -> Settings:
     """The settings with these variants selected, by the names of their sets."""
-    return replace(settings, read=replace(settings.read, variants=variants))
+    return with_sections(settings, read=replace(settings.rig.read, variants=variants))
 
 
 def left_off(error: RigUIError, settings: ReadSettings) -> Issue:

@@ -8,13 +8,16 @@ keys.
 from __future__ import annotations
 
 from usdrigui.settings.bounds import view_angles
+from usdrigui.settings.config_sections import with_sections
 from usdrigui.settings.loading import UnsoundSettingsError, document, load
 from usdrigui.settings.parts import (
     AnimationSettings,
     CandidateSettings,
+    CharacterSettings,
     ControlSettings,
     GroupSettings,
     JointSettings,
+    LayoutSettings,
     LevelSettings,
     LikeSettings,
     ObjectiveSettings,
@@ -22,6 +25,7 @@ from usdrigui.settings.parts import (
     PartSettings,
     PoseSettings,
     ReadSettings,
+    RigSettings,
     RunSettings,
     Settings,
     SolveSettings,
@@ -35,9 +39,11 @@ __all__ = [
     "PRESETS",
     "AnimationSettings",
     "CandidateSettings",
+    "CharacterSettings",
     "ControlSettings",
     "GroupSettings",
     "JointSettings",
+    "LayoutSettings",
     "LevelSettings",
     "LikeSettings",
     "ObjectiveSettings",
@@ -45,6 +51,7 @@ __all__ = [
     "PartSettings",
     "PoseSettings",
     "ReadSettings",
+    "RigSettings",
     "RunSettings",
     "Settings",
     "SolveSettings",
@@ -57,4 +64,5 @@ __all__ = [
     "load",
     "read_toml",
     "view_angles",
+    "with_sections",
 ]

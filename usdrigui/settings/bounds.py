@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import fields, replace
+from dataclasses import replace
 from typing import Any
 
 from usdrigui.errors import Faults, RigUIError, issue, meant, refuse
+from usdrigui.settings.config_sections import sections, with_sections
 from usdrigui.settings.parts import Settings
 from usdrigui.settings.table import settings_in
 
@@ -22,12 +23,11 @@ def bounded(settings: Settings, faults: Faults) -> Settings:
     Collects RigUIError CONFIG_VALUE for them, naming the key.
     """
     sound = {
-        part.name: _bounded_table(part.name, getattr(settings, part.name), faults)
-        for part in fields(settings)
+        name: _bounded_table(name, section, faults) for name, section in sections(settings).items()
     }
     candidates = sound["candidates"]
     sound["candidates"] = replace(candidates, view=_sound_view(candidates.view, faults))
-    return replace(settings, **sound)
+    return with_sections(settings, **sound)
 
 
 def _sound_view(view: str, faults: Faults) -> str:

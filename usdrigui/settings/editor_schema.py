@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import MISSING, Field, is_dataclass
 from typing import Any, Literal
 
-from usdrigui.settings.parts import Settings
+from usdrigui.settings.config_sections import section_types
 from usdrigui.settings.table import About, settings_in
 
 _TYPES = {bool: "boolean", int: "integer", float: "number", str: "string"}
@@ -20,7 +20,7 @@ def editor_schema() -> dict[str, Any]:
     return {
         "$schema": "http://json-schema.org/draft-07/schema#",
         "title": "Configuration of usdrigui",
-        **_part(Settings),
+        **_table(section_types(), {}),
     }
 
 
@@ -29,8 +29,13 @@ def _part(part: Any) -> dict[str, Any]:
     known = {
         each.name: _setting(each, about, hints[each.name]) for each, about in settings_in(part)
     }
-    inner = {name: _schema(hint) for name, hint in hints.items() if name not in known}
-    return {"type": "object", "additionalProperties": False, "properties": {**inner, **known}}
+    return _table({name: hint for name, hint in hints.items() if name not in known}, known)
+
+
+def _table(inner: Mapping[str, Any], known: Mapping[str, Any]) -> dict[str, Any]:
+    """Of a table with settings of `known` schemas and with others, by their types."""
+    more = {name: _schema(hint) for name, hint in inner.items()}
+    return {"type": "object", "additionalProperties": False, "properties": {**more, **known}}
 
 
 def _setting(each: Field[Any], about: About, hint: Any) -> dict[str, Any]:

@@ -14,6 +14,7 @@ from typing import Any, Literal
 
 from usdrigui.errors import Faults, RigUIError, meant, refuse
 from usdrigui.settings.bounds import bounded
+from usdrigui.settings.config_sections import section_types, sections, with_sections
 from usdrigui.settings.parts import PoseSettings, Settings
 from usdrigui.settings.presets import PRESETS
 from usdrigui.settings.sources import environment_settings, from_environment, read_toml
@@ -38,7 +39,8 @@ def load(
     preset: str = "default",
     environment: Mapping[str, str] | None = None,
 ) -> Settings:
-    """Settings from nested mappings (as parsed from TOML), later ones winning over earlier ones.
+    """Settings from the sections of a configuration, as parsed from TOML: ``{"solve": {"gap":
+    0.001}}``; later ones win over earlier ones.
 
     Raises UnsoundSettingsError CONFIG_UNKNOWN_KEY or CONFIG_VALUE, naming the key; all faults
     at once.
@@ -46,7 +48,8 @@ def load(
     settings, faults = Settings(), Faults()
     weakest = (_preset(preset, faults), from_environment(environment or {}, faults))
     for source in (*weakest, *sources):
-        settings = _merged(settings, source, "", faults)
+        changed = _changed(Settings, sections(settings), section_types(), source, "", faults)
+        settings = with_sections(settings, **changed)
     settings = bounded(settings, faults)
     try:
         faults.raise_all()
@@ -68,15 +71,29 @@ def _merged(base: Any, source: Mapping[str, Any], where: str, faults: Faults) ->
     """`base` (a settings dataclass) with the sound keys of `source` replaced, checked against the
     annotations."""
     hints = typing.get_type_hints(type(base))
+    current = {name: getattr(base, name) for name in hints}
+    return replace(base, **_changed(type(base), current, hints, source, where, faults))
+
+
+def _changed(
+    part: type,
+    current: Mapping[str, Any],
+    hints: Mapping[str, Any],
+    source: Mapping[str, Any],
+    where: str,
+    faults: Faults,
+) -> dict[str, Any]:
+    """The sound keys of `source`, each with its `current` value changed; of a part, or of the
+    sections of all `Settings`."""
     changed: dict[str, Any] = {}
     for given, value in source.items():
-        key = current_name(base, given)
+        key = current_name(part, given)
         path = f"{where}.{key}" if where else key
         with faults.collected():
             if key not in hints:
-                raise refuse("CONFIG_UNKNOWN_KEY", path, _unknown(type(base), key, where, hints))
-            changed[key] = _converted(getattr(base, key), hints[key], value, path, faults)
-    return replace(base, **changed)
+                raise refuse("CONFIG_UNKNOWN_KEY", path, _unknown(part, key, where, hints))
+            changed[key] = _converted(current[key], hints[key], value, path, faults)
+    return changed
 
 
 def _unknown(part: type, key: str, where: str, known: Mapping[str, Any]) -> str:
@@ -144,8 +161,8 @@ def _scalar(hint: Any, value: Any, path: str) -> Any:
 
 
 def document(settings: Settings) -> dict[str, Any]:
-    """The settings as plain JSON-ready values, for the report."""
-    return {each.name: _plain(getattr(settings, each.name)) for each in fields(settings)}
+    """The sections of a configuration that says all of it, as plain JSON-ready values."""
+    return {name: _plain(section) for name, section in sections(settings).items()}
 
 
 def _plain(value: Any) -> Any:

@@ -655,22 +655,44 @@ class PartSettings:
 
 
 @dataclass(frozen=True, slots=True)
-class Settings:
-    """All settings of a run."""
+class RigSettings:
+    """What is read of a character, and what the rigger says of its controls."""
 
-    run: RunSettings = field(default_factory=RunSettings)
     read: ReadSettings = field(default_factory=ReadSettings)
-    trajectories: TrajectorySettings = field(default_factory=TrajectorySettings)
-    symmetry: SymmetrySettings = field(default_factory=SymmetrySettings)
-    candidates: CandidateSettings = field(default_factory=CandidateSettings)
-    groups: GroupSettings = field(default_factory=GroupSettings)
-    objective: ObjectiveSettings = field(default_factory=ObjectiveSettings)
-    solve: SolveSettings = field(default_factory=SolveSettings)
-    output: OutputSettings = field(default_factory=OutputSettings)
     controls: Mapping[str, ControlSettings] = field(default_factory=dict)
     poses: Mapping[str, PoseSettings] = field(default_factory=dict)
     joints: Mapping[str, JointSettings] = field(default_factory=dict)
-    like: LikeSettings = field(default_factory=LikeSettings)
-    levels: LevelSettings = field(default_factory=LevelSettings)
-    animation: AnimationSettings = field(default_factory=AnimationSettings)
+
+
+@dataclass(frozen=True, slots=True)
+class CharacterSettings:
+    """What is found out about a character as a whole."""
+
+    trajectories: TrajectorySettings = field(default_factory=TrajectorySettings)
+    symmetry: SymmetrySettings = field(default_factory=SymmetrySettings)
     parts: PartSettings = field(default_factory=PartSettings)
+    like: LikeSettings = field(default_factory=LikeSettings)
+    animation: AnimationSettings = field(default_factory=AnimationSettings)
+
+
+@dataclass(frozen=True, slots=True)
+class LayoutSettings:
+    """The layout problem of each part of a character, and its solution."""
+
+    candidates: CandidateSettings = field(default_factory=CandidateSettings)
+    groups: GroupSettings = field(default_factory=GroupSettings)
+    levels: LevelSettings = field(default_factory=LevelSettings)
+    objective: ObjectiveSettings = field(default_factory=ObjectiveSettings)
+    solve: SolveSettings = field(default_factory=SolveSettings)
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """All settings of a run; `usdrigui.settings.load` makes them from the sections of a
+    configuration."""
+
+    run: RunSettings = field(default_factory=RunSettings)
+    rig: RigSettings = field(default_factory=RigSettings)
+    character: CharacterSettings = field(default_factory=CharacterSettings)
+    layout: LayoutSettings = field(default_factory=LayoutSettings)
+    output: OutputSettings = field(default_factory=OutputSettings)

@@ -6,12 +6,11 @@ import os
 import stat
 import tomllib
 from collections.abc import Mapping
-from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
 from usdrigui.errors import Faults, refuse
-from usdrigui.settings.parts import Settings
+from usdrigui.settings.config_sections import section_types
 
 
 def read_toml(path: Path) -> dict[str, Any]:
@@ -32,9 +31,8 @@ def read_toml(path: Path) -> dict[str, Any]:
 
 
 def environment_settings() -> dict[str, str]:
-    """The environment variables that set something: ``USDRIGUI_<PART>_...`` with a part of
-    `Settings`."""
-    parts = {each.name.upper() for each in fields(Settings)}
+    """The environment variables that set something: ``USDRIGUI_<PART>_...`` with a section."""
+    parts = {name.upper() for name in section_types()}
     return {
         name: value
         for name, value in sorted(os.environ.items())
@@ -49,7 +47,7 @@ def from_environment(environment: Mapping[str, str], faults: Faults) -> dict[str
     Collects RigUIError CONFIG_UNKNOWN_KEY.
     """
     found: dict[str, Any] = {}
-    parts = {each.name for each in fields(Settings)}
+    parts = section_types()
     for name, text in environment.items():
         part, _, key = name.removeprefix("USDRIGUI_").lower().partition("_")
         with faults.collected():

@@ -22,7 +22,7 @@ from pxr import Sdf, Tf
 
 from usdrigui.errors import Issue, RigUIError, issue, listed, refuse
 from usdrigui.model import Layout, Rig
-from usdrigui.settings import ReadSettings, Settings
+from usdrigui.settings import Settings, with_sections
 from usdrigui.usd import payloads
 from usdrigui.usd.layer import layer_bytes, relative_asset_path
 from usdrigui.usd.reader_process import (
@@ -30,6 +30,7 @@ from usdrigui.usd.reader_process import (
     read_layouts_isolated,
     read_rigs_isolated,
 )
+from usdrigui.usd.reader_records import Opening
 from usdrigui.usd.replacing import check_content, editing, replace_source
 from usdrigui.usd.safe_write import commit, same_file
 from usdrigui.usd.source import SourceFile, check_source
@@ -73,8 +74,8 @@ def attach(
     raise.  Then nothing has been written.  A layout that stands in a variant is attached whichever
     the asset selects.
     """
-    _check_editable(asset, settings.read.size_limit)
-    with editing(asset, settings.read.time_limit):
+    _check_editable(asset, settings.rig.read.size_limit)
+    with editing(asset, settings.rig.read.time_limit):
         return _attached(asset, layer, settings, tell or (lambda _: None), payload)
 
 
@@ -85,8 +86,8 @@ def detach(asset: Path, layer: Path, settings: Settings) -> Outcome:
     The other sublayers and their offsets stay as they are.  Raises ATTACH_PACKAGE, ATTACH_LINK and
     what reading and `usdrigui.usd.replacing` can raise.
     """
-    _check_editable(asset, settings.read.size_limit)
-    with editing(asset, settings.read.time_limit):
+    _check_editable(asset, settings.rig.read.size_limit)
+    with editing(asset, settings.rig.read.time_limit):
         return _detached(asset, layer, settings)
 
 
@@ -108,12 +109,13 @@ def write_bare(layer: Path, target: Path) -> Outcome:
 def _attached(
     asset: Path, layer: Path, settings: Settings, tell: Callable[[Issue], None], payload: bool
 ) -> Outcome:
-    before = check_source(asset, settings.read.size_limit)
-    layouts = _layouts(asset, layer, settings.read)
+    before = check_source(asset, settings.rig.read.size_limit)
+    layouts = _layouts(asset, layer, Opening.of(settings.rig.read))
     settings = _in_its_variant(layouts, settings)
     read = read_rigs_isolated(asset, settings)
     _check_of(asset, layouts, read.rigs)
-    _check_bare(asset, layer, settings.read)
+    opening = Opening.of(settings.rig.read)
+    _check_bare(asset, layer, opening)
     for found in _controls_gone(layouts, read.rigs):
         tell(found)
     source = open_layer(asset)
@@ -128,7 +130,7 @@ def _attached(
                 f"{asset} brings in its layout from {read.composed_from[root]}",
             )
     edit = _payloads(asset, layer, layouts) if payload else _sublayer(asset, layer)
-    verify = functools.partial(_holds_layouts, roots, settings.read)
+    verify = functools.partial(_holds_layouts, roots, opening)
     return _replaced(asset, source, before, verify, edit)
 
 
@@ -155,20 +157,20 @@ def _payloads(asset: Path, layer: Path, layouts: Sequence[Layout]) -> _Edit:
     )
 
 
-def _layouts(asset: Path, layer: Path, settings: ReadSettings) -> tuple[Layout, ...]:
+def _layouts(asset: Path, layer: Path, opening: Opening) -> tuple[Layout, ...]:
     """The layouts of the layer; where it has none and the asset has, the two were exchanged."""
     try:
-        return read_layouts_isolated(layer, settings).layouts
+        return read_layouts_isolated(layer, opening).layouts
     except RigUIError as error:
-        if error.issue.code == "LAYOUT_MISSING" and _has_layout(asset, settings):
+        if error.issue.code == "LAYOUT_MISSING" and _has_layout(asset, opening):
             message = f"{error.issue.message}, but {asset} has a layout: the asset is named first"
             raise refuse("LAYOUT_MISSING", str(layer), message) from error
         raise
 
 
-def _has_layout(path: Path, settings: ReadSettings) -> bool:
+def _has_layout(path: Path, opening: Opening) -> bool:
     try:
-        return bool(read_layouts_isolated(path, settings).layouts)
+        return bool(read_layouts_isolated(path, opening).layouts)
     except RigUIError:
         return False
 
@@ -176,8 +178,8 @@ def _has_layout(path: Path, settings: ReadSettings) -> bool:
 def _in_its_variant(layouts: Sequence[Layout], settings: Settings) -> Settings:
     """The settings with the variants selected in which a layout stands: the asset may select
     others."""
-    chosen = {**asset_selections(layouts[0].character.variant_path), **settings.read.variants}
-    return replace(settings, read=replace(settings.read, variants=chosen))
+    chosen = {**asset_selections(layouts[0].character.variant_path), **settings.rig.read.variants}
+    return with_sections(settings, read=replace(settings.rig.read, variants=chosen))
 
 
 def _check_of(asset: Path, layouts: Sequence[Layout], rigs: Sequence[Rig]) -> None:
@@ -204,8 +206,10 @@ def _controls_gone(layouts: Sequence[Layout], rigs: Sequence[Rig]) -> Iterator[I
 
 
 def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:
-    before = check_source(asset, settings.read.size_limit)
-    read_layer_isolated(asset, settings.read)  # What survives that may be opened here.
+    before = check_source(asset, settings.rig.read.size_limit)
+    read_layer_isolated(
+        asset, Opening.of(settings.rig.read)
+    )  # What survives that may be opened here.
     source = open_layer(asset)
     sublayers, inside = _entries(asset, source, layer)
     if not (sublayers or inside):
@@ -243,11 +247,11 @@ def _check_editable(asset: Path, size_limit: int) -> None:
     check_source(asset, size_limit)
 
 
-def _check_bare(asset: Path, layer: Path, settings: ReadSettings) -> None:
+def _check_bare(asset: Path, layer: Path, opening: Opening) -> None:
     """Refuse layers that bring sublayers of their own, or lead back to the asset."""
     if same_file(asset, layer):
         raise refuse("ATTACH_CYCLE", str(layer), "is the asset itself")
-    opened = read_layer_isolated(layer, settings)
+    opened = read_layer_isolated(layer, opening)
     if any(same_file(asset, Path(found)) for found in opened.needed):
         raise refuse("ATTACH_CYCLE", str(layer), f"sublayers {asset} already")
     if opened.sublayers:
@@ -351,10 +355,10 @@ def _means(text: str, layer: Sdf.Layer) -> bool:
         return False
 
 
-def _holds_layouts(roots: Sequence[str], settings: ReadSettings, path: Path) -> bool:
+def _holds_layouts(roots: Sequence[str], opening: Opening, path: Path) -> bool:
     """Whether the file composes to a character with the layouts."""
     return set(roots) <= {
-        each.character.root for each in read_layouts_isolated(path, settings).layouts
+        each.character.root for each in read_layouts_isolated(path, opening).layouts
     }
 
 

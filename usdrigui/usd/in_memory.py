@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 def read_open_rigs(source: Usd.Stage | Sdf.Layer, settings: Settings) -> ReadResult:
     """What an open stage or layer holds; raises as `usdrigui.usd.rig.read_rigs`."""
-    stage = _copy(source, settings.read.variants)
+    stage = _copy(source, settings.rig.read.variants)
     return _result(stage, settings, own_layouts(stage), None)
 
 
@@ -36,7 +36,7 @@ def read_open_layouts(
 
     Raises LAYOUT_MISSING, LAYOUT_STALE and as `read_open_rigs`.
     """
-    stage = _copy(source, settings.read.variants)
+    stage = _copy(source, settings.rig.read.variants)
     layouts = read_layout(stage)
     return layouts, _result(stage, settings, (), {each.character.root for each in layouts})
 
@@ -46,8 +46,8 @@ def _result(
 ) -> ReadResult:
     from usdrigui.usd.layer import stage_metadata
 
-    found = read_characters(stage, settings, laid_out)
-    cameras = cameras_toward(stage, found.rigs, settings.candidates.view)
+    found = read_characters(stage, settings.rig, laid_out)
+    cameras = cameras_toward(stage, found.rigs, settings.layout.candidates.view)
     return ReadResult(
         found.rigs,
         stage_metadata(stage.GetRootLayer()),
@@ -58,7 +58,7 @@ def _result(
         composed_layouts(stage),
         without_layout=()
         if laid_out is None
-        else without_layout(stage, laid_out, settings.read.skel_root),
+        else without_layout(stage, laid_out, settings.rig.read.skel_root),
         lost=found.lost,
         contradictions=() if laid_out is None else contradictions(stage),
         listed={} if laid_out is None else listed_controls(stage),

@@ -57,16 +57,17 @@ def respond(request: Request) -> Response:
     """Do what is asked; every exception becomes a refusal."""
     path, peak = Path(request.path), _peak()
     try:
+        variants = request.settings.rig.read.variants
         if request.task == "composed":
             return _composed(path, request.settings)
         if request.task == "layouts":
-            return Response(layouts=_layouts(path, request.settings.read.variants))
+            return Response(layouts=_layouts(path, variants))
         if request.task == "clips":
             return Response(performances=_performances(path))
         if request.task == "faults":
-            return Response(faults=_faults(path, request.settings.read.variants))
+            return Response(faults=_faults(path, variants))
         if request.task == "variants":
-            return Response(variants=_variants(path, request.settings.read.variants))
+            return Response(variants=_variants(path, variants))
         if request.task == "layer":
             return Response(layer=_layer(path))
         return Response(rigs=_rigs(path, request.settings))
@@ -113,13 +114,13 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
     from usdrigui.usd.variants import variant_path
 
     with (
-        _hashed_before(path, settings.read.variants) as (before, diagnostics),
+        _hashed_before(path, settings.rig.read.variants) as (before, diagnostics),
         _kept_stages() as stages,
     ):
-        found = read_characters(path, settings)
+        found = read_characters(path, settings.rig)
         rigs = _with_diagnostics(found.rigs, path, diagnostics)
         stage = _stage_of(path, stages)
-        cameras = cameras_toward(stage, rigs, settings.candidates.view)
+        cameras = cameras_toward(stage, rigs, settings.layout.candidates.view)
         metadata = {
             key: _as_json(value) for key, value in stage_metadata(stage.GetRootLayer()).items()
         }
@@ -173,18 +174,18 @@ def _composed(path: Path, settings: Settings) -> Response:
     from usdrigui.usd.stage import open_stage
 
     with (
-        _hashed_before(path, settings.read.variants) as (before, diagnostics),
+        _hashed_before(path, settings.rig.read.variants) as (before, diagnostics),
         _kept_stages() as stages,
     ):
-        open_stage(path, settings.read.variants)  # kept, so that what opens it next finds it so
+        open_stage(path, settings.rig.read.variants)  # kept, so that what opens it next finds it so
         found = _layouts_in(path, stages, before)
         laid_out = {each.character.root for each in found.layouts}
-        some = read_characters(path, settings, laid_out)
+        some = read_characters(path, settings.rig, laid_out)
         rigs = _with_diagnostics(some.rigs, path, diagnostics)
         stage = _stage_of(path, stages)
-        cameras = cameras_toward(stage, rigs, settings.candidates.view)
+        cameras = cameras_toward(stage, rigs, settings.layout.candidates.view)
         sources = _sources(path, stages.GetAllStages(), before)
-        bare = without_layout(stage, laid_out, settings.read.skel_root)
+        bare = without_layout(stage, laid_out, settings.rig.read.skel_root)
         result = ReadResult(
             rigs,
             {},

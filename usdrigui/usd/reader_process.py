@@ -32,13 +32,14 @@ from usdrigui.processes import (
     reaped,
     signals_later,
 )
-from usdrigui.settings import ReadSettings, Settings
+from usdrigui.settings import ReadSettings, Settings, with_sections
 from usdrigui.usd import serialization
 from usdrigui.usd.reader_records import (
     FaultsResult,
     LayerResult,
     LayoutsResult,
     Limits,
+    Opening,
     ReadResult,
     Request,
     Response,
@@ -56,7 +57,7 @@ def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = N
     SOURCE_TOO_LARGE, SOURCE_LFS_POINTER, SOURCE_CRASHES_USD, SOURCE_TIME_LIMIT,
     SOURCE_MEMORY_LIMIT, SOURCE_READER_LOST, SOURCE_CHANGED.
     """
-    limits = limits or Limits.of(settings.read)
+    limits = limits or Limits.of(settings.rig.read)
     before = check_source(path, limits.size)
     try:
         result = _understood(_response("rigs", path, settings, limits).rigs, path)
@@ -68,62 +69,56 @@ def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = N
     return result
 
 
-def read_layouts_isolated(
-    path: Path, settings: ReadSettings, limits: Limits | None = None
-) -> LayoutsResult:
+def read_layouts_isolated(path: Path, opening: Opening) -> LayoutsResult:
     """As `usdrigui.usd.read_layout.read_layout` and `source_of`, in a reader; raises as
     `read_rigs_isolated`."""
-    return _understood(_asked("layouts", path, Settings(read=settings), limits).layouts, path)
+    return _understood(_asked("layouts", path, opening).layouts, path)
 
 
-def read_composed_isolated(path: Path, settings: Settings) -> tuple[LayoutsResult, ReadResult]:
+def read_composed_isolated(
+    path: Path, settings: Settings, limits: Limits | None = None
+) -> tuple[LayoutsResult, ReadResult]:
     """The layouts of a stage, and their characters as that stage composes them: variants,
     overrides, instances and all.
 
     Raises as `read_rigs_isolated`, LAYOUT_MISSING, LAYOUT_STALE where it has none of the
     characters, SOURCE_MISSING for a layer that brings in no character at all.
     """
+    limits = limits or Limits.of(settings.rig.read)
     try:
-        response = _asked("composed", path, settings, None)
+        check_source(path, limits.size)
+        response = _response("composed", path, settings, limits)
     except RigUIError as error:
         if (
             error.issue.code == "SKELROOT_MISSING"
-            and not read_layouts_isolated(path, settings.read).source
+            and not read_layouts_isolated(path, Opening(settings.rig.read.variants, limits)).source
         ):
             raise refuse("SOURCE_MISSING", str(path), "does not sublayer any asset") from error
         raise
     return _understood(response.layouts, path), _understood(response.rigs, path)
 
 
-def read_performances_isolated(
-    path: Path, settings: ReadSettings, limits: Limits | None = None
-) -> tuple[Performance, ...]:
+def read_performances_isolated(path: Path, opening: Opening) -> tuple[Performance, ...]:
     """As `usdrigui.usd.clips.read_performances`, in a reader; raises as `read_rigs_isolated`."""
-    return _understood(
-        _asked("clips", path, Settings(read=settings), limits).performances or None, path
-    )
+    return _understood(_asked("clips", path, opening).performances or None, path)
 
 
-def read_faults_isolated(
-    path: Path, settings: ReadSettings, limits: Limits | None = None
-) -> FaultsResult:
+def read_faults_isolated(path: Path, opening: Opening) -> FaultsResult:
     """As `usdrigui.usd.faults.stage_faults`, in a reader; raises as `read_rigs_isolated` where
     nothing can be read."""
-    return _understood(_asked("faults", path, Settings(read=settings), limits).faults, path)
+    return _understood(_asked("faults", path, opening).faults, path)
 
 
-def read_layer_isolated(
-    path: Path, settings: ReadSettings, limits: Limits | None = None
-) -> LayerResult:
+def read_layer_isolated(path: Path, opening: Opening) -> LayerResult:
     """A layer by itself, in a reader; what it composes need not be there.  Raises as
     `read_rigs_isolated`."""
-    return _understood(_asked("layer", path, Settings(read=settings), limits).layer, path)
+    return _understood(_asked("layer", path, opening).layer, path)
 
 
-def read_variants_isolated(path: Path, settings: ReadSettings) -> Mapping[str, tuple[str, ...]]:
+def read_variants_isolated(path: Path, opening: Opening) -> Mapping[str, tuple[str, ...]]:
     """As `usdrigui.usd.variants.variant_sets`, in a reader; raises as `read_rigs_isolated` and
     VARIANT_UNKNOWN."""
-    return _understood(_asked("variants", path, Settings(read=settings), None).variants, path)
+    return _understood(_asked("variants", path, opening).variants, path)
 
 
 def _understood(part: _Part | None, path: Path) -> _Part:
@@ -137,11 +132,11 @@ def _garbled(path: Path) -> RigUIError:
     return refuse("SOURCE_CRASHES_USD", str(path), "the answer of the reading process is invalid")
 
 
-def _asked(task: Task, path: Path, settings: Settings, limits: Limits | None) -> Response:
-    """The reader's response about a file that it may be shown."""
-    limits = limits or Limits.of(settings.read)
-    check_source(path, limits.size)
-    return _response(task, path, settings, limits)
+def _asked(task: Task, path: Path, opening: Opening) -> Response:
+    """The reader's response about a file that it may be shown, whatever becomes a control."""
+    check_source(path, opening.limits.size)
+    settings = with_sections(Settings(), read=ReadSettings(variants=opening.variants))
+    return _response(task, path, settings, opening.limits)
 
 
 def _response(task: Task, path: Path, settings: Settings, limits: Limits) -> Response:

@@ -32,6 +32,20 @@ class Limits:
         return cls(settings.time_limit, settings.memory_limit, settings.size_limit)
 
 
+@dataclass(frozen=True, slots=True)
+class Opening:
+    """How a file is opened."""
+
+    variants: Mapping[str, str] = field(default_factory=dict)
+    """Those selected, by the names of their sets."""
+    limits: Limits = field(default_factory=Limits)
+
+    @classmethod
+    def of(cls, settings: ReadSettings) -> Opening:
+        """As the settings say."""
+        return cls(settings.variants, Limits.of(settings))
+
+
 @dataclass(frozen=True, eq=False)
 class ReadResult(Record):
     """What an asset holds."""

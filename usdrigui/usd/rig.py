@@ -15,7 +15,7 @@ from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import Faults, Issue, RigUIError, issue, listed, meant, of_character, refuse
 from usdrigui.model import Channel, Clip, Control, Floats, Glyph, Joint, LeftOff, Rig, RigMesh
-from usdrigui.settings import ControlSettings, ReadSettings, Settings
+from usdrigui.settings import ControlSettings, ReadSettings, RigSettings, Settings
 from usdrigui.usd.binding import bound_in_vain
 from usdrigui.usd.controls import (
     Draft,
@@ -67,8 +67,8 @@ _VARIANTS_TRIED = 64
 def read_rigs(
     source: Path | Usd.Stage, settings: Settings, laid_out: Collection[str] | None = None
 ) -> tuple[Rig, ...]:
-    """As `rigs_and_faults`; raises, all at once, what the configuration has wrong, too."""
-    found = read_characters(source, settings, laid_out)
+    """As `read_characters`; raises, all at once, what the configuration has wrong, too."""
+    found = read_characters(source, settings.rig, laid_out)
     found.faults.raise_all()
     return found.rigs
 
@@ -85,7 +85,7 @@ class Characters:
 
 
 def read_characters(
-    source: Path | Usd.Stage, settings: Settings, laid_out: Collection[str] | None = None
+    source: Path | Usd.Stage, settings: RigSettings, laid_out: Collection[str] | None = None
 ) -> Characters:
     """One `Rig` per SkelRoot of the asset that has controls, or the one that `settings.read` names.
 
@@ -237,7 +237,7 @@ def _with_layout(
     return found
 
 
-def _guarded(root: Usd.Prim, settings: Settings, faults: Faults, *, instances: bool) -> _Reading:
+def _guarded(root: Usd.Prim, settings: RigSettings, faults: Faults, *, instances: bool) -> _Reading:
     """`_read`, with what USD itself raises turned into an error of ours."""
     try:
         return _read(root, settings, faults, instances=instances)
@@ -258,7 +258,7 @@ def _guarded_glyphs(
         raise refuse("USD_ERROR", str(path), usd_message(error)) from None
 
 
-def _read(root: Usd.Prim, settings: Settings, faults: Faults, *, instances: bool) -> _Reading:
+def _read(root: Usd.Prim, settings: RigSettings, faults: Faults, *, instances: bool) -> _Reading:
     if not instances and (root.IsInstance() or root.IsInstanceProxy()):
         reason = (
             f"is an instance: no layer can add prims below {root.GetPath()}{_others_clause(root)}"
@@ -329,7 +329,7 @@ def _scene(root: Usd.Prim, settings: ReadSettings, *, instances: bool) -> _Scene
 
 
 def _drafts(
-    root: Usd.Prim, scene: _Scene, settings: Settings, faults: Faults
+    root: Usd.Prim, scene: _Scene, settings: RigSettings, faults: Faults
 ) -> tuple[list[Draft], list[LeftOff], tuple[Issue, ...]]:
     """Every control that the asset could have, what is left off, and what is odd about the
     ranges."""

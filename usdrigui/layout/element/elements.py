@@ -90,7 +90,7 @@ def layout(
         ),
         left_off=left_off,
         frame=LayoutFrame(
-            space=settings.candidates.space,
+            space=settings.layout.candidates.space,
             view=face.views.directions[0],
             plane=face.symmetry.plane,
             handle_width=face.handle_width,
@@ -98,7 +98,9 @@ def layout(
         proof=_proof(
             assignment,
             _weights(
-                placement.problem, face.trajectories.typical_length, settings.objective.samples
+                placement.problem,
+                face.trajectories.typical_length,
+                settings.layout.objective.samples,
             ),
         ),
     )

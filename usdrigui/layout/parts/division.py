@@ -27,7 +27,7 @@ from usdrigui.layout.parts.joint_regions import (
     owner_of_points,
 )
 from usdrigui.model import Control, Flags, Indices, Motion, Record, Rig, Trajectories
-from usdrigui.settings import Settings
+from usdrigui.settings import LayoutSettings, Settings
 from usdrigui.ties import first_largest
 
 ORDER = (FACE, INTERIOR, EYES, HANDS, FEET, PROPS)
@@ -65,17 +65,17 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     stay together.
     """
     regions = joint_regions(rig, found)
-    whole = settings.candidates.global_coverage
+    whole = settings.layout.candidates.global_coverage
     tell = _Names(rig, found, regions, whole).of if regions is not None else _face
     names = {each.control: tell(rig.controls[each.control], each) for each in found.motions}
-    if settings.candidates.conventions:
+    if settings.layout.candidates.conventions:
         names |= dict.fromkeys(_inside_mouth(rig.controls, names), INTERIOR)
-    if not settings.parts.divide:
+    if not settings.character.parts.divide:
         names = dict.fromkeys(names, main_part(names.values()))
     index = {control.name: i for i, control in enumerate(rig.controls)}
     names |= {
         index[name]: part
-        for name, part in settings.parts.controls.items()
+        for name, part in settings.character.parts.controls.items()
         if index.get(name) in names
     }
     names = _together(names, _bound(settings, index))
@@ -119,7 +119,7 @@ def _rank(name: str) -> tuple[int, str]:
     return (len(ORDER) + 1 if name == BODY else order.get(name, len(ORDER))), name
 
 
-def of_part(settings: Settings, rig: Rig, part: Part) -> Settings:
+def of_part(settings: LayoutSettings, rig: Rig, part: Part) -> LayoutSettings:
     """The settings without the groups and levels that only controls of other parts have."""
     index = {control.name: i for i, control in enumerate(rig.controls)}
 
@@ -141,10 +141,10 @@ def of_part(settings: Settings, rig: Rig, part: Part) -> Settings:
 def _bound(settings: Settings, index: Mapping[str, int]) -> list[list[int]]:
     """Controls that the configuration makes one element, shows in each other's place, or
     mirrors."""
-    groups = [*settings.groups.groups.values()]
-    groups += [(name, *members) for name, members in settings.levels.members.items()]
-    groups += [(name, own.twin, *own.orbit) for name, own in settings.controls.items()]
-    return [_controls(names, settings.groups.groups, index) for names in groups]
+    groups = [*settings.layout.groups.groups.values()]
+    groups += [(name, *members) for name, members in settings.layout.levels.members.items()]
+    groups += [(name, own.twin, *own.orbit) for name, own in settings.rig.controls.items()]
+    return [_controls(names, settings.layout.groups.groups, index) for names in groups]
 
 
 def _controls(

@@ -12,13 +12,13 @@ from usdrigui.layout.classify.classification import Classification
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.tracks import polylines
 from usdrigui.layout.place.locality import kept_near, proxies
-from usdrigui.layout.place.terms import linear_cost
+from usdrigui.layout.place.terms import LinearTerms, linear_cost
 from usdrigui.layout.reuse.partial_layout import fixed_anchor, moves
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.lobes import in_the_middle
 from usdrigui.layout.visibility import mostly_hidden
 from usdrigui.model import Candidates, CandidateSet, Flags, Indices, LeftOff, Motion
-from usdrigui.settings import CandidateSettings, ObjectiveSettings
+from usdrigui.settings import CandidateSettings
 from usdrigui.ties import first_largest
 
 STAGE = "candidates"
@@ -41,14 +41,16 @@ def find_candidates(
     classification: Sequence[Classification],
     requests: Requests,
     settings: CandidateSettings,
-    objective: ObjectiveSettings,
+    terms: LinearTerms,
+    samples: int,
 ) -> Candidates:
     """The candidates of every control that moves something.
 
     Points are pruned below the mean arc length of the control and below a share of its visible
     peak, where no view sees them and where the trajectory runs inside or behind the model.  Where
     pruning would leave nothing, its weaker reasons give way in the reverse order: a control that
-    any view can see always has a candidate.
+    any view can see always has a candidate.  `samples` are the points of a track that tell whether
+    it runs there.
     """
     sets: list[CandidateSet] = []
     left_off: list[LeftOff] = []
@@ -60,12 +62,12 @@ def find_candidates(
                 LeftOff(face.control_name(motion.control), STAGE, "excluded by the configuration")
             )
             continue
-        points, sources = _places(face, motion, found, requests, settings, objective.samples)
+        points, sources = _places(face, motion, found, requests, settings, samples)
         sets.append(
             CandidateSet(
                 motion=index,
                 points=points,
-                cost=linear_cost(face, motion, sources, settings.occlusion_weight, objective),
+                cost=linear_cost(face, motion, sources, terms),
                 coverage=found.coverage,
                 sources=sources,
                 category=found.category,
@@ -80,14 +82,14 @@ def loosened(
     found: CandidateSet,
     requests: Requests,
     settings: CandidateSettings,
-    objective: ObjectiveSettings,
+    terms: LinearTerms,
     least: float,
 ) -> CandidateSet:
     """The set with every visible place where a handle keeps at least a share of the control's peak:
     for elements whose copies would collide at all of their better places."""
     motion = face.trajectories.motions[found.motion]
     override = requests.overrides[motion.control]
-    seen = _allowed(face, motion, requests, settings, _seen(face, motion.points, settings))
+    seen = _allowed(face, motion, requests, settings, _seen(face, motion.points, settings.space))
     if override.anchor or not seen.any():
         return found
     points = motion.points[seen & (motion.arc_length >= _kept(motion, seen, least))]
@@ -95,7 +97,7 @@ def loosened(
         found,
         points=points,
         sources=points,
-        cost=linear_cost(face, motion, points, settings.occlusion_weight, objective),
+        cost=linear_cost(face, motion, points, terms),
     )
 
 
@@ -104,16 +106,17 @@ def candidates_of_axis(
     found: CandidateSet,
     requests: Requests,
     settings: CandidateSettings,
-    objective: ObjectiveSettings,
+    terms: LinearTerms,
+    samples: int,
 ) -> CandidateSet:
     """The set of a control on the face under `requests` that fix it elsewhere or not at all."""
     motion = face.trajectories.motions[found.motion]
-    points, sources = _places(face, motion, Classification(), requests, settings, objective.samples)
+    points, sources = _places(face, motion, Classification(), requests, settings, samples)
     return replace(
         found,
         points=points,
         sources=sources,
-        cost=linear_cost(face, motion, sources, settings.occlusion_weight, objective),
+        cost=linear_cost(face, motion, sources, terms),
     )
 
 
@@ -169,7 +172,7 @@ def _moving_places(
     names."""
     everywhere = np.ones(len(motion.points), dtype=bool)
     some = _allowed(face, motion, requests, settings, everywhere)
-    seen = _allowed(face, motion, requests, settings, _seen(face, motion.points, settings))
+    seen = _allowed(face, motion, requests, settings, _seen(face, motion.points, settings.space))
     seen = _with_clear_handles(face, motion, requests, settings, seen)
     # What a person says, an earlier place and the skin that a joint owns come before what a name
     # says.
@@ -177,7 +180,7 @@ def _moving_places(
     if not is_asked and motion.owned is None:
         seen = _where_expected(face, motion, seen, requests.expectation(motion.control))
     points = _pruned(face, motion, seen, some, settings, samples)
-    return points if len(points) else _unseen(motion, some, settings)
+    return points if len(points) else _unseen(motion, some, settings.prune_at, settings.peak_share)
 
 
 def _allowed(
@@ -269,18 +272,18 @@ def _pruned(
     return np.asarray(motion.points[seen & moving])
 
 
-def _unseen(motion: Motion, some: Flags, settings: CandidateSettings) -> Indices:
+def _unseen(motion: Motion, some: Flags, prune_at: float, peak_share: float) -> Indices:
     """Candidates of a control that no view sees but that is to stand on the face all the same."""
     arc = motion.arc_length
     peak = float(arc[some].max())
-    least = max(settings.prune_at * float(arc[some].mean()), settings.peak_share * peak)
+    least = max(prune_at * float(arc[some].mean()), peak_share * peak)
     return np.asarray(motion.points[some & (arc >= min(least, peak))])
 
 
-def _seen(face: Face, points: Indices, settings: CandidateSettings) -> Flags:
+def _seen(face: Face, points: Indices, space: str) -> Flags:
     """Which points can be seen from where the layout is judged: a flat layout has one view only."""
-    flat = settings.space == "view"
-    return np.asarray(face.views.visible[0, points] if flat else face.views.anywhere[points])
+    seen = face.views.visible[0, points] if space == "view" else face.views.anywhere[points]
+    return np.asarray(seen)
 
 
 def _without_occluded(face: Face, motion: Motion, kept: Flags, samples: int) -> Flags:

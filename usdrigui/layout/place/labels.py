@@ -22,16 +22,11 @@ from usdrigui.layout.motion.tracks import (
     paths,
     resampled,
 )
-from usdrigui.layout.place.terms import displacement_unit, linear_cost, off_plane
+from usdrigui.layout.place.terms import LinearTerms, displacement_unit, linear_cost, off_plane
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.layout.symmetry.orbits import orbit_points
 from usdrigui.model import CandidateSet, Choice, Floats, Group, Indices, Motion
-from usdrigui.settings import (
-    CandidateSettings,
-    ControlSettings,
-    ObjectiveSettings,
-    SymmetrySettings,
-)
+from usdrigui.settings import ControlSettings, SymmetrySettings
 
 
 def labels_of(
@@ -40,32 +35,30 @@ def labels_of(
     groups: tuple[Group, ...],
     index: int,
     overrides: Sequence[ControlSettings],
-    settings: CandidateSettings,
-    objective: ObjectiveSettings,
     mirror: SymmetrySettings,
+    terms: LinearTerms,
+    displacement_weight: float,
+    toward: Floats | None,
 ) -> tuple[Choice, Floats, Floats]:
     """Candidates that all members and all copies of group `index` share, their costs (R,) without
     the overlap, and displacements (R,).
 
     Displacement and linear costs are those of the worst member (paper section 3.3), summed over
-    copies. `sets` are the candidates by control.
+    copies. `sets` are the candidates by control, `toward` (3,) is the direction to the viewer of a
+    flat layout.
     """
     group = groups[index]
     if group.doubled:
-        sets = {
-            control: _on_both_sides(face, sets[control], settings.occlusion_weight, objective)
-            for control in group.controls
-        }
+        sets = {control: _on_both_sides(face, sets[control], terms) for control in group.controls}
     choice = _with_copies(face, group, index, sets[group.controls[0]], mirror.tolerance)
-    toward = face.views.flat_direction(settings.space)
-    weight = objective.displacement_weight
     cost, displacement = np.zeros(len(choice.anchors)), np.zeros(len(choice.anchors))
     for copy, controls in enumerate(choice.controls):
         worst, least = np.full(len(cost), -np.inf), np.full(len(cost), np.inf)
-        worth = weight * max(_importance(overrides[control].importance) for control in controls)
+        importance = max(_importance(overrides[control].importance) for control in controls)
+        worth = displacement_weight * importance
         for control in controls:
             motion = face.trajectories.motions[sets[control].motion]
-            unit = displacement_unit(motion.peak, face.trajectories.typical_length, objective)
+            unit = displacement_unit(motion.peak, face.trajectories.typical_length, terms)
             moved = _displacements(motion, choice.sources[:, copy], toward) / unit
             linear = _looked_up(sets[control], choice.anchors[:, copy])
             worst = np.maximum(worst, np.where(moved > 0.0, linear - worth * moved, np.inf))
@@ -138,9 +131,7 @@ def _looked_up(candidate_set: CandidateSet, points: Indices) -> Floats:
     return np.where(candidate_set.points[rows] == points, candidate_set.cost[rows], np.inf)
 
 
-def _on_both_sides(
-    face: Face, found: CandidateSet, occlusion_weight: float, objective: ObjectiveSettings
-) -> CandidateSet:
+def _on_both_sides(face: Face, found: CandidateSet, terms: LinearTerms) -> CandidateSet:
     """The candidates of a doubled control and their mirror images, which it moves alike: one side
     may be all that is fixed, or all that pruning leaves."""
     partner = face.symmetry.partner
@@ -151,7 +142,7 @@ def _on_both_sides(
     places = np.unique(np.concatenate([places, images[moved & (images[:, 0] >= 0)]]), axis=0)
     _, first = np.unique(places[:, 0], return_index=True)
     points, sources = places[first].T
-    cost = linear_cost(face, motion, sources, occlusion_weight, objective)
+    cost = linear_cost(face, motion, sources, terms)
     return replace(found, points=points, sources=sources, cost=cost)
 
 

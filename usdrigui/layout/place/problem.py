@@ -18,6 +18,7 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.place.candidates import SHARED_LEAST, candidates_of_axis, loosened
 from usdrigui.layout.place.extensions import user_pairs
 from usdrigui.layout.place.labels import drawn_points, labels_of
+from usdrigui.layout.place.terms import LinearTerms
 from usdrigui.layout.reuse.existing_layout import costs_beside_existing, existing_variables
 from usdrigui.layout.reuse.prior_layout import leaving_penalties
 from usdrigui.layout.reuse.requests import Requests
@@ -32,7 +33,7 @@ from usdrigui.model import (
     Variable,
 )
 from usdrigui.overlap import own_costs
-from usdrigui.settings import CandidateSettings, ControlSettings, ObjectiveSettings, Settings
+from usdrigui.settings import ControlSettings, ObjectiveSettings, Settings
 from usdrigui.surface import mean_edge_length, mesh_triangles
 
 _NEEDED = 5.0
@@ -64,29 +65,34 @@ def placement_problem(
     Raises FIXED_IMPOSSIBLE where the fixed anchors are infeasible, TERM_INVALID for a term of
     another package.
     """
-    overlap, separation = _constants(face, settings.objective)
+    layout = settings.layout
+    overlap, separation = _constants(face, layout.objective)
     sets = {face.trajectories.motions[each.motion].control: each for each in candidates.sets}
-    toward = face.views.flat_direction(settings.candidates.space)
-    base, samples = face.trajectories.surface.points, settings.objective.samples
+    toward = face.views.flat_direction(layout.candidates.space)
+    base, samples = face.trajectories.surface.points, layout.objective.samples
     existing = existing_variables(requests.fixed_elements, face.rig, base, samples, toward)
-    costs = _Costs(face, settings, overlap, separation, existing)
+    costs = _Costs(face, settings, LinearTerms.of(layout), overlap, separation, existing)
     variables, choices = [], []
     for index, group in enumerate(groups):
         if group.category:
             continue
         asked, own = (requests, sets)
         if group.part:
-            asked, own = _of_axis(
-                face, sets, group.all_controls, requests, settings.candidates, settings.objective
-            )
+            asked = requests.of_axes()
+            own = {
+                control: candidates_of_axis(
+                    face, sets[control], asked, layout.candidates, costs.terms, samples
+                )
+                for control in sorted(group.all_controls)
+            }
         variable, choice = _variable(costs, own, groups, index, asked)
         variables.append(variable)
         choices.append(choice)
     problem = LayoutProblem(
-        tuple(variables), overlap, separation, settings.objective.displacement_weight
+        tuple(variables), overlap, separation, layout.objective.displacement_weight
     )
     _refuse_infeasible(problem, groups, tuple(choices), requests.overrides)
-    extra = user_pairs(face, problem, tuple(choices), settings.objective.terms)
+    extra = user_pairs(face, problem, tuple(choices), costs.terms.user)
     return PlacementProblem(groups, replace(problem, extra=extra), tuple(choices))
 
 
@@ -123,29 +129,13 @@ def _constants(face: Face, settings: ObjectiveSettings) -> tuple[Overlap, float]
     )
 
 
-def _of_axis(
-    face: Face,
-    sets: Mapping[int, CandidateSet],
-    all_controls: frozenset[int],
-    requests: Requests,
-    settings: CandidateSettings,
-    objective: ObjectiveSettings,
-) -> tuple[Requests, dict[int, CandidateSet]]:
-    """Requests and candidates, by control, of an axis of a coarse element with a slider of its
-    own."""
-    asked = requests.of_axes()
-    return asked, {
-        c: candidates_of_axis(face, sets[c], asked, settings, objective)
-        for c in sorted(all_controls)
-    }
-
-
 @dataclass(frozen=True, eq=False)
 class _Costs:
     """What every variable is costed with."""
 
     face: Face
     settings: Settings
+    terms: LinearTerms
     overlap: Overlap
     separation: float
     existing: tuple[Variable, ...]
@@ -163,13 +153,13 @@ def _variable(
     others, or its members share none; of a group that the face needs also where they are one spot,
     which another one may take."""
     face, group = costs.face, groups[index]
-    settings, objective = costs.settings.candidates, costs.settings.objective
+    settings, objective = costs.settings.layout.candidates, costs.settings.layout.objective
     toward, min_track = face.views.flat_direction(settings.space), costs.settings.output.min_track
     for least in (None, settings.least_kept, SHARED_LEAST)[: 3 if len(group.controls) > 1 else 2]:
         used = sets
         if least is not None:
             used = {
-                c: loosened(face, sets[c], requests, settings, objective, least)
+                c: loosened(face, sets[c], requests, settings, costs.terms, least)
                 for c in group.all_controls
             }
         choice, cost, displacement = labels_of(
@@ -178,9 +168,10 @@ def _variable(
             groups,
             index,
             requests.overrides,
-            settings,
-            objective,
-            costs.settings.symmetry,
+            costs.settings.character.symmetry,
+            costs.terms,
+            objective.displacement_weight,
+            toward,
         )
         samples, handles = drawn_points(face, choice, objective.samples, min_track, toward)
         cost = cost + own_costs(samples, handles, costs.overlap, costs.separation)

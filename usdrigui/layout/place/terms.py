@@ -7,6 +7,8 @@ own by the entry point group ``usdrigui.terms``.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from usdrigui.layout.face import Face
@@ -14,7 +16,7 @@ from usdrigui.layout.place.extensions import user_linear_cost
 from usdrigui.layout.symmetry.lobes import ON_PLANE
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.model import Floats, Indices, Motion, Singles
-from usdrigui.settings import ObjectiveSettings
+from usdrigui.settings import LayoutSettings
 
 _MIDDLE = 1e-3
 """In handle widths: nearer to the mirror plane is on it."""
@@ -31,17 +33,37 @@ _LOOSE = 1.0
 it stands than it should."""
 
 
-def linear_cost(
-    face: Face,
-    motion: Motion,
-    points: Indices,
-    occlusion_weight: float,
-    settings: ObjectiveSettings,
-) -> Floats:
+@dataclass(frozen=True, slots=True)
+class LinearTerms:
+    """What the settings say of the linear terms and of the unit of displacement."""
+
+    occlusion_weight: float
+    distinctive_weight: float
+    relative_displacement: float
+    """Share of the control's own peak in the unit of its displacement."""
+    scene_units: bool
+    """Whether displacement is measured in scene units instead."""
+    user: tuple[str, ...]
+    """Names of the terms of other packages."""
+
+    @classmethod
+    def of(cls, settings: LayoutSettings) -> LinearTerms:
+        """As the settings say."""
+        objective = settings.objective
+        return cls(
+            settings.candidates.occlusion_weight,
+            objective.distinctive_weight,
+            objective.relative_displacement,
+            objective.scene_units,
+            objective.terms,
+        )
+
+
+def linear_cost(face: Face, motion: Motion, points: Indices, terms: LinearTerms) -> Floats:
     """(p,) sum of all linear terms at `points`, which must be among the motion's points."""
-    own = occlusion(face.trajectories.surface.normals, motion, points, occlusion_weight)
-    own = own + common(face, motion, points, settings) + _LOOSE * motion.missing(points)
-    return own + user_linear_cost(face, motion, points, settings.terms)
+    own = occlusion(face.trajectories.surface.normals, motion, points, terms.occlusion_weight)
+    own = own + common(face, motion, points, terms) + _LOOSE * motion.missing(points)
+    return own + user_linear_cost(face, motion, points, terms.user)
 
 
 def occlusion(normals: Floats, motion: Motion, points: Indices, weight: float) -> Floats:
@@ -63,24 +85,24 @@ def occlusion(normals: Floats, motion: Motion, points: Indices, weight: float) -
     return np.asarray(weight * 0.5 * (1.0 - np.mean(cosines, axis=0)), dtype=np.float64)
 
 
-def common(face: Face, motion: Motion, points: Indices, settings: ObjectiveSettings) -> Floats:
+def common(face: Face, motion: Motion, points: Indices, terms: LinearTerms) -> Floats:
     """(p,) A control should stand where its motion is large and its own: the weight times the
     displacement, by how common that is (`usdrigui.layout.classify.common_motion`)."""
     if motion.common is None:
         return np.zeros(len(points))
     rows = np.searchsorted(motion.points, points)
-    unit = displacement_unit(motion.peak, face.trajectories.typical_length, settings)
+    unit = displacement_unit(motion.peak, face.trajectories.typical_length, terms)
     return np.asarray(
-        settings.distinctive_weight * motion.common[rows] * motion.arc_length[rows] / unit
+        terms.distinctive_weight * motion.common[rows] * motion.arc_length[rows] / unit
     )
 
 
-def displacement_unit(peak: float, typical: float, settings: ObjectiveSettings) -> float:
+def displacement_unit(peak: float, typical: float, terms: LinearTerms) -> float:
     """Length that counts as a displacement of one: between the rig's typical peak and the control's
     own."""
-    if settings.scene_units:
+    if terms.scene_units:
         return 1.0
-    own, share = peak, settings.relative_displacement
+    own, share = peak, terms.relative_displacement
     return float(typical ** (1.0 - share) * own**share)
 
 

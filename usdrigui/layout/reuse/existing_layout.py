@@ -26,7 +26,7 @@ from usdrigui.model import (
     Variable,
 )
 from usdrigui.overlap import pair_costs
-from usdrigui.settings import Settings
+from usdrigui.settings import LayoutSettings
 
 _ROUNDING = 1e-9
 """Handles of the existing layout are exactly as far apart as they were, but for rounding."""
@@ -56,8 +56,8 @@ def new_controls(layout: Layout, rig: Rig) -> frozenset[int]:
 
 
 def with_drawn_handles(
-    layout: Layout, part: str, surface: BaseSurface, settings: Settings
-) -> Settings:
+    layout: Layout, part: str, surface: BaseSurface, settings: LayoutSettings
+) -> LayoutSettings:
     """The settings with which the handles of a part are as wide as in `layout`, and groups only of
     what it lacks."""
     known = layout.controls

@@ -15,7 +15,7 @@ import numpy as np
 from usdrigui.errors import CODES, Faults, Issue, RigUIError, by_cause, issue, of_character
 from usdrigui.layout.face import Face
 from usdrigui.layout.place.problem import placement_problem
-from usdrigui.layout.place.terms import linear_cost
+from usdrigui.layout.place.terms import LinearTerms, linear_cost
 from usdrigui.layout.reuse.identity import match_layout
 from usdrigui.layout.reuse.partial_layout import place_of
 from usdrigui.layout.reuse.requests import Requests
@@ -37,7 +37,7 @@ from usdrigui.model import (
     Trajectories,
 )
 from usdrigui.overlap import pair_costs, total_cost
-from usdrigui.settings import ObjectiveSettings, ReadSettings, Settings
+from usdrigui.settings import ReadSettings, Settings
 
 _MOVED = 1e-4
 """An anchor is out of place when it is further off than this share of the face size."""
@@ -95,7 +95,7 @@ def review(
     the controls that its author knew, with and without an element; empty where nothing says.
     """
     faults = [
-        *_stale(face.rig, face.trajectories, layout, settings.read, whole or layout),
+        *_stale(face.rig, face.trajectories, layout, settings.rig.read, whole or layout),
         *_unplaced(face, layout, requests, listed),
         *_crowded(layout.elements, layout.frame.handle_width or face.handle_width),
     ]
@@ -274,9 +274,7 @@ def _as_problem(
     """The problem in which every element is one variable, its own anchor among the candidates."""
     groups = _as_groups(face.rig, layout.elements, elements)
     points = [face.rig.point_of(element.anchor.mesh, element.anchor.point) for element in elements]
-    sets = _with_points(
-        face, candidates, groups, points, settings.candidates.occlusion_weight, settings.objective
-    )
+    sets = _with_points(face, candidates, groups, points, LinearTerms.of(settings.layout))
     placement = placement_problem(face, sets, groups, requests, settings)
     labels, kept = [], []
     for number, choice in enumerate(placement.choices):
@@ -338,8 +336,7 @@ def _with_points(
     candidates: Candidates,
     groups: tuple[Group, ...],
     points: list[int],
-    occlusion_weight: float,
-    objective: ObjectiveSettings,
+    terms: LinearTerms,
 ) -> Candidates:
     """The candidates with the anchors of the layout among them, pruned or not."""
     motions = face.trajectories.motions
@@ -347,7 +344,7 @@ def _with_points(
     for group, point in zip(groups, points, strict=True):
         for control in group.controls:
             if control in sets and point in motions[sets[control].motion].points:
-                sets[control] = _with_point(face, sets[control], point, occlusion_weight, objective)
+                sets[control] = _with_point(face, sets[control], point, terms)
     return Candidates(tuple(sets.values()), candidates.left_off)
 
 
@@ -355,14 +352,13 @@ def _with_point(
     face: Face,
     known: CandidateSet,
     point: int,
-    occlusion_weight: float,
-    objective: ObjectiveSettings,
+    terms: LinearTerms,
 ) -> CandidateSet:
     if point in known.points:
         return known
     motion = face.trajectories.motions[known.motion]
     at = int(np.searchsorted(known.points, point))
-    cost = linear_cost(face, motion, np.array([point]), occlusion_weight, objective)
+    cost = linear_cost(face, motion, np.array([point]), terms)
     return replace(
         known,
         points=np.insert(known.points, at, point),

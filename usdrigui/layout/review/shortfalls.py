@@ -15,16 +15,16 @@ def shortfalls(face: Face, elements: tuple[Element, ...], asked: Settings) -> tu
     HANDLES_NARROWER where handles that were asked to be wider than usual are not."""
     return (
         *_still_places(face, elements, asked),
-        *_narrow_handles(face, asked.objective),
+        *_narrow_handles(face, asked.layout.objective),
     )
 
 
 def _still_places(face: Face, elements: tuple[Element, ...], asked: Settings) -> Iterator[Issue]:
     peaks = {face.control_name(each.control): each.peak for each in face.trajectories.motions}
-    least = asked.candidates.least_kept
+    least = asked.layout.candidates.least_kept
     for element in elements:
         for member in element.manipulator.members:
-            override, peak = asked.controls.get(member.control), peaks.get(member.control, 0.0)
+            override, peak = asked.rig.controls.get(member.control), peaks.get(member.control, 0.0)
             if (
                 override is None
                 or not (override.near or override.anchor)

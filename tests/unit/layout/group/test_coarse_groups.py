@@ -15,6 +15,7 @@ from usdrigui.layout.review.difference import difference
 from usdrigui.layout.review.review import _crowded, review
 from usdrigui.levels import inner_names, outer_first, shown, states
 from usdrigui.model import Control
+from usdrigui.settings import with_sections
 
 FACE = makers.face()
 
@@ -163,7 +164,7 @@ def test_a_layout_with_levels_can_be_fixed_and_kept():
     first = lay_out(FACE, joystick()).layout
     fixed = fixed_by(first, FACE, {})
     again = lay_out(
-        FACE, replace(joystick(), controls=fixed), prior=PriorLayout(kept_groups(first.elements, FACE))
+        FACE, with_sections(joystick(), controls=fixed), prior=PriorLayout(kept_groups(first.elements, FACE))
     ).layout
     assert anchors(again) == anchors(first)
     kept = lay_out(FACE, joystick(), prior=prior_of_previous(first.elements, FACE, 0.2)).layout

@@ -7,7 +7,7 @@ import makers
 import numpy as np
 import pytest
 
-from usdrigui.layout.place.terms import linear_cost, occlusion, off_plane
+from usdrigui.layout.place.terms import LinearTerms, linear_cost, occlusion, off_plane
 
 SIDE = 11
 PRICE = 0.15
@@ -26,8 +26,9 @@ def costs(rig, **candidates):
     settings = chain.settings(candidates=candidates)
     face = chain.face_of(rig, settings)
     motion = face.trajectories.motions[0]
-    own = occlusion(face.trajectories.surface.normals, motion, motion.points, settings.candidates.occlusion_weight)
-    return own, linear_cost(face, motion, motion.points, settings.candidates.occlusion_weight, settings.objective)
+    terms = LinearTerms.of(settings.layout)
+    own = occlusion(face.trajectories.surface.normals, motion, motion.points, terms.occlusion_weight)
+    return own, linear_cost(face, motion, motion.points, terms)
 
 
 @pytest.mark.parametrize(

@@ -31,7 +31,7 @@ def line(face):
 
 
 def with_motions(rig):
-    return rig, trajectories(rig, Settings().trajectories)
+    return rig, trajectories(rig, Settings().character.trajectories)
 
 
 @pytest.mark.parametrize("name", [spelt_otherwise, numbers()])

@@ -20,7 +20,7 @@ from usdrigui.layout.reuse.prior_layout import (
     prior_of_previous,
 )
 from usdrigui.layout.review.difference import cost_savings, difference
-from usdrigui.settings import ControlSettings, Settings
+from usdrigui.settings import ControlSettings, Settings, with_sections
 
 
 def lay_out(rig, settings=None, prior=NO_PRIOR):
@@ -72,7 +72,7 @@ def at_another_place(line, name, column=0):
 
 
 def test_a_fixed_layout_comes_back_to_the_point_and_in_its_pairs(face, before):
-    settings = Settings(controls=fixed_by(before.layout, face, {}))
+    settings = with_sections(Settings(), controls=fixed_by(before.layout, face, {}))
     again = lay_out(face, settings, PriorLayout(kept_groups(before.layout.elements, face)))
     assert anchors(again.layout) == anchors(before.layout)
     assert partners(again.layout) == partners(before.layout)
@@ -84,7 +84,7 @@ def test_a_group_on_the_board_stays_together_whatever_takes_its_controls_off_the
     """Only a group one of whose controls is on the face again and the other is not is parted."""
     points, _ = makers.mask()
     lifted, board = makers.face_with(headUp=np.tile((0.0, 0.3, 0.0), (len(points), 1))), ControlSettings(place="board")
-    settings = Settings(controls={"chin": board})
+    settings = with_sections(Settings(), controls={"chin": board})
     names = [control.name for control in lifted.controls]
     together = KeptGroup("head", (names.index("headUp"), names.index("chin")), ())
     both = frozenset(("headUp", "chin"))
@@ -96,7 +96,7 @@ def test_a_group_on_the_board_stays_together_whatever_takes_its_controls_off_the
 def test_the_rest_is_optimal_given_what_is_fixed(face, before):
     layout, point = at_another_place(before, "pucker")
     partial = replace(layout, elements=tuple(each for each in layout.elements if each.name == "pucker"))
-    settings = Settings(controls=fixed_by(partial, face, {}))
+    settings = with_sections(Settings(), controls=fixed_by(partial, face, {}))
     line = lay_out(face, settings)
     assert anchors(line.layout)["pucker"] == point
     assert line.assignment.status == "optimal"
@@ -110,7 +110,7 @@ def test_the_rest_is_optimal_given_what_is_fixed(face, before):
 def test_fixing_beside_keeps_a_control_off_the_face(face, before):
     element = chain.by_name(before)["chin"]
     beside = replace(element, anchor=replace(element.anchor, on_board=True))
-    settings = Settings(controls=fixed_by(replace(before.layout, elements=(beside,)), face, {}))
+    settings = with_sections(Settings(), controls=fixed_by(replace(before.layout, elements=(beside,)), face, {}))
     assert anchors(lay_out(face, settings).layout)["chin"] == "board"
 
 

@@ -35,7 +35,7 @@ def other_face(columns=45, rows=35, rename=lambda name: name, drop=()):
 
 
 def found(rig):
-    return rig, trajectories(rig, Settings().trajectories)
+    return rig, trajectories(rig, Settings().character.trajectories)
 
 
 @pytest.fixture(scope="module")

@@ -15,7 +15,7 @@ from usdrigui.layout.names import common_label
 from usdrigui.layout.symmetry import mirror_plane
 from usdrigui.layout.symmetry.mirror_plane import find_symmetry, plane_distance, reflected
 from usdrigui.layout.symmetry.twins import agreements, configured_twins
-from usdrigui.settings import ControlSettings, Settings, SymmetrySettings
+from usdrigui.settings import ControlSettings, Settings, load
 
 ROTATION = np.linalg.qr(np.random.default_rng(11).normal(size=(3, 3)))[0]
 ROTATION *= np.sign(np.linalg.det(ROTATION))
@@ -23,9 +23,13 @@ ROTATION *= np.sign(np.linalg.det(ROTATION))
 
 def symmetry_of(rig, settings=None):
     settings = settings or Settings()
-    found = trajectories(rig, settings.trajectories)
+    found = trajectories(rig, settings.character.trajectories)
     return find_symmetry(
-        rig, found, displacement_fields(found), settings.symmetry, configured_twins(rig, settings.controls)
+        rig,
+        found,
+        displacement_fields(found),
+        settings.character.symmetry,
+        configured_twins(rig, settings.rig.controls),
     )
 
 
@@ -156,11 +160,11 @@ def test_controls_that_agree_just_as_much_as_asked_are_twins():
         "c": makers.bump(points, (0.0, -0.5), (0, 0, 1)),
     }
     rig = makers.rig(points, quads, shapes)
-    symmetry, measured = symmetry_of(rig), trajectories(rig, Settings().trajectories)
+    symmetry, measured = symmetry_of(rig), trajectories(rig, Settings().character.trajectories)
     raw = agreements(displacement_fields(measured), symmetry.partner, symmetry.plane.normal)
     least = float(0.5 * (raw + raw.T)[0, 1])
     for floor, twin in ((least, "b"), (np.nextafter(least, 1), "")):
-        assert names(rig, symmetry_of(rig, Settings(symmetry=SymmetrySettings(twin_similarity=floor))))["a"] == twin
+        assert names(rig, symmetry_of(rig, load({"symmetry": {"twin_similarity": floor}})))["a"] == twin
 
 
 def test_pairs_are_matched_all_at_once():
@@ -313,7 +317,7 @@ def test_labels_of_shared_elements_say_what_is_common(labels, expected):
 @pytest.mark.parametrize("size", [1e-3, 1.0, 1e3])
 def test_a_huge_face_weighs_no_more_than_a_few_usual_ones_whatever_the_unit(size):
     rig = makers.face()
-    found = trajectories(rig, Settings().trajectories)
+    found = trajectories(rig, Settings().character.trajectories)
     card = int(found.motions[0].points[0])
     areas = size**2 * np.where(np.arange(len(found.surface.areas)) == card, 1e6, found.surface.areas)
     points, weights = mirror_plane._moving_region(

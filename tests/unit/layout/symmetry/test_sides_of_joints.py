@@ -89,5 +89,5 @@ def test_a_character_that_rests_in_a_pose_has_the_pairs_of_its_bind_pose():
 
 def test_the_face_lies_straight_ahead_of_the_middle_of_a_symmetric_head():
     rig = limbs.whole_body()
-    way = ahead_of_head(rig, trajectories(rig, Settings().trajectories))
+    way = ahead_of_head(rig, trajectories(rig, Settings().character.trajectories))
     assert way / np.linalg.norm(way) == pytest.approx([0.0, 0.0, 1.0], abs=0.05)
