@@ -1,4 +1,4 @@
-"""What animations say of a character: which controls they use, how often, and which together.
+"""The use of a character's controls by animations: which they use, how often, and which together.
 
 `weighted` turns that into importances for the objective, `animation_facts` into what `usdrigui
 inspect` prints, configuration lines included.
@@ -29,7 +29,7 @@ from usdrigui.usd.reader_process import read_performances_isolated
 from usdrigui.usd.reader_records import Opening
 
 _ACTIVE = 0.05
-"""Activity from which a control is said to be active in a frame."""
+"""Activity from which a control is active in a frame."""
 _NAMED = 3
 """Controls of a set whose names make the name of its element."""
 
@@ -67,7 +67,7 @@ def animation_facts(
     settings: Settings,
     clips: tuple[Performance, ...],
 ) -> tuple[AnimationFacts, tuple[Issue, ...]]:
-    """What the animations say of a character, and what is odd about them; raises as `weighted`."""
+    """The use of a character's controls by the animations, with warnings; raises as `weighted`."""
     rig = face.rig
     done, twins = activity(rig, clips), _twins(rig.controls, face.symmetry.twins)
     worth = importances(done, twins, settings.character.animation.weight)

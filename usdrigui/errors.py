@@ -1,6 +1,6 @@
 """Every way in which usdrigui refuses or complains, by stable code.
 
-The code's entry in the catalogue (`usdrigui.codes`) says how severe it is and how to repair the
+The code's entry in the catalogue (`usdrigui.codes`) has its severity and the repair of the
 cause.  Library code raises `RigUIError` (via `refuse`) for what stops the run and collects `Issue`
 records (via `issue`) for what does not.  Only `usdrigui.cli` turns either into output or an exit
 code.
@@ -125,7 +125,7 @@ def issue(code: str, path: str, message: str, character: str = "") -> Issue:
 
 
 def of_character(character: str, found: Iterable[Issue]) -> tuple[Issue, ...]:
-    """The findings as those of one character; what says already whose it is keeps that."""
+    """The findings as those of one character; one that has a character keeps it."""
     return tuple(each if each.character else replace(each, character=character) for each in found)
 
 
@@ -149,9 +149,9 @@ def failure_json(asset: str, error: RigUIError) -> str:
 
 
 def explained(tell: Callable[[], T], instead: T, path: str) -> tuple[T, tuple[Issue, ...]]:
-    """What `tell` says, or `instead` and the warning EXPLANATION_FAILED where it makes a mistake.
+    """The result of `tell`, or `instead` and the warning EXPLANATION_FAILED where it raises.
 
-    For words about a layout alone, which decide nothing in it: a mistake of ours there costs the
+    For explanations of a layout alone, which decide nothing in it: a bug there costs the
     words, not the layout. Refusals, interruptions and want of memory pass.
     """
     try:

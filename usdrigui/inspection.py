@@ -1,4 +1,4 @@
-"""What `usdrigui inspect` tells: each control's kind, range, coverage, twin and flags, without
+"""The result of `usdrigui inspect`: each control's kind, range, coverage, twin and flags, without
 solving."""
 
 from __future__ import annotations
@@ -77,7 +77,7 @@ class TogetherFacts:
 
 @dataclass(frozen=True, slots=True)
 class AnimationFacts:
-    """What animations tell of one character."""
+    """The use of one character's controls by animations."""
 
     clips: tuple[str, ...]
     frames: int
@@ -121,7 +121,7 @@ class CharacterFacts:
 
 @dataclass(frozen=True, slots=True)
 class Inspection:
-    """Everything that `usdrigui inspect` says of one asset."""
+    """The result of `usdrigui inspect` for one asset."""
 
     asset: str
     characters: tuple[CharacterFacts, ...]

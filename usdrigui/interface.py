@@ -56,7 +56,7 @@ def process(
     `settings`: by default those of the environment and of ``CHAR.rigui.toml`` beside the file.
     `previous`, `fixed`, `like`, `base` and `animations` are the options of the command, for files.
     `progress` is called with an `Event` when a stage begins (``seconds`` is None), when it has
-    ended (``seconds`` is what it took), and now and then while it searches (``detail`` tells cost,
+    ended (``seconds`` is what it took), and now and then while it searches (``detail`` holds cost,
     bound and gap); `stop` is polled meanwhile, and once it is true the best layout so far is taken.
     Raises `RigUIError`; then nothing has been written.
     """

@@ -1,7 +1,7 @@
 """The joints of a character as one tree: what hangs on what, what skin each owns, and which chains
 run side by side.
 
-What a tree tells is read from where the joints are and what skin hangs on them, never from names.
+A tree is built from the positions of the joints and the skin on them, never from names.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ than near."""
 
 @dataclass(frozen=True, eq=False)
 class Hanging:
-    """What hangs on what as the skin tells it."""
+    """The joints below each joint, by the skin."""
 
     parents: tuple[int, ...]
     """Of each joint the one above on which it hangs, past those that lie aside; -1 for roots."""

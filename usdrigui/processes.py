@@ -1,5 +1,5 @@
-"""Processes of ours that may crash, hang or take too much: how they start, end and are bounded, and
-what an end means.
+"""Processes of usdrigui that may crash, hang or take too much: how they start, end and are bounded,
+and what an end means.
 
 Both use it: the supervisor of a command (`usdrigui.supervision`) and the reader process of a host
 (`usdrigui.usd.reader_process`).  Nothing here imports more than the standard library.
@@ -49,7 +49,7 @@ class End:
     late: bool
     """Killed because its time was up."""
     peak: int
-    """MiB resident at most; 0 where that cannot be told."""
+    """MiB resident at most; 0 where that is unknown."""
     text: bytes
     """The last of what it printed."""
 
@@ -194,7 +194,7 @@ def reaped(process: subprocess.Popen[bytes]) -> tuple[int, int]:
 
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
-    # Until it loads its own program a process counts as its parent, so a smaller figure says
+    # Until it loads its own program a process counts as its parent, so a smaller figure shows
     # nothing.
     own = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     per_mib = 1 << 20 if sys.platform == "darwin" else 1 << 10
@@ -217,7 +217,7 @@ def bind_to(parent: int) -> None:
 
 
 def own_memory() -> int:
-    """Bytes of private memory that this process has; 0 if the system does not tell."""
+    """Bytes of private memory that this process has; 0 if the system does not report them."""
     try:
         return int(Path("/proc/self/statm").read_text().split()[5]) * os.sysconf("SC_PAGE_SIZE")
     except (OSError, ValueError):

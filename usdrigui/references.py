@@ -127,7 +127,7 @@ def followed(
     now.
 
     Only where there is one character on either side, with a mesh of the same name below its
-    SkelRoot and a control in common; its rig then says so (PREVIOUS_RENAMED).
+    SkelRoot and a control in common; its rig then has PREVIOUS_RENAMED.
     """
     if len(rigs) != 1 or len(references.previous) != 1 or rigs[0].root in references.previous:
         return references, rigs
@@ -245,7 +245,7 @@ def own_references(
 def with_fixed(
     references: OwnReferenceLayouts, rig: Rig, controls: Mapping[str, ControlSettings]
 ) -> Mapping[str, ControlSettings]:
-    """What the configuration says of the controls of one character, with the anchors that the
+    """The configuration of the controls of one character, with the anchors that the
     references fix.
 
     Raises FIXED_IMPOSSIBLE and CONFIG_UNKNOWN_CONTROL.
@@ -327,7 +327,7 @@ def _imitated(like: Sequence[tuple[Rig, Layout]], root: str) -> tuple[Rig, Layou
 def _characters(
     layer: Path, limits: Limits
 ) -> tuple[tuple[tuple[Rig, Layout], ...], tuple[SourceFile, ...]]:
-    """The characters of a layer to imitate, read without what the configuration says of ours, and
+    """The characters of a layer to imitate, read without the configuration of ours, and
     their files."""
     found, read = read_composed_isolated(layer, Settings(), limits)
     layouts = _by_root(found)

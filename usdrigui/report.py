@@ -79,7 +79,7 @@ class CharacterReport:
     issues: tuple[Issue, ...]
     """Findings about the rig and its controls."""
     notes: tuple[LeftOff, ...] = ()
-    """What the stages say about controls that are laid out all the same (tiny, duplicate...)."""
+    """Remarks of the stages on controls that are laid out all the same (tiny, duplicate...)."""
     difference: Any = None
     """`usdrigui.layout.review.difference.Difference` from the previous layout, where one was
     given."""

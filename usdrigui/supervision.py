@@ -82,7 +82,7 @@ def supervise(
     """Run a command in a worker until it ends.
 
     Parameters: `show` is given what is printed before the end, as (``out`` or ``err``, text);
-    `events` is where STOP and KILL come from; `terminals` tells whether standard output and error
+    `events` is where STOP and KILL come from; `terminals` holds whether standard output and error
     are terminals; `limit` is wall clock in seconds and the error that it is when they have passed;
     `alone` gives the worker a session of its own, which ends with it, where it would else be
     stopped and continued with this process by the terminal.

@@ -97,7 +97,7 @@ def vertex_normals(points: Floats, corners: Indices, places: Indices | None = No
 
 def faces_inward(points: Floats, corners: Indices) -> bool:
     """Whether the triangles enclose a clearly negative volume: a character whose faces are wound
-    the wrong way round.  Open and flat surfaces, whose volume says little, count as right."""
+    the wrong way round.  Open and flat surfaces, whose volume means little, count as right."""
     if not len(corners):
         return False
     a, b, c = (points[corners[:, i]] - points[np.unique(corners)].mean(axis=0) for i in range(3))

@@ -233,7 +233,7 @@ class Screen:
         status.update(Text(f"{event.stage}: {event.detail}" if event.detail else event.stage))
 
     def _now_and_then(self, event: Event) -> None:
-        """In a log, a long search says how far it is every few seconds."""
+        """In a log, a long search prints its progress every few seconds."""
         if event.detail and time.monotonic() - self._printed > _PAUSE:
             self._printed = time.monotonic()
             self._tell(f"{event.stage:<14} {event.detail}")

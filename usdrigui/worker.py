@@ -1,8 +1,8 @@
-"""A working process's side of `usdrigui.supervision`: what it tells its supervisor, and how it is
+"""A working process's side of `usdrigui.supervision`: its messages to its supervisor, and how it is
 asked to stop.
 
-It tells in messages on its standard output, one JSON document a line; what it prints is such a
-message, too, and what it says last, its closing line, comes with the message that closes.  One byte
+Messages go to its standard output, one JSON document a line; what it prints is such a
+message, too, and its last line, the closing line, comes with the message that closes.  One byte
 on its standard input asks it to stop, and the end of that input means that its supervisor is gone.
 In a process that has no supervisor, as a host's that uses the Python API, nothing here does
 anything.
@@ -49,7 +49,7 @@ def start() -> None:
 
 
 def active() -> bool:
-    """Whether this process has a supervisor, which says what its death means."""
+    """Whether this process has a supervisor, which decides what its death means."""
     return _worker is not None
 
 

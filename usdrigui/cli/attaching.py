@@ -38,7 +38,7 @@ def add_detach(commands: Any) -> None:
 
 
 def _add_files(parser: Any, layer: str) -> None:
-    """The asset and the layer, of which the help says `layer`, and the variant."""
+    """The arguments asset, layer (with the help `layer`) and variant."""
     parser.add_argument(
         "asset", type=Path, metavar="CHAR", help="the asset's root layer, which is edited"
     )

@@ -126,7 +126,7 @@ def _check_apart(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.
     files += [(arguments.sheet, "the contact sheet")] if arguments.sheet is not None else []
     files += [(arguments.summary, "the summary")] if arguments.summary is not None else []
     places.check_apart(files)
-    layers = {Path(job.output) for job in jobs}  # `process` tells which layer may be replaced
+    layers = {Path(job.output) for job in jobs}  # `process` decides which layer may be replaced
     pipeline.check_outputs((path for path, _ in files if path not in layers), read)
 
 
@@ -212,7 +212,7 @@ def _jobs(arguments: argparse.Namespace) -> tuple[list[Job], list[Path]]:
         try:
             digest = settings_digest(arguments)
         except RigUIError:
-            # nothing is remembered under it; its own process says what is wrong with its
+            # nothing is remembered under it; its own process reports what is wrong with its
             # configuration
             digest = ""
         read += files_read(arguments)  # known once the settings were read

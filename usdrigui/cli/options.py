@@ -127,9 +127,9 @@ def add_settings(parser: Any, *, layer: bool = False) -> None:
 def settings_of(arguments: argparse.Namespace) -> Settings:
     """Settings of a command, from the weakest to the strongest source.
 
-    Which configuration belongs to a layer only the layer tells, so it is read for that where none
+    Only the layer names the configuration that belongs to it, so it is read for that where none
     is given.  Raises RigUIError with what that reading raises, and with the CONFIG_ codes, those
-    that the asset tells among them.  The run's budget is known from here on.
+    that only the asset shows among them.  The run's budget is known from here on.
     """
     from usdrigui.settings import UnsoundSettingsError
 
@@ -177,7 +177,7 @@ def _with_faults_of_asset(error: UnsoundSettingsError, arguments: argparse.Names
 
 
 def settings_of_command_line(arguments: argparse.Namespace) -> Settings:
-    """What the options alone say, for a command that takes no configuration."""
+    """The settings of the options alone, for a command that takes no configuration."""
     from usdrigui import settings
 
     return settings.load(*_said(arguments))
@@ -205,7 +205,7 @@ def files_read(arguments: argparse.Namespace) -> list[Path]:
 
 
 def _said(arguments: argparse.Namespace) -> list[Mapping[str, Any]]:
-    """What the command line says, the strongest last."""
+    """The settings of the command line, the strongest last."""
     from usdrigui import settings
 
     sources = [_assignment(text) for text in getattr(arguments, "set", [])]
@@ -298,7 +298,7 @@ def _of_layer(layer: Path, opening: Opening, above: frozenset[str] = frozenset()
         found = read_layouts_isolated(layer, opening)
     except RigUIError as error:
         # Perhaps its configuration raises the limit that it ran into, or the variant selected has
-        # no layout; only its name can tell which that is.
+        # no layout; only its name can identify that one.
         guesses = [
             _beside(layer),
             *([layer.with_suffix(".toml")] if layer.stem.endswith(".rigui") else []),

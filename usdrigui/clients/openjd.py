@@ -70,7 +70,7 @@ def template(places: Sequence[tuple[Path, Path]], arguments: Sequence[str]) -> s
 
 
 def progress_lines(tell: Callable[[str], None]) -> Callable[[Event], None]:
-    """A watcher of a run that tells a farm how far it is: ``openjd_progress: N`` and
+    """A watcher of a run that reports its progress to a farm: ``openjd_progress: N`` and
     ``openjd_status: ...``."""
 
     def watch(event: Event) -> None:

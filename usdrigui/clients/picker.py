@@ -42,7 +42,7 @@ level with them and in the upper half of the head, and up from them, in heights 
 _FINENESS = 720
 """Pixels along the longer side of a backdrop."""
 _VEIL = 0.55
-"""Share of the paper in a backdrop, so that handles are told from it."""
+"""Share of the paper in a backdrop, so that handles stand out from it."""
 _PAPER = np.array([244.0, 245.0, 246.0])
 _APART = 1.1
 """Least distance of handles, in their diameters."""

@@ -1,13 +1,13 @@
 """What the names of controls mean: the conventions of the field as one table.
 
 Names are priors, never requirements: geometry overrules them (a rig may swap its sides), and a rig
-whose names say nothing is laid out by its motions alone.  But riggers share conventions, and a cast
-that shares one should look alike.
+whose names mean nothing is laid out by its motions alone.  But riggers share conventions, and a
+cast that shares one should look alike.
 
 A name is taken apart into words (`words`); words that nearly all names of a rig share in front or
 behind are dropped; what is left is looked up among the codes of the conventions (``codes.toml``:
 FACS numbers, phonemes, moods) and then read as a phrase (``phrases.toml``: *brow* and *up* is
-`browUp`).  ``actions.toml`` says what an action is.
+`browUp`).  ``actions.toml`` defines the actions.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ _MIDDLES = frozenset({"m", "mid", "middle", "c", "center", "centre"})
 _GAZE = frozenset({"look", "gaze", "turn"})
 """Words behind which the first side is where the eyes turn: EyesLookRightL, Eye_L_Look_R."""
 _SHARED = 0.8
-"""Share of a rig's names that begin (or end) with a word from which the word says nothing."""
+"""Share of a rig's names that begin (or end) with a word from which the word has no meaning."""
 _CORE = 2.0
 """Importance of the actions without which no face is animated."""
 _SEVERAL = 3
@@ -97,15 +97,15 @@ class Meaning:
 
     action: Action
     side: Side
-    """Side of the character on which the name says that it acts; a guess that geometry
+    """Side of the character on which it acts by its name; a guess that geometry
     overrules."""
     middle: bool = False
-    """Whether the name says that it acts in the middle, beside controls of either side:
+    """Whether it acts in the middle by its name, beside controls of either side:
     Lips_Lower_M."""
 
 
 def meanings(names: Sequence[str]) -> tuple[Meaning | None, ...]:
-    """(names,) how each name of one rig is read; None where it says nothing that is known."""
+    """(names,) how each name of one rig is read; None where it has no known meaning."""
     every = [words(name) for name in names]
     bare = distinctive_words(names)
     units = sum(_action_unit(each) is not None for each in bare)
@@ -118,7 +118,7 @@ def meanings(names: Sequence[str]) -> tuple[Meaning | None, ...]:
 
 
 def distinctive_words(names: Sequence[str]) -> tuple[tuple[str, ...], ...]:
-    """(names,) the words of each name of one rig, without those that say whose names they are."""
+    """(names,) the words of each name of one rig, without those of their owner."""
     return tuple(_without_makers(_without_shared([words(name) for name in names])))
 
 
@@ -143,12 +143,12 @@ class Spelling:
 
     @property
     def is_number(self) -> bool:
-        """Whether the name says no more than a number."""
+        """Whether the name is only a number."""
         return all(word.isdigit() for word in self.words)
 
 
 def spellings(names: Sequence[str]) -> tuple[Spelling, ...]:
-    """(names,) what each name of one rig says, however it is written."""
+    """(names,) the meaning of each name of one rig, in any spelling."""
     return tuple(_spelling(each) for each in _without_shared([words(name) for name in names]))
 
 
@@ -282,8 +282,8 @@ def _side(each: tuple[str, ...]) -> tuple[Side, tuple[str, ...]]:
 
 
 def _side_and_direction(each: tuple[str, ...]) -> tuple[Side, Side, tuple[str, ...]]:
-    """The side on which a name says that a control acts, the one to which it may go, and the words
-    without the two: one word says both unless there is another one behind which the eyes look."""
+    """The side on which a control acts by its name, the one to which it may go, and the words
+    without the two: one word holds both unless there is another one behind which the eyes look."""
     looks = [i for i, word in enumerate(each) if word in _GAZE]
     behind = [i for i, word in enumerate(each) if word in SIDES and looks and i > looks[0]]
     side, rest = _side(each)
@@ -308,7 +308,7 @@ def _without_shared(names: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
 
 
 def _without_makers(names: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
-    """The names without what only says whose they are: a word of no convention with which several
+    """The names without the word of their owner: a word of no convention with which several
     names begin that mean actions without it.  VRoid's Fcl_MTH_A stands beside ARKit's names in some
     rigs."""
     while True:
@@ -338,7 +338,7 @@ def _action_unit(each: tuple[str, ...]) -> Action | None:
 
 
 def _called_unit(each: tuple[str, ...]) -> Action | None:
-    """The action unit of a name that says it is one: ``AU_27_MouthStretch``."""
+    """The action unit that a name gives: ``AU_27_MouthStretch``."""
     numbers = {
         int(after) for word, after in itertools.pairwise(each) if word == "au" and after.isdigit()
     }

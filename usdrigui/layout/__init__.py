@@ -1,6 +1,6 @@
 """From a `Rig` to a layout problem, and from its solution to a `Layout`; pure functions, no USD.
 
-Each stage is a function whose signature says what it reads; `usdrigui.pipeline.stages` calls them
+Each stage is a function whose signature lists its inputs; `usdrigui.pipeline.stages` calls them
 in order:
 
     trajectories → displacement fields → symmetry → views → classification → handle width → Face

@@ -1,10 +1,10 @@
 """Where the conventions of the field expect a control: a canonical face fitted to this one (beyond
 the paper).
 
-The names of controls say what they do (`usdrigui.conventions`), and each action has a place on a
+The names of controls name their actions (`usdrigui.conventions`), and each action has a place on a
 canonical face.  The canonical face is laid over the character by what its controls move: the line
 that fits the heights of all motions that have a name best, robustly, and the scale that fits how
-far they lie from the mirror plane.  What a single control's motion says does not decide where it is
+far they lie from the mirror plane.  The motion of a single control does not decide where it is
 expected, and a name on the wrong side is overruled by the motion.
 """
 
@@ -32,12 +32,12 @@ from usdrigui.model import (
 _LEAST = 4
 """Different places that it takes to lay the canonical face over a character."""
 _SPAN = 0.5
-"""Least spread of their heights, in distances of the pupils: controls of the mouth alone say
+"""Least spread of their heights, in distances of the pupils: controls of the mouth alone fix
 nothing of the brows."""
 _ACROSS = 0.2
-"""Distance from the middle, in the same units, from which a place says something of the width."""
+"""Distance from the middle, in the same units, from which a place determines the width."""
 _PAIRS = 4
-"""Actions on both sides that it takes to tell the middle of a face without a mirror plane."""
+"""Actions on both sides that it takes to find the middle of a face without a mirror plane."""
 _ALIGNED = 0.8
 """Length of the mean of the directions from their right to their left, at least."""
 _NEAR = 0.7
@@ -47,7 +47,7 @@ _SIDED = 0.1
 
 
 _FAINT = 0.5
-"""Share of the largest peak of an action below which another control of it says nothing of its
+"""Share of the largest peak of an action below which another control of it does not fix its
 place."""
 Named = tuple[Motion, Meaning | None]
 """A motion and how the name of its control is read."""
@@ -88,8 +88,8 @@ class Expectation(Record):
 def expectations(
     trajectories: Trajectories, symmetry: Symmetry, views: Views, meanings: Sequence[Meaning | None]
 ) -> tuple[Expectation | None, ...]:
-    """(controls,) where each control is expected; None where its name says nothing or too few names
-    do.
+    """(controls,) where each control is expected; None where its name has no meaning or too few
+    names have one.
 
     `meanings` (controls,) as read from the names of the rig's controls.
     """
@@ -126,7 +126,7 @@ def expectations(
 
 
 def _informative(placed: Sequence[Named]) -> list[bool]:
-    """Which motions say where their action is: none that is faint beside another one of its action
+    """Which motions locate their action: none that is faint beside another one of its action
     and side.  Where each mesh has controls of its own, lashes follow the lips a little."""
     keys = [
         (each.action.name, each.side)
@@ -145,7 +145,7 @@ def _informative(placed: Sequence[Named]) -> list[bool]:
 
 def _fit(middles: Floats, places: Floats) -> tuple[Floats, float] | None:
     """(2,) scale across and upright, and height of the eyes, that lay the canonical `places` (c, 2)
-    on the `middles` (c, 2) of the motions; each place counts once.  None where they say too
+    on the `middles` (c, 2) of the motions; each place counts once.  None where they fix too
     little."""
     each, which = np.unique(places, axis=0, return_inverse=True)
     typical = np.array(
@@ -176,8 +176,8 @@ def _middle_of_names(
     visible: Flags,
     placed: Sequence[Named],
 ) -> Symmetry:
-    """The symmetry with a plane halfway between the sides that names tell, for a face that is not
-    its own mirror image (a scan); as it is where they tell too little."""
+    """The symmetry with a plane halfway between the sides by names, for a face that is not
+    its own mirror image (a scan); unchanged where there are too few names."""
     sides: dict[tuple[str, str], Floats] = {}
     for motion, each in placed:
         if each is not None and each.side:

@@ -15,7 +15,7 @@ def control_overrides(
     controls: Mapping[str, ControlSettings],
     groups: Mapping[str, Sequence[str]] | None = None,
 ) -> tuple[ControlSettings, ...]:
-    """(controls,) what `controls`, of the configuration, say of every control of `rig`, and its
+    """(controls,) the configuration's `controls` for every control of `rig`, and its
     `groups` of their anchors; defaults where it sets nothing."""
     renamed = {each.rename: each for each in controls.values() if each.rename}
     plain = ControlSettings()

@@ -22,7 +22,7 @@ def is_step_of(name: str, other: str) -> bool:
 
 
 def spelling_style(name: str) -> tuple[str, bool, bool]:
-    """How a name is written, whatever it says and whichever side it names: what stands between its
+    """The spelling of a name, without its words and its side: what is between its
     words, whether it begins with a capital and whether it has numbers.
 
     ``Jaw_Open`` and ``Eye_Blink_L`` are of one style, ``jawOpen`` and ``eyeBlink_L`` of another.
@@ -59,8 +59,8 @@ def _readings(name: str, between: str, known: Collection[str]) -> int:
 
 
 def common_label(labels: list[str]) -> str:
-    """One label for controls that share an element: what they have in common, and what tells them
-    apart.
+    """One label for controls that share an element: their common words, then those in which they
+    differ.
 
     ``eyeLookIn_L`` and ``eyeLookOut_L`` become ``eyeLook In/Out L``; labels with nothing in common
     are joined by slashes.

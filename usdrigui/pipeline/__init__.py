@@ -5,7 +5,7 @@
 
 `process` lays out and writes, `inspect` stops before the search, `load_layer` reads a written layer
 back, `check` and `diff` review layers, `convert` writes one of an earlier format anew.  Nothing
-here prints; what a run has to say is in the record that it returns.
+here prints; the record that it returns holds all results.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What a configuration says and an asset does not allow, all of it at once."""
+"""Errors of a configuration that only the asset shows, all of them at once."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def refuse_unsound(
     settings: Settings | None = None,
     references: ReferenceLayouts = _NO_REFERENCES,
 ) -> None:
-    """Raise RigUIError with all CONFIG_ and GLYPH_ codes of what the configuration says and the
+    """Raise RigUIError with all CONFIG_ and GLYPH_ codes of what the configuration asks and the
     asset, or the character to imitate, does not allow; without `settings` of what reading needs.
 
     What depends on how a control moves is found out later, and so is which elements there are.
@@ -44,7 +44,7 @@ def refuse_unsound(
 
 
 def with_faults_of_asset(error: UnsoundSettingsError, asset: Path) -> RigUIError:
-    """The error with what the sound part of the configuration says and `asset` does not allow, as
+    """The error with what the valid part of the configuration asks and `asset` does not allow, as
     far as that can be read."""
     try:
         source = read_rigs_isolated(asset, error.sound)

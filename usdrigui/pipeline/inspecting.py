@@ -38,7 +38,7 @@ def inspect(
 ) -> Inspection:
     """What the stages before the search find out about `asset`; writes nothing.
 
-    `animations` tell how its controls are used, `like`, the layout of another character, which
+    `animations` show how its controls are used, `like`, the layout of another character, which
     control is which there.
     """
     clock = Clock(progress)
@@ -75,7 +75,7 @@ def inspect(
 
 @dataclass(frozen=True, eq=False)
 class _Found:
-    """What the stages say of the controls of one part, by control."""
+    """The remarks of the stages on the controls of one part, by control."""
 
     part: ProblemInputs
     sets: Mapping[int, CandidateSet]

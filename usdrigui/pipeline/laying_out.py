@@ -263,7 +263,7 @@ def _sources(readings: Sequence[Reading]) -> tuple[SourceFile, ...]:
 def _laid_out(
     readings: Sequence[Reading], clock: Clock, stop: Callable[[], bool] | None
 ) -> list[tuple[Reading, CharacterReport]]:
-    """The characters of all variants, the later ones as the first where nobody says otherwise."""
+    """The characters of all variants, the later ones as the first unless configured otherwise."""
     reports: list[tuple[Reading, CharacterReport]] = []
     for each in readings:
         references, characters = followed(each.references, each.source.rigs)

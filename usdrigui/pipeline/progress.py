@@ -1,4 +1,4 @@
-"""What a run tells while it goes on, and how long its stages take."""
+"""The progress of a run, and how long its stages take."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ ProgressCallback = Callable[[Event], None]
 
 @dataclass
 class Clock:
-    """Times the stages and tells the watcher."""
+    """Times the stages and calls the watcher."""
 
     watch: ProgressCallback | None = None
     _seconds: dict[str, float] = field(default_factory=dict)

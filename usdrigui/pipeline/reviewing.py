@@ -1,5 +1,5 @@
-"""Layers that exist: load_layer() reads one back, check() tells whether it still fits, diff() what
-changed."""
+"""Layers that exist: load_layer() reads one back, check() tests whether it still fits, diff() lists
+what changed."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 
 
 _SIDEWAYS = 0.5
-"""Sine of the angle between the view and the left below which they tell nothing of up."""
+"""Sine of the angle between the view and the left below which they do not determine up."""
 _LYING = 0.7
 """Cosine of the angle to the up axis from which a character lies."""
 
@@ -168,7 +168,7 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...],
 
 def _with_base(rig: Rig, layout: Layout, listed: Sequence[str]) -> Layout:
     """The layout with a base pose in the order of the rig's controls, where its own is of just
-    these, `listed` in any order; where it tells of none, with that of the defaults."""
+    these, `listed` in any order; where it lists none, with that of the defaults."""
     own = layout.character.base_values
     if not len(own):
         values = {each.name: each.default for each in rig.controls}
@@ -295,14 +295,14 @@ def _upright(rig: Rig, layout: Layout) -> Rig:
     """The character with the up direction that its layout was made for, where it lies down in the
     stage or comes from one with another up axis.
 
-    The layout's view and the left of the character tell that direction up to the tilt of the view.
+    The layout's view and the left of the character give that direction up to the tilt of the view.
     """
     left = _left(layout.elements, layout.frame.plane.normal)
     up = np.cross(layout.frame.view, left / max(float(np.linalg.norm(left)), 1e-300))
     length = float(np.linalg.norm(up))
     ahead = np.sum([each.anchor.normal for each in layout.elements], axis=0)
     if layout.frame.view @ ahead <= _LYING * np.linalg.norm(ahead):
-        return rig  # a view from above or aside tells nothing
+        return rig  # a view from above or aside gives none
     if length < _SIDEWAYS or abs(float(up @ rig.up)) > _LYING * length:
         return rig
     axis = int(np.abs(up).argmax())
@@ -312,7 +312,7 @@ def _upright(rig: Rig, layout: Layout) -> Rig:
 
 def _left(elements: tuple[Element, ...], plane_normal: Floats) -> Floats:
     """(3,) to the left of the character: the plane's normal, else from the elements of the right
-    to those of the left; 0 where nothing tells."""
+    to those of the left; 0 where it is unknown."""
     if plane_normal.any():
         return plane_normal
     left, right = (

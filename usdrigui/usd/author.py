@@ -153,7 +153,7 @@ def declare(
     fallbacks: bool = False,
 ) -> None:
     """Author properties of one of our API schemas; values equal to the schema's fallback are left
-    out, unless `fallbacks`: where a weaker layer says something else.
+    out, unless `fallbacks`: where a weaker layer has another opinion.
 
     Relationships take a sequence of paths.  KeyError for a name that the schema does not have.
     """

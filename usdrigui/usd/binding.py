@@ -1,6 +1,6 @@
 """Why UsdSkel moves a mesh by no Skeleton although one is named for it.
 
-UsdSkel says nothing when it passes over a binding, and what mends it differs: applying a schema,
+UsdSkel ignores a binding without a message, and the repairs differ: applying a schema,
 giving a prim a type, or correcting a path.  Here the walk of `UsdSkel.Cache.Populate` is retraced
 to name the cause.
 """
@@ -43,7 +43,7 @@ def bound_in_vain(
 ) -> tuple[Issue, ...]:
     """One for each of `meshes` that has joint influences and a Skeleton named, but none in `bound`.
 
-    Meshes with blend shapes are left to `read_shapes`, which says the same of them.
+    Meshes with blend shapes are left to `read_shapes`, which reports the same of them.
     """
     found = []
     for path in meshes:

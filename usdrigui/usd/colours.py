@@ -118,7 +118,7 @@ def _material_colours(
     indices: Indices,
     time: Usd.TimeCode,
 ) -> Floats | None:
-    """(corners, 3) base colour of a material on the mesh, None where it does not tell."""
+    """(corners, 3) base colour of a material on the mesh, None where it has none."""
     base = _base_colour(material)
     if base is None:
         return None

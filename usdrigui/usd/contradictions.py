@@ -1,4 +1,4 @@
-"""What layouts of a stage say that they cannot mean: of their own parts, or of the character's.
+"""Contradictions in the layouts of a stage: with their own parts, or with the character's.
 
 `read_layout` refuses what nobody could read.  These layouts can be read, and would do nothing, or
 not what they show; a layer written by hand has such faults.
@@ -125,7 +125,7 @@ def _of_subset(prim: Usd.Prim) -> Iterator[Issue]:
 
 
 def _of_drive(prim: Usd.Prim, instance: str, character: _Character) -> Iterator[Issue]:
-    """Whether what a control sets is there; that the control itself is gone, the rig tells."""
+    """Whether the targets of a control exist; the rig shows whether the control itself does."""
 
     def get(name: str) -> Any:
         return value_of(prim, schema.CONTROL, name, instance)
@@ -150,7 +150,7 @@ def _of_drive(prim: Usd.Prim, instance: str, character: _Character) -> Iterator[
 
 
 def _joints(prim: Usd.Prim, instance: str) -> frozenset[str]:
-    """The joints of the Skeletons of a control; none where they are gone, which the rig tells."""
+    """The joints of the Skeletons of a control; none where they are gone, as the rig shows."""
     stage = prim.GetStage()
     skeletons = (
         UsdSkel.Skeleton(stage.GetPrimAtPath(path))

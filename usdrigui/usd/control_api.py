@@ -1,4 +1,4 @@
-"""What the layer says about a control: enough for any client to show it and to drive it."""
+"""The control of an element in the layer: enough for any client to show it and to drive it."""
 
 from __future__ import annotations
 

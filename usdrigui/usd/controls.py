@@ -62,7 +62,7 @@ class NamedPose:
 
 @dataclass(frozen=True)
 class Draft:
-    """A control before the configuration has its say."""
+    """A control before the configuration is applied."""
 
     name: str
     label: str
@@ -80,7 +80,7 @@ def blend_shape_drafts(
     configured: Mapping[str, ControlSettings],
 ) -> list[Draft]:
     """One draft per token that some mesh implements; a token of several animations drives them
-    all.  `configured` is what the configuration says of controls."""
+    all.  `configured` is the configuration of controls."""
     by_token: dict[str, list[int]] = {}
     for index, channel in enumerate(channels):
         if index in used:
@@ -104,7 +104,7 @@ def joint_drafts(
     configured: Mapping[str, JointSettings],
 ) -> list[Draft]:
     """Rotations of joints about their own axes, in degrees from the base pose; `configured` is what
-    the configuration says of joints."""
+    the configuration asks of joints."""
     names = joint_names(joints)
     spans = _animated_spans(joints, clip) if clip is not None else np.zeros((len(joints), 3, 2))
     drafts = []

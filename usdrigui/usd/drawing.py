@@ -2,7 +2,7 @@
 elements.
 
 What hangs on one skeleton in one way is one Mesh, with a GeomSubset per element and one BlendShape
-per channel that moves any of them.  Decision 050 says why.
+per channel that moves any of them.  See decision 050.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ def drawings(elements: Sequence[DrawnElement]) -> tuple[Drawing, ...]:
 
 
 def drawing_name(drawing: Drawing, others: Iterable[Drawing]) -> str:
-    """``FaceControls``, ``FaceMembers``, ``HandsStillControls``: tells what it is wherever an
+    """``FaceControls``, ``FaceMembers``, ``HandsStillControls``: names its content wherever an
     outliner lists it.
 
     *Still* is what no joint moves, where joints move the rest.

@@ -253,7 +253,7 @@ def _positions(prim: Usd.Prim, count: int) -> tuple[int, ...]:
 
 
 def _handle(prim: Usd.Prim) -> dict[str, Any]:
-    """What an element's handle says: whether it deforms, and its glyph."""
+    """Of an element's handle: whether it deforms, and its glyph."""
     for child, role in drawn_prims(prim):
         if role == "handle":
             return {"adapt": _value(child, "handle:adapt"), "glyph": _glyph(child)}
@@ -274,7 +274,7 @@ def _glyph(handle: Usd.Prim) -> Glyph | None:
 
 
 def _drawn_width(scope: Usd.Prim) -> float:
-    """Width of the first handle drawn, for layers that do not say it."""
+    """Width of the first handle drawn, for layers without a handle width."""
     for prim in Usd.PrimRange(scope, Usd.TraverseInstanceProxies(Usd.PrimAllPrimsPredicate)):
         if has(prim, HANDLE):
             points = _extent_or_points(prim)

@@ -20,7 +20,7 @@ from usdrigui.rotation import rotation_part, rotations
 _THUMB = 0.85
 """A finger whose cosine to the others is less is a thumb."""
 _BENT = 0.05
-"""Sine of the bend from which a chain tells its own hinge axis."""
+"""Sine of the bend from which a chain defines its own hinge axis."""
 _LONG = 0.05
 """Least length of the bones on either side of an elbow or a knee, as a share of the skeleton's
 extent."""

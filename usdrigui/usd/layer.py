@@ -180,7 +180,7 @@ def author_variant(layer: Sdf.Layer, root: str) -> Sdf.PrimSpec:
     troubled by it.
 
     `root` may hold variants of the asset's own, inside which it then is; which of these is selected
-    the asset says.
+    the asset decides.
     """
     spec = _author_asset_variants(layer, Sdf.Path(root))
     if schema.VARIANTS not in spec.variantSets:
@@ -346,7 +346,7 @@ def _author_element(
     element: Element,
     paths: Mapping[str, Sdf.Path],
 ) -> None:
-    """What one element says about itself."""
+    """The properties of one element."""
     manipulator = element.manipulator
     instances = instances_of(manipulator.members)
     applied = [f"{schema.CONTROL}:{instance}" for instance in instances.values()]

@@ -113,7 +113,7 @@ def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found)
 
 def left_handed(mesh: UsdGeom.Mesh, linear: Floats) -> bool:
     """Whether faces turn clockwise seen from outside, once a (3, 3) `linear` map in row-vector form
-    is applied to the points: as its orientation says, and the other way round where the map
+    is applied to the points: by its orientation, and the other way round where the map
     mirrors."""
     authored = mesh.GetOrientationAttr().Get() == UsdGeom.Tokens.leftHanded
     return bool(authored != (np.linalg.det(linear) < 0.0))

@@ -49,7 +49,7 @@ class PayloadOf:
 
     root: str
     path: str
-    """As the asset's root layer says it."""
+    """The payload as text of the asset's root layer."""
 
 
 def tokens(text: str) -> Iterator[re.Match[str]]:

@@ -84,7 +84,7 @@ def named_poses(
     """The poses of the asset's frames, all but the first, and those of the configuration, which
     win.
 
-    Collects CONFIG_VALUE for a configured pose that says nothing or a SkelAnimation that is not
+    Collects CONFIG_VALUE for a configured pose without values or a SkelAnimation that is not
     bound, and CONFIG_UNKNOWN_CONTROL for a weight that the rig does not have.
     """
     source = _Source(armatures, joints, channels, base)

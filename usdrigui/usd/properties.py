@@ -1,5 +1,5 @@
-"""What prims of a layout say in our schemas: values or their fallbacks, and the records that both
-formats say alike.
+"""Properties of a layout's prims in our schemas: values or fallbacks, and the records that both
+formats have.
 
 The schema plug-in need not be registered.
 """
@@ -176,10 +176,10 @@ def placement(prim: Usd.Prim, part: str, category: str, reason: str) -> Placemen
 
 
 def corrected(element: Element, prim: Usd.Prim) -> Element:
-    """The element with what a layer says that is stronger than the defining one as decisions of a
+    """The element with the opinions of layers stronger than the defining one as decisions of a
     person.
 
-    Such a layer need not say where its anchor is; then nobody knows it, should the mesh get other
+    Such a layer need not give its anchor's position; it is then lost, should the mesh get other
     points.
     """
     authored = _authored_above(prim)

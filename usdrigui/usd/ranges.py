@@ -1,4 +1,4 @@
-"""Between which weights each blend shape moves, and who says so."""
+"""The range of weights of each blend shape, and its source."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def read_ranges(
     weights: Floats,
     clip: Clip | None,
 ) -> tuple[Authored, tuple[Issue, ...]]:
-    """What the asset says about ranges; `weights` (channels,) are the SkelAnimation's default
+    """The ranges in the asset; `weights` (channels,) are the SkelAnimation's default
     values."""
     issues: list[Issue] = []
     limits = _limits(armatures, channels, issues)
@@ -83,7 +83,7 @@ def blend_shape_range(
 
     The first that speaks wins: configuration, `limits` metadata, then everything else together.
     Those only ever widen [0, 1] (or the range in the custom data): an animation that happens to
-    open the jaw by a third does not say that it opens no further.
+    open the jaw by a third does not limit it to a third.
     """
     found = _authored_range(channel, authored)
     if override.minimum is None and override.maximum is None and override.default is None:

@@ -104,9 +104,9 @@ def switched_off(stage: Usd.Stage) -> dict[str, list[str]]:
 
 
 def with_corrections(stage: Usd.Stage, layouts: tuple[Layout, ...]) -> tuple[Layout, ...]:
-    """The layouts of a stage with what stronger layers say about elements as decisions of a person.
+    """The layouts of a stage; opinions of stronger layers on elements are decisions of a person.
 
-    For those that succeed them; a check judges what is composed, whichever layer says it.
+    For those that succeed them; a check judges the composed stage, whichever layer has the opinion.
     """
     scopes = {str(scope.GetPath().GetParentPath()): scope for scope in layout_scopes(stage)}
     return tuple(
@@ -221,7 +221,7 @@ def _brings_layout(layer: Sdf.Layer, sublayer: str) -> bool:
 
 
 def _is_layout(spec: Sdf.PrimSpec | None) -> bool:
-    """Whether a layer itself says that the prim is a layout."""
+    """Whether a layer itself marks the prim as a layout."""
     applied = spec.GetInfo("apiSchemas") if spec is not None else None
     return isinstance(applied, Sdf.TokenListOp) and any(
         map(schema.is_layout, applied.GetAppliedItems())
@@ -279,7 +279,7 @@ def _variant_path(scope: Usd.Prim) -> str:
 
 
 def _parts(scope: Usd.Prim) -> tuple[LayoutPart, ...]:
-    """The parts of a character; what a layer does not say of their proofs is unknown."""
+    """The parts of a character; proofs that the layer lacks are unknown."""
     names = strings(value_of(scope, schema.LAYOUT, "parts"))
     widths = array_of(value_of(scope, schema.LAYOUT, "partHandleWidths"))
     views = array_of(value_of(scope, schema.LAYOUT, "partViewDirections")).reshape(-1, 3)
@@ -314,7 +314,7 @@ def _base_values(scope: Usd.Prim) -> Floats:
 
 
 def _proof(scope: Usd.Prim) -> Proof:
-    """What the layer says of how it was found; a layout made by hand says nothing."""
+    """How the layout was found, by the layer; empty for a layout made by hand."""
     status = _noted(scope, "solution", "status", "stopped")
     if status not in get_args(Status):
         raise _misnoted(scope, "solution", "status", f"{status!r} is none")
@@ -453,7 +453,7 @@ def _glyph(prim: Usd.Prim) -> Glyph | None:
 
 
 def _drawn_width(scope: Usd.Prim) -> float:
-    """Width of the first handle drawn, for layers that do not say it; 0 if none is."""
+    """Width of the first handle drawn, for layers without a handle width; 0 if none is."""
     for prim in element_prims(scope):
         points = handle_points(prim)
         if len(points):

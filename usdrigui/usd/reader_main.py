@@ -277,9 +277,9 @@ def _hashed_before(
     """The files that compose an asset of several, by path, as they were before anything is read for
     good.
 
-    Which files they are only composition tells, so they are composed, let go, and hashed.  An asset
+    Only composition finds these files, so they are composed, let go, and hashed.  An asset
     of one file was hashed by the parent: its layer is kept for the reading, which will not hear
-    what USD says while it parses the file; that comes second.
+    the issues of USD while it parses the file; that comes second.
     """
     from usdrigui.usd.stage import listening, open_stage
 
@@ -294,7 +294,7 @@ def _hashed_before(
 def _with_diagnostics(
     rigs: tuple[Rig, ...], path: Path, diagnostics: Iterable[str]
 ) -> tuple[Rig, ...]:
-    """The rigs, the first of which tells what USD issues before they were read, too."""
+    """The rigs, the first of which has the issues of USD before they were read, too."""
     issues = [issue("USD_DIAGNOSTIC", str(path), text) for text in diagnostics]
     if not rigs:
         return rigs
@@ -394,7 +394,7 @@ def _starved(request: Request) -> RigUIError:
 
 
 def _is_memory(found: Issue, grown: int, limits: Limits) -> bool:
-    """Whether what USD says of the asset is really about the limit: it catches failed allocations
+    """Whether USD's issues of the asset are really about the limit: it catches failed allocations
     itself."""
     if found.code not in ("FILE_NOT_USD", "LAYER_UNREADABLE", "LAYER_MISSING", "USD_ERROR"):
         return False
@@ -436,7 +436,7 @@ def load() -> None:
 
 
 def _peak() -> int:
-    """Bytes of address space used at most so far; 0 if the system does not tell."""
+    """Bytes of address space used at most so far; 0 if the system does not report them."""
     try:
         lines = Path("/proc/self/status").read_text().splitlines()
     except OSError:

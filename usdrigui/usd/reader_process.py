@@ -62,7 +62,7 @@ def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = N
     try:
         result = _understood(_response("rigs", path, settings, limits).rigs, path)
     except RigUIError:
-        check_unchanged([before])  # A file that is being written says nothing about the asset.
+        check_unchanged([before])  # A file that is being written is not the asset.
         raise
     if before not in result.sources:
         raise refuse("SOURCE_CHANGED", str(path), "was written while it was read")
@@ -149,7 +149,7 @@ def _response(task: Task, path: Path, settings: Settings, limits: Limits) -> Res
 
 
 def _from_here(request: Request, path: Path) -> Response:
-    """The response of this process, whose supervisor will say what it means that it dies."""
+    """The response of this process, whose supervisor decides what its death means."""
     from usdrigui.usd import reader_main
 
     with worker.reading(str(path), request.limits.seconds, request.limits.memory, reader_main.load):

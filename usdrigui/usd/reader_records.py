@@ -73,11 +73,11 @@ class ReadResult(Record):
     lost: tuple[Issue, ...] = ()
     """Why characters of a stage that are laid out have nothing to control any more."""
     contradictions: tuple[Issue, ...] = ()
-    """What layouts of the stage say that they cannot mean."""
+    """Contradictions in the layouts of the stage."""
     listed: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """By SkelRoot, the names of the controls that its layout knows, with and without an element."""
     config_faults: tuple[Issue, ...] = ()
-    """What the configuration says and the asset does not allow: errors."""
+    """Errors of the configuration that only the asset shows."""
 
 
 @dataclass(frozen=True, eq=False)

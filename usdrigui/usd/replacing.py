@@ -175,8 +175,8 @@ def _check_no_writer(path: Path, asset: Path) -> None:
     """Refuse a file that a program has open for writing: what it writes after our look at it would
     be lost.
 
-    The system tells by granting a lease or not.  Where leases mean nothing (some network file
-    systems) nobody can tell.
+    The system answers by granting a lease or not.  Where leases mean nothing (some network file
+    systems) that is unknown.
     """
     if sys.platform != "linux" or _lease_error(path) != errno.EAGAIN:
         return
@@ -195,8 +195,8 @@ def _lease_error(path: Path) -> int:
 
     descriptor = os.open(path, os.O_RDONLY)
     try:
-        # A program that opens the file now waits for us, and the system tells us by a signal: SIGIO
-        # would end us.
+        # A program that opens the file now waits for us, and the system reports it by a signal:
+        # SIGIO would end us.
         fcntl.fcntl(descriptor, fcntl.F_SETSIG, signal.SIGURG)
         fcntl.fcntl(descriptor, fcntl.F_SETLEASE, fcntl.F_RDLCK)
         fcntl.fcntl(descriptor, fcntl.F_SETLEASE, fcntl.F_UNLCK)

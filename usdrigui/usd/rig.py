@@ -220,7 +220,7 @@ class _Scene:
     base_weights: Floats
     authored_weights: Floats
     clip: Clip | None
-    """Motion, which tells ranges."""
+    """Motion, which gives ranges."""
     still: Clip | None
     """Where nothing moves."""
     names: FrameNames
@@ -238,7 +238,7 @@ def _with_layout(
 
 
 def _guarded(root: Usd.Prim, settings: RigSettings, faults: Faults, *, instances: bool) -> _Reading:
-    """`_read`, with what USD itself raises turned into an error of ours."""
+    """`_read`, with USD's own exceptions turned into RigUIError."""
     try:
         return _read(root, settings, faults, instances=instances)
     except Tf.ErrorException as error:
@@ -304,7 +304,7 @@ def _scene(root: Usd.Prim, settings: ReadSettings, *, instances: bool) -> _Scene
     armatures = read_armatures([each.GetSkeleton() for each in bindings], cache, frames)
     names = read_frame_names(root, armatures, settings.pose_names)
     if time is None and names.frames:
-        time = names.frames[0].time  # The asset itself says which frame is its rest pose.
+        time = names.frames[0].time  # The asset itself names the frame of its rest pose.
     found = Found()
     joints = _joints(armatures, time, found)
     channels, notes = read_channels(armatures)
@@ -374,7 +374,7 @@ def _joints(armatures: tuple[Armature, ...], time: float | None, found: Found) -
 
 
 def _refuse_instances(armatures: tuple[Armature, ...], stage: Usd.Stage) -> None:
-    """Raise INSTANCE for a skeleton or an animation that no layer can say anything about; of meshes
+    """Raise INSTANCE for a skeleton or an animation that no layer can override; of meshes
     none needs to."""
     for path in (
         path for each in armatures for path in (each.record.path, each.record.animation) if path

@@ -266,7 +266,7 @@ def keep_attributes(descriptor: int, place: Path, mode: int) -> list[str]:
     """Give a new file the owner, group, extended attributes (access lists among them) and mode of
     the one at `place`.
 
-    Returns the names of what it could not be given.  What `security.` attributes say is for the
+    Returns the names of what it could not be given.  `security.` attributes are for the
     system to decide.
     """
     lost = []

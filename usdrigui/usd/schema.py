@@ -16,7 +16,7 @@ SCOPE = "RigUI"
 VARIANTS = "rigUI"
 """Variant set of the SkelRoot that brings a layout in, or leaves it away."""
 WITH, WITHOUT = "ui", "none"
-"""Its variants; layers select `WITH` unless something stronger says otherwise."""
+"""Its variants; layers select `WITH` unless a stronger opinion selects another."""
 
 LAYOUT_FAMILY = "RigUILayoutAPI"
 LAYOUT = "RigUILayoutAPI_1"

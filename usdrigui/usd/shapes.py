@@ -26,7 +26,7 @@ PART_FAULTS = {
     "TARGETS_LENGTH",
     "TOPOLOGY_INVALID",
 }
-"""Codes of what makes one mesh, shape or subset unusable and says nothing about the others
+"""Codes of what makes one mesh, shape or subset unusable and not the others
 (decision 023)."""
 
 

@@ -108,7 +108,7 @@ class AnchorBinding(Record):
 
 
 class SkinBinding:
-    """A rig in the base pose of a layout, ready to say what carries each of its elements."""
+    """A rig in the base pose of a layout, with the skin binding of each of its elements."""
 
     def __init__(self, rig: Rig, layout: Layout) -> None:
         self.rig = rig

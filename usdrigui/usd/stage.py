@@ -19,7 +19,7 @@ _ADDRESS = re.compile("0x[0-9a-fA-F]{6,}")
 _NAMED = re.compile(
     r"Could not (?:open asset|load sublayer) @(@@)?(?P<path>.+?)@\1? (?:for|of) ", re.DOTALL
 )
-"""Which layer an error of composition is about; Pcp tells Python no more of it than its text."""
+"""Which layer an error of composition is about; Pcp gives Python only its text."""
 _MISSING = (
     Pcp.ErrorInvalidSublayerPath,
     Pcp.ErrorInvalidAssetPath,

@@ -29,7 +29,7 @@ _SUFFIX = re.compile(r"\.\w{1,8}", re.ASCII)
 def create(folder: Path, suffix: str, digests: str = "") -> tuple[Path, int]:
     """A new temporary in `folder` and its open descriptor, which holds its lock until it is closed.
 
-    The name is short and tells nothing of the target's but its `suffix`, by which USD chooses a
+    The name is short and keeps only the target's `suffix`, by which USD chooses a
     reader.  `digests` is empty or a `swap_name`.  Raises OSError.
     """
     ending = f".rigui-tmp{suffix if _SUFFIX.fullmatch(suffix) else ''}"
@@ -44,7 +44,7 @@ def create(folder: Path, suffix: str, digests: str = "") -> tuple[Path, int]:
 
 
 def swap_name(*contents: bytes) -> str:
-    """The part of a name that says which contents of a temporary can be had elsewhere: the old and
+    """The part of a name for the contents of a temporary that exist elsewhere: the old and
     the new one."""
     return "".join(f"-{_digest(each)}" for each in contents)
 

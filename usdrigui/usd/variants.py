@@ -35,7 +35,7 @@ def select_unselected(stage: Usd.Stage, within: Iterable[Sdf.Path]) -> None:
     """Of the sets for which nothing is selected, take the first variant on one of the paths
     `within`.
 
-    For a layer that stands alone (``--bare``): which variant is selected only the asset says.
+    For a layer that stands alone (``--bare``): only the asset selects a variant.
     """
     with Usd.EditContext(stage, stage.GetSessionLayer()):
         for path in (

@@ -79,7 +79,7 @@ def remember(job: Job, sources: Sequence[Mapping[str, str]], row: Mapping[str, A
 
 
 def forget(job: Job) -> None:
-    """Remove the file: what it says may be wrong from now on."""
+    """Remove the file: its content may be wrong from now on."""
     with contextlib.suppress(OSError):
         state_path(job.output).unlink()
 

@@ -42,7 +42,7 @@ except ImportError:
 
         def process(self, context: Any, plugin: Any) -> None:
             """Repair what failed."""
-            # Instances are lists, empty ones are equal, and none can be hashed: tell them apart by
+            # Instances are lists, empty ones are equal, and none can be hashed: distinguish them by
             # identity.
             failed = {
                 id(result["instance"]): result["instance"]

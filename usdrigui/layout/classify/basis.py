@@ -12,7 +12,7 @@ cheapest one that explains all other controls:
                 a_i  = a_t(i)                twins alike
 
 Explanations P_ik are generated as they are needed: for the atoms of a solution, non-negative least
-squares tells which controls they explain; where that is new, the program is solved again.
+squares finds which controls they explain; where that is new, the program is solved again.
 Explanations end at atoms, so that they form an acyclic graph of depth one.
 """
 

@@ -100,7 +100,7 @@ def classify(
     )
     names = [rig.controls[motion.control].name for motion in trajectories.motions]
     kept = _kept(trajectories.motions, symmetry, views.anywhere)
-    # The joints of a chain explain each other; only shapes and poses tell what
+    # The joints of a chain explain each other; only shapes and poses show what
     # repeats a shape or a pose.
     joints_alone = all(
         rig.controls[motion.control].kind == "joint" for motion in trajectories.motions

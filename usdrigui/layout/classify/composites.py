@@ -2,13 +2,13 @@
 
 Rigs keep visemes, emotions, both-sided copies and flattened in-betweens beside the atomic controls
 from which they were sculpted.  On the face they would only crowd the atoms.  Which controls are
-atoms is decided for all at once (`basis`), at costs that say what a rigger would keep:
+atoms is decided for all at once (`basis`), at costs for what a rigger would keep:
 
 * a control with the name of an atomic action, and most of all one without which no face can be
   animated, is one;
 * a copy for both sides of two that stand there, a step of another (``smile_50``) and what a family
   is made of are not if others explain them;
-* of controls whose names say nothing, local ones with a twin are rather atoms than wide ones
+* of controls whose names mean nothing, local ones with a twin are rather atoms than wide ones
   without.
 
 A *spread* remains: a symmetric control without a telling name that moves distant parts of the face
@@ -50,7 +50,7 @@ in-between lies off the straight line."""
 _FAMILY_COST = 3.0
 _BOTH_SIDES_COST = 2.0
 _TWIN_DISCOUNT = 0.2
-"""Costs of being an atom, in units of what a control costs whose name says nothing."""
+"""Costs of being an atom, in units of the cost of a control whose name means nothing."""
 _STYLE_COST = 1e-4
 """Where a rig has the same controls under names of two conventions, those of one stay: less than
 any other difference of costs."""
@@ -220,7 +220,7 @@ def _amounts(
 
 
 class _Spreads:
-    """What tells a control that moves distant parts of the face at once."""
+    """What marks a control that moves distant parts of the face at once."""
 
     def __init__(self, rig: Rig, trajectories: Trajectories, similarity: Similarity) -> None:
         regions = notable_points(trajectories.motions, len(trajectories.surface.points))

@@ -1,4 +1,4 @@
-"""Families: controls that belong together by what their names say, and stand together (beyond the
+"""Families: controls that belong together by the meaning of their names, in one group (beyond the
 paper).
 
 Visemes, emotions, moods of one part of the face and numbered series are used as a set: half of them
@@ -27,7 +27,7 @@ FamilyKind = Literal["viseme", "emotion", "identity", "interior", "combination"]
 _MADE_BY_OTHERS = 0.5
 """Mean share of a family's motions that other controls must explain for it to leave the face."""
 _SERIES = 5
-"""Least length of a numbered series of controls whose names say nothing."""
+"""Least length of a numbered series of controls whose names mean nothing."""
 _WHOLE = 0.25
 """Median share of the face that a series must move to be one of identities, not of local
 sculpts."""
@@ -111,7 +111,7 @@ def _memberships(
 def _identity_series(
     names: Sequence[str], meanings: Sequence[Meaning | None], coverage: Floats
 ) -> frozenset[int]:
-    """Members of numbered series that move large shares of the face and whose names say nothing
+    """Members of numbered series that move large shares of the face and whose names mean nothing
     else."""
     found: dict[str, list[int]] = {}
     for index, name in enumerate(names):

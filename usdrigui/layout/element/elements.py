@@ -55,7 +55,7 @@ def layout(
     base_values: Floats,
     part: str,
 ) -> Layout:
-    """The elements of every group, on the face where the assignment says so and on the board
+    """The elements of every group, on the face where the assignment has them there and on the board
     otherwise.
 
     `left_off` are the controls without an element, `base_values` (controls,) the base pose, `part`

@@ -4,7 +4,7 @@ for both.
 Names come first where they are specific: of two controls whose actions the conventions know, only
 the ends of one axis (look up, look down) or the axes of one joystick are candidates, so that a cast
 that shares a convention is grouped alike.  Geometry can refuse any of them, and decides alone where
-names say nothing.  Controls of different joints never share an element, nor do controls of
+names mean nothing.  Controls of different joints never share an element, nor do controls of
 different regions, nor members of a family (a viseme, an emotion).
 """
 
@@ -24,7 +24,7 @@ from usdrigui.rotation import rotation_part
 from usdrigui.settings import CandidateSettings
 
 Relation = Literal["convention", "open", ""]
-"""What the names of two controls say: they belong together, nothing, or that they do not."""
+"""The evidence of two controls' names: they belong together, none, or they do not."""
 
 OPPOSED = -0.5
 """Cosine of directions, weighted by displacement where both act, from which a pair of the
@@ -62,7 +62,7 @@ class Evidence:
         self.ways = tuple(frozenset(pair) for pair in joysticks().values())
 
     def relation(self, a: int, b: int) -> Relation:
-        """What names and joints say about one element for two controls."""
+        """The evidence of names and joints on one element for two controls."""
         one, other = self.meanings[a], self.meanings[b]
         if self.joints[a] != self.joints[b]:
             return ""

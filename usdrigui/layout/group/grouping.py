@@ -612,7 +612,7 @@ class _Grouping:
             face.trajectories.surface, face.symmetry.plane, self.sets[index].points
         ):
             return True
-        # A name that tells the region alone says nothing of its middle.
+        # A name of the region alone does not place it in the middle.
         is_expected = expected is not None and meaning is not None and not meaning.action.vague
         both_sides = expected.both_sides if expected is not None and is_expected else None
         return two_lobed(

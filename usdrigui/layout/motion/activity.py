@@ -1,4 +1,4 @@
-"""What animation says of controls: how much each is used, and which move together.
+"""The use of controls by animation: how much each is used, and which move together.
 
 The activity of a control in a frame is how far it is from its default, as a share of how far it can
 go, from 0 to 1.  Two controls are together as far as their activities agree, by the weighted
@@ -44,7 +44,7 @@ class Activity(Record):
 
 
 def activity(rig: Rig, performances: Iterable[Performance]) -> Activity:
-    """The activity of every control over all frames of all animations; they say nothing of poses.
+    """The activity of every control over all frames of all animations, which have none of poses.
 
     Raises CLIP_FOREIGN where they move nothing that the rig has a control for.
     """
@@ -123,7 +123,7 @@ def importances(done: Activity, twins: Mapping[str, str], weight: float) -> dict
     """How much each control matters by its use: 1 for the mean one, 1 - weight for one that is
     never used.
 
-    Rounded to hundredths, as a configuration would say them; poses, of which animations say
+    Rounded to hundredths, as in a configuration; poses, for which animations show
     nothing, are left out.
     """
     units = _units(done, twins)
@@ -152,7 +152,7 @@ def with_importances(
 
 
 def _units(done: Activity, twins: Mapping[str, str]) -> list[tuple[int, ...]]:
-    """Controls of which animations say something, a pair as one."""
+    """Controls that animations can use, a pair as one."""
     index = {name: i for i, name in enumerate(done.controls)}
     units: list[tuple[int, ...]] = []
     taken: set[int] = set()

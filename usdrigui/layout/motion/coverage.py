@@ -1,6 +1,7 @@
-"""How much of the face a control moves: what tells local controls from global ones.  Of a joint's
-control the skin counts that the joint owns: a spine carries the head, and is no global control of
-the face.
+"""How much of the face a control moves, which separates local controls from global ones.
+
+For a joint's control only the skin counts that the joint owns: a spine carries the head, and is not
+a global control of the face.
 
 The paper calls a control global when fewer than a tenth of the points move less than its own mean
 (section 4.2), which almost never fires: even a rigid motion of the head leaves the neck behind.
@@ -71,7 +72,7 @@ def _covered(motion: Motion, face: Flags, areas: Floats) -> Indices:
     """Points of the face that a control moves notably, by its peak there.
 
     A shape of the whole head moves the back of it, or the shoulders, several times as far as the
-    face: what tells it is that it moves the face evenly.  A control that hardly moves the face is
+    face: it moves the face evenly.  A control that hardly moves the face is
     measured by its own peak.
     """
     on_face = face[motion.points] & (areas[motion.points] > 0.0)

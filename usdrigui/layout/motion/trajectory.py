@@ -123,7 +123,7 @@ def of_controls(
     excluded: Collection[int],
     settings: TrajectorySettings,
 ) -> Trajectories:
-    """The trajectories of some controls alone, which then tell how large the face is and what a
+    """The trajectories of some controls alone, which then define how large the face is and what a
     typical control does.
 
     `controls` are indices into `Rig.controls`, `excluded` into `Rig.excluded`.
@@ -149,7 +149,7 @@ def of_controls(
 
 
 def total_motion(motions: Sequence[Motion], count: int) -> Singles:
-    """(count, 3) sum over all controls of the vector from minimum to maximum: tells apart points
+    """(count, 3) sum over all controls of the vector from minimum to maximum: distinguishes points
     that touch at rest."""
     total = np.zeros((count, 3), dtype=np.float32)
     for motion in motions:

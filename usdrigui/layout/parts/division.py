@@ -61,7 +61,7 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     eyes, hands, feet, props, others, body.
 
     Every control that moves something is in one part.  Without ``parts.divide`` all are in one, and
-    so they are where the skeleton tells no parts; controls that the configuration groups or pairs
+    so they are where the skeleton has no parts; controls that the configuration groups or pairs
     stay together.
     """
     regions = joint_regions(rig, found)
@@ -87,7 +87,7 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
 
 
 def _face(control: Control, motion: Motion) -> str:
-    """The part of a control where the skeleton tells nothing."""
+    """The part of a control where the skeleton has no parts."""
     del control, motion
     return FACE
 

@@ -28,7 +28,7 @@ _FACIAL = 6
 _LIMB = 3
 """Joints with skin in a chain beside the spine, the hands and the feet that make a body."""
 _VOTES = 0.9
-"""Share of the blend shapes whose skin hangs below the head, where they alone tell it."""
+"""Share of the blend shapes whose skin hangs below the head, where they alone define it."""
 _LOW = 0.25
 """Share of a headless character's height below which chains side by side are toes."""
 

@@ -50,7 +50,7 @@ def root_in_base(layouts: tuple[Layout, ...], rig: Rig) -> str:
 
 
 def new_controls(layout: Layout, rig: Rig) -> frozenset[int]:
-    """Indices of the controls that the layout neither has nor says it left off."""
+    """Indices of the controls that the layout neither has nor lists as left off."""
     known = layout.controls | {left.control for left in layout.left_off}
     return frozenset(i for i, control in enumerate(rig.controls) if control.name not in known)
 

@@ -2,7 +2,7 @@
 matched one to one.
 
 Names change their spelling, meshes their topology, and shapes are sculpted again; seldom does all
-that change at once. Every pair of controls is weighed by what their names say and by what they do
+that change at once. Every pair of controls is weighed by their names and by their motions
 to the face, in logarithms of odds; the assignment of greatest total is taken, and what it would
 lose without a pair is how sure that pair is.
 """
@@ -138,7 +138,7 @@ def match_layout(layout: Layout, rig: Rig, trajectories: Trajectories) -> Matchi
 
 
 def match_layouts(before: Layout, after: Layout) -> Matching:
-    """The controls of two layouts of one character, by what the layouts themselves tell; names as
+    """The controls of two layouts of one character, by the layouts alone; names as
     of `match_layout`."""
     names = _names_of(before.elements), _names_of(after.elements)
     kept, left, new = _kept(*names)

@@ -1,9 +1,9 @@
-"""What the motions of two rigs' controls, or of a layout's, say about which is which.
+"""The evidence of the motions of two rigs' controls, or of a layout's, on which is which.
 
 Two rigs are compared over the whole face, as fields of displacements that are carried from one face
 to the other and blurred a little, so that neither topology nor a lid that lies somewhat higher
 counts.  A layout knows of each control what it does at its own anchor, to the last digit: exact
-agreement there says as much as a whole field.
+agreement there weighs as much as a whole field.
 """
 
 from __future__ import annotations
@@ -41,12 +41,12 @@ _NEIGHBOURS = 64
 """Cells within two standard deviations, at most."""
 
 _LEAST = -4.0
-"""Motion says no more than this against a pair: shapes are replaced."""
+"""Most evidence of motion against a pair: shapes are replaced."""
 _OFF, _UNEVEN = 0.4, 0.5
 """How far fields of one control are from parallel (1 less the cosine) and from equal length
 (natural logarithm) in rigs of two makers."""
 _OFF_LEAST, _UNEVEN_LEAST, _ENOUGH = 0.005, 0.02, 4
-"""The least of either that matches may tell, and how many it takes."""
+"""The least of either that matches may show, and how many it takes."""
 _SLOPE, _SHARPER = 12.0, 0.7
 """Evidence for each unit of the cosine at that distance, and the power with which it grows as
 copies get nearer."""
@@ -60,7 +60,7 @@ _SELDOM = 1.5
 _ANCHOR_SLOPE, _ANCHOR_MIDDLE = 5.0, 0.6
 """Evidence for each unit of the cosine at a single point, where many controls go the same way."""
 _CLOSE, _CLOSE_WEIGHT, _EXACT = 0.3, 1.5, 0.01
-"""Relative difference at an anchor below which agreement says more and more, until it is as small
+"""Relative difference at an anchor below which agreement weighs more and more, until it is as small
 as rounding."""
 _HANDLE = 0.5
 """Handle widths within which two anchors are one place."""
@@ -82,7 +82,7 @@ class Agreement:
 
         How far one maker's shape is from another's of the same name differs from pair to pair of
         rigs, and so does what a difference means: between copies of a rig a tenth is much.  The
-        matches so far tell; as single shapes may have been sculpted anew, a shape that is as far
+        matches so far show; as single shapes may have been sculpted anew, a shape that is as far
         off as another maker's keeps what it would have there.
         """
         off, uneven = self._typical(same)
@@ -281,7 +281,7 @@ class _Held:
 
 
 def _held(elements: tuple[Element, ...]) -> dict[str, _Held]:
-    """By control, the first level first; tracks on the board are drawn and say nothing."""
+    """By control, the first level first; tracks on the board are drawn and hold no motion."""
     found: dict[str, _Held] = {}
     for element in outer_first(elements):
         for member in element.manipulator.members if not element.anchor.on_board else ():

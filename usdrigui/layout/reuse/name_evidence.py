@@ -1,4 +1,4 @@
-"""What the names of two rigs' controls say about which is which."""
+"""The evidence of the names of two rigs' controls on which is which."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _SAME_ACTION = 4.5
 several of a rig do."""
 _OTHER_ACTION = -2.5
 _SHARED_WORDS = 2.5
-"""Of names all of whose words say the same; in proportion where some do."""
+"""Of names all of whose words mean the same; in proportion where some do."""
 _OTHER_SIDE = 1.5
 _OTHER_SIDE_ALONE = 4.0
 """What names lose that name two sides, where geometry tells the sides too, and where it does not:

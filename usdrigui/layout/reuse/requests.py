@@ -13,10 +13,10 @@ from usdrigui.settings import ControlSettings
 
 @dataclass(frozen=True)
 class Names:
-    """What the names of controls say by the conventions of the field."""
+    """The meanings of controls' names by the conventions of the field."""
 
     meanings: tuple[Meaning | None, ...] = ()
-    """(controls,) how each is read; None where it says nothing or is not asked."""
+    """(controls,) how each is read; None where it means nothing or is not read."""
     expected: tuple[Expectation | None, ...] = ()
     """(controls,) where each is expected; empty before the face is known."""
 
@@ -37,14 +37,14 @@ class Requests:
     neighbours: tuple[Element, ...] = ()
     """Elements of other parts of the character, from which the new ones keep clear."""
     names: Names = NO_NAMES
-    """What the names of the controls say."""
+    """The meanings of the controls' names."""
 
     def meaning(self, control: int) -> Meaning | None:
-        """How the name of a control is read; None where it says nothing or is not asked."""
+        """How the name of a control is read; None where it means nothing or is not read."""
         return self.names.meanings[control] if self.names.meanings else None
 
     def expectation(self, control: int) -> Expectation | None:
-        """Where a control is expected, unless nothing says so."""
+        """Where a control is expected; None where its name means nothing."""
         return self.names.expected[control] if self.names.expected else None
 
     @property

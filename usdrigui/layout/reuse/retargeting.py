@@ -258,7 +258,7 @@ def _thin_plate(source: Floats, target: Floats, smoothing: float, points: Floats
 
 
 def _solid(points: Floats) -> bool:
-    """Whether the points span more than a plane: only then they say what an affine map does."""
+    """Whether the points span more than a plane: only then they define an affine map."""
     values = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
     return bool(values[2] > _FLAT * values[0])
 

@@ -1,4 +1,4 @@
-"""What changed between two layouts of a character, control by control, and why as far as they tell.
+"""What changed between two layouts of a character, control by control, with reasons where known.
 
 `difference` compares two `Layout` records alone, from any tool.  `cost_savings` takes the solved
 problem: how much cost each element saves by leaving its earlier place.
@@ -98,7 +98,7 @@ def difference(
     """Compare two layouts of one character.
 
     `improvements` is what each element of `after` saves by not standing where it was, in the units
-    of the objective, as far as known; `matching` tells which control of the one is which of the
+    of the objective, as far as known; `matching` maps the controls of the one to those of the
     other, and is worked out from the layouts where it is not given.  The places of elements on the
     board are not compared.
     """
@@ -276,7 +276,7 @@ def _reasons(
 
 
 def _unexplained(before: Layout, after: Layout) -> str:
-    """What layouts tell of a change that none of its own circumstances explains."""
+    """The reason, from the layouts, of a change that none of its own circumstances explains."""
     weights = sorted({name for name, _ in set(before.proof.weights) ^ set(after.proof.weights)})
     if weights:
         return f"made with other settings: {listed(weights)}"

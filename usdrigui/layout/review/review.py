@@ -92,7 +92,7 @@ def review(
     """Rate `layout` on the rig of `face`; faults come first, and what is faulty is not rated.
 
     `whole`: the layout of the character, where `layout` is that of one part; `listed`: the names of
-    the controls that its author knew, with and without an element; empty where nothing says.
+    the controls that its author knew, with and without an element; empty where unknown.
     """
     faults = [
         *_stale(face.rig, face.trajectories, layout, settings.rig.read, whole or layout),
@@ -208,7 +208,7 @@ def _unplaced(
     face: Face, layout: Layout, requests: Requests, listed: frozenset[str]
 ) -> Iterator[Issue]:
     known = layout.controls | {left.control for left in layout.left_off}
-    if not layout.proof.method:  # nobody but the list tells what is left off by hand
+    if not layout.proof.method:  # only the list shows what is left off by hand
         known |= listed
     names = [
         face.control_name(motion.control)

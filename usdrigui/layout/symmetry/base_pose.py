@@ -16,7 +16,7 @@ from usdrigui.model import BaseSurface, Floats, MirrorPlane, Rig, Symmetry, Traj
 from usdrigui.settings import SymmetrySettings, TrajectorySettings
 
 _APART = 0.05
-"""Pairs nearer to each other than this share of the face say little about where the plane lies."""
+"""Pairs nearer to each other than this share of the face determine the plane badly."""
 
 
 _MIRRORED = 0.5

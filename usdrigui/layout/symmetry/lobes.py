@@ -18,7 +18,7 @@ ON_PLANE = 0.5
 _MIDDLE = 0.01
 """Distance from the plane, in face sizes, up to which a point lies in the middle."""
 _KEPT = 0.75
-"""A control of which no name tells where it acts has two lobes if it keeps less of its peak in the
+"""A control whose name gives no place has two lobes if it keeps less of its peak in the
 middle."""
 _KEPT_IN_PAIRS = 0.8
 _KEPT_IN_THE_MIDDLE = 0.5
@@ -47,7 +47,7 @@ def two_lobed(
     """Whether a symmetric control's motion has two lobes off the mirror plane and little in
     between.
 
-    `visible` (n,) are the points that some view sees, `both_sides` says whether the conventions of
+    `visible` (n,) are the points that some view sees, `both_sides` is whether the conventions of
     the field expect the control on both sides; None where they do not know it.  The control of a
     joint stands on the skin that its joint owns, once.
     """

@@ -58,9 +58,9 @@ _LEAST_SHARE = 0.5
 """Least share of the moving region whose mirror image must meet the surface."""
 
 _AGREES = 0.7
-"""Cosine from which a plane is the one that the names of joints tell."""
+"""Cosine from which a plane is that of the names of joints."""
 _HARDLY_TURNED = 0.98
-"""Cosine between a plane that names tell and the same fitted to the surface, at least."""
+"""Least cosine between the plane of names and the same fitted to the surface."""
 
 
 @dataclass(frozen=True)
@@ -84,11 +84,11 @@ def find_symmetry(
     configured: Mapping[int, int],
 ) -> Symmetry:
     """Mirror plane, partner points and twin controls of `rig`; `fields` are those of
-    `trajectories`, `configured` the twins that the configuration says (`configured_twins`).
+        `trajectories`, `configured` the twins of the configuration (`configured_twins`).
 
     The normal points to the character's left.  Where less than half of the moving region has a
     mirror image within ``symmetry.tolerance`` there is no symmetry: normal zero, partners -1, twins
-    as the configuration says or -1.
+    by the configuration or -1.
     """
     count = len(trajectories.surface.points)
     tolerance = settings.tolerance * trajectories.surface.face_size
@@ -356,7 +356,7 @@ def _towards_left(
     """The plane with its normal to the character's left.
 
     What controls of skin move faces ahead.  The skin that a joint turns lies all around it: where
-    joints alone are controls, the names of the joints tell, and then the face on the head, which
+    joints alone are controls, the names of the joints decide, and then the face on the head, which
     hair hangs behind and a muzzle reaches beyond.
     """
     left = None

@@ -1,4 +1,4 @@
-"""Left, right and the front as the skeleton tells them: by the sides in names of joints and the
+"""Left, right and the front of the skeleton: by the sides in names of joints and the
 face on its head."""
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from usdrigui.layout.parts.joint_regions import FACE, joint_regions, owner_of_po
 from usdrigui.model import Floats, Joint, Rig, Skeleton, Trajectories
 
 _PAIRS = 2
-"""Pairs of joints whose names tell their sides, at least."""
+"""Least number of pairs of joints whose names have a side."""
 _AGREE = 0.7
 """Share of the pairs that lie across the plane that they have in common, at least."""
 _ACROSS = 0.5
@@ -28,7 +28,7 @@ _COUNT = re.compile(r"[ _.-]*\d+$")
 def plane_of_names(
     skeletons: tuple[Skeleton, ...], joints: tuple[Joint, ...]
 ) -> tuple[Floats, float] | None:
-    """Normal (3,) to the left and offset of the plane between the joints whose names tell left and
+    """Normal (3,) to the left and offset of the plane between the joints whose names have left and
     right, at the base pose; None where too few do or they do not agree."""
     places, last = (
         joint_places(skeletons, joints),

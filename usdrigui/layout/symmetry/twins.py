@@ -113,7 +113,7 @@ def _mirrored(
 
 
 def configured_twins(rig: Rig, controls: Mapping[str, ControlSettings]) -> dict[int, int]:
-    """The controls whose twin the configuration says, to that; -1 where they are to have none.
+    """The controls whose twin the configuration names, to that; -1 where they are to have none.
 
     Raises CONFIG_UNKNOWN_CONTROL for a twin that is no control.
     """

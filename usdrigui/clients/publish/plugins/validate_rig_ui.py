@@ -1,4 +1,4 @@
-"""Stops the publish of a layout that is missing, stale or bad."""
+"""Stops the publish of a layout that is missing, stale or invalid."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from usdrigui.errors import by_cause, sentences
 
 
 class ValidateRigUI(pyblish.api.InstancePlugin, OptionalPyblishPluginMixin):
-    """The layout fits the character as it is, and every handle can be told apart and grabbed.
+    """The layout fits the present character, and every handle can be distinguished and grabbed.
 
     Runs `usdrigui check`.  The repair action lays the character out again; hand-made changes of the
     layer are lost by it, so look at `usdrigui check` first where there are any.
