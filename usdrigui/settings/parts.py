@@ -12,10 +12,10 @@ from usdrigui.settings.table import setting
 
 @dataclass(frozen=True, slots=True)
 class ControlSettings:
-    """``[controls."name"]``: what the rigger says about one control."""
+    """``[controls."name"]``: the rigger's corrections of one control."""
 
     exclude: bool = setting(
-        False, "Leave the control out: no element; it still counts for what the face is."
+        False, "Leave the control out: no element; its motion still defines the face."
     )
     rename: str = setting("", "A name to use instead of its own.")
     label: str = setting("", "Text beside its element; empty takes the name.")
@@ -33,7 +33,7 @@ class ControlSettings:
         None, "Value at rest; none takes it from the asset.", unit="its own"
     )
     twin: str = setting(
-        "", "Name of the mirror control; ``none`` unpairs; ``self`` says symmetric about the plane."
+        "", "Name of the mirror control; ``none`` unpairs; ``self`` is symmetric about the plane."
     )
     orbit: tuple[str, ...] = setting(
         (), "Names of the controls of an n-fold symmetry, this one first.", level="expert"
@@ -74,7 +74,7 @@ class ControlSettings:
     importance: float | None = setting(
         None,
         "How much its place matters beside other controls': a factor on its displacement. None is"
-        " 1, or what the animations given with `--animation` tell.",
+        " 1, or the use in the animations given with `--animation`.",
         bounds=(0.0, 100.0),
     )
     glyph: str = setting(
@@ -123,7 +123,7 @@ class ReadSettings:
     variants: Mapping[str, str] = setting(
         {},
         "Variants to select, by the names of their sets, in place of the authored ones; a layout"
-        " then stands in them.",
+        " is then authored in them.",
     )
     each_variant: tuple[str, ...] = setting(
         (),
@@ -140,7 +140,7 @@ class ReadSettings:
     )
     joint_min_degrees: float = setting(
         0.5,
-        "Rotation from which a joint counts as animated.",
+        "Rotation from which a joint is animated.",
         unit="degrees",
         bounds=(0.0, 360.0),
         level="expert",
@@ -190,7 +190,7 @@ class RunSettings:
     )
     memory_limit: int = setting(
         16384,
-        "Private memory beyond what the libraries take.",
+        "Private memory beyond that of the libraries.",
         unit="MiB",
         bounds=(1, 2**40),
         level="expert",
@@ -284,7 +284,7 @@ class CandidateSettings:
     least_kept: float = setting(
         1.0 / 3.0,
         "Least share of its true peak that a control keeps at its handle; one that keeps less at"
-        " every visible place goes to the board, unless its name and what is seen of it call for a"
+        " every visible place goes to the board, unless its name and its visible motion call for a"
         " place on the face.",
         bounds=(0.0, 1.0),
         level="expert",
@@ -345,7 +345,7 @@ class CandidateSettings:
     )
     board_composite: bool = setting(
         True,
-        "Send controls that repeat what others do to the board.",
+        "Send controls that repeat the motion of others to the board.",
         level="expert",
         was="beside_composite",
     )
@@ -467,8 +467,8 @@ class ObjectiveSettings:
     )
     distinctive_weight: float = setting(
         0.3,
-        "Cost of displacement that other controls make as well: a control stands where its motion"
-        " is large and its own. At `displacement_weight` nothing of it counts any more.",
+        "Cost of displacement that other controls make as well: a control goes where its motion"
+        " is large and its own. At `displacement_weight` it has no value any more.",
         unit="cost",
         bounds=(0.0, 1.0),
         level="expert",
@@ -514,7 +514,9 @@ class SolveSettings:
     """How the layout problem is solved, and for how long."""
 
     method: Literal["highs", "paper", "toulbar2"] = setting(
-        "highs", "Solver of what dual bounds and tests leave of the layout problem.", level="expert"
+        "highs",
+        "Solver of the rest that dual bounds and tests leave of the problem.",
+        level="expert",
     )
     gap: float = setting(
         0.0001,
@@ -524,7 +526,7 @@ class SolveSettings:
     )
     work_limit: int = setting(
         60_000_000,
-        "Pair evaluations and the like after which the solver stops with what it has;"
+        "Pair evaluations and the like after which the solver stops with its best layout;"
         " reproducible.",
         bounds=(0, 2**62),
         level="expert",
@@ -604,7 +606,7 @@ class LikeSettings:
 
     names: Mapping[str, str] = setting(
         {},
-        "Their control's name to ours, where the two differ; an empty name says that there is no"
+        "Their control's name to ours, where the two differ; an empty name: there is no"
         " counterpart.",
     )
     penalty: float = setting(
@@ -624,8 +626,9 @@ class AnimationSettings:
 
     weight: float = setting(
         0.5,
-        "How much use counts: a control that is never used has the importance 1 - weight, one of"
-        " the mean use 1, one used twice as much 1 + weight; three times is the most that counts.",
+        "Weight of use: a control that is never used has the importance 1 - weight, one of the"
+        " mean use 1, one used twice as much 1 + weight, one used three times as much or more"
+        " 1 + 2 * weight.",
         bounds=(0.0, 1.0),
         level="expert",
     )
@@ -656,7 +659,7 @@ class PartSettings:
 
 @dataclass(frozen=True, slots=True)
 class RigSettings:
-    """What is read of a character, and what the rigger says of its controls."""
+    """How a character is read, and the rigger's corrections of its controls."""
 
     read: ReadSettings = field(default_factory=ReadSettings)
     controls: Mapping[str, ControlSettings] = field(default_factory=dict)
