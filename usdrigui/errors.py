@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
 from difflib import get_close_matches
+from pathlib import Path
 from typing import TypeVar
 
 from usdrigui.codes import CODES, Exit, Severity
@@ -133,6 +134,16 @@ def refuse(code: str, path: str, message: str) -> RigUIError:
     """Build (not raise) the error for a finding that ends the run: ``raise refuse(...)``."""
     entry = CODES[code]
     return RigUIError(Issue(code, "error", path, message, entry.repair), entry.exit)
+
+
+def raised_at(error: BaseException) -> str:
+    """File and line where an error of ours was raised, in brackets; empty where nobody knows."""
+    place = error.__traceback__
+    while place is not None and place.tb_next is not None:
+        place = place.tb_next
+    if place is None:
+        return ""
+    return f" ({Path(place.tb_frame.f_code.co_filename).name}:{place.tb_lineno})"
 
 
 def failure_json(asset: str, error: RigUIError) -> str:

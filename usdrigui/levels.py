@@ -1,9 +1,5 @@
-"""Which elements of a layout are visible together: coarse ones first, their members on demand.
-
-With nothing opened every element is visible that is not a member of a coarse one.  Opening a coarse
-element shows its members in its place, and opens the element on the other side of the character
-with it.
-"""
+"""Which elements of a layout are visible together: coarse ones first, their members on demand, by
+the rule of `usdrigui.visible`."""
 
 from __future__ import annotations
 
@@ -12,6 +8,7 @@ from dataclasses import replace
 
 from usdrigui.errors import refuse
 from usdrigui.model import Element, Layout
+from usdrigui.visible import is_visible, opened_with
 
 
 def inner_names(elements: Iterable[Element]) -> frozenset[str]:
@@ -30,16 +27,17 @@ def states(elements: Iterable[Element]) -> Mapping[str, frozenset[int]]:
     """By name, the states in which an element is visible: 0 with nothing opened, k with the k-th
     coarse one opened, and the last with all of them."""
     found = tuple(elements)
+    members = members_of(found)
     opened = [
-        {coarse.name, coarse.manipulator.mirror} & {each.name for each in found if each.look.inner}
-        for coarse in found
-        if coarse.look.inner
+        opened_with(each.name, each.manipulator.mirror, members)
+        for each in found
+        if each.look.inner
     ]
     return {
         element.name: frozenset(
             state
-            for state, names in enumerate([set(), *opened, set().union(*opened)])
-            if _is_visible(element.name, found, names)
+            for state, names in enumerate([frozenset(), *opened, frozenset().union(*opened)])
+            if is_visible(element.name, members, names)
         )
         for element in found
     }
@@ -59,11 +57,21 @@ def shown(layout: Layout, opened: Iterable[str] = (), *, everything: bool = Fals
             raise refuse(
                 "CONFIG_VALUE", "--open", f"{name!r} is no coarse element; there are {known}"
             )
-    names |= {coarse[name].manipulator.mirror for name in names} & set(coarse)
+    members = members_of(layout.elements)
+    wide = frozenset().union(
+        *(opened_with(each, coarse[each].manipulator.mirror, members) for each in names)
+    )
     return replace(
         layout,
-        elements=tuple(e for e in layout.elements if _is_visible(e.name, layout.elements, names)),
+        elements=tuple(each for each in layout.elements if is_visible(each.name, members, wide)),
     )
+
+
+def members_of(elements: Iterable[Element]) -> Mapping[str, frozenset[str]]:
+    """Names of the members of each coarse element."""
+    return {
+        element.name: frozenset(element.look.inner) for element in elements if element.look.inner
+    }
 
 
 def shown_of_all(
@@ -81,10 +89,3 @@ def shown_of_all(
     return tuple(
         shown(each, own, everything=everything) for each, own in zip(found, coarse, strict=True)
     )
-
-
-def _is_visible(name: str, elements: tuple[Element, ...], opened: set[str]) -> bool:
-    if name in opened:
-        return False
-    holders = {element.name for element in elements if name in element.look.inner}
-    return not holders or bool(holders & opened)

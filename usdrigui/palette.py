@@ -2,12 +2,10 @@
 
 Near to those that studios use; the character's own left and right.  Chosen by measure: apart from
 skin and from each other for every kind of colour vision (docs/decisions/114).
-viewer/src/overlay.js and the Blender extension have the same.
+A page's scene holds them, and the Blender extension takes this file along as it is.
 """
 
 from __future__ import annotations
-
-from usdrigui.model import Side
 
 Colour = tuple[int, int, int]
 
@@ -22,7 +20,7 @@ BOARD: Colour = SIDES["none"]
 """Of elements on the board in pictures."""
 
 
-def linear(side: Side) -> tuple[float, float, float]:
+def linear(side: str) -> tuple[float, float, float]:
     """The colour of a side in linear light, 0 to 1, to four digits: what `primvars:displayColor`
     holds."""
     red, green, blue = (round(_decoded(part / 255.0), 4) for part in SIDES[side])

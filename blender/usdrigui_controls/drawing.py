@@ -8,8 +8,8 @@ import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
 
-_SIDES = {"left": (77, 163, 255), "right": (242, 20, 32), "middle": (188, 240, 0)}
-_PLAIN = (0.75, 0.75, 0.75)
+from .maths.palette import SIDES
+
 _HOT = (1.0, 1.0, 1.0)
 _CORNERS = np.array([(np.cos(a), np.sin(a)) for a in np.linspace(0.0, 2.0 * np.pi, 17)[:-1]])
 _NEW_NAMES = bpy.app.version >= (4, 0, 0)
@@ -35,7 +35,7 @@ def draw_elements(screen, shown, radii, opacity, hot):
 
 
 def _side_colour(side):
-    return tuple(part / 255.0 for part in _SIDES[side]) if side in _SIDES else _PLAIN
+    return tuple(part / 255.0 for part in SIDES.get(side, SIDES["none"]))
 
 
 def draw_label(at, text):

@@ -10,6 +10,7 @@ import numpy as np
 from .anchors import Anchors
 from .character import Character, holders
 from .layout import LayoutError
+from .maths.visible import is_visible, opened_with
 
 
 @dataclass(frozen=True)
@@ -66,11 +67,12 @@ def _placed(context):
         except (LayoutError, ReferenceError, KeyError):
             _anchors.pop(holder.name, None)
             continue
-        hidden = _folded(holder.name, anchors.elements)
+        members = _members(anchors.elements)
+        open_here = {name for where, name in opened if where == holder.name}
         for element, drawing, where in zip(anchors.elements, anchors.drawings, placed, strict=True):
             if (
                 where is not None
-                and element.name not in hidden
+                and is_visible(element.name, members, open_here)
                 and (element.mesh or settings.board)
             ):
                 mine = np.array([values[member.control] for member in element.members])
@@ -87,20 +89,14 @@ def toggle(holder, element, elements):
         else next((each for each in elements if element.name in each.inner), None)
     )
     if coarse is not None:
-        both = {(holder, coarse.name), *([(holder, coarse.mirror)] if coarse.mirror else [])}
-        opened.symmetric_difference_update(both)
+        both = opened_with(coarse.name, coarse.mirror, _members(elements))
+        opened.symmetric_difference_update((holder, name) for name in both)
         touch()
 
 
-def _folded(holder, elements):
-    """Names of the elements that the levels hide: members of closed ones, and opened ones
-    themselves."""
-    hidden = set()
-    for element in elements:
-        if element.inner:
-            is_open = (holder, element.name) in opened
-            hidden.update([element.name] if is_open else element.inner)
-    return hidden
+def _members(elements):
+    """By the name of each coarse element, its members."""
+    return {element.name: element.inner for element in elements if element.inner}
 
 
 def _anchors_of(character):

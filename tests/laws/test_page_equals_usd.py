@@ -11,6 +11,7 @@ import json
 import shutil
 import subprocess
 from pathlib import Path
+from types import SimpleNamespace
 
 import laid_out
 import numpy as np
@@ -18,6 +19,7 @@ import pytest
 import skinned_stages
 from pxr import Sdf, Usd, UsdSkel
 
+from usdrigui.levels import states
 from usdrigui.settings import OutputSettings, Settings
 from usdrigui.usd.layer import layer_for, stage_metadata
 from usdrigui.usd.rig import read_rigs
@@ -127,3 +129,49 @@ def attached(folder, rig, layout, source):
     stage = Usd.Stage.Open(str(folder / "layout.usda"))
     assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.root)))
     return stage
+
+
+OPENING = """
+import { text } from 'node:stream/consumers';
+import { Levels } from '%s';
+const found = JSON.parse(await text(process.stdin)).map((elements) => {
+  const coarse = elements.filter(({ inner }) => inner.length).map((each) => [each]);
+  return [[], ...coarse, coarse.flat()].map((opened) => {
+    const levels = new Levels(elements);
+    levels.toggle(opened, true);
+    return elements.filter((each) => levels.shows(each)).map(({ name }) => name);
+  });
+});
+process.stdout.write(JSON.stringify(found));
+"""
+
+
+def test_the_page_shows_the_elements_that_the_levels_have():
+    if shutil.which("node") is None:
+        pytest.skip("Node.js is not installed")
+    layouts = [random_levels(np.random.default_rng(seed)) for seed in range(20)]
+    program = OPENING % (ROOT / "viewer" / "src" / "levels.js").as_uri()
+    done = subprocess.run(
+        ["node", "--input-type=module", "-e", program],
+        input=json.dumps(layouts), capture_output=True, text=True, timeout=60, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    for elements, found in zip(layouts, json.loads(done.stdout), strict=True):
+        ours = states([element_of(**each) for each in elements])
+        assert [set(shown) for shown in found] == [
+            {name for name, visible in ours.items() if state in visible} for state in range(len(found))
+        ]
+
+
+def element_of(name, inner, mirror):
+    return SimpleNamespace(
+        name=name, look=SimpleNamespace(inner=inner), manipulator=SimpleNamespace(mirror=mirror)
+    )  # fmt: skip
+
+
+def random_levels(rng):
+    """Coarse elements, some of them mirrored, that share members."""
+    names, coarse = [f"e{i}" for i in range(8)], [f"c{i}" for i in range(4)]
+    inner = {name: rng.choice(names, rng.integers(1, 4), replace=False).tolist() for name in coarse}
+    mirrors = {"c0": "c1", "c1": "c0"}
+    return [{"name": each, "inner": inner.get(each, []), "mirror": mirrors.get(each, "")} for each in [*coarse, *names]]

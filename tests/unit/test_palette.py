@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import re
 from itertools import combinations
 from pathlib import Path
@@ -15,9 +14,8 @@ from usdrigui.view import shading
 
 LEAST = 25.0
 """CIE 1976 colour difference."""
-VIEWER = Path(__file__).resolve().parents[2] / "viewer" / "src" / "overlay.js"
+ROOT = Path(__file__).resolve().parents[2]
 SIDES = {side: np.array(colour) / 255.0 for side, colour in palette.SIDES.items()}
-BLENDER = Path(__file__).resolve().parents[2] / "blender" / "usdrigui_controls" / "drawing.py"
 SKINS = [
     shading.encoded(np.array(albedo)) * light
     for albedo, lights in ((shading.SKIN, (1.0, 0.85, 0.7, 0.55)), ((0.87, 0.66, 0.55), (1.0, 0.8, 0.6)))
@@ -51,12 +49,12 @@ def test_sides_are_told_from_skin_and_from_each_other(vision):
     assert min(apart.values()) >= LEAST, apart
 
 
-def test_the_viewer_and_the_blender_extension_have_the_same_colours():
-    line = next(each for each in VIEWER.read_text(encoding="utf-8").splitlines() if "export const COLOURS" in each)
-    said = {side: tuple(bytes.fromhex(code)) for side, code in re.findall(r"(\w+): '#(\w{6})'", line)}
-    assert said == palette.SIDES
-    sides = re.search(r"_SIDES = (\{.*?\})", BLENDER.read_text(encoding="utf-8"), re.DOTALL).group(1)
-    assert ast.literal_eval(sides) == {side: palette.SIDES[side] for side in ("left", "right", "middle")}
+def test_no_client_says_the_colours_again():
+    sources = [*(ROOT / "viewer" / "src").iterdir(), *(ROOT / "blender").rglob("*.py")]
+    again = [rf"#{bytes(colour).hex()}|{r', *'.join(map(str, colour))}" for colour in palette.SIDES.values()]
+    said = re.compile("|".join(again), re.IGNORECASE)
+    assert len(sources) > 50
+    assert [path.name for path in sources if said.search(path.read_text(encoding="utf-8"))] == []
 
 
 @pytest.mark.parametrize("side", palette.SIDES)

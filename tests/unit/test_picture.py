@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import io
-import re
 from dataclasses import replace
-from pathlib import Path
 
 import chain
 import laid_out
@@ -517,12 +515,6 @@ def test_headings_stand_clear_of_the_row_and_of_large_handles(layout):
         tops.append(y)
     assert tops[0] <= 100.0 - 16.0
     assert tops[1] <= 60.0 - 16.0
-
-
-def test_pictures_and_the_viewer_call_families_alike():
-    source = (Path(__file__).parents[2] / "viewer" / "src" / "dock.js").read_text(encoding="utf-8")
-    table = source.partition("const FAMILIES = {")[2].partition("}")[0]
-    assert {token: name.lower() for token, name in re.findall(r"(\w+): '([^']*)'", table)} == lettering._FAMILIES
 
 
 def test_leader_lines_differ_from_any_ground():

@@ -8,11 +8,10 @@ import io
 import os
 import sys
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from usdrigui import worker
-from usdrigui.errors import Exit, RigUIError, failure_json, refuse, visible
+from usdrigui.errors import Exit, RigUIError, failure_json, raised_at, refuse, visible
 from usdrigui.text_lines import columns, wrapped
 
 if TYPE_CHECKING:
@@ -87,15 +86,7 @@ def broken(error: Exception, arguments: argparse.Namespace) -> int:
     traceback."""
     if os.environ.get("USDRIGUI_TRACEBACK"):
         raise error
-    place = error.__traceback__
-    while place is not None and place.tb_next is not None:
-        place = place.tb_next
-    where = (
-        f" ({Path(place.tb_frame.f_code.co_filename).name}:{place.tb_lineno})"
-        if place is not None
-        else ""
-    )
-    refused(refuse("BUG", "", f"{type(error).__name__}: {error}{where}"), arguments)
+    refused(refuse("BUG", "", f"{type(error).__name__}: {error}{raised_at(error)}"), arguments)
     return int(Exit.BUG)
 
 

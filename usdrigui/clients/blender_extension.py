@@ -1,7 +1,7 @@
 """The Blender extension as one file to install.
 
-Its sources lie in ``blender/usdrigui_controls``; the rules of drags, tracks and rotations are
-usdrigui's own files, which need numpy only and go in as they are.
+Its sources lie in ``blender/usdrigui_controls``; the rules of drags, tracks, rotations and
+levels and the colours are usdrigui's own files, which need numpy only and go in as they are.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from usdrigui.pipeline import write_file
 
 NAME = "usdrigui_controls"
 """Folder in the archive, and the extension's id."""
-_SHARED = ("pose/drag.py", "pose/handle_track.py", "rotation.py")
+_SHARED = ("pose/drag.py", "pose/handle_track.py", "palette.py", "rotation.py", "visible.py")
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 
 

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from usdrigui import processes
-from usdrigui.errors import Issue, RigUIError, issue, refuse
+from usdrigui.errors import Issue, RigUIError, issue, raised_at, refuse
 from usdrigui.model import Performance, Rig
 from usdrigui.settings import Settings
 from usdrigui.usd import serialization
@@ -410,15 +410,7 @@ def _unexpected(error: Exception, path: str) -> RigUIError:
         error, UnicodeDecodeError
     ):
         return refuse("USD_ERROR", path, f"USD raised {kind.__name__} while it was read")
-    place = error.__traceback__
-    while place is not None and place.tb_next is not None:
-        place = place.tb_next
-    where = (
-        f" ({Path(place.tb_frame.f_code.co_filename).name}:{place.tb_lineno})"
-        if place is not None
-        else ""
-    )
-    return refuse("BUG", path, f"{kind.__name__}: {_text(error)}{where}")
+    return refuse("BUG", path, f"{kind.__name__}: {_text(error)}{raised_at(error)}")
 
 
 # --- the bounds -----------------------------------------------------------------------------------

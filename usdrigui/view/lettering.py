@@ -17,22 +17,11 @@ from scipy.optimize import linear_sum_assignment
 
 from usdrigui.errors import visible
 from usdrigui.model import Element, Floats
+from usdrigui.view.headings import heading
 from usdrigui.view.overlay import Mark, leaders
 
 _INK, _QUIET = (52, 56, 63), (104, 110, 120)
 _HALO: dict[str, Any] = {"stroke_width": 1, "stroke_fill": (238, 240, 242)}
-_FAMILIES = {
-    "global": "whole character",
-    "hidden": "hidden",
-    "interior": "inside the mouth",
-    "composite": "composite",
-    "viseme": "visemes",
-    "emotion": "emotions",
-    "combination": "combinations",
-    "identity": "identity",
-    "requested": "by request",
-    "crowded": "no room on the face",
-}
 _LARGEST, _LEAST = 12, 7
 """Sizes of names, pixels."""
 CALLED = 210.0
@@ -313,10 +302,7 @@ def _headings(
                     float(boxes[column, 0].min()) - 4.0,
                     top - min(line, max(0.5 * pitch + 4.0, _CLEAR)),
                 )
-                text = _FAMILIES.get(family, family).replace(
-                    "face", shown[index][0].placement.part or "face"
-                )
-                found.append((text, *place))
+                found.append((heading(family, shown[index][0].placement.part), *place))
             above = float(boxes[index, 3])
     return found
 

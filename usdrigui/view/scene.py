@@ -37,10 +37,12 @@ from usdrigui.model import (
     Shape,
     Skin,
 )
+from usdrigui.palette import SIDES
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.skinning import carrying_joint
 from usdrigui.surface import triangles
 from usdrigui.view.complexion import complexion
+from usdrigui.view.headings import heading
 from usdrigui.view.sections import main_layout, sections
 from usdrigui.view.shading import EYE, IRIS, PUPIL, Complexion, encoded
 
@@ -272,6 +274,7 @@ def _layout(rig: Rig, layout: Layout) -> Json:
         "planeOrigin": _list(layout.frame.plane.origin),
         "planeNormal": _list(layout.frame.plane.normal),
         "baseValues": _list(layout.character.base_values),
+        "colours": {side: f"#{bytes(colour).hex()}" for side, colour in SIDES.items()},
         "elements": _elements(rig, meshes, controls, layout),
         "sections": _sections(rig, layout),
         "leftOff": [[each.control, each.stage, each.reason] for each in layout.left_off],
@@ -355,9 +358,14 @@ def _element(rig: Rig, meshes: dict[str, int], controls: dict[str, int], element
         "reversed": list(element.manipulator.reversed),
         "inner": list(element.look.inner),
         "category": element.placement.category,
+        "heading": _capitalised(heading(element.placement.category, element.placement.part)),
         "reason": element.placement.reason,
         "glyph": _glyph(element.look.glyph),
     }
+
+
+def _capitalised(text: str) -> str:
+    return text[:1].upper() + text[1:]
 
 
 def _glyph(glyph: Glyph | None) -> Json | None:

@@ -1,8 +1,7 @@
 // The plain list of sliders: every control by name, searchable, and the baseline of the evaluation.
 
-import { familyName } from './dock.js';
+import { headingOf } from './dock.js';
 import { longName, make, shownValue } from './dom.js';
-import { COLOURS } from './overlay.js';
 
 const STEPS = 1000;
 
@@ -36,7 +35,7 @@ export class ControlList {
     const names = new Map();
     this.rows.forEach((row, index) => {
       const element = this.session.elements.byControl.get(index);
-      const name = !element ? 'Not in the layout' : element.onBoard ? familyName(element.category) : '';
+      const name = !element ? 'Not in the layout' : element.onBoard ? headingOf(element) : '';
       if (!names.has(name)) names.set(name, []);
       names.get(name).push(row.node);
     });
@@ -88,7 +87,7 @@ export class ControlList {
       },
       longName(control.label),
     );
-    const chip = make('i', { class: 'chip', style: { background: COLOURS[element?.side ?? 'none'] } });
+    const chip = make('i', { class: 'chip', style: { background: session.colours[element?.side ?? 'none'] } });
     const node = make(
       'div',
       {

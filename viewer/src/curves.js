@@ -4,7 +4,6 @@
 import { keyedValue } from './animation.js';
 import { bendsOf } from './interpolation.js';
 import { changedKeys, keysWithin } from './keying.js';
-import { COLOURS } from './overlay.js';
 
 export const REACH = { mouse: 8, touch: 22 }; // pixels around a key
 const EDGE = 12; // pixels around the curves
@@ -52,7 +51,7 @@ export class Curves {
   curve(control) {
     const { session, sheet } = this;
     const track = sheet.keys.get(control);
-    const colour = COLOURS[session.elements.byControl.get(control)?.side ?? 'none'];
+    const colour = session.colours[session.elements.byControl.get(control)?.side ?? 'none'];
     const { label } = session.controls[control];
     const [[first], [last]] = [track[0], track.at(-1)];
     const times = [...new Set([...track.map(([frame]) => frame), ...bendsOf(track), ...wholeFrames(first, last)])].sort((a, b) => a - b);

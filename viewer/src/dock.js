@@ -65,7 +65,7 @@ export class Dock {
     };
     let category = null;
     for (const element of [...this.elements].sort(byCategory)) {
-      if (element.category !== category || !this.cells.size) this.headings.push({ ...step(HEAD), text: familyName(element.category) });
+      if (element.category !== category || !this.cells.size) this.headings.push({ ...step(HEAD), text: headingOf(element) });
       category = element.category;
       const height = heightOf(element);
       this.cells.set(element, { ...step(height), height, ...this.shape(element) });
@@ -153,22 +153,8 @@ export class Dock {
   }
 }
 
-/** As in pictures (`usdrigui/view/lettering.py`). */
-const FAMILIES = {
-  global: 'Whole character',
-  hidden: 'Hidden',
-  interior: 'Inside the mouth',
-  composite: 'Composite',
-  viseme: 'Visemes',
-  emotion: 'Emotions',
-  combination: 'Combinations',
-  identity: 'Identity',
-  requested: 'By request',
-  crowded: 'No room on the face',
-};
-
-/** The heading of a family of elements on the board. */
-export const familyName = (family) => FAMILIES[family] ?? (family || 'Off the face');
+/** The heading under which an element stands on the board. */
+export const headingOf = (element) => (element.category && element.heading) || 'Off the face';
 
 const FINGERS = globalThis.matchMedia?.('(pointer: coarse)').matches ?? false;
 const heightOf = (element) => (element.axes.length > 1 ? SQUARE : FINGERS ? FINGER : ROW);

@@ -2,9 +2,8 @@
 // layout in and out.
 
 import { keysFromLayer, poseLayer } from './animation_layer.js';
-import { familyName } from './dock.js';
+import { headingOf } from './dock.js';
 import { askForFile, download, longName, make, segmented, shownValue, toggle } from './dom.js';
-import { COLOURS } from './overlay.js';
 import { poseFromJson, poseToJson } from './pose_io.js';
 import { Shelf } from './shelf.js';
 import { sideName } from './view.js';
@@ -84,10 +83,10 @@ export class Inspector {
   }
 
   elementCard(element) {
-    const side = [sideName(element.side), element.onBoard ? familyName(element.category) : ''].filter(Boolean).join(' · ');
+    const side = [sideName(element.side), element.onBoard ? headingOf(element) : ''].filter(Boolean).join(' · ');
     return make(
       'div',
-      { class: 'card', style: { borderLeftColor: COLOURS[element.side] } },
+      { class: 'card', style: { borderLeftColor: this.session.colours[element.side] } },
       make('div', { class: 'card-title' }, element.label),
       side ? make('div', { class: 'hint' }, side) : null,
       this.levelButton(element),
@@ -162,7 +161,7 @@ export class Inspector {
               this.choosing = false;
             },
           },
-          make('i', { style: { width: `${Math.round(100 * share)}%`, background: COLOURS[elementOf(control)?.side ?? 'none'] } }),
+          make('i', { style: { width: `${Math.round(100 * share)}%`, background: session.colours[elementOf(control)?.side ?? 'none'] } }),
           longName(session.controls[control].label),
           make('small', {}, `${Math.round(100 * share)} %`),
         ),

@@ -6,8 +6,6 @@ import { covering, placed } from './dom.js';
 import { alongTrack } from './elements.js';
 import { lensAt } from './spread.js';
 
-// As in pictures (`usdrigui/view/overlay.py`, docs/decisions/114).
-export const COLOURS = { left: '#4da3ff', right: '#f21420', middle: '#bcf000', none: '#7a5cff' };
 const AFFECTED = '#5fd6ff';
 const LEAST_HANDLE = 11;
 const MOST_HANDLE = 22;
@@ -346,7 +344,7 @@ export class Overlay {
   }
 
   colour(element) {
-    return this.affectedShare(element) > 0 && this.session.dragging === 'skin' ? AFFECTED : COLOURS[element.side];
+    return this.affectedShare(element) > 0 && this.session.dragging === 'skin' ? AFFECTED : this.session.colours[element.side];
   }
 
   drawTracks(drawn) {
@@ -459,7 +457,7 @@ export class Overlay {
     const { pen } = this;
     pen.save();
     pen.clip();
-    pen.fillStyle = COLOURS[element.side];
+    pen.fillStyle = this.session.colours[element.side];
     pen.fillRect(way > 0 ? x : x - 2 * radius, y - 2 * radius, 2 * radius, 4 * radius);
     pen.restore();
     pen.beginPath();
@@ -517,7 +515,7 @@ export class Overlay {
       pen.fillStyle = '#17191c';
       pen.fillRect(...box);
       pen.globalAlpha = strength;
-      pen.fillStyle = COLOURS[element.side];
+      pen.fillStyle = this.session.colours[element.side];
       pen.fillText(text, box[0] + 4, box[1] + 11);
     }
     pen.globalAlpha = 1;
@@ -553,7 +551,7 @@ export class Overlay {
     const { from, to, free, refused } = this.placing;
     pen.setLineDash([4, 4]);
     pen.lineWidth = 1.5;
-    pen.strokeStyle = refused ? COLOURS.right : free ? '#9aa0a8' : '#7ee787';
+    pen.strokeStyle = refused ? this.session.colours.right : free ? '#9aa0a8' : '#7ee787';
     pen.beginPath();
     pen.moveTo(from[0], from[1]);
     pen.lineTo(to[0], to[1]);

@@ -39,6 +39,7 @@ export class Session {
     this.elements = new Elements(character, this.deformer);
     this.levels = new Levels(this.elements.list);
     this.rest = this.elements.rest;
+    this.colours = character.layout.colours; // by side
     this.values = Float64Array.from(this.rest);
     this.influence = new Influence(character, this.deformer, this.rest);
     this.opposites = oppositesOf(this.elements.list, this.controls.length);

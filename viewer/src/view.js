@@ -4,7 +4,7 @@ import { OrbitCamera, dot } from './camera.js';
 import { beginDrag } from './drag.js';
 import { Gestures } from './gestures.js';
 import { Onion } from './onion.js';
-import { COLOURS, Overlay } from './overlay.js';
+import { Overlay } from './overlay.js';
 import { ScreenSurface } from './pick.js';
 import { Rearranging } from './rearrange.js';
 import { Stage } from './stage.js';
@@ -358,7 +358,7 @@ export class View {
       const { label, minimum, maximum } = controls[control];
       return make('div', {}, make('b', {}, shownValue(values[control], maximum - minimum)), ` ${label}`);
     });
-    const heading = make('div', { class: 'tip-side', style: { color: COLOURS[element.side] } }, sideName(element.side));
+    const heading = make('div', { class: 'tip-side', style: { color: this.session.colours[element.side] } }, sideName(element.side));
     this.tip.replaceChildren(...(sideName(element.side) ? [heading] : []), ...lines);
     const [x, y] = drawn.handle;
     const right = x + 230 > this.width;
@@ -375,7 +375,7 @@ export class View {
       node.hidden = !name || !this.session.options.handles;
       if (!name) return;
       node.textContent = i === 0 ? `◂ Character’s ${name}` : `Character’s ${name} ▸`;
-      node.style.color = COLOURS[name];
+      node.style.color = this.session.colours[name];
       if (i === 0) node.style.left = '14px';
     });
   }

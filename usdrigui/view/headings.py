@@ -1,0 +1,22 @@
+"""Headings of the board, in pictures and on pages."""
+
+from __future__ import annotations
+
+_HEADINGS = {
+    "global": "whole character",
+    "hidden": "hidden",
+    "interior": "inside the mouth",
+    "composite": "composite",
+    "viseme": "visemes",
+    "emotion": "emotions",
+    "combination": "combinations",
+    "identity": "identity",
+    "requested": "by request",
+    "crowded": "no room on the face",
+}
+
+
+def heading(category: str, part: str) -> str:
+    """What stands over the elements of a category on the board of a part of the character; a word
+    that another tool wrote as it is."""
+    return _HEADINGS.get(category, category).replace("face", part or "face")
