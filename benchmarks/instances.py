@@ -192,39 +192,41 @@ def _variable(
 def subdivided(rig: Rig) -> Rig:
     """The same rig with every mesh face cut into quads once, linearly: four times the points, same
     motions."""
-    return replace(rig, meshes=tuple(_subdivided_mesh(each) for each in rig.meshes))
+    meshes = tuple(_subdivided_mesh(each) for each in rig.body.meshes)
+    return replace(rig, body=replace(rig.body, meshes=meshes))
 
 
 def _subdivided_mesh(mesh: RigMesh) -> RigMesh:
-    count, faces = len(mesh.points), len(mesh.face_counts)
-    face = np.repeat(np.arange(faces), mesh.face_counts)
-    first = np.cumsum(mesh.face_counts) - mesh.face_counts
+    counts, indices = mesh.topology.face_counts, mesh.topology.face_indices
+    count, faces = len(mesh.points), len(counts)
+    face = np.repeat(np.arange(faces), counts)
+    first = np.cumsum(counts) - counts
     corner = np.arange(len(face)) - first[face]
-    following = mesh.face_indices[first[face] + (corner + 1) % mesh.face_counts[face]]
-    ends = np.sort(np.column_stack([mesh.face_indices, following]), axis=1)
+    following = indices[first[face] + (corner + 1) % counts[face]]
+    ends = np.sort(np.column_stack([indices, following]), axis=1)
     edges, edge = np.unique(ends, axis=0, return_inverse=True)
     edge = edge.reshape(-1)
-    before = edge[first[face] + (corner - 1) % mesh.face_counts[face]]
-    quads = np.column_stack(
-        [mesh.face_indices, count + edge, count + len(edges) + face, count + before]
-    )
+    before = edge[first[face] + (corner - 1) % counts[face]]
+    quads = np.column_stack([indices, count + edge, count + len(edges) + face, count + before])
 
     def finer(values: Floats) -> Floats:
         """Values at the corners, at the middles of the edges and of the faces."""
-        middle = np.add.reduceat(values[mesh.face_indices], first) / mesh.face_counts[:, None]
+        middle = np.add.reduceat(values[indices], first) / counts[:, None]
         return np.concatenate([values, (values[edges[:, 0]] + values[edges[:, 1]]) / 2, middle])
 
-    skin = mesh.skin
+    skin = mesh.binding.skin
     if skin is not None:
-        rows = np.concatenate([np.arange(count), edges[:, 0], mesh.face_indices[first]])
+        rows = np.concatenate([np.arange(count), edges[:, 0], indices[first]])
         skin = replace(skin, joints=skin.joints[rows], weights=skin.weights[rows])
+    shapes = tuple(_finer_shape(each, count, finer) for each in mesh.binding.shapes)
+    topology = replace(
+        mesh.topology, face_counts=np.full(len(quads), 4), face_indices=quads.reshape(-1)
+    )
     return replace(
         mesh,
         points=finer(mesh.points),
-        face_counts=np.full(len(quads), 4),
-        face_indices=quads.reshape(-1),
-        skin=skin,
-        shapes=tuple(_finer_shape(each, count, finer) for each in mesh.shapes),
+        topology=topology,
+        binding=replace(mesh.binding, skin=skin, shapes=shapes),
     )
 
 

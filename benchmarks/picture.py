@@ -42,7 +42,7 @@ def scattered(rig: Rig, count: int) -> Layout:
     rng = np.random.default_rng(0)
     values = np.array([control.default for control in rig.controls])
     base = posed(rig, values)
-    normals = vertex_normals(base.points, mesh_triangles(rig.meshes))
+    normals = vertex_normals(base.points, mesh_triangles(rig.body.meshes))
     elements: list[Element] = []
     for number in range(20 * count):
         j = number % len(rig.controls)
@@ -57,11 +57,11 @@ def scattered(rig: Rig, count: int) -> Layout:
             )
     anchors = np.array([element.anchor.position for element in elements])
     # Facing +Z with Y up, or -Y with Z up: the left is +X.
-    front = np.cross(np.array([1.0, 0.0, 0.0]), rig.up)
+    front = np.cross(np.array([1.0, 0.0, 0.0]), rig.skel_root.up)
     zero = np.zeros(3)
-    width = 0.02 * float(np.ptp(anchors @ rig.up))
+    width = 0.02 * float(np.ptp(anchors @ rig.skel_root.up))
     return Layout(
-        character=LayoutCharacter(root=rig.root, base_values=values),
+        character=LayoutCharacter(root=rig.skel_root.path, base_values=values),
         elements=tuple(elements),
         left_off=(),
         frame=LayoutFrame(
@@ -77,8 +77,8 @@ def scattered(rig: Rig, count: int) -> Layout:
 
 
 def _slider(rig, number, j, at, points, normals, point, offsets) -> Element:
-    mesh, local = rig.mesh_of(point)
-    where = rig.meshes[mesh]
+    mesh, local = rig.body.mesh_of(point)
+    where = rig.body.meshes[mesh]
     anchor = Anchor(
         where.path,
         local,
@@ -107,7 +107,7 @@ def main() -> None:
     given = parser.parse_args()
     rig, *_ = read_rigs(given.asset, Settings())
     layout = scattered(rig, given.elements)
-    points = sum(len(mesh.points) for mesh in rig.meshes)
+    points = sum(len(mesh.points) for mesh in rig.body.meshes)
     print(
         f"{given.asset.name}: {points} points, {len(layout.elements)} elements, 3 views, 1800 x"
         " 1000"

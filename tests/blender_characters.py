@@ -51,7 +51,7 @@ def skinned(folder, name, **kind):
 def to_world(source, rig):
     """Function from root space to Blender's world: metres, Z up."""
     stage = Usd.Stage.Open(str(source))
-    matrix = np.array(UsdGeom.XformCache().GetLocalToWorldTransform(stage.GetPrimAtPath(rig.root)))
+    matrix = np.array(UsdGeom.XformCache().GetLocalToWorldTransform(stage.GetPrimAtPath(rig.skel_root.path)))
     turn = Z_UP if UsdGeom.GetStageUpAxis(stage) == "Y" else np.eye(3)
     size = UsdGeom.GetStageMetersPerUnit(stage)
     return lambda points: size * ((np.asarray(points) @ matrix[:3, :3] + matrix[3, :3]) @ turn)
@@ -60,7 +60,7 @@ def to_world(source, rig):
 def usdskel_points(source, rig, values):
     """By mesh path, UsdSkel's points in root space at control values."""
     points = Oracle(source, rig).deformed(*channel_state(rig, values))
-    bounds = zip(rig.meshes, rig.starts[:-1], rig.starts[1:], strict=True)
+    bounds = zip(rig.body.meshes, rig.body.starts[:-1], rig.body.starts[1:], strict=True)
     return {mesh.path: points[start:end] for mesh, start, end in bounds}
 
 
@@ -95,7 +95,7 @@ def sample(folder):
     base = posed(rig)
     elements = [_on_face(rig, base, name, *said) for name, said in _ON_FACE.items()]
     layout = Layout(
-        character=LayoutCharacter(root=rig.root, base_values=laid_out.defaults(rig)),
+        character=LayoutCharacter(root=rig.skel_root.path, base_values=laid_out.defaults(rig)),
         elements=(*elements, _joystick(rig)),
         left_off=(),
         frame=LayoutFrame(
@@ -112,8 +112,8 @@ def sample(folder):
 
 
 def _on_face(rig, base, name, kind, controls, opposed, mesh, local, side, mirror):
-    number = next(i for i, each in enumerate(rig.meshes) if each.path.endswith(f"/{mesh}"))
-    where, point = rig.meshes[number], int(rig.starts[number]) + local
+    number = next(i for i, each in enumerate(rig.body.meshes) if each.path.endswith(f"/{mesh}"))
+    where, point = rig.body.meshes[number], int(rig.body.starts[number]) + local
     index = {control.name: i for i, control in enumerate(rig.controls)}
     toward = base.points[point] * (1.0, 0.0, 1.0)
     anchor = Anchor(
@@ -137,7 +137,7 @@ def _on_face(rig, base, name, kind, controls, opposed, mesh, local, side, mirror
 
 
 def _joystick(rig):
-    where, place = rig.meshes[0], np.array([10.0, 10.0, -0.66])
+    where, place = rig.body.meshes[0], np.array([10.0, 10.0, -0.66])
     anchor = Anchor(where.path, 0, len(where.points), where.topology_hash, place, np.array([0.0, 0.0, 1.0]), True)
     members = []
     for name, axis in (("Head:ry", (1.0, 0.0, 0.0)), ("Head:rx", (0.0, -1.0, 0.0))):

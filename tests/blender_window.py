@@ -142,39 +142,39 @@ class Window:
 
 def described(rig, to_world: np.ndarray) -> dict:
     """A rig with one skeleton as JSON for `inside/window.py`."""
-    (skeleton,) = rig.skeletons
+    (skeleton,) = rig.body.skeletons
     assert np.allclose(skeleton.to_root, np.eye(4)), "keep to characters whose skeleton stands in the root's space"
-    names = [joint.path.rpartition("/")[2] for joint in rig.joints]
+    names = [joint.path.rpartition("/")[2] for joint in rig.body.joints]
     joints = [
         {"name": name, "bind": joint.bind.T.tolist(), "parent": names[joint.parent] if joint.parent >= 0 else ""}
-        for name, joint in zip(names, rig.joints, strict=True)
+        for name, joint in zip(names, rig.body.joints, strict=True)
     ]
     return {
         "to_world": to_world.tolist(),
         "skeleton": {"path": skeleton.path, "joints": joints},
-        "meshes": [_described_mesh(rig, mesh, names) for mesh in rig.meshes],
+        "meshes": [_described_mesh(rig, mesh, names) for mesh in rig.body.meshes],
     }
 
 
 def _described_mesh(rig, mesh, names):
-    bounds = np.cumsum(mesh.face_counts)[:-1]
+    bounds = np.cumsum(mesh.topology.face_counts)[:-1]
     groups = []
-    if mesh.skin is not None:
+    if mesh.binding.skin is not None:
         for j, name in enumerate(names):
-            weights = np.where(mesh.skin.joints == j, mesh.skin.weights, 0.0).sum(axis=1)
+            weights = np.where(mesh.binding.skin.joints == j, mesh.binding.skin.weights, 0.0).sum(axis=1)
             points = np.flatnonzero(weights)
             if len(points):
                 groups.append([name, points.tolist(), weights[points].tolist()])
     shapes = [
-        [rig.channels[shape.channel].token, shape.points.tolist(), shape.offsets[-1].astype(float).tolist()]
-        for shape in mesh.shapes
+        [rig.body.channels[shape.channel].token, shape.points.tolist(), shape.offsets[-1].astype(float).tolist()]
+        for shape in mesh.binding.shapes
     ]
     return {
         "path": mesh.path,
         "name": mesh.path.rpartition("/")[2],
         "points": mesh.points.tolist(),
-        "faces": [each.tolist() for each in np.split(mesh.face_indices, bounds)],
-        "to_root": (mesh.skin.geom_bind if mesh.skin is not None else mesh.to_root).T.tolist(),
+        "faces": [each.tolist() for each in np.split(mesh.topology.face_indices, bounds)],
+        "to_root": (mesh.binding.skin.geom_bind if mesh.binding.skin is not None else mesh.binding.to_root).T.tolist(),
         "shapes": shapes,
         "groups": groups,
     }

@@ -45,7 +45,7 @@ def layout_of(rig, seed=0, groups=None, base_values=None, beside=(), adapt="defo
         )
         elements.append(_element(rig, names, members, base.points[point], point, names[0] in beside, adapt))
     return Layout(
-        character=LayoutCharacter(root=rig.root, base_values=values),
+        character=LayoutCharacter(root=rig.skel_root.path, base_values=values),
         elements=tuple(elements),
         left_off=(LeftOff("nothing", "trajectories", "moves no point"),),
         frame=LayoutFrame(
@@ -88,10 +88,10 @@ def _member(control, at, origin, point, points, offsets):
 
 
 def _element(rig, names, members, position, point, beside, adapt):
-    mesh, local = rig.mesh_of(point)
-    where = rig.meshes[mesh]
+    mesh, local = rig.body.mesh_of(point)
+    where = rig.body.meshes[mesh]
     anchor = Anchor(
-        where.path, local, len(where.points), where.topology_hash, position, np.array([0.0, 0.0, 1.0]), beside
+        where.path, local, len(where.points), where.topology.hash, position, np.array([0.0, 0.0, 1.0]), beside
     )
     kind = "slider" if len(names) == 1 else "patch" if len(names) == 2 else "fan"
     category, reason = ("hidden", "inside the mouth") if beside else ("", "")
@@ -119,7 +119,7 @@ def keyed(path, rig, poses):
     top = Sdf.Layer.CreateAnonymous(".usda")
     top.subLayerPaths.append(path)
     stage = Usd.Stage.Open(top)
-    for skeleton in rig.skeletons:
+    for skeleton in rig.body.skeletons:
         if skeleton.animation:
             _key(stage, rig, skeleton, poses)
     stage.SetStartTimeCode(0)
@@ -130,20 +130,20 @@ def keyed(path, rig, poses):
 def baked(layer, rig, poses):
     """`keyed`, and UsdSkel's deformation baked into points."""
     stage = keyed(layer.identifier, rig, poses)
-    assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.root)))
+    assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.skel_root.path)))
     return stage
 
 
 def _key(stage, rig, skeleton, poses):
-    index = rig.skeletons.index(skeleton)
+    index = rig.body.skeletons.index(skeleton)
     animation = UsdSkel.Animation.Define(stage, skeleton.animation)
-    joints = [i for i, joint in enumerate(rig.joints) if joint.skeleton == index]
-    channels = [i for i, channel in enumerate(rig.channels) if channel.animation == skeleton.animation]
+    joints = [i for i, joint in enumerate(rig.body.joints) if joint.skeleton == index]
+    channels = [i for i, channel in enumerate(rig.body.channels) if channel.animation == skeleton.animation]
     for attribute in animation.GetPrim().GetAttributes():
         attribute.Clear()
         attribute.Block()
-    animation.CreateBlendShapesAttr([rig.channels[i].token for i in channels])
-    animation.CreateJointsAttr([rig.joints[i].path for i in joints])
+    animation.CreateBlendShapesAttr([rig.body.channels[i].token for i in channels])
+    animation.CreateJointsAttr([rig.body.joints[i].path for i in joints])
     for time, values in enumerate(poses):
         weights, local = channel_state(rig, values)
         animation.CreateBlendShapeWeightsAttr().Set(Vt.FloatArray.FromNumpy(weights[channels].astype(np.float32)), time)

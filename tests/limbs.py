@@ -32,7 +32,7 @@ def chain_rig(bones=3, length=1.0, radius=0.15, late=0.0):
     joints = tuple(_joint(i, length) for i in range(bones))
     controls = tuple(_control(i, axis) for i in range(bones) for axis in range(3))
     made = makers.rig_of_meshes([mesh], [])
-    return replace(made, joints=joints, skeletons=(Skeleton("/Root/skel", "", np.eye(4)),), controls=controls)
+    return makers.changed(made, joints=joints, skeletons=(Skeleton("/Root/skel", "", np.eye(4)),), controls=controls)
 
 
 def _weights(along, bones):
@@ -85,7 +85,7 @@ def body_rig():
 def twisted_body(twists):
     """The body with skin on the ends of arms and legs too; their other skin, of `twists`, on two twist joints of each
     bone: ``beside`` or ``below`` each other."""
-    at = {joint.path: joint.bind[3, :3] for joint in body_rig().joints}
+    at = {joint.path: joint.bind[3, :3] for joint in body_rig().body.joints}
     limbs = [path for path in at if twists and path[-2:] in {x + y for x in "abcd" for y in "01"}]
     for path in limbs:
         bone = at[f"{path}/{path[-2]}{int(path[-1]) + 1}"] - at[path]
@@ -138,7 +138,7 @@ def skeleton_rig(names, places, owners, own=None, size=None):
     skin = Skin(influences, np.ones(influences.shape), "classicLinear", np.eye(4), False)
     mesh = makers.mesh(points, faces, skin=skin)
     made = makers.rig_of_meshes([mesh], [])
-    return replace(made, joints=joints, skeletons=(Skeleton("/Root/skel", "", np.eye(4)),))
+    return makers.changed(made, joints=joints, skeletons=(Skeleton("/Root/skel", "", np.eye(4)),))
 
 
 def _placed(name, world, index, parent):
@@ -150,10 +150,10 @@ def flattened(rig, aim_sign=1.0, wrist=0.0):
     """The same with every joint a root that looks along its bone, as some hands are exported: along its own z, or
     against it; the wrist looks `wrist` radians beside its bone."""
     joints = []
-    for i, joint in enumerate(rig.joints):
-        below = [each for each in rig.joints if each.parent == i]
+    for i, joint in enumerate(rig.body.joints):
+        below = [each for each in rig.body.joints if each.parent == i]
         along = (below[len(below) // 2].bind if below else joint.bind)[3, :3] - joint.bind[3, :3]
-        along = along if below else joint.bind[3, :3] - rig.joints[joint.parent].bind[3, :3]
+        along = along if below else joint.bind[3, :3] - rig.body.joints[joint.parent].bind[3, :3]
         beside = rotations(np.array([0.0, 0.0, wrist * (joint.parent < 0)]))
         aim = aim_sign * (along / np.linalg.norm(along)) @ beside
         side = np.cross(aim, [0.0, 0.6, 0.8])
@@ -161,16 +161,16 @@ def flattened(rig, aim_sign=1.0, wrist=0.0):
         world = np.eye(4)
         world[:3, :3], world[3, :3] = np.stack([side, np.cross(aim, side), aim]), joint.bind[3, :3]
         joints.append(Joint(joint.path.rsplit("/", 1)[-1], 0, -1, world, world, world))
-    return replace(rig, joints=tuple(joints))
+    return makers.changed(rig, joints=tuple(joints))
 
 
 def moved(rig, turn, scale, own):
     """The same under a rotation and a scale, its joints with other axes of their own."""
-    names = [joint.path for joint in rig.joints]
-    places = np.array([joint.bind[3, :3] for joint in rig.joints]) @ turn * scale
-    made = skeleton_rig(names, places, sorted(set(rig.meshes[0].skin.joints.ravel().tolist())), own)
-    points = rig.meshes[0].points @ turn * scale
-    return replace(made, meshes=(replace(made.meshes[0], points=points),))
+    names = [joint.path for joint in rig.body.joints]
+    places = np.array([joint.bind[3, :3] for joint in rig.body.joints]) @ turn * scale
+    made = skeleton_rig(names, places, sorted(set(rig.body.meshes[0].binding.skin.joints.ravel().tolist())), own)
+    points = rig.body.meshes[0].points @ turn * scale
+    return makers.changed(made, meshes=(replace(made.body.meshes[0], points=points),))
 
 
 def as_control(draft):
@@ -225,4 +225,6 @@ def _sizes(names, owners):
 
 def with_default_controls(rig):
     """The rig with the controls that its joints have by default."""
-    return replace(rig, controls=tuple(as_control(draft) for draft in default_joint_drafts(rig.joints, rig.meshes, 0)))
+    return replace(
+        rig, controls=tuple(as_control(draft) for draft in default_joint_drafts(rig.body.joints, rig.body.meshes, 0))
+    )

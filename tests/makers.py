@@ -6,11 +6,26 @@ with named bumps, whose correct layout is known by construction.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import fields, is_dataclass, replace
 
 import numpy as np
 
-from usdrigui.model import Channel, Control, Drive, Rig, RigMesh, Shape, Skin
+from usdrigui.model import (
+    Body,
+    Channel,
+    Configured,
+    Control,
+    Drive,
+    Findings,
+    MeshBinding,
+    MeshDisplay,
+    Rig,
+    RigMesh,
+    Shape,
+    SkelRoot,
+    Skin,
+    Topology,
+)
 
 Y_UP = np.array([0.0, 1.0, 0.0])
 
@@ -37,15 +52,14 @@ def mesh(points, faces, shapes=(), path="/Root/mesh", left_handed=False, visible
     return RigMesh(
         path=path,
         points=np.array(points, dtype=np.float64),
-        face_counts=np.array([len(face) for face in faces], dtype=np.int64),
-        face_indices=np.array([point for face in faces for point in face], dtype=np.int64),
-        left_handed=left_handed,
-        visible=visible,
-        subdivision="none",
-        to_root=np.eye(4),
-        skin=skin,
-        shapes=tuple(shapes),
-        topology_hash=f"{len(points)}-{len(faces)}",
+        topology=Topology(
+            np.array([len(face) for face in faces], dtype=np.int64),
+            np.array([point for face in faces for point in face], dtype=np.int64),
+            left_handed,
+            f"{len(points)}-{len(faces)}",
+        ),
+        binding=MeshBinding(np.eye(4), skin, tuple(shapes)),
+        display=MeshDisplay(visible),
     )
 
 
@@ -80,19 +94,29 @@ def rig_of_meshes(meshes, names, ranges=None, up=Y_UP):
     """A rig of several meshes whose shapes' channels index `names`."""
     ranges = ranges or {}
     return Rig(
-        root="/Root",
-        meshes=tuple(meshes),
-        skeletons=(),
-        joints=(),
-        channels=tuple(Channel(name, "/Root/anim", index) for index, name in enumerate(names)),
-        base_weights=np.zeros(len(names)),
+        skel_root=SkelRoot("/Root", "", np.asarray(up, dtype=np.float64), 1.0, None),
+        body=Body(
+            meshes=tuple(meshes),
+            skeletons=(),
+            joints=(),
+            channels=tuple(Channel(name, "/Root/anim", index) for index, name in enumerate(names)),
+            base_weights=np.zeros(len(names)),
+        ),
         controls=tuple(control(name, index, *ranges.get(name, (0.0, 1.0))) for index, name in enumerate(names)),
-        clip=None,
-        up=np.asarray(up, dtype=np.float64),
-        metres_per_unit=1.0,
-        left_off=(),
-        issues=(),
+        findings=Findings((), ()),
+        configured=Configured(),
     )
+
+
+def changed(record, **new):
+    """A copy of a rig or mesh with other values of fields: its own or those of the records that it holds."""
+    own = {each.name for each in fields(record)}
+    for name in sorted(own):
+        held = getattr(record, name)
+        inner = new.keys() & {each.name for each in fields(held)} - own if is_dataclass(held) else ()
+        if inner:
+            new[name] = replace(held, **{each: new.pop(each) for each in inner})
+    return replace(record, **new)
 
 
 def mask(columns=33, rows=41, height=2.0):
@@ -192,20 +216,21 @@ def moved(made, matrix, offset=(0.0, 0.0, 0.0)):
     """A copy of a skinless one-mesh rig under a linear map and an offset (winding flips with a mirror)."""
     linear = np.asarray(matrix, dtype=np.float64)
     turned = []
-    for each in made.meshes:
+    for each in made.body.meshes:
         shapes = tuple(
-            replace(one, offsets=(one.offsets.astype(np.float64) @ linear.T).astype(np.float32)) for one in each.shapes
+            replace(one, offsets=(one.offsets.astype(np.float64) @ linear.T).astype(np.float32))
+            for one in each.binding.shapes
         )
         turned.append(
-            replace(
+            changed(
                 each,
                 points=each.points @ linear.T + np.asarray(offset),
                 shapes=shapes,
-                left_handed=each.left_handed ^ bool(np.linalg.det(linear) < 0.0),
+                left_handed=each.topology.left_handed ^ bool(np.linalg.det(linear) < 0.0),
             )
         )
-    up = linear @ made.up
-    return replace(made, meshes=tuple(turned), up=up / np.linalg.norm(up))
+    up = linear @ made.skel_root.up
+    return changed(made, meshes=tuple(turned), up=up / np.linalg.norm(up))
 
 
 def shuffled(made, order):
@@ -213,14 +238,14 @@ def shuffled(made, order):
     order = np.asarray(order)
     place = np.empty(len(order), dtype=np.int64)
     place[order] = np.arange(len(order))
-    old = made.meshes[0]
+    old = made.body.meshes[0]
     shapes = []
-    for one in old.shapes:
+    for one in old.binding.shapes:
         where = place[one.points]
         rank = np.argsort(where)
         shapes.append(replace(one, points=where[rank], offsets=one.offsets[:, rank].copy()))
-    new = replace(old, points=old.points[order], face_indices=place[old.face_indices], shapes=tuple(shapes))
-    return replace(made, meshes=(new,))
+    new = changed(old, points=old.points[order], face_indices=place[old.topology.face_indices], shapes=tuple(shapes))
+    return changed(made, meshes=(new,))
 
 
 def skin(count, joint=0):

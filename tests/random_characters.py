@@ -72,21 +72,21 @@ class Evaluated:
     def __init__(self, stage, rig):
         self.rig = rig
         self.cache = UsdSkel.Cache()
-        self.cache.Populate(UsdSkel.Root(stage.GetPrimAtPath(rig.root)), Usd.PrimDefaultPredicate)
-        skeletons = [UsdSkel.Skeleton(stage.GetPrimAtPath(each.path)) for each in rig.skeletons]
+        self.cache.Populate(UsdSkel.Root(stage.GetPrimAtPath(rig.skel_root.path)), Usd.PrimDefaultPredicate)
+        skeletons = [UsdSkel.Skeleton(stage.GetPrimAtPath(each.path)) for each in rig.body.skeletons]
         self.queries = [self.cache.GetSkelQuery(each) for each in skeletons]
 
     def weights(self, time):
         """(channels,) weights; 0 of those that no animation drives."""
-        found, listed = {}, {(each.token, each.animation) for each in self.rig.channels}
-        for skeleton, query in zip(self.rig.skeletons, self.queries, strict=True):
+        found, listed = {}, {(each.token, each.animation) for each in self.rig.body.channels}
+        for skeleton, query in zip(self.rig.body.skeletons, self.queries, strict=True):
             animation = query.GetAnimQuery()
             if animation:
                 values = animation.ComputeBlendShapeWeights(time) or []
                 for token, value in zip(animation.GetBlendShapeOrder(), values, strict=bool(values)):
                     key = str(token), skeleton.animation
                     found[key if key in listed else (str(token), "")] = value
-        return [found.get((each.token, each.animation), 0.0) for each in self.rig.channels]
+        return [found.get((each.token, each.animation), 0.0) for each in self.rig.body.channels]
 
     def locals(self, time):
         rows = [

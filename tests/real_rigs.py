@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -48,8 +47,8 @@ def on_face(line):
 
 def point_of(line, element):
     """The element's anchor as a point of the rig."""
-    starts = line.face.rig.starts
-    paths = [mesh.path for mesh in line.face.rig.meshes]
+    starts = line.face.rig.body.starts
+    paths = [mesh.path for mesh in line.face.rig.body.meshes]
     return int(starts[paths.index(element.anchor.mesh)] + element.anchor.point)
 
 
@@ -150,41 +149,42 @@ def with_whole_head_shapes(rig, base, moved):
     """
     head = _head(rig, base, moved)
     middle = np.average(base, axis=0, weights=head + 1e-12)
-    size = float(np.ptp(base[moved] @ rig.up))
+    size = float(np.ptp(base[moved] @ rig.skel_root.up))
     shapes = {
-        "headUp": head[:, None] * (0.2 * size * rig.up),
+        "headUp": head[:, None] * (0.2 * size * rig.skel_root.up),
         "headSize": head[:, None] * 0.15 * (base - middle),
         "headWide": head[:, None] * (base - middle) * np.array([0.2, 0.0, 0.0]),
         "headFuller": head[:, None] * (base - middle) * np.array([0.2, 0.0, 0.2]),
     }
-    meshes = [_with_shapes(rig, index, shapes) for index in range(len(rig.meshes))]
-    meshes.append(_earrings(middle, size, len(rig.channels) + len(shapes)))
+    meshes = [_with_shapes(rig, index, shapes) for index in range(len(rig.body.meshes))]
+    meshes.append(_earrings(middle, size, len(rig.body.channels) + len(shapes)))
     names = [*shapes, "hideEarrings"]
-    first = len(rig.channels)
-    return replace(
+    first = len(rig.body.channels)
+    return makers.changed(
         rig,
         meshes=tuple(meshes),
-        channels=(*rig.channels, *(Channel(name, "", -1) for name in names)),
-        base_weights=np.append(rig.base_weights, np.zeros(len(names))),
+        channels=(*rig.body.channels, *(Channel(name, "", -1) for name in names)),
+        base_weights=np.append(rig.body.base_weights, np.zeros(len(names))),
         controls=(*rig.controls, *(makers.control(name, first + at) for at, name in enumerate(names))),
     )
 
 
 def _head(rig, base, moved):
     """(n,) one on the head, fading out below the lowest point that a control moves."""
-    height = base @ rig.up
+    height = base @ rig.skel_root.up
     low, high = height[moved].min(), height[moved].max()
     return np.clip((height - low) / (0.1 * (high - low)) + 1.0, 0.0, 1.0)
 
 
 def _with_shapes(rig, index, shapes):
     """One mesh with its part of the new shapes, whose offsets are in root space."""
-    mesh, (low, high) = rig.meshes[index], rig.starts[index : index + 2]
-    to_mesh = np.linalg.inv(mesh.to_root if mesh.skin is None else mesh.skin.geom_bind)[:3, :3]
+    mesh, (low, high) = rig.body.meshes[index], rig.body.starts[index : index + 2]
+    to_mesh = np.linalg.inv(mesh.binding.to_root if mesh.binding.skin is None else mesh.binding.skin.geom_bind)[:3, :3]
     new = [
-        makers.shape(len(rig.channels) + at, offsets[low:high] @ to_mesh) for at, offsets in enumerate(shapes.values())
+        makers.shape(len(rig.body.channels) + at, offsets[low:high] @ to_mesh)
+        for at, offsets in enumerate(shapes.values())
     ]
-    return replace(mesh, shapes=(*mesh.shapes, *new))
+    return makers.changed(mesh, shapes=(*mesh.binding.shapes, *new))
 
 
 def _earrings(middle, size, channel):

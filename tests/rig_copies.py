@@ -8,6 +8,7 @@ import zlib
 from dataclasses import replace
 
 import numpy as np
+from makers import changed
 
 from usdrigui.model import RigMesh, Shape
 
@@ -16,7 +17,7 @@ _SIDE = re.compile("(?:_|-)?(L|R|Left|Right|left|right)$")
 
 def box_of(rig):
     """Corner and size of the box around all points that a shape moves."""
-    points = np.concatenate([mesh.points[shape.points] for mesh in rig.meshes for shape in mesh.shapes])
+    points = np.concatenate([mesh.points[shape.points] for mesh in rig.body.meshes for shape in mesh.binding.shapes])
     return points.min(axis=0), np.ptp(points, axis=0)
 
 
@@ -30,7 +31,7 @@ def reshaped(points, box):
 
 def other_head(rig, cells, box):
     """The rig on coarser meshes, reshaped: points of one cell of a grid become one, motions go along."""
-    return replace(rig, meshes=tuple(_other_mesh(mesh, cells, box) for mesh in rig.meshes))
+    return changed(rig, meshes=tuple(_other_mesh(mesh, cells, box) for mesh in rig.body.meshes))
 
 
 def _other_mesh(mesh: RigMesh, cells, box):
@@ -38,25 +39,27 @@ def _other_mesh(mesh: RigMesh, cells, box):
     cell = np.floor((mesh.points - low) / size.max() * cells).astype(np.int64)
     _, kept, place = np.unique(cell, axis=0, return_index=True, return_inverse=True)
     place = place.reshape(-1)
-    corners = np.split(place[mesh.face_indices], np.cumsum(mesh.face_counts)[:-1])
+    corners = np.split(place[mesh.topology.face_indices], np.cumsum(mesh.topology.face_counts)[:-1])
     faces = [face for face in corners if len(set(face.tolist())) == len(face)]
     old = mesh.points[kept]
     shapes = []
-    for shape in mesh.shapes:
+    for shape in mesh.binding.shapes:
         dense = np.zeros((len(shape.weights), len(mesh.points), 3))
         dense[:, shape.points] = shape.offsets
         offsets = np.stack([reshaped(old + each[kept], box) - reshaped(old, box) for each in dense])
         points = np.flatnonzero(offsets.any(axis=(0, 2)))
         shapes.append(Shape(shape.channel, shape.path, shape.weights, points, offsets[:, points].astype(np.float32)))
-    skin = mesh.skin and replace(mesh.skin, joints=mesh.skin.joints[kept], weights=mesh.skin.weights[kept])
-    return replace(
+    skin = mesh.binding.skin and replace(
+        mesh.binding.skin, joints=mesh.binding.skin.joints[kept], weights=mesh.binding.skin.weights[kept]
+    )
+    return changed(
         mesh,
         points=reshaped(old, box),
         face_counts=np.array([len(face) for face in faces], dtype=np.int64),
         face_indices=np.concatenate(faces) if faces else np.zeros(0, dtype=np.int64),
         shapes=tuple(shapes),
         skin=skin,
-        topology_hash="coarse " + mesh.topology_hash,
+        hash="coarse " + mesh.topology.hash,
         subsets=(),
     )
 
@@ -84,20 +87,22 @@ def reordered(rig, seed):
     """The rig with its controls and the points of its meshes in another order."""
     random = np.random.default_rng(seed)
     controls = tuple(rig.controls[i] for i in random.permutation(len(rig.controls)))
-    meshes = tuple(_reordered(mesh, random.permutation(len(mesh.points))) for mesh in rig.meshes)
-    return replace(rig, controls=controls, meshes=meshes)
+    meshes = tuple(_reordered(mesh, random.permutation(len(mesh.points))) for mesh in rig.body.meshes)
+    return changed(rig, controls=controls, meshes=meshes)
 
 
 def _reordered(mesh, order):
     place = np.argsort(order)
-    skin = mesh.skin and replace(mesh.skin, joints=mesh.skin.joints[order], weights=mesh.skin.weights[order])
-    return replace(
+    skin = mesh.binding.skin and replace(
+        mesh.binding.skin, joints=mesh.binding.skin.joints[order], weights=mesh.binding.skin.weights[order]
+    )
+    return changed(
         mesh,
         points=mesh.points[order],
-        face_indices=place[mesh.face_indices],
-        shapes=tuple(_in_order(shape, place) for shape in mesh.shapes),
+        face_indices=place[mesh.topology.face_indices],
+        shapes=tuple(_in_order(shape, place) for shape in mesh.binding.shapes),
         skin=skin,
-        topology_hash=f"{mesh.topology_hash} in the order {zlib.crc32(order.tobytes())}",
+        hash=f"{mesh.topology.hash} in the order {zlib.crc32(order.tobytes())}",
         subsets=(),
     )
 
@@ -111,15 +116,15 @@ def _in_order(shape, place):
 def resculpted(rig, seed, amount=0.15):
     """The rig with every shape stronger or weaker, and bent by a smooth share `amount` of itself."""
     random = np.random.default_rng(seed)
-    return replace(rig, meshes=tuple(_resculpted(mesh, random, amount) for mesh in rig.meshes))
+    return changed(rig, meshes=tuple(_resculpted(mesh, random, amount) for mesh in rig.body.meshes))
 
 
 def _resculpted(mesh, random, amount):
     size = np.ptp(mesh.points, axis=0).max()
     shapes = []
-    for shape in mesh.shapes:
+    for shape in mesh.binding.shapes:
         wave = np.sin(mesh.points[shape.points] @ random.normal(size=(3, 3)) * 6.0 / size)
         length = np.linalg.norm(shape.offsets, axis=2, keepdims=True)
         bent = shape.offsets * random.uniform(0.8, 1.25) + amount * length * wave
         shapes.append(replace(shape, offsets=bent.astype(np.float32)))
-    return replace(mesh, shapes=tuple(shapes))
+    return changed(mesh, shapes=tuple(shapes))

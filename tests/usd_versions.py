@@ -82,12 +82,12 @@ def write_samples(folder: Path) -> dict[str, list[str]]:
         top = laid_out.keyed(str(target), rig, poses).GetRootLayer()
         top.subLayerPaths[0] = f"./{target.name}"
         top.Export(str(folder / f"{name}.posed.usda"))
-        samples[f"{name}.posed.usda"] = [rig.root, json.dumps(_expected(rig, layout, poses))]
+        samples[f"{name}.posed.usda"] = [rig.skel_root.path, json.dumps(_expected(rig, layout, poses))]
     return samples
 
 
 def _expected(rig, layout, poses):
-    starts = {mesh.path: int(start) for mesh, start in zip(rig.meshes, rig.starts, strict=False)}
+    starts = {mesh.path: int(start) for mesh, start in zip(rig.body.meshes, rig.body.starts, strict=False)}
     points = [deform(rig, pose) for pose in poses]
     handles = {
         element.name.replace(":", "_"): [

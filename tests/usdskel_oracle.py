@@ -17,18 +17,18 @@ def _author_pose(stage, rig, weights, local, exact=False):
     A SkelAnimation holds scales in half precision; `exact` puts the joints into the rest transforms instead.
     """
     stage.SetEditTarget(stage.GetSessionLayer())
-    for index, skeleton in enumerate(rig.skeletons):
-        path = Sdf.Path(rig.root).AppendChild(f"OracleAnimation{index}")
+    for index, skeleton in enumerate(rig.body.skeletons):
+        path = Sdf.Path(rig.skel_root.path).AppendChild(f"OracleAnimation{index}")
         animation = UsdSkel.Animation.Define(stage, path)
-        mine = [i for i, each in enumerate(rig.channels) if each.animation in ("", skeleton.animation)]
-        animation.CreateBlendShapesAttr(Vt.TokenArray([rig.channels[i].token for i in mine]))
+        mine = [i for i, each in enumerate(rig.body.channels) if each.animation in ("", skeleton.animation)]
+        animation.CreateBlendShapesAttr(Vt.TokenArray([rig.body.channels[i].token for i in mine]))
         animation.CreateBlendShapeWeightsAttr(Vt.FloatArray.FromNumpy(weights[mine].astype(np.float32)))
-        joints = [i for i, each in enumerate(rig.joints) if each.skeleton == index]
+        joints = [i for i, each in enumerate(rig.body.joints) if each.skeleton == index]
         matrices = Vt.Matrix4dArray([Gf.Matrix4d(local[i].tolist()) for i in joints])
         if joints and exact:
             UsdSkel.Skeleton(stage.GetPrimAtPath(skeleton.path)).GetRestTransformsAttr().Set(matrices)
         elif joints:
-            animation.CreateJointsAttr(Vt.TokenArray([rig.joints[i].path for i in joints]))
+            animation.CreateJointsAttr(Vt.TokenArray([rig.body.joints[i].path for i in joints]))
             animation.SetTransforms(matrices)
         binding = UsdSkel.BindingAPI.Apply(stage.GetPrimAtPath(skeleton.path))
         binding.CreateAnimationSourceRel().SetTargets([path])
@@ -40,15 +40,15 @@ def _placed(points, matrix):
 
 
 def baked(path, rig, weights, local):
-    """(n, 3) points of `rig.meshes` in root space at a pose, from `UsdSkel.BakeSkinning`."""
+    """(n, 3) points of `rig.body.meshes` in root space at a pose, from `UsdSkel.BakeSkinning`."""
     stage = Usd.Stage.Open(str(path))
     _author_pose(stage, rig, weights, local, exact=True)
-    root = UsdSkel.Root(stage.GetPrimAtPath(rig.root))
+    root = UsdSkel.Root(stage.GetPrimAtPath(rig.skel_root.path))
     assert UsdSkel.BakeSkinning(root, Gf.Interval(1, 1))
     cache = UsdGeom.XformCache(Usd.TimeCode(1))
     world_to_root = cache.GetLocalToWorldTransform(root.GetPrim()).GetInverse()
     found = []
-    for mesh in rig.meshes:
+    for mesh in rig.body.meshes:
         prim = stage.GetPrimAtPath(mesh.path)
         points = UsdGeom.Mesh(prim).GetPointsAttr().Get(1)
         found.append(_placed(points, cache.GetLocalToWorldTransform(prim) * world_to_root))
@@ -61,8 +61,8 @@ class Oracle:
     def __init__(self, path, rig):
         self.rig = rig
         self.stage = Usd.Stage.Open(str(path))
-        _author_pose(self.stage, rig, rig.base_weights, np.array([joint.base for joint in rig.joints]))
-        self.root = UsdSkel.Root(self.stage.GetPrimAtPath(rig.root))
+        _author_pose(self.stage, rig, rig.body.base_weights, np.array([joint.base for joint in rig.body.joints]))
+        self.root = UsdSkel.Root(self.stage.GetPrimAtPath(rig.skel_root.path))
         self.cache = UsdSkel.Cache()
         self.cache.Populate(self.root, Usd.PrimDefaultPredicate)
         bindings = self.cache.ComputeSkelBindings(self.root, Usd.PrimDefaultPredicate)
@@ -71,21 +71,21 @@ class Oracle:
             for binding in bindings
             for query in binding.GetSkinningTargets()
         }
-        self.points = {mesh.path: _mesh_points(self.stage, mesh.path) for mesh in rig.meshes}
+        self.points = {mesh.path: _mesh_points(self.stage, mesh.path) for mesh in rig.body.meshes}
 
     def deformed(self, weights, local):
         """(n, 3) points in root space at channel weights (channels,) and local transforms (joints, 4, 4)."""
-        for index, skeleton in enumerate(self.rig.skeletons):
-            prim = self.stage.GetPrimAtPath(Sdf.Path(self.rig.root).AppendChild(f"OracleAnimation{index}"))
+        for index, skeleton in enumerate(self.rig.body.skeletons):
+            prim = self.stage.GetPrimAtPath(Sdf.Path(self.rig.skel_root.path).AppendChild(f"OracleAnimation{index}"))
             animation = UsdSkel.Animation(prim)
-            mine = [i for i, each in enumerate(self.rig.channels) if each.animation in ("", skeleton.animation)]
+            mine = [i for i, each in enumerate(self.rig.body.channels) if each.animation in ("", skeleton.animation)]
             animation.GetBlendShapeWeightsAttr().Set(Vt.FloatArray.FromNumpy(weights[mine].astype(np.float32)))
-            joints = [i for i, each in enumerate(self.rig.joints) if each.skeleton == index]
+            joints = [i for i, each in enumerate(self.rig.body.joints) if each.skeleton == index]
             if joints:
                 animation.SetTransforms(Vt.Matrix4dArray([Gf.Matrix4d(local[i].tolist()) for i in joints]))
         xforms = UsdGeom.XformCache()
         world_to_root = xforms.GetLocalToWorldTransform(self.root.GetPrim()).GetInverse()
-        return np.concatenate([self._mesh(mesh.path, xforms, world_to_root) for mesh in self.rig.meshes])
+        return np.concatenate([self._mesh(mesh.path, xforms, world_to_root) for mesh in self.rig.body.meshes])
 
     def _mesh(self, path, xforms, world_to_root):
         points = Vt.Vec3fArray(self.points[path])

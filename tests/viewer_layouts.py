@@ -39,7 +39,9 @@ def peak_layout(rig, view=(0.0, 0.0, 1.0), mirrors=None, groups=(), beside=()):
     ]
     spread = np.ptp(deform(rig), axis=0)
     return Layout(
-        character=LayoutCharacter(root=rig.root, base_values=np.array([control.default for control in rig.controls])),
+        character=LayoutCharacter(
+            root=rig.skel_root.path, base_values=np.array([control.default for control in rig.controls])
+        ),
         elements=tuple(each for each in elements if each is not None),
         left_off=(),
         frame=LayoutFrame(
@@ -61,7 +63,7 @@ def element(rig, base, name, kind, members, opposed, mirrors, beside):
         return None
     peak = int(np.linalg.norm(np.ptp(offsets, axis=0), axis=1).argmax())
     point = int(points[peak])
-    mesh, local = rig.mesh_of(point)
+    mesh, local = rig.body.mesh_of(point)
     shift = np.array([1.5, 0.0, 0.0]) * float(np.ptp(base.points[:, 0])) * beside
     return Element(
         name=name,
@@ -72,10 +74,10 @@ def element(rig, base, name, kind, members, opposed, mirrors, beside):
             mirror=mirrors.get(name, ""),
         ),
         anchor=Anchor(
-            mesh=rig.meshes[mesh].path,
+            mesh=rig.body.meshes[mesh].path,
             point=local,
-            point_count=len(rig.meshes[mesh].points),
-            topology_hash=rig.meshes[mesh].topology_hash,
+            point_count=len(rig.body.meshes[mesh].points),
+            topology_hash=rig.body.meshes[mesh].topology.hash,
             position=base.points[point] + shift,
             normal=np.array([0.0, 0.0, 1.0]),
             on_board=beside,

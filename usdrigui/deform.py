@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from usdrigui.model import Drive, Floats, Indices, Joint, Record, Rig, RigMesh, Shape, Singles
+from usdrigui.model import Body, Drive, Floats, Indices, Joint, Record, Rig, RigMesh, Shape, Singles
 from usdrigui.rotation import rotation_part, rotations
 from usdrigui.skinning import (
     SAME,
@@ -48,8 +48,10 @@ def deform(rig: Rig, values: ArrayLike | None = None) -> Floats:
     """Points of all meshes in root space, (n, 3), at control `values` (controls,); None for the
     defaults."""
     weights, local = channel_state(rig, values)
-    skinning = skinning_matrices(rig.joints, local)
-    points = [skinned(rig, mesh, _blended(mesh, weights), skinning) for mesh in rig.meshes]
+    skinning = skinning_matrices(rig.body.joints, local)
+    points = [
+        skinned(rig.body, mesh, _blended(mesh, weights), skinning) for mesh in rig.body.meshes
+    ]
     return np.concatenate(points) if points else np.zeros((0, 3))
 
 
@@ -57,9 +59,9 @@ def posed(rig: Rig, values: ArrayLike | None = None) -> Posed:
     """The rig held at control `values` (controls,), or at the defaults: the starting point of
     `sweep`."""
     weights, moves = _driven(rig, values)
-    skinning = skinning_matrices(rig.joints, _moved(rig, moves))
-    blended = [_blended(mesh, weights) for mesh in rig.meshes]
-    maps = tuple(point_maps(rig, mesh, skinning) for mesh in rig.meshes)
+    skinning = skinning_matrices(rig.body.joints, _moved(rig.body.joints, moves))
+    blended = [_blended(mesh, weights) for mesh in rig.body.meshes]
+    maps = tuple(point_maps(rig.body, mesh, skinning) for mesh in rig.body.meshes)
     points = [applied(shape, to_root) for shape, to_root in zip(blended, maps, strict=True)]
     return Posed(weights, moves, maps, np.concatenate(points) if points else np.zeros((0, 3)))
 
@@ -72,7 +74,7 @@ def channel_state(rig: Rig, values: ArrayLike | None = None) -> tuple[Floats, Fl
     scales are added before they are applied, so that the order of the controls does not matter.
     """
     weights, moves = _driven(rig, values)
-    return weights, _moved(rig, moves)
+    return weights, _moved(rig.body.joints, moves)
 
 
 def sweep(rig: Rig, base: Posed, control: int, values: ArrayLike) -> tuple[Indices, Singles]:
@@ -86,8 +88,8 @@ def sweep(rig: Rig, base: Posed, control: int, values: ArrayLike) -> tuple[Indic
     at = np.atleast_1d(np.asarray(values, dtype=np.float64))
     added = _interpolated(drive.values, drive.weights, at)
     if len(drive.joints):
-        return _sweep_joints(rig, base, drive, at, added)
-    return _sweep_shapes(rig, base, drive.channels, base.weights[drive.channels] + added)
+        return _sweep_joints(rig.body, base, drive, at, added)
+    return _sweep_shapes(rig.body, base, drive.channels, base.weights[drive.channels] + added)
 
 
 def sweep_start(
@@ -114,9 +116,9 @@ def knots(rig: Rig, control: int) -> Floats:
     drive = subject.drive
     found = [subject.minimum, subject.default, subject.maximum, *drive.values[1:-1]]
     for column, channel in enumerate(drive.channels):
-        absolute = rig.base_weights[channel] + drive.weights[:, column]
+        absolute = rig.body.base_weights[channel] + drive.weights[:, column]
         found.extend(
-            _crossings(drive.values, absolute, _bends(rig.shapes_by_channel, int(channel)))
+            _crossings(drive.values, absolute, _bends(rig.body.shapes_by_channel, int(channel)))
         )
     inside = np.unique(np.asarray(found, dtype=np.float64))
     return inside[(inside >= subject.minimum) & (inside <= subject.maximum)]
@@ -127,8 +129,8 @@ def knots(rig: Rig, control: int) -> Floats:
 
 def _driven(rig: Rig, values: ArrayLike | None) -> tuple[Floats, Floats]:
     """Weights (channels,) and joint moves (3, joints, 3) at control values (controls,)."""
-    weights = rig.base_weights.copy()
-    moves = np.zeros((3, len(rig.joints), 3))
+    weights = rig.body.base_weights.copy()
+    moves = np.zeros((3, len(rig.body.joints), 3))
     if values is not None:
         for control, value in zip(rig.controls, np.asarray(values, dtype=np.float64), strict=True):
             if value != control.default:
@@ -161,9 +163,9 @@ def _base_locals(joints: tuple[Joint, ...]) -> Floats:
     return np.array([joint.base for joint in joints], dtype=np.float64).reshape(-1, 4, 4)
 
 
-def _moved(rig: Rig, moves: Floats) -> Floats:
+def _moved(joints: tuple[Joint, ...], moves: Floats) -> Floats:
     """Local transforms (joints, 4, 4) after `moves` (3, joints, 3)."""
-    local: Floats = _moved_joints(_base_locals(rig.joints), moves[None])[0]
+    local: Floats = _moved_joints(_base_locals(joints), moves[None])[0]
     return local
 
 
@@ -249,7 +251,7 @@ def _offsets(shape: Shape, shares: Floats) -> NDArray[np.floating]:
 def _blended(mesh: RigMesh, weights: Floats) -> Floats:
     """(n, 3) points of a mesh in its own space with the shapes applied."""
     points = mesh.points
-    acting = [shape for shape in mesh.shapes if weights[shape.channel] != 0.0]
+    acting = [shape for shape in mesh.binding.shapes if weights[shape.channel] != 0.0]
     if acting:
         points = points.copy()
         for shape in acting:
@@ -258,15 +260,15 @@ def _blended(mesh: RigMesh, weights: Floats) -> Floats:
 
 
 def _sweep_shapes(
-    rig: Rig, base: Posed, channels: Indices, weights: Floats
+    body: Body, base: Posed, channels: Indices, weights: Floats
 ) -> tuple[Indices, Singles]:
     """`sweep` for a control that drives `channels` (t,) with `weights` (k, t)."""
     column = {int(channel): i for i, channel in enumerate(channels)}
     driven: dict[int, list[Shape]] = {}
     for channel in column:
-        for index, shape in rig.shapes_by_channel.get(channel, ()):
+        for index, shape in body.shapes_by_channel.get(channel, ()):
             driven.setdefault(index, []).append(shape)
-    starts = rig.starts
+    starts = body.starts
     points, offsets = [], []
     for index in sorted(driven):
         local, moved = _mesh_offsets(driven[index], column, weights, base.weights)
@@ -316,30 +318,30 @@ def _turned(offsets: NDArray[np.floating], maps: Floats, local: Indices) -> Sing
 
 
 def _sweep_joints(
-    rig: Rig, base: Posed, drive: Drive, at: Floats, added: Floats
+    body: Body, base: Posed, drive: Drive, at: Floats, added: Floats
 ) -> tuple[Indices, Singles]:
     """`sweep` for a control that moves joints, and perhaps weights too."""
     moves = np.repeat(base.moves[None], len(at), axis=0)
     for row, table in enumerate((drive.rotations, drive.translations, drive.scales)):
         moves[:, row, drive.joints] += _interpolated(drive.values, table, at)
     moves = np.concatenate([base.moves[None], moves])
-    skinning = skinning_matrices(rig.joints, _moved_joints(_base_locals(rig.joints), moves))
+    skinning = skinning_matrices(body.joints, _moved_joints(_base_locals(body.joints), moves))
     turning = (skinning[1:] != skinning[0]).any(axis=(0, 2, 3))
     weights = np.repeat(base.weights[None], len(at), axis=0)
     weights[:, drive.channels] += added
     points, offsets = [], []
-    for index, (start, mesh) in enumerate(zip(rig.starts, rig.meshes, strict=False)):
+    for index, (start, mesh) in enumerate(zip(body.starts, body.meshes, strict=False)):
         moved = _reached(mesh, turning, drive.channels)
         if len(moved):
             points.append(start + moved)
-            offsets.append(_mesh_sweep(rig, base, index, moved, weights, skinning, turning))
+            offsets.append(_mesh_sweep(body, base, index, moved, weights, skinning, turning))
     if not points:
         return np.zeros(0, dtype=np.int64), np.zeros((len(at), 0, 3), dtype=np.float32)
     return np.concatenate(points), np.concatenate(offsets, axis=1)
 
 
 def _mesh_sweep(
-    rig: Rig,
+    body: Body,
     base: Posed,
     index: int,
     moved: Indices,
@@ -349,42 +351,42 @@ def _mesh_sweep(
 ) -> Singles:
     """Offsets (k, p, 3) of the `moved` local points of one mesh; `skinning` holds the base and then
     k poses."""
-    mesh = rig.meshes[index]
+    mesh = body.meshes[index]
     driven = [
         shape
-        for shape in mesh.shapes
+        for shape in mesh.binding.shapes
         if (weights[:, shape.channel] != base.weights[shape.channel]).any()
     ]
-    skin = mesh.skin
+    skin = mesh.binding.skin
     if skin is not None and skin.method == "classicLinear" and not driven:
         # Only the turning joints contribute to the offset, linearly.
         bound = bound_points(_blended(mesh, base.weights)[moved], skin)
         change = (skinning[1:] - skinning[0])[..., :3] @ skeleton_to_root(
-            rig.skeletons, rig.joints, skin
+            body.skeletons, body.joints, skin
         )[:3, :3]
         total = np.zeros((len(moved), 3 * len(change)))
-        flat = np.ascontiguousarray(change.transpose(1, 2, 0, 3)).reshape(len(rig.joints), 4, -1)
+        flat = np.ascontiguousarray(change.transpose(1, 2, 0, 3)).reshape(len(body.joints), 4, -1)
         row = np.zeros(len(mesh.points), dtype=np.int64)
         row[moved] = np.arange(len(moved))
         add_influences(skin, bound, flat, total, turning, row)
         return total.reshape(len(moved), -1, 3).transpose(1, 0, 2).astype(np.float32)
-    before = base.points[rig.starts[index] + moved]
+    before = base.points[body.starts[index] + moved]
     offsets = np.empty((len(weights), len(moved), 3), dtype=np.float32)
     for k, pose in enumerate(weights):
         blended = _blended(mesh, pose)[moved]
-        offsets[k] = applied(blended, point_maps(rig, mesh, skinning[k + 1], moved)) - before
+        offsets[k] = applied(blended, point_maps(body, mesh, skinning[k + 1], moved)) - before
     return offsets
 
 
 def _reached(mesh: RigMesh, turning: NDArray[np.bool_], channels: Indices) -> Indices:
     """Local points that turning joints or the channels' shapes move."""
     reached = np.zeros(len(mesh.points), dtype=np.bool_)
-    if mesh.skin is not None:
-        points, _, joints, starts = mesh.skin.by_joint
+    if mesh.binding.skin is not None:
+        points, _, joints, starts = mesh.binding.skin.by_joint
         for i in np.flatnonzero(turning[joints]):
             reached[points[starts[i] : starts[i + 1]]] = True
     driven = set(channels.tolist())
-    for shape in mesh.shapes:
+    for shape in mesh.binding.shapes:
         if shape.channel in driven:
             reached[shape.points] = True
     return np.flatnonzero(reached)

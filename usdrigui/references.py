@@ -114,10 +114,14 @@ def as_sibling(references: ReferenceLayouts, rig: Rig, first: Layout) -> Referen
     what both have stands at the same places.  As they are where a layout is given for it already,
     or the two have no control in common.
     """
-    given = bool(references.like) or rig.root in references.fixed or rig.root in references.previous
+    given = (
+        bool(references.like)
+        or rig.skel_root.path in references.fixed
+        or rig.skel_root.path in references.previous
+    )
     if given or not _shares_controls(first.controls, rig):
         return references
-    return replace(references, previous={**references.previous, rig.root: first})
+    return replace(references, previous={**references.previous, rig.skel_root.path: first})
 
 
 def followed(
@@ -129,16 +133,21 @@ def followed(
     Only where there is one character on either side, with a mesh of the same name below its
     SkelRoot and a control in common; its rig then has PREVIOUS_RENAMED.
     """
-    if len(rigs) != 1 or len(references.previous) != 1 or rigs[0].root in references.previous:
+    if (
+        len(rigs) != 1
+        or len(references.previous) != 1
+        or rigs[0].skel_root.path in references.previous
+    ):
         return references, rigs
     (rig,), (before,) = rigs, references.previous.values()
     layout = layout_of((before,), rig)
     if layout is None:
         return references, rigs
     was = f"was {before.character.root} in the previous layout"
-    renamed = issue("PREVIOUS_RENAMED", rig.root, was)
-    return replace(references, previous={rig.root: layout}), (
-        replace(rig, issues=(*rig.issues, *of_character(rig.character, (renamed,)))),
+    renamed = issue("PREVIOUS_RENAMED", rig.skel_root.path, was)
+    told = (*rig.findings.issues, *of_character(rig.skel_root.character, (renamed,)))
+    return replace(references, previous={rig.skel_root.path: layout}), (
+        replace(rig, findings=replace(rig.findings, issues=told)),
     )
 
 
@@ -151,9 +160,11 @@ def rigs_over(
     them.
     """
     if references.previous and not any(
-        _can_be_of(references.previous.get(rig.root), rig, sampling) for rig in rigs
+        _can_be_of(references.previous.get(rig.skel_root.path), rig, sampling) for rig in rigs
     ):
-        raise refuse("PREVIOUS_MISMATCH", rigs[0].root, _mismatch(references.previous, rigs[0]))
+        raise refuse(
+            "PREVIOUS_MISMATCH", rigs[0].skel_root.path, _mismatch(references.previous, rigs[0])
+        )
     if references.base is None:
         return rigs
     found = tuple(rig for rig in rigs if references.existing(rig) is not None)
@@ -161,7 +172,7 @@ def rigs_over(
         theirs = ", ".join(layout.character.root for layout in references.base.layouts)
         raise refuse(
             "BASE_MISMATCH",
-            rigs[0].root,
+            rigs[0].skel_root.path,
             f"shares mesh and controls with none of the layouts, or with several: {theirs}",
         )
     return found
@@ -216,15 +227,15 @@ def own_references(
     Raises CONFIG_UNKNOWN_CONTROL for names of `like` that nobody bears, CONFIG_VALUE when the fixed
     layer has no such character, or none of several characters to imitate has the path of this one.
     """
-    if references.fixed and rig.root not in references.fixed:
+    if references.fixed and rig.skel_root.path not in references.fixed:
         raise refuse(
             "CONFIG_VALUE",
             "--fixed",
-            f"has layouts of {', '.join(references.fixed)}, not of {rig.root}",
+            f"has layouts of {', '.join(references.fixed)}, not of {rig.skel_root.path}",
         )
     earlier = {
-        "fixed": references.fixed.get(rig.root),
-        "previous": references.previous.get(rig.root),
+        "fixed": references.fixed.get(rig.skel_root.path),
+        "previous": references.previous.get(rig.skel_root.path),
     }
     found = {
         which: match_layout(each, rig, trajectories)
@@ -294,7 +305,7 @@ def _to_imitate(
     if not like:
         return None
     check_like(like, rig, names)
-    other, layout = _imitated(like, rig.root)
+    other, layout = _imitated(like, rig.skel_root.path)
     return other, find_trajectories(other, sampling), layout
 
 
@@ -303,20 +314,21 @@ def check_like(like: tuple[tuple[Rig, Layout], ...], rig: Rig, names: Mapping[st
     CONFIG_VALUE when none of several characters to imitate has the path of this one."""
     if not like:
         return
-    other, _ = _imitated(like, rig.root)
+    other, _ = _imitated(like, rig.skel_root.path)
     faults = Faults()
     for theirs, ours in names.items():
         for whose, name in ((other, theirs), (rig, ours)):
             with faults.collected():
                 if name and name not in whose.control_names:
-                    what = f"{whose.root} has no control {name!r}{meant(name, whose.control_names)}"
+                    root, near = whose.skel_root.path, meant(name, whose.control_names)
+                    what = f"{root} has no control {name!r}{near}"
                     raise refuse("CONFIG_UNKNOWN_CONTROL", f'like.names."{theirs}"', what)
     faults.raise_all()
 
 
 def _imitated(like: Sequence[tuple[Rig, Layout]], root: str) -> tuple[Rig, Layout]:
     """The character to imitate: of several the one with the path of this one."""
-    by_root = {other.root: (other, layout) for other, layout in like}
+    by_root = {other.skel_root.path: (other, layout) for other, layout in like}
     if root not in by_root and len(by_root) > 1:
         raise refuse(
             "CONFIG_VALUE", "--like", f"has layouts of {', '.join(by_root)}; none is of {root}"
@@ -331,7 +343,9 @@ def _characters(
     their files."""
     found, read = read_composed_isolated(layer, Settings(), limits)
     layouts = _by_root(found)
-    characters = tuple((rig, layouts[rig.root]) for rig in read.rigs if rig.root in layouts)
+    characters = tuple(
+        (rig, layouts[rig.skel_root.path]) for rig in read.rigs if rig.skel_root.path in layouts
+    )
     return characters, read.sources
 
 

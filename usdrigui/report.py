@@ -204,7 +204,7 @@ def rows_of(
         member.control: (element, member.arc_length)
         for element, member in _members(layout.elements)
     }
-    reasons = {left.control: left.reason for left in (*rig.left_off, *layout.left_off)}
+    reasons = {left.control: left.reason for left in (*rig.findings.left_off, *layout.left_off)}
     rows = []
     for control in rig.controls:
         place: Place = "left off"
@@ -318,8 +318,8 @@ def _character(character: CharacterReport) -> dict[str, Any]:
     return {
         "root": character.root,
         "variant_path": character.layout.character.variant_path,
-        "points": int(character.rig.starts[-1]),
-        "meshes": len(character.rig.meshes),
+        "points": int(character.rig.body.starts[-1]),
+        "meshes": len(character.rig.body.meshes),
         "controls": [_row(row) for row in character.rows],
         "counts": {place: character.count(place) for place in ("face", "board", "left off")},
         "displacement_kept": character.kept,

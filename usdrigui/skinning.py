@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from usdrigui.model import Floats, Indices, Joint, Rig, RigMesh, Skeleton, Skin
+from usdrigui.model import Body, Floats, Indices, Joint, RigMesh, Skeleton, Skin
 from usdrigui.rotation import quaternion_matrices, quaternion_product, quaternions, rotation_part
 
 SAME = 1e-8
@@ -30,12 +30,12 @@ def skinning_matrices(joints: tuple[Joint, ...], local: Floats) -> Floats:
     return np.asarray(np.linalg.inv(bind) @ pose, dtype=np.float64)
 
 
-def point_maps(rig: Rig, mesh: RigMesh, skinning: Floats, local: Indices | None = None) -> Floats:
+def point_maps(body: Body, mesh: RigMesh, skinning: Floats, local: Indices | None = None) -> Floats:
     """Affine maps (1 or p, 4, 3) of the `local` points (all if None) from mesh space to root
     space."""
-    if mesh.skin is None:
-        return mesh.to_root[None, :, :3]
-    skin = mesh.skin
+    if mesh.binding.skin is None:
+        return mesh.binding.to_root[None, :, :3]
+    skin = mesh.binding.skin
     joints, weights = (
         (skin.joints, skin.weights) if local is None else (skin.joints[local], skin.weights[local])
     )
@@ -46,17 +46,17 @@ def point_maps(rig: Rig, mesh: RigMesh, skinning: Floats, local: Indices | None 
     )
     return _composed(
         _composed(skin.geom_bind[None, :, :3], skinned),
-        skeleton_to_root(rig.skeletons, rig.joints, skin)[None, :, :3],
+        skeleton_to_root(body.skeletons, body.joints, skin)[None, :, :3],
     )
 
 
-def skinned(rig: Rig, mesh: RigMesh, points: Floats, skinning: Floats) -> Floats:
+def skinned(body: Body, mesh: RigMesh, points: Floats, skinning: Floats) -> Floats:
     """Blended `points` (n, 3) of a mesh in root space; linear skinning needs no map for each
     point."""
-    skin = mesh.skin
+    skin = mesh.binding.skin
     if skin is None or skin.rigid or skin.method == "dualQuaternion":
-        return applied(points, point_maps(rig, mesh, skinning))
-    to_root = skeleton_to_root(rig.skeletons, rig.joints, skin)
+        return applied(points, point_maps(body, mesh, skinning))
+    to_root = skeleton_to_root(body.skeletons, body.joints, skin)
     total = np.repeat(to_root[None, 3, :3], len(points), axis=0)
     add_influences(skin, bound_points(points, skin), skinning[:, :, :3] @ to_root[:3, :3], total)
     return total
@@ -90,27 +90,27 @@ def bound_points(points: Floats, skin: Skin) -> Floats:
     return bound
 
 
-def carrying_joint(rig: Rig, rows: Indices) -> int:
+def carrying_joint(body: Body, rows: Indices) -> int:
     """The deepest joint on which, with the joints below it, `_FACE_SHARE` of the influence on
     points `rows` (q,) lies.
 
     -1 where there is none.  By it the joint of a face is found without names.
     """
-    share: Floats = np.zeros(len(rig.joints))
+    share: Floats = np.zeros(len(body.joints))
     for row in rows.tolist():
-        mesh, local = rig.mesh_of(row)
-        skin = rig.meshes[mesh].skin
+        mesh, local = body.mesh_of(row)
+        skin = body.meshes[mesh].binding.skin
         if skin is not None:
             np.add.at(share, skin.joints[local], skin.weights[local])
     total = float(share.sum())
     if not total > 0.0:
         return -1
-    depth = np.zeros(len(rig.joints), dtype=np.int64)
-    for i, joint in enumerate(rig.joints):
+    depth = np.zeros(len(body.joints), dtype=np.int64)
+    for i, joint in enumerate(body.joints):
         depth[i] = depth[joint.parent] + 1 if joint.parent >= 0 else 0
-    for i in range(len(rig.joints) - 1, -1, -1):
-        if rig.joints[i].parent >= 0:
-            share[rig.joints[i].parent] += share[i]
+    for i in range(len(body.joints) - 1, -1, -1):
+        if body.joints[i].parent >= 0:
+            share[body.joints[i].parent] += share[i]
     carrying = np.flatnonzero(share >= _FACE_SHARE * total)
     if not len(carrying):
         return int(share.argmax())

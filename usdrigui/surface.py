@@ -63,9 +63,14 @@ def mesh_triangles(meshes: Sequence[RigMesh], visible_only: bool = False) -> Ind
     parts: list[Indices] = [np.zeros((0, 3), dtype=np.int64)]
     start = 0
     for mesh in meshes:
-        if mesh.visible or not visible_only:
+        if mesh.display.visible or not visible_only:
             parts.append(
-                triangles(mesh.points, mesh.face_counts, mesh.face_indices, mesh.left_handed)
+                triangles(
+                    mesh.points,
+                    mesh.topology.face_counts,
+                    mesh.topology.face_indices,
+                    mesh.topology.left_handed,
+                )
                 + start
             )
         start += len(mesh.points)

@@ -39,7 +39,7 @@ def checked(run_inside, python, layer, source, rig, layout, missing=()):
     asked = [{name: value for name, value in zip(names, pose, strict=True) if name in laid} for pose in poses]
     found = run_inside([python], "pose_points", layer=str(layer), poses=asked, missing=list(missing))
     place = characters.to_world(source, rig)
-    size = characters.diagonal([place(mesh.points) for mesh in rig.meshes])
+    size = characters.diagonal([place(mesh.points) for mesh in rig.body.meshes])
     worst = {"points": 0.0, "values": 0.0, "handles": 0.0, "tracks": 0.0}
     poser = prepare(rig, layout)
     for number, pose in enumerate(poses):

@@ -31,7 +31,7 @@ def test_imported_handles_stay_on_the_face_through_the_animation(run_inside, usd
     drawn = handles(layer, rig, where)
     found = run_inside([usd_python], "plain_import", layer=str(layer), frames=FRAMES, anchors=where, handles=drawn)
     place = characters.to_world(source, rig)
-    close = CLOSE * characters.diagonal([place(mesh.points) for mesh in rig.meshes])
+    close = CLOSE * characters.diagonal([place(mesh.points) for mesh in rig.body.meshes])
     assert found["frames"].tolist() == [1, 48]
     travelled, exact = 0.0, 0
     for name, points in expected.items():
@@ -58,7 +58,7 @@ def shown_at_first(layer):
 def handles(layer, rig, names):
     """By prim name, the mesh that draws a handle, and its points."""
     stage = Usd.Stage.Open(str(layer))
-    prims = element_prims(stage.GetPrimAtPath(rig.root).GetChild("RigUI"))
+    prims = element_prims(stage.GetPrimAtPath(rig.skel_root.path).GetChild("RigUI"))
     return {
         prim.GetName(): (prim.GetParent().GetName(), points_of_subset(prim)[0].tolist())
         for prim in prims
@@ -69,7 +69,7 @@ def handles(layer, rig, names):
 def anchors(layer, rig, frames):
     """By prim name, the deformed anchors (frames, 3) of the elements on the face in root space, by UsdSkel."""
     stage = Usd.Stage.Open(str(layer))
-    assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.root)))
+    assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.skel_root.path)))
     found = {}
     for element in shown_at_first(layer):
         if not element.anchor.on_board:
@@ -79,7 +79,7 @@ def anchors(layer, rig, frames):
 
 
 def root_points(stage, rig, element, points, frames):
-    root, mesh = (stage.GetPrimAtPath(path) for path in (rig.root, element.anchor.mesh))
+    root, mesh = (stage.GetPrimAtPath(path) for path in (rig.skel_root.path, element.anchor.mesh))
     at = []
     for frame in frames:
         cache = UsdGeom.XformCache(frame)

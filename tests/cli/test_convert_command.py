@@ -70,8 +70,8 @@ def test_converted_handles_follow_the_face(folder, capsys):
     on_face = [element for element in layout.elements if not element.anchor.on_board]
     assert on_face
     for element in on_face:
-        anchor = laid_out.root_points(stage, element.anchor.mesh, rig.root, 0)[element.anchor.point]
-        assert np.abs(laid_out.handle(stage, rig.root, element, 0).mean(axis=0) - anchor).max() < 5e-5
+        anchor = laid_out.root_points(stage, element.anchor.mesh, rig.skel_root.path, 0)[element.anchor.point]
+        assert np.abs(laid_out.handle(stage, rig.skel_root.path, element, 0).mean(axis=0) - anchor).max() < 5e-5
 
 
 @pytest.mark.parametrize("arguments", [["check"], ["process", "--previous"], ["picker", "--svg", "picker.svg"]])

@@ -186,6 +186,6 @@ def test_an_open_stage_is_laid_out_by_variant(folder):
 
 def test_rigid_parts_that_are_instances_are_read(made):
     (rig,) = read_rigs(made / "char.usda", load())
-    assert {mesh.path for mesh in rig.meshes} >= {"/Char/Eyes/L/ball", "/Char/Eyes/R/ball"}
-    (proxy,) = (mesh for mesh in rig.meshes if mesh.path == "/Char/Proxy")
-    assert not proxy.visible
+    assert {mesh.path for mesh in rig.body.meshes} >= {"/Char/Eyes/L/ball", "/Char/Eyes/R/ball"}
+    (proxy,) = (mesh for mesh in rig.body.meshes if mesh.path == "/Char/Proxy")
+    assert not proxy.display.visible

@@ -62,7 +62,7 @@ def test_places_are_those_of_the_view(characters):
     """At one scale, but for what keeps handles apart; the character's left is on the right; up is up."""
     rig, layout = characters[0]
     made = {spot.element.name: spot for spot in picker.picker(characters).spots}
-    plane = np.stack([np.cross(rig.up, layout.frame.view), -rig.up], axis=1)
+    plane = np.stack([np.cross(rig.skel_root.up, layout.frame.view), -rig.skel_root.up], axis=1)
     face = [element for element in layout.elements if not element.anchor.on_board]
     given = np.array([element.anchor.position @ plane for element in face])
     found = np.array([made[element.name].handle for element in face])
@@ -161,8 +161,8 @@ def aside(characters, down=0.0):
 
     rig, layout = characters[0]
     far = (
-        60.0 * layout.frame.handle_width * np.cross(rig.up, layout.frame.view)
-        + down * layout.frame.handle_width * rig.up
+        60.0 * layout.frame.handle_width * np.cross(rig.skel_root.up, layout.frame.view)
+        + down * layout.frame.handle_width * rig.skel_root.up
     )
     one = layout.elements[0]
     members = tuple(replace(each, track=each.track + far) for each in one.manipulator.members)

@@ -115,7 +115,7 @@ def test_a_saved_pose_is_the_pose_shown(replayed, tmp_path):
         of_weights, of_joints = off(found["pose"]["shown"], stage, rig, 5.0)
         assert of_weights < TOLERANCE, (seed, actions)
         # The joints are written where a control turns some, else the source has the say.
-        if any(len(control.drive.joints) for control in rig.controls) and len(rig.skeletons) == 1:
+        if any(len(control.drive.joints) for control in rig.controls) and len(rig.body.skeletons) == 1:
             assert of_joints < TOLERANCE + HALF, (seed, actions)
 
 
@@ -163,12 +163,12 @@ def test_joints_without_keys_are_left_to_the_source(replayed):
         layer.ImportFromString(found["layer"])
         work = json.loads(layer.customLayerData["usdrigui"]["work"])
         reached = {
-            rig.joints[int(joint)].skeleton
+            rig.body.joints[int(joint)].skeleton
             for control in rig.controls
             if control.name in work["keys"] or control.name in work["standing"]
             for joint in control.drive.joints
         }
-        for index, skeleton in enumerate(rig.skeletons):
+        for index, skeleton in enumerate(rig.body.skeletons):
             path = skeleton.animation or f"{skeleton.path}/usdrigui_animation"
             written = layer.GetAttributeAtPath(f"{path}.rotations") is not None
             assert written == (index in reached), seed

@@ -39,7 +39,7 @@ def test_points_handles_and_tracks_equal_the_library(browser, rigs, tmp_path, na
     poser = prepare(rig, layout)
     diagonal = float(np.linalg.norm(np.ptp(deform(rig), axis=0)))
     rng = np.random.default_rng(7)
-    shown = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in rig.meshes])
+    shown = np.concatenate([np.full(len(mesh.points), mesh.display.visible) for mesh in rig.body.meshes])
     for _ in range(4):
         values = laid_out.random_values(rig, rng)
         viewer.set(**{control.name: float(value) for control, value in zip(rig.controls, values, strict=True)})

@@ -439,7 +439,7 @@ def test_rearranged_element_makes_a_partial_layout(viewer, tmp_path):
     settings = load(tomllib.loads(path.read_text()))
     mesh, _, point = settings.rig.controls["sneer_L"].anchor.partition("#")
     assert mesh == "/Root/mesh"
-    where = makers.face().meshes[0].points[int(point)]
+    where = makers.face().body.meshes[0].points[int(point)]
     assert where[:2] == pytest.approx([0.2, 0.1], abs=0.03)
     viewer.page.keyboard.press("Control+z")
     viewer.settle()

@@ -12,7 +12,6 @@ import shutil
 import subprocess
 import threading
 from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
 
 import laid_out
@@ -149,7 +148,7 @@ def test_a_conflict_is_reported_and_a_key_stays_over_its_removal(tmp_path):
 def test_characters_of_a_shot_and_the_frames_set_by_hand_share_one_file(tmp_path):
     """Keys of each character and the first and last frame are with the other page; those of the others stay."""
     face = makers.face()
-    other = replace(face, root="/Other")
+    other = makers.changed(face, path="/Other")
     name = face.controls[0].name
     second = [["of", 1, action] for action in keyed(name, 5, 0.25)]
     rounds = [[keyed(name, 3, 0.5), second], [[["span", 101, 120]], []]]
@@ -158,7 +157,7 @@ def test_characters_of_a_shot_and_the_frames_set_by_hand_share_one_file(tmp_path
     first = {"keys": {name: [[3, 0.5]]}, "standing": {}, "span": [101, 120]}
     assert found["all"] == [[first, {"keys": {name: [[5, 0.25]]}, "standing": {}}]] * 2
     assert found["states"] == ["saved", "saved"]
-    assert {each["root"] for each in work_in(tmp_path / "edit.usda")["characters"]} == {face.root, "/Other"}
+    assert {each["root"] for each in work_in(tmp_path / "edit.usda")["characters"]} == {face.skel_root.path, "/Other"}
 
 
 def resaved(path):

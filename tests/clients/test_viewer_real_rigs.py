@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from browser_pages import Viewer
+from makers import changed
 
 from usdrigui import pipeline
 from usdrigui.cli import main
@@ -108,7 +109,7 @@ def test_pose_equals_the_library(shown):
 def assert_points_equal(viewer, rig, expected):
     """The viewer's points are those of the library, as far as 16-bit steps allow."""
     points = np.array(viewer.page.evaluate("usdrigui.points()")).reshape(-1, 3)
-    shown_points = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in rig.meshes])
+    shown_points = np.concatenate([np.full(len(mesh.points), mesh.display.visible) for mesh in rig.body.meshes])
     diagonal = float(np.linalg.norm(np.ptp(expected, axis=0)))
     assert np.abs(points - expected)[shown_points].max() <= 3e-5 * diagonal
 
@@ -129,9 +130,9 @@ def test_pulled_skin_follows_within_the_ranges(shown):
 def test_the_animation_moves_joints_and_shapes_as_the_library_does(shown):
     """At every third of its samples; joints follow the animation, whatever the controls are."""
     viewer, rig, _, _ = shown
-    if rig.clip is None or len(rig.clip.times) < 2:
+    if rig.skel_root.clip is None or len(rig.skel_root.clip.times) < 2:
         pytest.skip("this rig has no animation")
-    clip = rig.clip
+    clip = rig.skel_root.clip
     for k in range(0, len(clip.times), max(1, len(clip.times) // 3)):
         viewer.page.evaluate("(frame) => usdrigui.app.timeline.go(frame)", float(clip.times[k]))
         viewer.settle()
@@ -140,9 +141,9 @@ def test_the_animation_moves_joints_and_shapes_as_the_library_does(shown):
 
 def at_sample(rig, k):
     """The rig whose neutral pose is sample k of its animation."""
-    clip = rig.clip
-    weights = clip.weights[k] if clip.weights.size else rig.base_weights
-    joints = rig.joints
+    clip = rig.skel_root.clip
+    weights = clip.weights[k] if clip.weights.size else rig.body.base_weights
+    joints = rig.body.joints
     if clip.locals.size:
         joints = tuple(replace(joint, base=local) for joint, local in zip(joints, clip.locals[k], strict=True))
-    return replace(rig, base_weights=np.asarray(weights, dtype=np.float64), joints=joints)
+    return changed(rig, base_weights=np.asarray(weights, dtype=np.float64), joints=joints)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import pairwise
 
 import makers
@@ -22,9 +21,9 @@ SKIN = 0.02
 
 def animated(rig):
     """The mask, its pucker rising from 0 to 1 between frames 1 and 11."""
-    weights = np.zeros((2, len(rig.channels)))
-    weights[1, next(i for i, each in enumerate(rig.channels) if each.token == "pucker")] = 1.0
-    return replace(rig, clip=Clip(np.array([1.0, 11.0]), weights, np.zeros((2, 0, 4, 4)), 24.0))
+    weights = np.zeros((2, len(rig.body.channels)))
+    weights[1, next(i for i, each in enumerate(rig.body.channels) if each.token == "pucker")] = 1.0
+    return makers.changed(rig, clip=Clip(np.array([1.0, 11.0]), weights, np.zeros((2, 0, 4, 4)), 24.0))
 
 
 @pytest.fixture(scope="module")

@@ -22,10 +22,10 @@ LONG = "mouthLowerDownwardsOuterCornerLeft"
 
 def animated(rig):
     """The mask with an animation: pucker rises to 1 at frame 11, brow_L to 0.5 at frame 21."""
-    weights = np.zeros((3, len(rig.channels)))
-    weights[1:, rig.channels.index(next(each for each in rig.channels if each.token == "pucker"))] = 1.0, 0.25
-    weights[2, rig.channels.index(next(each for each in rig.channels if each.token == "brow_L"))] = 0.5
-    return replace(rig, clip=Clip(np.array([1.0, 11.0, 21.0]), weights, np.zeros((3, 0, 4, 4)), 24.0))
+    weights = np.zeros((3, len(rig.body.channels)))
+    weights[1:, rig.body.channels.index(next(each for each in rig.body.channels if each.token == "pucker"))] = 1.0, 0.25
+    weights[2, rig.body.channels.index(next(each for each in rig.body.channels if each.token == "brow_L"))] = 0.5
+    return makers.changed(rig, clip=Clip(np.array([1.0, 11.0, 21.0]), weights, np.zeros((3, 0, 4, 4)), 24.0))
 
 
 @pytest.fixture(scope="module")

@@ -87,7 +87,7 @@ def test_an_element_moved_in_the_browser_stays_there_when_laid_out_again(viewer,
     [kept] = [
         each for each in after.values() if element["controls"][0] in [one.control for one in each.manipulator.members]
     ]
-    starts = {mesh.path: start for mesh, start in zip(rig.meshes, rig.starts, strict=False)}
+    starts = {mesh.path: start for mesh, start in zip(rig.body.meshes, rig.body.starts, strict=False)}
     assert starts[kept.anchor.mesh] + kept.anchor.point == point
     old = before[element["name"]].anchor
     assert (old.mesh, old.point) != (kept.anchor.mesh, kept.anchor.point)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import laid_out
 import makers
 import numpy as np
@@ -21,9 +19,9 @@ from usdrigui.view.page import page_html
 
 def animated(rig, root):
     """The mask, its pucker rising from 0 to 1 between frames 1 and 11."""
-    weights = np.zeros((2, len(rig.channels)))
-    weights[1, next(i for i, each in enumerate(rig.channels) if each.token == "pucker")] = 1.0
-    return replace(rig, root=root, clip=Clip(np.array([1.0, 11.0]), weights, np.zeros((2, 0, 4, 4)), 24.0))
+    weights = np.zeros((2, len(rig.body.channels)))
+    weights[1, next(i for i, each in enumerate(rig.body.channels) if each.token == "pucker")] = 1.0
+    return makers.changed(rig, path=root, clip=Clip(np.array([1.0, 11.0]), weights, np.zeros((2, 0, 4, 4)), 24.0))
 
 
 @pytest.fixture(scope="module")
@@ -162,7 +160,7 @@ def test_reset_reaches_the_neutral_pose_from_every_frame(browser, tmp_path):
     def off():
         viewer.settle()
         points = np.array(viewer.page.evaluate("usdrigui.points()")).reshape(-1, 3)
-        shown = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in rig.meshes])
+        shown = np.concatenate([np.full(len(mesh.points), mesh.display.visible) for mesh in rig.body.meshes])
         neutral = deform(rig)
         return np.abs(points - neutral)[shown].max() / np.ptp(neutral, axis=0).max()
 

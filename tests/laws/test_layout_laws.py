@@ -53,7 +53,7 @@ def test_size_and_place_change_nothing(plain, matrix, offset):
 
 def test_the_order_of_points_changes_nothing(plain):
     rig = makers.face()
-    order = np.random.default_rng(5).permutation(len(rig.meshes[0].points))
+    order = np.random.default_rng(5).permutation(len(rig.body.meshes[0].points))
     shuffled = chain.lay_out(makers.shuffled(rig, order))
     assert {key: int(order[point]) for key, point in anchors(shuffled).items()} == anchors(plain)
 
@@ -88,7 +88,7 @@ def puffing():
 @pytest.mark.parametrize("seed", [0, 1])
 def test_a_symmetric_element_off_the_plane_takes_the_left_of_its_two_places(matrix, seed):
     rig = puffing()
-    order = np.random.default_rng(seed).permutation(len(rig.meshes[0].points))
+    order = np.random.default_rng(seed).permutation(len(rig.body.meshes[0].points))
     settings = chain.settings(symmetry={"double_middle": "never"})
     line = chain.lay_out(makers.moved(makers.shuffled(rig, order), matrix), settings)
     puff = chain.by_name(line)["puff"]

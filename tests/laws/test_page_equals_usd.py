@@ -88,7 +88,7 @@ def pages(cases):
     if shutil.which("node") is None:
         pytest.skip("Node.js is not installed")
     asked = [
-        {"scene": base64.b64encode(pack([(rig, layout)], "law")).decode(), "times": rig.clip.times.tolist()}
+        {"scene": base64.b64encode(pack([(rig, layout)], "law")).decode(), "times": rig.skel_root.clip.times.tolist()}
         for rig, layout, _ in cases.values()
     ]
     done = subprocess.run(
@@ -105,12 +105,14 @@ def test_the_page_has_handles_and_tracks_where_usd_has_them(cases, pages, tmp_pa
     drives = {control.name: control.drive for control in rig.controls}
     diagonal = float(np.linalg.norm(np.ptp(laid_out.posed(rig).points, axis=0)))
     travels = np.zeros(len(layout.elements))
-    for time, placed in zip(rig.clip.times.tolist(), pages[name], strict=True):
+    for time, placed in zip(rig.skel_root.clip.times.tolist(), pages[name], strict=True):
         for i, (element, page) in enumerate(zip(layout.elements, placed, strict=True)):
-            for ours, theirs in zip(page["tracks"], laid_out.tracks(stage, rig.root, element, time), strict=True):
+            for ours, theirs in zip(
+                page["tracks"], laid_out.tracks(stage, rig.skel_root.path, element, time), strict=True
+            ):
                 assert np.abs(np.array(ours) - theirs).max() < HAIR * layout.frame.handle_width, (element.name, time)
             if told(element, drives):
-                centre = laid_out.handle(stage, rig.root, element, time).mean(axis=0)
+                centre = laid_out.handle(stage, rig.skel_root.path, element, time).mean(axis=0)
                 assert np.abs(page["handle"] - centre).max() < CLOSE * diagonal, (element.name, time)
             travels[i] = max(travels[i], np.abs(np.array(page["handle"]) - element.anchor.position).max())
     assert (travels > 0.5 * layout.frame.handle_width).mean() > 0.8
@@ -127,7 +129,7 @@ def attached(folder, rig, layout, source):
     layer = layer_for([(rig, layout)], str(source), OutputSettings(), stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
     layer.Export(str(folder / "layout.usda"))
     stage = Usd.Stage.Open(str(folder / "layout.usda"))
-    assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.root)))
+    assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.skel_root.path)))
     return stage
 
 

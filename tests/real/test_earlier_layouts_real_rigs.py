@@ -24,7 +24,7 @@ def test_fixed_anchors_are_kept_exactly_and_the_rest_is_optimal_given_them(name)
     _, _, first = lay_out(rig)
     half = replace(first, elements=first.elements[::2])
     proven = load({"solve": {"gap": 1e-4}})
-    _, found, made = lay_out(rig, proven, fixed={rig.root: half})
+    _, found, made = lay_out(rig, proven, fixed={rig.skel_root.path: half})
     for element in half.elements:
         # A control with a lobe on each side has two elements.
         holding = [e for e in made.elements if element.manipulator.members[0].control in e.manipulator.controls]
@@ -47,7 +47,7 @@ def test_removing_and_adding_five_moves_fewer_than_one_in_twenty():
         return replace(rig, controls=tuple(control for control in rig.controls if control.name not in gone))
 
     _, _, before = lay_out(without(coming), quick)
-    _, _, after = lay_out(without(going), quick, previous={rig.root: before})
+    _, _, after = lay_out(without(going), quick, previous={rig.skel_root.path: before})
     found = difference(before, after)
     told = {kind: {c.control for c in found.changes if c.kind == kind} for kind in ("added", "removed")}
     laid = {m.control for layout in (before, after) for e in layout.elements for m in e.manipulator.members}
@@ -60,13 +60,13 @@ def test_nine_in_ten_controls_stand_within_two_handle_widths_on_a_head_of_other_
     ready, _, theirs = lay_out(rig)
     box = box_of(rig)
     other = other_head(rig, 110, box)
-    assert sum(len(mesh.points) for mesh in other.meshes) < 0.7 * sum(len(mesh.points) for mesh in rig.meshes)
+    assert sum(len(mesh.points) for mesh in other.meshes) < 0.7 * sum(len(mesh.points) for mesh in rig.body.meshes)
     context, _, ours = lay_out(other, like=((rig, theirs),))
     now = {member.control: element.anchor for element in ours.elements for member in element.manipulator.members}
     # Meshes without skin or transform: root space is their own.
     assert all(
         np.allclose(ready.face.trajectories.surface.points[s : s + len(m.points)], m.points, atol=1e-4)
-        for s, m in zip(rig.starts, rig.meshes, strict=False)
+        for s, m in zip(rig.body.starts, rig.body.meshes, strict=False)
     )
     apart = []
     for element in theirs.elements:
@@ -88,7 +88,7 @@ def test_five_decisions_stand_through_ten_versions_of_a_real_rig():
     quick = load({"solve": {"gap": 1e-2, "work_limit": 100_000}})
     inputs, _, _ = lay_out(rig, quick)
     chosen = {"browOuterUp_L": 40, "mouthSmile_L": 25, "noseSneer_R": 15}
-    anchors = {name: place_of(rig, _another_point(inputs, name, rank)) for name, rank in chosen.items()}
+    anchors = {name: place_of(rig.body, _another_point(inputs, name, rank)) for name, rank in chosen.items()}
     controls = {**{name: {"anchor": where} for name, where in anchors.items()}, "cheekPuff": {"place": "board"}}
     groups = {"groups": {"shrug": ["mouthShrugUpper", "mouthShrugLower"]}}
     asked = load({"solve": {"gap": 1e-2, "work_limit": 100_000}, "controls": controls, "groups": groups})
@@ -103,7 +103,7 @@ def test_five_decisions_stand_through_ten_versions_of_a_real_rig():
     places = {each.name: each.anchor.position for each in first.elements}
     before = first
     for version, now in versions:
-        inputs, found, layout = lay_out(version, quick, previous={rig.root: before})
+        inputs, found, layout = lay_out(version, quick, previous={rig.skel_root.path: before})
         at = {member.control: each.anchor for each in layout.elements for member in each.manipulator.members}
         for name in chosen:
             apart = np.linalg.norm(at[now[name]].position - places[name])

@@ -43,7 +43,7 @@ PROVED = Settings().layout.solve.work_limit
 def anchors(line):
     """Where every element on the face stands, by its controls: mesh and point, and for one that acts on both sides
     the mirror image of that point too, for a layout and its mirror image cost the same."""
-    partner, starts = line.face.symmetry.partner, line.face.rig.starts
+    partner, starts = line.face.symmetry.partner, line.face.rig.body.starts
     found = {}
     for element in on_face(line):
         at = point_of(line, element)
@@ -69,7 +69,7 @@ def proved(name):
 @pytest.mark.parametrize("name", ["godette", "mh_expr34", "ict_face57"])
 def test_arrays_a_hundred_times_larger_or_turned_give_the_same_anchors(name, z_up, tmp_path):
     (rig,) = read_rigs(rebuilt(name, tmp_path, 100.0, z_up), Settings())
-    assert rig.up == pytest.approx([0, 0, 1] if z_up else [0, 1, 0])
+    assert rig.skel_root.up == pytest.approx([0, 0, 1] if z_up else [0, 1, 0])
     line, plain = laid_out(rig, PROVED), proved(name)
     assert line.layout.frame.handle_width == pytest.approx(100.0 * plain.layout.frame.handle_width, rel=1e-4)
     assert anchors(line) == anchors(plain)
@@ -85,8 +85,8 @@ def test_joints_turned_to_z_up_give_the_same_anchors(tmp_path):
 @pytest.mark.parametrize("name", ["godette", "mh_expr34", "ict_face57"])
 def test_a_shot_that_scales_and_turns_the_asset_gives_the_same_anchors(name, z_up, tmp_path):
     (rig,) = read_rigs(referring(name, tmp_path, 100.0, z_up), Settings())
-    assert rig.root == "/Shot/Char"
-    assert rig.up == pytest.approx([0, 1, 0]), "the character's own space is still Y-up"
+    assert rig.skel_root.path == "/Shot/Char"
+    assert rig.skel_root.up == pytest.approx([0, 1, 0]), "the character's own space is still Y-up"
     assert anchors(laid_out(rig, PROVED)) == anchors(proved(name))
 
 
@@ -118,7 +118,7 @@ def test_their_board_stands_clear_of_the_head(name):
     """No element of the board lies in front of the head or of another element, seen from the front."""
     line = with_whole_head(name)
     context, width = line.face, line.layout.frame.handle_width
-    across = np.cross(context.rig.up, FRONTS[name])
+    across = np.cross(context.rig.skel_root.up, FRONTS[name])
     beside = [element for element in line.layout.elements if element.anchor.on_board]
     spots = np.array([element.anchor.position for element in beside])
     apart = np.linalg.norm(spots[:, None] - spots[None], axis=2) + np.diag(np.full(len(spots), np.inf))
@@ -137,10 +137,10 @@ def test_a_straight_line_leads_from_every_anchor_to_one_of_three_viewers(name):
     of the product's own."""
     line = line_of(name)
     rig, base = line.face.rig, line.face.trajectories.surface.points
-    triangles = base[mesh_triangles(rig.meshes, visible_only=True)]
+    triangles = base[mesh_triangles(rig.body.meshes, visible_only=True)]
     spots = np.array([element.anchor.position for element in on_face(line)])
     seen = np.zeros(len(spots), dtype=bool)
-    for toward in viewers(np.array(FRONTS[name]), rig.up):
+    for toward in viewers(np.array(FRONTS[name]), rig.skel_root.up):
         seen |= free(spots + 0.25 * line.layout.frame.handle_width * toward, toward, triangles)
     hidden = [element.name for element, each in zip(on_face(line), seen, strict=True) if not each]
     assert hidden == []
@@ -149,10 +149,10 @@ def test_a_straight_line_leads_from_every_anchor_to_one_of_three_viewers(name):
 def test_what_lies_behind_the_head_is_hidden_from_all_three():
     line = line_of("godette")
     rig, base = line.face.rig, line.face.trajectories.surface.points
-    triangles = base[mesh_triangles(rig.meshes, visible_only=True)]
+    triangles = base[mesh_triangles(rig.body.meshes, visible_only=True)]
     size = line.face.trajectories.surface.face_size
     behind = np.array([e.anchor.position for e in on_face(line)]) - size * np.array(FRONTS["godette"])
-    for toward in viewers(np.array(FRONTS["godette"]), rig.up):
+    for toward in viewers(np.array(FRONTS["godette"]), rig.skel_root.up):
         assert free(behind, toward, triangles).mean() < 0.5
 
 

@@ -32,7 +32,7 @@ def test_points_and_handles_equal_usdskel(source):
         expected = Oracle(source, rig).deformed(*channel_state(rig, values))
         diagonal = float(np.linalg.norm(np.ptp(expected, axis=0)))
         assert np.abs(posed.points - expected).max() < 1e-5 * diagonal
-        starts = dict(zip((mesh.path for mesh in rig.meshes), rig.starts.tolist(), strict=False))
+        starts = dict(zip((mesh.path for mesh in rig.body.meshes), rig.body.starts.tolist(), strict=False))
         for element, at in zip(layout.elements, posed.elements, strict=True):
             anchor = expected[starts[element.anchor.mesh] + element.anchor.point]
             assert np.abs(at.handle - anchor).max() < 1e-5 * diagonal, element.name

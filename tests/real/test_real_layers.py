@@ -38,18 +38,20 @@ def test_handles_are_centred_on_their_deformed_anchors(tmp_path, source):
         stage = laid_out.baked(layer, rig, poses)
         worst = _worst_miss(stage, rig, layout, len(poses))
         assert len(layout.elements) > 0.9 * len(rig.controls)
-        assert worst < 1e-5, rig.root
+        assert worst < 1e-5, rig.skel_root.path
 
 
 def _worst_miss(stage, rig, layout, poses):
     """Largest distance of a handle from its anchor, as a share of the diagonal of the character."""
     worst = 0.0
     for time in range(poses):
-        points = {mesh.path: laid_out.root_points(stage, mesh.path, rig.root, time) for mesh in rig.meshes}
+        points = {
+            mesh.path: laid_out.root_points(stage, mesh.path, rig.skel_root.path, time) for mesh in rig.body.meshes
+        }
         everything = np.concatenate(list(points.values()))
         diagonal = np.linalg.norm(np.ptp(everything, axis=0))
         for element in layout.elements:
-            centre = laid_out.handle(stage, rig.root, element, time).mean(axis=0)
+            centre = laid_out.handle(stage, rig.skel_root.path, element, time).mean(axis=0)
             miss = np.linalg.norm(centre - points[element.anchor.mesh][element.anchor.point])
             worst = max(worst, float(miss / diagonal))
     return worst

@@ -122,7 +122,7 @@ def test_metadata_that_is_no_number(old, new, bad, tmp_path):
     path.write_text(text.replace(old, new.replace("{{", "{").replace("}}", "}").replace("BAD", bad), 1))
     (rig,) = read_rigs(path, Settings())
     assert finite(rig)
-    assert {each.code for each in rig.issues} <= {"INBETWEEN_INVALID", "RANGE_INVALID", "UNITS_TYPE"}
+    assert {each.code for each in rig.findings.issues} <= {"INBETWEEN_INVALID", "RANGE_INVALID", "UNITS_TYPE"}
 
 
 # --- whatever stage ----------------------------------------------------------------------------------
@@ -190,4 +190,4 @@ def test_any_stage_is_refused_or_read_into_finite_records(tmp_path_factory, text
     assert finite(rigs)
     for rig in rigs:
         points = deform(rig, [control.maximum for control in rig.controls])
-        assert points.shape == (sum(len(mesh.points) for mesh in rig.meshes), 3)
+        assert points.shape == (sum(len(mesh.points) for mesh in rig.body.meshes), 3)

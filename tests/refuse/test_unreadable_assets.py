@@ -114,7 +114,7 @@ def test_a_layer_missing_elsewhere_is_a_warning(tmp_path):
     with _silent():
         path = head(tmp_path / "char.usda", edit=edit)
     (rig,) = read_rigs(path, Settings())
-    assert [(each.code, each.path) for each in rig.issues if each.severity == "warning"] == [
+    assert [(each.code, each.path) for each in rig.findings.issues if each.severity == "warning"] == [
         ("COMPOSITION_ERROR", "/Room")
     ]
 
@@ -229,7 +229,7 @@ def test_what_moves_the_character_may_be_no_instance(tmp_path, kind, path):
         stage = Usd.Stage.Open(str(tmp_path / "char.usda"))
         edit(stage)
         stage.Save()
-        assert "/Char/Copy/Nose" in {mesh.path for mesh in read_rigs(tmp_path / "char.usda", load())[0].meshes}
+        assert "/Char/Copy/Nose" in {mesh.path for mesh in read_rigs(tmp_path / "char.usda", load())[0].body.meshes}
     else:
         error = spoilt(tmp_path, edit)
         assert (error.issue.code, error.issue.path) == ("INSTANCE", path)
@@ -250,7 +250,7 @@ def test_an_instance_beside_a_character_that_is_in_none(tmp_path, wanted):
     assert error.issue.message.endswith("; in no instance: /Shot/B")
     assert "read.skel_root" in error.issue.repair
     (rig,) = read_rigs(tmp_path / "shot.usda", load({"read": {"skel_root": "/Shot/B"}}))
-    assert rig.root == "/Shot/B"
+    assert rig.skel_root.path == "/Shot/B"
 
 
 # --- bindings that UsdSkel passes over -----------------------------------------------------------------
@@ -486,9 +486,9 @@ def test_animations_that_contradict(tmp_path, capfd, edit, code, path):
 def test_a_shape_that_contradicts_costs_its_control_alone(tmp_path, capfd, edit, code):
     (rig,) = read_rigs(head(tmp_path / "char.usda", edit=edit), Settings())
     assert [control.name for control in rig.controls] == ["frown"]
-    (lost,) = rig.left_off
+    (lost,) = rig.findings.left_off
     assert lost.control == "smile"
-    (warned,) = (each for each in rig.issues if each.severity == "warning")
+    (warned,) = (each for each in rig.findings.issues if each.severity == "warning")
     assert (warned.code, warned.path) == ("PART_LEFT_OFF", "/Char/Face/s_smile")
     assert warned.message.startswith(f"{code}: ")
     assert lost.reason.endswith(warned.message.removeprefix(f"{code}: "))
@@ -515,8 +515,8 @@ def test_a_mesh_that_contradicts_costs_what_it_alone_has(tmp_path, capfd, edit, 
 
     (rig,) = read_rigs(head(tmp_path / "char.usda", edit=two), Settings())
     assert [control.name for control in rig.controls] == ["lift"]
-    assert {"smile", "frown"} <= {lost.control for lost in rig.left_off}
-    (warned,) = (each for each in rig.issues if each.severity == "warning")
+    assert {"smile", "frown"} <= {lost.control for lost in rig.findings.left_off}
+    (warned,) = (each for each in rig.findings.issues if each.severity == "warning")
     assert (warned.code, warned.path, warned.message.partition(":")[0]) == ("PART_LEFT_OFF", "/Char/Face", code)
     alone = spoilt(tmp_path, edit)
     assert (alone.issue.code, alone.issue.path) == (code, "/Char/Face"), "nothing is left"

@@ -270,7 +270,9 @@ def test_a_layer_is_read_as_our_own_reader_does_and_survives_json(extension, lai
             assert one.control == other.control
             assert one.values == pytest.approx(other.values)
             assert np.array(one.track) == pytest.approx(other.track, abs=1e-5)
-    assert {mesh.path: mesh.points for mesh in found.meshes} == {mesh.path: len(mesh.points) for mesh in rig.meshes}
+    assert {mesh.path: mesh.points for mesh in found.meshes} == {
+        mesh.path: len(mesh.points) for mesh in rig.body.meshes
+    }
 
 
 def test_handles_are_as_wide_as_those_of_their_part(extension, laid):

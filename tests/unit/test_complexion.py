@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from makers import changed
 from PIL import Image
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdShade, Vt
 
@@ -121,8 +122,8 @@ def sample():
 
 def bare(rig):
     """The sample without a word about colour: neither values nor names that tell."""
-    meshes = [replace(mesh, colours=None, path=f"/Char/part{i}") for i, mesh in enumerate(rig.meshes)]
-    return replace(rig, meshes=tuple(meshes))
+    meshes = [changed(mesh, colours=None, path=f"/Char/part{i}") for i, mesh in enumerate(rig.body.meshes)]
+    return changed(rig, meshes=tuple(meshes))
 
 
 def layout_of(rig):
@@ -130,7 +131,7 @@ def layout_of(rig):
     from viewer_layouts import peak_layout
 
     layout = peak_layout(rig)
-    head = next(mesh for mesh in rig.meshes if mesh.path.endswith(("Head", "part0")))
+    head = next(mesh for mesh in rig.body.meshes if mesh.path.endswith(("Head", "part0")))
     on_face = [
         replace(element, anchor=replace(element.anchor, mesh=head.path, on_board=False, position=np.array(at)))
         for element, at in zip(layout.elements, ([-6.0, -11.0, 6.0], [6.0, 4.0, 6.0]), strict=False)
@@ -142,7 +143,7 @@ def layout_of(rig):
 
 def test_colours_of_the_asset_are_taken_as_they_are(sample):
     found = complexion.complexion(sample, layout_of(sample))
-    assert np.array_equal(found.colours, np.concatenate([mesh.colours for mesh in sample.meshes]))
+    assert np.array_equal(found.colours, np.concatenate([mesh.display.colours for mesh in sample.body.meshes]))
     assert not found.clear.any()
     assert (found.gaze > 2.0).all()
 
@@ -151,8 +152,8 @@ def test_form_finds_the_pupils_and_the_lips_that_colours_say(sample):
     """On the sample without its colours: its own tell where the pupils, the whites and the lips are."""
     plain = bare(sample)
     found = complexion.complexion(plain, layout_of(plain))
-    told = np.concatenate([mesh.colours for mesh in sample.meshes])
-    names = np.repeat([mesh.path.rsplit("/", 1)[-1] for mesh in sample.meshes], np.diff(sample.starts))
+    told = np.concatenate([mesh.display.colours for mesh in sample.body.meshes])
+    names = np.repeat([mesh.path.rsplit("/", 1)[-1] for mesh in sample.body.meshes], np.diff(sample.body.starts))
     eyes, head = np.char.startswith(names, "Eye"), names == "Head"
     assert (np.abs(found.gaze[eyes]) <= 2.0).all()
     assert (found.gaze[~eyes] > 2.0).all()
@@ -169,12 +170,14 @@ def test_form_finds_the_pupils_and_the_lips_that_colours_say(sample):
 def test_what_covers_the_pupil_is_clear(sample, inner, is_clear):
     """A cap before the eye; off to the side of the pupil it is left as it is, like a lid."""
     plain = bare(sample)
-    eye = next(mesh for mesh, told in zip(plain.meshes, sample.meshes, strict=True) if told.path.endswith("EyeLeft"))
-    faces = np.split(eye.face_indices, np.cumsum(eye.face_counts)[:-1])
+    eye = next(
+        mesh for mesh, told in zip(plain.body.meshes, sample.body.meshes, strict=True) if told.path.endswith("EyeLeft")
+    )
+    faces = np.split(eye.topology.face_indices, np.cumsum(eye.topology.face_counts)[:-1])
     front = [face for face in faces if (eye.points[face, 2] > inner).all()]
     beside = [face for face in front if (eye.points[face, 0] > 0.5).all()]
     cap = front if is_clear else beside
-    shell = replace(
+    shell = changed(
         eye,
         path="/Char/shell",
         points=eye.points * 1.05,
@@ -182,10 +185,10 @@ def test_what_covers_the_pupil_is_clear(sample, inner, is_clear):
         face_indices=np.concatenate(cap),
         shapes=(),
     )
-    rig = replace(plain, meshes=(*plain.meshes, shell))
+    rig = changed(plain, meshes=(*plain.body.meshes, shell))
     found = complexion.complexion(rig, layout_of(rig))
-    assert found.clear[rig.starts[-2] :].any() == is_clear
-    assert not found.clear[: rig.starts[-2]].any()
+    assert found.clear[rig.body.starts[-2] :].any() == is_clear
+    assert not found.clear[: rig.body.starts[-2]].any()
 
 
 def test_an_eye_is_black_then_coloured_then_white():

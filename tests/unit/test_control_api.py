@@ -25,22 +25,23 @@ def rig_of(*animations, base=0.0):
     """A rig of a channel in each of these SkelAnimations."""
     channels = tuple(Channel(f"shape{i}", each, i) for i, each in enumerate(animations))
     skeletons = tuple(SimpleNamespace(animation=each, path=f"/Root/skel{each}") for each in dict.fromkeys(animations))
-    return SimpleNamespace(channels=channels, skeletons=skeletons, base_weights=np.full(len(channels), base))
+    body = SimpleNamespace(channels=channels, skeletons=skeletons, base_weights=np.full(len(channels), base))
+    return SimpleNamespace(body=body)
 
 
 def test_a_control_is_plain_where_its_value_is_the_weight():
     plain, half = driven([[0.0], [1.0]]), driven([[0.0], [0.5]])
-    assert _is_plain(rig_of("/A").base_weights, plain.drive)
-    assert not _is_plain(rig_of("/A").base_weights, half.drive)
-    assert not _is_plain(rig_of("/A", base=0.25).base_weights, plain.drive), "the weight is a quarter more"
-    assert _is_plain(rig_of("/A", base=0.25).base_weights, driven([[-0.25], [0.75]]).drive)
-    assert not _is_plain(rig_of("/A", "/A").base_weights, driven([[0.0, 0.0], [1.0, 0.0]]).drive)
+    assert _is_plain(rig_of("/A").body.base_weights, plain.drive)
+    assert not _is_plain(rig_of("/A").body.base_weights, half.drive)
+    assert not _is_plain(rig_of("/A", base=0.25).body.base_weights, plain.drive), "the weight is a quarter more"
+    assert _is_plain(rig_of("/A", base=0.25).body.base_weights, driven([[-0.25], [0.75]]).drive)
+    assert not _is_plain(rig_of("/A", "/A").body.base_weights, driven([[0.0, 0.0], [1.0, 0.0]]).drive)
     turning = replace(plain.drive, joints=np.array([0]))
-    assert not _is_plain(rig_of("/A").base_weights, replace(plain, drive=turning).drive)
+    assert not _is_plain(rig_of("/A").body.base_weights, replace(plain, drive=turning).drive)
 
 
 def test_weights_below_the_noise_of_the_file_are_not_driven():
-    found = _driven_weights(rig_of("/A", "/A", "/A"), driven([[0.0, 0.0, 0.0], [0.5, 0.9e-6, -1.1e-6]]).drive)
+    found = _driven_weights(rig_of("/A", "/A", "/A").body, driven([[0.0, 0.0, 0.0], [0.5, 0.9e-6, -1.1e-6]]).drive)
     assert found["blendShapes"] == ["shape0", "shape2"]
     assert found["blendShapeWeights"].tolist() == [0.0, 0.0, 0.5, -1.1e-6]
     assert found["keys"].tolist() == [0.0, 1.0]
@@ -57,7 +58,7 @@ def test_weights_below_the_noise_of_the_file_are_not_driven():
 )
 def test_animations_are_named_unless_the_character_has_one(animations, said, which):
     table = [[0.0] * len(animations), [0.5] * len(animations)]
-    found = _driven_weights(rig_of(*animations), driven(table).drive)
+    found = _driven_weights(rig_of(*animations).body, driven(table).drive)
     assert (found["animation"], found["blendShapeAnimations"]) == (said, which)
 
 
@@ -66,10 +67,10 @@ def turning(skeletons, rotations, translations, scales, extent=2.0):
     rest = np.eye(4)
     rest[3, 1] = -extent
     joints = tuple(SimpleNamespace(path=f"j{i}", skeleton=each, rest=rest) for i, each in enumerate(skeletons))
-    rig = SimpleNamespace(joints=joints, skeletons=tuple(SimpleNamespace(path=f"/S{i}") for i in range(2)))
+    body = SimpleNamespace(joints=joints, skeletons=tuple(SimpleNamespace(path=f"/S{i}") for i in range(2)))
     rows = [np.stack([0.0 * np.array(each), np.array(each)]) for each in (rotations, translations, scales)]
     drive = SimpleNamespace(joints=np.arange(len(joints)), rotations=rows[0], translations=rows[1], scales=rows[2])
-    return _driven_joints(rig, SimpleNamespace(drive=drive).drive)
+    return _driven_joints(body, SimpleNamespace(drive=drive).drive)
 
 
 def test_joints_are_said_in_degrees_and_factors_and_noise_is_left_out():
@@ -99,7 +100,8 @@ def test_the_range_of_a_weight_is_that_of_the_control_whose_value_it_is():
     half = replace(driven([[0.0], [0.5]]), minimum=-7.0)
     plain = replace(makers.control("d", 1, -0.5, 2.0), drive=makers.drive([1]))
     other = replace(makers.control("b", 2, -3.0, 3.0), drive=makers.drive([2]))
-    rig = SimpleNamespace(channels=channels, controls=(half, plain, other), base_weights=np.zeros(3))
+    body = SimpleNamespace(channels=channels, base_weights=np.zeros(3))
+    rig = SimpleNamespace(body=body, controls=(half, plain, other))
     assert _weight_ranges(rig, "/A").tolist() == [[0, 1], [0, 1], [0, 1], [-0.5, 2]]
     assert _weight_ranges(rig, "/B").tolist() == [[-3, 3]]
     assert _weight_ranges(rig, "/C").tolist() == []
@@ -110,8 +112,8 @@ def test_ranges_are_said_where_usd_looks_for_them():
     rig = makers.face(9, 11, ranges={"chin": (-0.5, 2.0)})
     layer = Sdf.Layer.CreateAnonymous(".usda")
     skeletons = tuple(SimpleNamespace(animation=each) for each in ("", "/Root/Anim"))
-    channels = tuple(replace(each, animation="/Root/Anim") for each in rig.channels)
-    control_api.author_limits(layer, replace(rig, channels=channels, skeletons=skeletons))
+    channels = tuple(replace(each, animation="/Root/Anim") for each in rig.body.channels)
+    control_api.author_limits(layer, makers.changed(rig, channels=channels, skeletons=skeletons))
     said = layer.GetAttributeAtPath("/Root/Anim.blendShapeWeights").GetInfo("limits")["soft"]
     at = [each.token for each in channels].index("chin")
     assert (said["minimum"][at], said["maximum"][at]) == (-0.5, 2.0)

@@ -43,7 +43,10 @@ def diagonal(rig):
 
 def test_the_stage_has_every_kind_of_control(rig):
     assert {control.kind for control in rig.controls} == {"blendShape", "joint", "pose"}
-    assert {mesh.skin.method for mesh in rig.meshes if mesh.skin} == {"classicLinear", "dualQuaternion"}
+    assert {mesh.binding.skin.method for mesh in rig.body.meshes if mesh.binding.skin} == {
+        "classicLinear",
+        "dualQuaternion",
+    }
 
 
 def test_base_pose_equals_usdskel(rig, stage_path):
@@ -128,7 +131,7 @@ def test_nothing_is_extrapolated_wrongly_beyond_the_range(rig, stage_path):
     """Weights beyond the last shape go on along the last piece, as UsdSkel's do."""
     weights, local = channel_state(rig, None)
     weights = weights.copy()
-    weights[[each.token for each in rig.channels].index("jaw")] = 2.5
+    weights[[each.token for each in rig.body.channels].index("jaw")] = 2.5
     expected = baked(stage_path, rig, weights, local)
     values = defaults(rig)
     values[[each.name for each in rig.controls].index("jaw")] = 2.5

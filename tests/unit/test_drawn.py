@@ -53,7 +53,7 @@ def element(members, kind="fan", beside=False, normal=(0.0, 0.0, 1.0), opposed=(
 def layout(rig, *elements, base_values=None):
     return Layout(
         character=LayoutCharacter(
-            root=rig.root, base_values=np.zeros(len(rig.controls)) if base_values is None else base_values
+            root=rig.skel_root.path, base_values=np.zeros(len(rig.controls)) if base_values is None else base_values
         ),
         elements=elements,
         left_off=(),
@@ -235,7 +235,7 @@ def test_what_moves_a_track_by_less_than_a_hair_is_left_out():
 )
 def test_beside_the_face_the_handle_stands_on_its_track_at_every_weight(keys, weights, base):
     rig = makers.face(9, 11)
-    channel = [each.token for each in rig.channels].index("chin")
+    channel = [each.token for each in rig.body.channels].index("chin")
     driven = makers.drive((channel,), keys, np.array(weights)[:, None])
     controls = tuple(
         replace(control, drive=driven, minimum=keys[0], maximum=keys[-1]) if control.name == "chin" else control

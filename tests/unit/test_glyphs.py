@@ -47,7 +47,7 @@ def glyph_of(folder, text, name="Arrow", up="Y", **said):
     (folder / "glyphs.usda").write_text(f'#usda 1.0\n(\n upAxis = "{up}"\n)\n{text}')
     source = skinned_stages.character(folder / "char.usda")
     config = {"controls": {"chin": {"glyph": f"glyphs.usda</{name}>", **said}}}
-    return read_rigs(source, load(config))[0].glyphs[f"glyphs.usda</{name}>"]
+    return read_rigs(source, load(config))[0].configured.glyphs[f"glyphs.usda</{name}>"]
 
 
 def curve(kind, points, counts=None, wrap="nonperiodic", basis="bezier"):
@@ -125,7 +125,7 @@ def test_a_prim_of_the_asset_itself(tmp_path):
     ring.CreatePointsAttr([(0, 0, 0), (1, 0, 0), (0, 0, 1)])
     stage.Save()
     (rig,) = read_rigs(source, load({"controls": {"chin": {"glyph": "/Glyphs/Ring"}}}))
-    glyph = rig.glyphs["/Glyphs/Ring"]
+    glyph = rig.configured.glyphs["/Glyphs/Ring"]
     assert (glyph.form, glyph.counts.tolist()) == ("curve", [4])
     assert np.array_equal(glyph.points[0], glyph.points[3])
 
@@ -215,7 +215,7 @@ def test_a_glyphs_file_is_a_source_like_any_other(tmp_path):
     source = skinned_stages.character(tmp_path / "char.usda")
     found = read_rigs_isolated(source, load({"controls": {"chin": {"glyph": "glyphs.usda</Arrow>"}}}))
     assert [each.path.rpartition("/")[2] for each in found.sources] == ["char.usda", "glyphs.usda"]
-    assert found.rigs[0].glyphs["glyphs.usda</Arrow>"].points.shape == (3, 3)
+    assert found.rigs[0].configured.glyphs["glyphs.usda</Arrow>"].points.shape == (3, 3)
     assert found.metadata["upAxis"] == Usd.Stage.Open(str(source)).GetMetadata("upAxis")
 
 
@@ -226,7 +226,7 @@ FLAG = Glyph("flag", "mesh", np.array([[0.0, 1, 0], [-0.6, 0, 0], [0.8, -0.6, 0]
 
 def laid(**controls):
     said = chain.settings(controls={name: {"glyph": "flag", **more} for name, more in controls.items()})
-    return chain.lay_out(replace(makers.face(), glyphs={"flag": FLAG}), said)
+    return chain.lay_out(makers.changed(makers.face(), glyphs={"flag": FLAG}), said)
 
 
 @pytest.fixture(scope="module")
@@ -322,7 +322,7 @@ def test_glyphs_follow_the_face_wherever_usdskel_takes_it(tmp_path, kind, adapt)
     poser, size = prepare(rig, layout), float(np.linalg.norm(np.ptp(deform(rig), axis=0)))
     for time, values in enumerate(poses):
         for element, at in zip(layout.elements, evaluate(poser, values).elements, strict=True):
-            drawn = laid_out.handle(stage, rig.root, element, time)
+            drawn = laid_out.handle(stage, rig.skel_root.path, element, time)
             if element.look.glyph.form == "curve":
                 drawn = 0.5 * (drawn[::2] + drawn[1::2])
             assert np.abs(drawn - at.glyph).max() < 1e-5 * size, (element.name, time)
@@ -423,7 +423,9 @@ def test_a_cubic_goes_with_its_points_and_is_the_same_read_backwards(basis):
 def test_a_glyph_is_as_wide_as_it_is_asked_to_be(size, width):
     glyph = Glyph("g", "mesh", np.array([[-1.0, 0, 0], [1, 0, 0], [0, 1, 0]]), np.array([3]), np.arange(3))
     face = SimpleNamespace(
-        rig=SimpleNamespace(glyphs={"g": glyph}, up=np.array([0.0, 1.0, 0.0])),
+        rig=SimpleNamespace(
+            configured=SimpleNamespace(glyphs={"g": glyph}), skel_root=SimpleNamespace(up=np.array([0.0, 1.0, 0.0]))
+        ),
         views=SimpleNamespace(directions=np.array([[0.0, 0.0, 1.0]])),
         handle_width=0.2,
     )

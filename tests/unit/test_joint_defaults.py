@@ -20,7 +20,7 @@ HAND = limbs.hand_rig()
 
 def kinds(rig):
     """How many controls of each kind."""
-    found = [turn.name for turn in default_turns(Tree(rig.joints, rig.meshes))]
+    found = [turn.name for turn in default_turns(Tree(rig.body.joints, rig.body.meshes))]
     return {name: found.count(name) for name in sorted(set(found))}
 
 
@@ -45,7 +45,7 @@ def test_what_hangs_on_the_middle_curls_whole_and_fingers_without_their_metacarp
             names += ["/".join([hanging_on, *chain[: k + 1]]) for k in range(4)]
             places += [(side * (aside + 0.3), -y, 0.3 * (strand - 1)) for y in (0.2, 0.7, 1.2, 1.6)]
     made = limbs.skeleton_rig(names, np.array(places), list(range(len(names))))
-    turns = default_turns(Tree(made.joints, made.meshes))
+    turns = default_turns(Tree(made.body.joints, made.body.meshes))
     assert {len(turn.joints) for turn in turns if turn.name == "curl"} == {curled}
 
 
@@ -56,10 +56,10 @@ def test_rigid_motion_scale_and_other_own_axes_of_the_joints_change_no_turn():
 
 @pytest.mark.parametrize("made", [HAND, limbs.flattened(HAND)], ids=["hierarchy", "flat"])
 def test_curled_fingers_reach_into_the_palm_and_stay_in_one_piece(made):
-    tree = Tree(made.joints, made.meshes)
+    tree = Tree(made.body.joints, made.body.meshes)
     for turn in (turn for turn in default_turns(tree) if turn.name == "curl"):
         locals_, world = posed_locals(tree, turn, np.array([60.0]))[0], {}
-        for i, joint in enumerate(made.joints):
+        for i, joint in enumerate(made.body.joints):
             world[i] = locals_[i] @ world[joint.parent] if joint.parent >= 0 else locals_[i]
         tip = max(turn.joints)
         assert world[tip][3, 2] > tree.places[tip, 2]
@@ -71,7 +71,7 @@ def test_curled_fingers_reach_into_the_palm_and_stay_in_one_piece(made):
 
 def test_what_a_flat_skeleton_does_under_a_control_is_what_the_hierarchy_does():
     """The keys of the flat one follow the arcs to a hundredth of the hand."""
-    size = np.ptp(HAND.meshes[0].points, axis=0).max()
+    size = np.ptp(HAND.body.meshes[0].points, axis=0).max()
     made = [with_defaults(rig) for rig in (HAND, limbs.flattened(HAND))]
     assert len(made[0].controls) == len(made[1].controls) == 8
     for i, control in enumerate(made[0].controls):
@@ -82,7 +82,7 @@ def test_what_a_flat_skeleton_does_under_a_control_is_what_the_hierarchy_does():
 
 def with_defaults(rig):
     """The rig with the default controls of its fingers."""
-    drafts = default_joint_drafts(rig.joints, rig.meshes, 0)
+    drafts = default_joint_drafts(rig.body.joints, rig.body.meshes, 0)
     drafts = sorted((each for each in drafts if ":r" not in each.name), key=lambda draft: draft.name.rsplit("/", 1)[-1])
     controls = tuple(limbs.as_control(draft) for draft in drafts)
     return replace(rig, controls=controls)
@@ -90,23 +90,23 @@ def with_defaults(rig):
 
 def test_a_trunk_and_small_bones_of_a_face_have_no_hinge_where_no_plane_mirrors_the_joints():
     body = limbs.posed_body()
-    tree = Tree(body.joints, body.meshes)
+    tree = Tree(body.body.joints, body.body.meshes)
     assert tree.mirror is None
-    bends = [body.joints[turn.home].path.rsplit("/", 1)[-1] for turn in default_turns(tree) if turn.name == "bend"]
+    bends = [body.body.joints[turn.home].path.rsplit("/", 1)[-1] for turn in default_turns(tree) if turn.name == "bend"]
     assert sorted(bends) == ["a1", "b1", "c1", "d1"]
 
 
 def test_an_elbow_is_one_axis_that_lies_across_the_bend_and_a_joint_without_skin_is_none():
     body = limbs.body_rig()
-    tree = Tree(body.joints, body.meshes)
+    tree = Tree(body.body.joints, body.body.meshes)
     turns = default_turns(tree)
     bends = [turn for turn in turns if turn.name == "bend"]
-    assert [body.joints[turn.home].path.rsplit("/", 1)[-1] for turn in bends] == ["c1", "d1", "a1", "b1"]
+    assert [body.body.joints[turn.home].path.rsplit("/", 1)[-1] for turn in bends] == ["c1", "d1", "a1", "b1"]
     for turn in bends:
         axis = rotation_part(tree.world[turn.home][None])[0].T @ turn.axes[0]
         assert abs(axis @ tree.direction([turn.home])) < 1e-6
     assert {turn.home for turn in turns} <= tree.owners
-    assert len(tree.owners) < len(body.joints)
+    assert len(tree.owners) < len(body.body.joints)
 
 
 @pytest.mark.parametrize("turned", [0, 1, 2])
@@ -116,21 +116,21 @@ def test_an_eye_turns_about_the_axes_that_lie_across_its_gaze(turned):
     at = {"h": (0, 0, 0), "h/n": (0, 0.5, 0), "h/n/l": (0.2, 0.6, 0.4), "h/n/r": (-0.2, 0.6, 0.4)}
     at |= {f"h/n/{name}": (x, 0.1, 0.1) for name, x in (("a", 0.9), ("b", -0.9))}
     rig = limbs.skeleton_rig(list(at), np.array(list(at.values()), float), range(len(at)), frame)
-    found = default_turns(Tree(rig.joints, rig.meshes))
-    axes = [turn.axes[0] @ frame for turn in found if rig.joints[turn.home].path in ("h/n/l", "h/n/r")]
+    found = default_turns(Tree(rig.body.joints, rig.body.meshes))
+    axes = [turn.axes[0] @ frame for turn in found if rig.body.joints[turn.home].path in ("h/n/l", "h/n/r")]
     assert np.abs(np.sum(np.square(axes), axis=0) - [2.0, 2.0, 0.0]).max() < 1e-9
 
 
 def test_keys_of_a_flat_skeleton_are_no_more_than_ten_degrees_apart_and_no_more_than_needed():
     made = limbs.flattened(HAND)
-    for draft in default_joint_drafts(made.joints, made.meshes, 0):
+    for draft in default_joint_drafts(made.body.joints, made.body.meshes, 0):
         low, high, values = draft.range.minimum, draft.range.maximum, draft.drive.values
         assert np.diff(values).max() <= 10.0 + 1e-9
         assert set(values) == {0.0, *np.linspace(low, high, int(np.ceil((high - low) / 10.0)) + 1)}
 
 
 def test_a_wrist_turns_by_thirty_degrees_each_way():
-    ranges = {draft.name: draft.range for draft in default_joint_drafts(HAND.joints, HAND.meshes, 0)}
+    ranges = {draft.name: draft.range for draft in default_joint_drafts(HAND.body.joints, HAND.body.meshes, 0)}
     balls = [span for name, span in ranges.items() if name[-3:] in (":rx", ":ry", ":rz")]
     assert [(span.minimum, span.maximum) for span in balls] == [(-30.0, 30.0)] * 3
 
@@ -145,13 +145,16 @@ def test_a_limb_whose_skin_hangs_on_twist_joints_turns_as_one_with_skin_of_its_o
 
 def kinds_of(rig):
     """Path of the first joint and kind of every turn."""
-    return {(rig.joints[turn.joints[0]].path, turn.name) for turn in default_turns(Tree(rig.joints, rig.meshes))}
+    return {
+        (rig.body.joints[turn.joints[0]].path, turn.name)
+        for turn in default_turns(Tree(rig.body.joints, rig.body.meshes))
+    }
 
 
 def test_helpers_off_the_way_change_no_degree_of_freedom():
     """A joint without skin on the ground above each limb, as exports have those of constraints."""
     body = limbs.body_rig()
-    at = {re.sub(r"/([abcd])0", r"/m\1/\g<1>0", joint.path): joint.bind[3, :3] for joint in body.joints}
+    at = {re.sub(r"/([abcd])0", r"/m\1/\g<1>0", joint.path): joint.bind[3, :3] for joint in body.body.joints}
     at |= {path: np.array([0.0, -2.0, 0.0]) for path in ("h/s/ma", "h/s/mb", "h/mc", "h/md")}
     names = sorted(at, key=lambda path: (path.count("/"), path))
     owners = [i for i, name in enumerate(names) if name[-1] not in "e3" and name[-3:-1] != "/m"]
@@ -163,8 +166,8 @@ def test_helpers_off_the_way_change_no_degree_of_freedom():
 
 @pytest.mark.parametrize("made", [HAND, limbs.body_rig()], ids=["hand", "body"])
 def test_a_joint_to_deform_below_each_joint_to_pose_changes_no_degree_of_freedom(made):
-    at = {joint.path: joint.bind[3, :3] for joint in made.joints}
-    skinned = {made.joints[i].path for i in made.meshes[0].skin.joints.ravel()}
+    at = {joint.path: joint.bind[3, :3] for joint in made.body.joints}
+    skinned = {made.body.joints[i].path for i in made.body.meshes[0].binding.skin.joints.ravel()}
     at |= {f"{path}/def": at[path] for path in skinned}
     names = sorted(at, key=lambda path: (path.count("/"), path))
     owners = [i for i, name in enumerate(names) if name.endswith("/def")]
@@ -172,7 +175,7 @@ def test_a_joint_to_deform_below_each_joint_to_pose_changes_no_degree_of_freedom
 
 
 def test_a_finger_curls_further_in_than_out_and_spreads_alike_to_both_sides():
-    spans = {turn.name: turn.range for turn in default_turns(Tree(HAND.joints, HAND.meshes))}
+    spans = {turn.name: turn.range for turn in default_turns(Tree(HAND.body.joints, HAND.body.meshes))}
     assert spans["curl"] == (-10.0, 80.0)
     assert spans["spread"] == (-20.0, 20.0)
 

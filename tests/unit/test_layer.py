@@ -14,6 +14,7 @@ import laid_out
 import numpy as np
 import pytest
 import skinned_stages
+from makers import changed
 from pxr import Sdf, Tf, Usd, UsdGeom
 
 from usdrigui.errors import Exit, RigUIError
@@ -163,7 +164,7 @@ def test_odd_source_names_are_referred_to(tmp_path, name):
     (rig,) = read_rigs(source, Settings())
     target = tmp_path / "layout.usda"
     write_layout([(rig, laid_out.layout_of(rig))], source, target, PLAIN, metadata(source))
-    assert Usd.Stage.Open(str(target)).GetPrimAtPath(rig.root).IsDefined()
+    assert Usd.Stage.Open(str(target)).GetPrimAtPath(rig.skel_root.path).IsDefined()
 
 
 @pytest.mark.parametrize("name", ["a:SDF_FORMAT_ARGS:b.usda", "a@@@b.usda", "a\nb.usda"])
@@ -258,7 +259,7 @@ def test_a_control_says_all_that_is_needed_to_drive_it(char, tmp_path):
     target = tmp_path / "a.usda"
     write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
     stage = Usd.Stage.Open(str(target))
-    drawing = stage.GetPrimAtPath(rig.root).GetChild("RigUI").GetChild("Controls")
+    drawing = stage.GetPrimAtPath(rig.skel_root.path).GetChild("RigUI").GetChild("Controls")
     controls = {control.name: control for control in rig.controls}
     brow, jaw, talk, mix = (drawing.GetChild(name) for name in ("brow_L", "Jaw_rx", "talk", "mix"))
     assert list(drive_values(brow, "brow_L", "blendShapes")) == ["brow_L"]
@@ -275,15 +276,15 @@ def test_a_control_says_all_that_is_needed_to_drive_it(char, tmp_path):
         weights = np.array(drive_values(prim, instance, "blendShapeWeights") or ())
         assert np.allclose(weights.reshape(len(keys), -1), drive.weights[:, used])
         assert list(drive_values(prim, instance, "blendShapes") or ()) == [
-            rig.channels[channel].token for channel in drive.channels[used]
+            rig.body.channels[channel].token for channel in drive.channels[used]
         ]
         turning = [j for j in range(len(drive.joints)) if np.abs(drive.rotations[:, j]).max() > 1e-6]
         joints = list(drive_values(prim, instance, "joints") or ())
-        assert joints == [rig.joints[joint].path for joint in drive.joints[turning]]
+        assert joints == [rig.body.joints[joint].path for joint in drive.joints[turning]]
         turns = np.array(drive_values(prim, instance, "jointRotationVectors") or ()).reshape(len(keys), -1, 3)
         assert np.allclose(turns, np.degrees(drive.rotations[:, turning]), atol=1e-4)
     assert list(drive_values(mix, "mix", "blendShapes")) == [
-        rig.channels[channel].token for channel in controls["mix"].drive.channels
+        rig.body.channels[channel].token for channel in controls["mix"].drive.channels
     ]
 
 
@@ -292,7 +293,7 @@ def test_everything_is_a_guide_below_the_character_and_nothing_is_of_a_type_of_o
     target = tmp_path / "a.usda"
     write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
     stage = Usd.Stage.Open(str(target))
-    scope = stage.GetPrimAtPath(rig.root).GetChild("RigUI")
+    scope = stage.GetPrimAtPath(rig.skel_root.path).GetChild("RigUI")
     kinds = {prim.GetTypeName() for prim in Usd.PrimRange(scope)}
     assert kinds == {"Scope", "GeomSubset", "Mesh", "BlendShape"}
     for prim in Usd.PrimRange(scope):
@@ -310,7 +311,7 @@ def test_handles_face_outwards(char, tmp_path):
     write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
     stage = Usd.Stage.Open(str(target))
     for element in layout.elements:
-        prim = laid_out.element_prim(stage, rig.root, element)
+        prim = laid_out.element_prim(stage, rig.skel_root.path, element)
         mesh = UsdGeom.Mesh(prim.GetParent())
         points, faces = np.array(mesh.GetPointsAttr().Get()), list(UsdGeom.Subset(prim).GetIndicesAttr().Get())
         sides = np.split(mesh.GetFaceVertexIndicesAttr().Get(), np.cumsum(mesh.GetFaceVertexCountsAttr().Get())[:-1])
@@ -332,10 +333,10 @@ def test_few_prims_draw_all_elements(char, tmp_path):
     target = tmp_path / "a.usda"
     write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
     stage = Usd.Stage.Open(str(target))
-    scope = stage.GetPrimAtPath(rig.root).GetChild("RigUI")
+    scope = stage.GetPrimAtPath(rig.skel_root.path).GetChild("RigUI")
     kinds = [str(prim.GetTypeName()) for prim in Usd.PrimRange(scope)]
     assert kinds.count("Mesh") <= 2
-    assert kinds.count("BlendShape") <= len(rig.channels) * kinds.count("Mesh")
+    assert kinds.count("BlendShape") <= len(rig.body.channels) * kinds.count("Mesh")
     assert [prim.GetName() for prim in element_prims(scope)] == [
         "smile_L_sneer_L", "jawLeft_jawRight", "half", "pucker_chin_brow_L", "_25_jaw_rx"
     ]  # fmt: skip
@@ -344,7 +345,7 @@ def test_few_prims_draw_all_elements(char, tmp_path):
 def test_the_default_prim_is_the_top_of_the_first_character_where_the_source_names_none(char):
     _, rig, layout = char
     other = replace(layout, elements=(), character=replace(layout.character, root="/Crowd/Second"))
-    layer = layer_for([(rig, layout), (replace(rig, root=other.character.root), other)], "", PLAIN, {})
+    layer = layer_for([(rig, layout), (changed(rig, path=other.character.root), other)], "", PLAIN, {})
     assert layer.defaultPrim == "World"
 
 
@@ -372,7 +373,7 @@ def test_meshes_are_named_after_their_part_and_what_no_joint_moves(tmp_path):
     target = tmp_path / "a.usda"
     write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
     stage = Usd.Stage.Open(str(target))
-    skinned, still = stage.GetPrimAtPath(rig.root).GetChild("RigUI").GetChildren()
+    skinned, still = stage.GetPrimAtPath(rig.skel_root.path).GetChild("RigUI").GetChildren()
     assert (skinned.GetName(), still.GetName()) == ("BodyControls", "BodyStillControls")
     assert skinned.GetAttribute("skel:joints").HasAuthoredValue()
     assert not still.GetAttribute("skel:joints").HasAuthoredValue()
@@ -387,7 +388,7 @@ def test_several_characters_in_one_asset(tmp_path):
     source.write_text(first + 'def SkelRoot "Twin"' + second.replace("/World/Char/", "/World/Twin/"))
     layer.Reload(force=True)
     rigs = read_rigs(source, Settings())
-    assert [rig.root for rig in rigs] == ["/World/Char", "/World/Twin"]
+    assert [rig.skel_root.path for rig in rigs] == ["/World/Char", "/World/Twin"]
     laid = [(rig, laid_out.layout_of(rig, seed=i)) for i, rig in enumerate(rigs)]
     target = tmp_path / "both.usda"
     write_layout(laid, source, target, PLAIN, metadata(source))

@@ -226,7 +226,7 @@ def test_letters_that_the_typeface_lacks_are_drawn_without_accents():
 
 def test_what_the_face_hides_is_drawn_faintly(rig, layout):
     camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
-    subject = shading.body(rig.meshes, np.concatenate([mesh.points for mesh in rig.meshes]))
+    subject = shading.subject_of(rig.body.meshes, np.concatenate([mesh.points for mesh in rig.body.meshes]))
     depth = shading.shade(subject, camera).depth
     element, at = layout.elements[0], elements_at(prepare(rig, layout), layout.character.base_values)[0]
     behind = replace(
@@ -407,11 +407,11 @@ def test_camera_turns_points_to_pixels_and_back():
 
 
 def test_a_body_with_collapsed_and_missing_points_is_still_drawn(rig):
-    points = np.concatenate([mesh.points for mesh in rig.meshes])
+    points = np.concatenate([mesh.points for mesh in rig.body.meshes])
     points[5] = np.nan
     points[100:140] = 0.0
     camera = shading.Camera(np.eye(3), np.zeros(3), 60.0, 120, 120)
-    shaded = shading.shade(shading.body(rig.meshes, points), camera)
+    shaded = shading.shade(shading.subject_of(rig.body.meshes, points), camera)
     assert np.isfinite(shaded.colour).all()
     assert shaded.cover.max() == 1.0
 
@@ -550,16 +550,16 @@ def test_a_character_in_parts_has_a_close_up_of_each_part_and_of_each_hand():
     """Hands lie apart and are shown one by one, from their own side; every element is in one section."""
     rig = limbs.whole_body()
     layout = joined(chain.laid_parts(rig))
-    found = sections(layout, evaluate(prepare(rig, layout)), rig.up)
+    found = sections(layout, evaluate(prepare(rig, layout)), rig.skel_root.up)
     assert [each.title for each in found] == ["face", "hands, character's left", "hands, character's right", "body"]
     shown = [element.name for each in found for element in each.layout.elements]
     assert sorted(shown) == sorted(element.name for element in layout.elements)
-    side = np.cross(rig.up, layout.frame.view)
+    side = np.cross(rig.skel_root.up, layout.frame.view)
     assert all(view @ side > -0.1 for view in found[1].views)
     assert all(view @ side < 0.1 for view in found[2].views)
     eyes = [next(element for element in each.layout.elements if element.look.side != "none") for each in found[1:3]]
     pair = replace(layout, elements=tuple(eyes))
-    assert [each.title for each in sections(pair, evaluate(prepare(rig, pair)), rig.up)][1] == "hands"
+    assert [each.title for each in sections(pair, evaluate(prepare(rig, pair)), rig.skel_root.up)][1] == "hands"
     boards = sum(any(element.anchor.on_board for element in each.layout.elements) for each in found)
     width, height = render(rig, layout, size=(320, 240)).size
     assert width == 320

@@ -131,7 +131,7 @@ def test_object_arrays_are_never_made():
 
 def test_arrays_are_views_that_nobody_can_write():
     rig = decode(sent(makers.face()), Rig)
-    points = rig.meshes[0].points
+    points = rig.body.meshes[0].points
     assert points.base is not None
     with pytest.raises(ValueError, match="read-only"):
         points[0] = 0.0

@@ -34,7 +34,8 @@ def test_a_prim_gets_the_shapes_that_any_of_its_elements_newly_follows(monkeypat
     )  # fmt: skip
     spans = [SimpleNamespace(element=f"e{i}", role="handle", points=np.array([i])) for i in (0, 1)]
     prim = SimpleNamespace(path="/Base/RigUI/face/shapes", spans=spans, shapes=["known"], targets=["/Base/x"], names=())
-    rig = SimpleNamespace(root="/Shot/Char", channels=(SimpleNamespace(token="known"), SimpleNamespace(token="new")))
+    body = SimpleNamespace(channels=(SimpleNamespace(token="known"), SimpleNamespace(token="new")))
+    rig = SimpleNamespace(skel_root=SimpleNamespace(path="/Shot/Char"), body=body)
     layout = SimpleNamespace(frame=SimpleNamespace(handle_width_of=lambda _: 1.0))
     shot = SimpleNamespace(rig=rig, layout=layout, base_root="/Base", prims=[prim])
     layer = Sdf.Layer.CreateAnonymous(".usda")

@@ -61,14 +61,14 @@ def turning(name, joints, angle=0.5):
 def rig(weights, to_root=None, controls=None, **skin):
     """The mask with every point skinned to `weights` {joint: weight}."""
     face = makers.face(9, 11)
-    count = len(face.meshes[0].points)
+    count = len(face.body.meshes[0].points)
     joints = np.tile(list(weights), (count, 1))
     shares = np.tile([float(each) for each in weights.values()], (count, 1))
     bound = Skin(joints, shares, "classicLinear", np.eye(4), False)
     skeleton = Skeleton("/Root/Skel", "/Root/anim", np.eye(4) if to_root is None else to_root)
-    return replace(
+    return makers.changed(
         face,
-        meshes=(replace(face.meshes[0], skin=replace(bound, **skin)),),
+        meshes=(makers.changed(face.body.meshes[0], skin=replace(bound, **skin)),),
         skeletons=(skeleton,),
         joints=tuple(joint(i, parent) for i, parent in enumerate(PARENTS)),
         controls=face.controls if controls is None else controls,
@@ -90,7 +90,7 @@ def element(names, point=60, adapt="deform", beside=False):
 def layout(made, *elements, base_values=None):
     return Layout(
         character=LayoutCharacter(
-            root=made.root, base_values=np.zeros(len(made.controls)) if base_values is None else base_values
+            root=made.skel_root.path, base_values=np.zeros(len(made.controls)) if base_values is None else base_values
         ),
         elements=elements,
         left_off=(),
@@ -119,7 +119,7 @@ def layout(made, *elements, base_values=None):
 )
 def test_influences_go_to_the_nearest_joint_that_stays(weights, own, kept):
     given = np.array(list(weights)), np.array(list(weights.values()))
-    joints, shares = skin_binding._without(rig({HEAD: 1.0}), given, own)
+    joints, shares = skin_binding._without(rig({HEAD: 1.0}).body, given, own)
     assert dict(zip(joints.tolist(), np.round(shares, 12).tolist(), strict=True)) == kept
     if kept == weights:
         assert joints is given[0]
@@ -155,7 +155,7 @@ def test_the_bind_pose_is_in_root_space():
     geom_bind[3, :3] = (0.5, 0, 0)
     made = rig({HEAD: 0.5, JAW: 0.5}, to_root, geom_bind=geom_bind)
     binding = SkinBinding(made, layout(made, element(["chin"]))).at_anchor(element(["chin"]))
-    point = made.meshes[0].points[60] + (0.5, 0, 0)
+    point = made.body.meshes[0].points[60] + (0.5, 0, 0)
     assert np.allclose(binding.rest, (1 - 2 * point[1], 2 + 2 * point[0], 3 + 2 * point[2]))
     assert np.allclose(binding.handle.base, np.eye(4)[:, :3])
     assert np.allclose(binding.handle.unposed(binding.rest[None]), binding.rest)
@@ -167,7 +167,7 @@ def test_only_shapes_that_move_the_anchor_are_taken_in_the_order_of_channels():
         found = SkinBinding(made, layout(made, element(["chin"], point))).at_anchor(element(["chin"], point)).shapes
         wanted = [
             (shape.channel, shape.offsets[0][shape.points == point][0])
-            for shape in made.meshes[0].shapes
+            for shape in made.body.meshes[0].binding.shapes
             if point in shape.points
         ]
         assert [shape.channel for shape in found] == [channel for channel, _ in wanted]
@@ -209,7 +209,7 @@ def test_the_board_hangs_on_what_none_of_its_controls_turns():
 
 def test_the_board_stays_in_one_piece_at_every_pose():
     made = rig({JAW: 1.0}, controls=(turning("nod", [HEAD]), turning("chew", [JAW]), turning("walk", [HIPS])))
-    digest = made.meshes[0].topology_hash
+    digest = made.body.meshes[0].topology.hash
     rows = [replace(element([name], beside=True), name=name) for name in ("nod", "chew")]
     rows = [replace(each, anchor=replace(each.anchor, topology_hash=digest)) for each in rows]
     poser = prepare(made, layout(made, *rows))

@@ -7,7 +7,20 @@ import pytest
 from pxr import Gf, UsdSkel, Vt
 
 from usdrigui.deform import deform
-from usdrigui.model import Joint, Rig, RigMesh, Skeleton, Skin
+from usdrigui.model import (
+    Body,
+    Configured,
+    Findings,
+    Joint,
+    MeshBinding,
+    MeshDisplay,
+    Rig,
+    RigMesh,
+    Skeleton,
+    SkelRoot,
+    Skin,
+    Topology,
+)
 
 COUNT, JOINTS, WIDTH = 60, 4, 3
 
@@ -49,11 +62,14 @@ def _rig(points, matrices, joints, weights, method, geom_bind):
     """A rig whose skinning matrices are just `matrices`: bound at the origin, posed by them."""
     skin = Skin(joints, weights.astype(np.float32).astype(np.float64), method, geom_bind, rigid=False)
     none = np.zeros(0, dtype=np.int64)
-    mesh = RigMesh("/R/M", points.astype(np.float64), none, none, False, True, "none", np.eye(4), skin, (), "")
+    mesh = RigMesh(
+        "/R/M", points.astype(np.float64), Topology(none, none, False, ""), MeshBinding(np.eye(4), skin), MeshDisplay()
+    )
     bones = tuple(Joint(str(i), 0, -1, np.eye(4), each, each) for i, each in enumerate(matrices))
     skeleton = Skeleton("/R/S", "", np.eye(4))
     up = np.array([0.0, 1.0, 0.0])
-    return Rig("/R", (mesh,), (skeleton,), bones, (), np.zeros(0), (), None, up, 0.01, (), ())
+    body = Body((mesh,), (skeleton,), bones, (), np.zeros(0))
+    return Rig(SkelRoot("/R", "", up, 0.01, None), body, (), Findings((), ()), Configured())
 
 
 @pytest.mark.parametrize("sums", ["normalised", "unnormalised"])

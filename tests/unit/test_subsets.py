@@ -41,7 +41,7 @@ def asset(tmp_path):
 
 def test_subsets_are_read_with_the_points_of_their_faces(asset):
     (rig,) = read_rigs(asset, Settings())
-    found = {subset.path: subset.points.tolist() for subset in rig.meshes[0].subsets}
+    found = {subset.path: subset.points.tolist() for subset in rig.body.meshes[0].topology.subsets}
     assert found == {"/Root/mesh/end": [3, 4, 8, 9], "/Root/mesh/corner": [4, 9]}
 
 

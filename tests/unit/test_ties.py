@@ -51,7 +51,7 @@ def test_noise_in_the_last_bits_changes_no_layout(seed):
     rng = np.random.default_rng(seed)
     turn = np.linalg.qr(np.random.default_rng(5).normal(size=(3, 3)))[0]
     for face in (makers.face(17, 21), makers.moved(makers.face(17, 21), turn)):
-        points = face.meshes[0].points
+        points = face.body.meshes[0].points
         noise = 1e-16 * np.abs(points).max() * rng.integers(-2, 3, points.shape)
         assert choices(makers.moved(face, np.eye(3), noise)) == choices(face)
 

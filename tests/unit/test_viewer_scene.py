@@ -47,12 +47,12 @@ def unpacked(packed):
 def test_positions_and_offsets_survive_to_half_a_step(face):
     rig, layout = face
     header, array = unpacked(pack([(rig, layout)], "face"))
-    packed, mesh = header["characters"][0]["meshes"][0], rig.meshes[0]
+    packed, mesh = header["characters"][0]["meshes"][0], rig.body.meshes[0]
     low, step = np.array(packed["low"]), np.array(packed["step"])
     points = low + array(packed["points"]) * step
     spread = np.ptp(mesh.points, axis=0)
     assert np.abs(points - mesh.points).max() <= 0.51 * spread.max() / 65535
-    for stored, shape in zip(packed["shapes"], mesh.shapes, strict=True):
+    for stored, shape in zip(packed["shapes"], mesh.binding.shapes, strict=True):
         dense = np.zeros((1, len(mesh.points), 3))
         dense[:, array(stored["points"])] = array(stored["offsets"]) * stored["step"]
         true = np.zeros_like(dense)
@@ -64,7 +64,7 @@ def test_triangles_survive(face):
     rig, layout = face
     header, array = unpacked(pack([(rig, layout)], "face"))
     corners = array(header["characters"][0]["meshes"][0]["triangles"])
-    quads = rig.meshes[0].face_indices.reshape(-1, 4)
+    quads = rig.body.meshes[0].topology.face_indices.reshape(-1, 4)
     expected = np.stack([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]], axis=1).reshape(-1, 3)
     assert np.array_equal(corners, expected)
 
@@ -75,13 +75,13 @@ def test_same_records_same_page(face):
 
 def test_work_belongs_to_a_character_not_to_its_layout(face):
     rig, layout = face
-    meshes = (replace(rig.meshes[0], points=1.01 * rig.meshes[0].points), *rig.meshes[1:])
+    meshes = (replace(rig.body.meshes[0], points=1.01 * rig.body.meshes[0].points), *rig.body.meshes[1:])
 
     def identity(rig, layout):
         return unpacked(pack([(rig, layout)], "face"))[0]["characters"][0]["identity"]
 
     assert identity(rig, replace(layout, elements=layout.elements[1:])) == identity(rig, layout)
-    assert identity(replace(rig, meshes=meshes), layout) != identity(rig, layout)
+    assert identity(makers.changed(rig, meshes=meshes), layout) != identity(rig, layout)
     assert identity(replace(rig, controls=rig.controls[::-1]), layout) != identity(rig, layout)
 
 

@@ -273,19 +273,24 @@ def _panels(rig: Rig, layout: Layout, labels: bool) -> list[Panel]:
     """One panel a part of a character."""
     posed = evaluate(prepare(rig, layout))
     colours = complexion(rig, main_layout(layout))
-    whole = shading.body(rig.meshes, posed.points, colours)
+    whole = shading.subject_of(rig.body.meshes, posed.points, colours)
     if len(layout.frame.parts) < 2:
-        return [_panel(rig.up, layout, posed, whole, "", labels)]
+        return [_panel(rig.skel_root.up, layout, posed, whole, "", labels)]
     panels = []
-    for each in sections(layout, posed, rig.up):
+    for each in sections(layout, posed, rig.skel_root.up):
         own = cut_away(rig, each.layout, colours)
-        seen = whole if own is colours else shading.body(rig.meshes, posed.points, own)
-        panels.append(_panel(rig.up, each.layout, each.posed, seen, each.title, labels))
+        seen = whole if own is colours else shading.subject_of(rig.body.meshes, posed.points, own)
+        panels.append(_panel(rig.skel_root.up, each.layout, each.posed, seen, each.title, labels))
     return panels
 
 
 def _panel(
-    up: Floats, layout: Layout, posed: PosedLayout, subject: shading.Body, title: str, labels: bool
+    up: Floats,
+    layout: Layout,
+    posed: PosedLayout,
+    subject: shading.Subject,
+    title: str,
+    labels: bool,
 ) -> Panel:
     """What is seen of a part, one handle width being `_HANDLE`."""
     rows, scale = look(layout.frame.view, up), _HANDLE / layout.frame.handle_width
@@ -311,7 +316,7 @@ def _spots(elements: tuple[Element, ...], posed: PosedLayout, plane: Floats) -> 
 
 
 def _picture(
-    subject: shading.Body, rows: Floats, scale: float, low: Floats, high: Floats
+    subject: shading.Subject, rows: Floats, scale: float, low: Floats, high: Floats
 ) -> Image.Image:
     """What is seen of the body in a rectangle of the plane, paler than it is, RGBA."""
     share = min(1.0, _FINENESS / float((high - low).max()))

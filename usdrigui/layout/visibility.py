@@ -102,21 +102,25 @@ def find_views(
     point of a visible mesh counts as seen.  Raises CONFIG_VALUE for a view that cannot be
     understood.
     """
-    ahead = front_of(rig.up, trajectories, plane.normal)
-    directions = _directions(view, ahead, rig.up, camera)
-    drawn = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in rig.meshes])
-    frame = _frame(trajectories.surface, plane, ahead, rig.up)
+    ahead = front_of(rig.skel_root.up, trajectories, plane.normal)
+    directions = _directions(view, ahead, rig.skel_root.up, camera)
+    drawn = np.concatenate(
+        [np.full(len(mesh.points), mesh.display.visible) for mesh in rig.body.meshes]
+    )
+    frame = _frame(trajectories.surface, plane, ahead, rig.skel_root.up)
     if not occlusion:
-        return Views(ahead, rig.up, directions, np.tile(drawn, (len(directions), 1)), None, frame)
+        return Views(
+            ahead, rig.skel_root.up, directions, np.tile(drawn, (len(directions), 1)), None, frame
+        )
     points, normals = (
         frame.points(trajectories.surface.points),
         frame.directions(trajectories.surface.normals),
     )
-    caster = make_caster(points[mesh_triangles(rig.meshes, visible_only=True)])
+    caster = make_caster(points[mesh_triangles(rig.body.meshes, visible_only=True)])
     seen = [
         visible_from(caster, points, normals, frame.directions(toward)) for toward in directions
     ]
-    return Views(ahead, rig.up, directions, np.stack(seen) & drawn, caster, frame)
+    return Views(ahead, rig.skel_root.up, directions, np.stack(seen) & drawn, caster, frame)
 
 
 def _frame(surface: BaseSurface, plane: MirrorPlane, ahead: Floats, up: Floats) -> Frame:

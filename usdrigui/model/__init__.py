@@ -6,7 +6,7 @@
 Coordinates: unless a field says otherwise, positions are in the space of the SkelRoot ("root
 space"), column ``(x, y, z)`` triples in scene units.  Matrices are 4x4 in USD's row-vector
 convention (``p' = p @ M``).  *Point* means an index into the concatenation of all meshes' points,
-in the order of `Rig.meshes`; *local* point means an index into one mesh.
+in the order of `Body.meshes`; *local* point means an index into one mesh.
 """
 
 from __future__ import annotations
@@ -30,23 +30,33 @@ from usdrigui.model.layout import (
     Proof,
     Side,
 )
-from usdrigui.model.mesh import RigMesh, Shape, Skin, Subset
-from usdrigui.model.motion import BaseSurface, MirrorPlane, Motion, Symmetry, Trajectories
+from usdrigui.model.mesh import MeshBinding, MeshDisplay, RigMesh, Shape, Skin, Subset, Topology
+from usdrigui.model.motion import (
+    BaseSurface,
+    MirrorPlane,
+    Motion,
+    Polylines,
+    Shares,
+    Symmetry,
+    Trajectories,
+)
 from usdrigui.model.problem import Choice, ExtraPairs, LayoutProblem, Overlap, Variable
 from usdrigui.model.record import Flags, Floats, Indices, Record, Singles, freeze
-from usdrigui.model.rig import Findings, Glyph, LeftOff, Rig
+from usdrigui.model.rig import Body, Configured, Findings, Glyph, LeftOff, Rig, SkelRoot
 
 __all__ = [
     "GAP_FLOOR",
     "Anchor",
     "Assignment",
     "BaseSurface",
+    "Body",
     "CandidateSet",
     "Candidates",
     "Category",
     "Channel",
     "Choice",
     "Clip",
+    "Configured",
     "Control",
     "ControlKind",
     "Decision",
@@ -70,24 +80,30 @@ __all__ = [
     "Look",
     "Manipulator",
     "Member",
+    "MeshBinding",
+    "MeshDisplay",
     "MirrorPlane",
     "Motion",
     "Overlap",
     "Performance",
     "Placement",
+    "Polylines",
     "Proof",
     "Record",
     "Rig",
     "RigMesh",
     "Shape",
+    "Shares",
     "Side",
     "Singles",
+    "SkelRoot",
     "Skeleton",
     "Skin",
     "Status",
     "Step",
     "Subset",
     "Symmetry",
+    "Topology",
     "Trajectories",
     "Variable",
     "freeze",

@@ -15,9 +15,9 @@ class Clip(Record):
     times: Floats
     """(f,) time codes."""
     weights: Floats
-    """(f, len(Rig.channels)) absolute weights."""
+    """(f, len(Body.channels)) absolute weights."""
     locals: Floats
-    """(f, len(Rig.joints), 4, 4) local joint transforms."""
+    """(f, len(Body.joints), 4, 4) local joint transforms."""
     frames_per_second: float
 
 

@@ -44,11 +44,11 @@ class Drive(Record):
     values: Floats
     """(k,) ascending control values of the keys, k >= 2."""
     channels: Indices
-    """(t,) indices into `Rig.channels`."""
+    """(t,) indices into `Body.channels`."""
     weights: Floats
     """(k, t) added weights."""
     joints: Indices
-    """(j,) indices into `Rig.joints`."""
+    """(j,) indices into `Body.joints`."""
     rotations: Floats
     """(k, j, 3) rotation vectors, radians."""
     translations: Floats
@@ -70,14 +70,14 @@ class Channel(Record):
 
 @dataclass(frozen=True, eq=False)
 class Joint(Record):
-    """One joint of one skeleton; parents come before children in `Rig.joints`."""
+    """One joint of one skeleton; parents come before children in `Body.joints`."""
 
     path: str
     """Joint token as in `Skeleton.joints`, for example ``Head/Jaw``."""
     skeleton: int
-    """Index into `Rig.skeletons`."""
+    """Index into `Body.skeletons`."""
     parent: int
-    """Index into `Rig.joints`, or -1."""
+    """Index into `Body.joints`, or -1."""
     bind: Floats
     """(4, 4) bindTransforms entry (world at bind time)."""
     rest: Floats

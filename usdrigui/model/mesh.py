@@ -18,25 +18,44 @@ class RigMesh(Record):
     path: str
     points: Floats
     """(n, 3) `points` in the mesh's own space."""
+    topology: Topology
+    binding: MeshBinding
+    display: MeshDisplay
+
+
+@dataclass(frozen=True, eq=False)
+class Topology(Record):
+    """The faces of a mesh."""
+
     face_counts: Indices
     face_indices: Indices
     """Local point indices."""
     left_handed: bool
     """Whether faces turn clockwise seen from outside *in root space*: a mirroring transform turns
     them round."""
-    visible: bool
-    """False when the visibility or the purpose hides it from a default render."""
-    subdivision: str
-    """subdivisionScheme token."""
-    to_root: Floats
-    """(4, 4) mesh space to root space; used where there is no skin."""
-    skin: Skin | None
-    shapes: tuple[Shape, ...]
-    topology_hash: str
+    hash: str
     """Hex digest of point count, face counts and face indices: changes when point indices mean
     others."""
     subsets: tuple[Subset, ...] = ()
     """GeomSubsets, for locality."""
+
+
+@dataclass(frozen=True, eq=False)
+class MeshBinding(Record):
+    """How a mesh follows joints and weights: what SkelBindingAPI holds."""
+
+    to_root: Floats
+    """(4, 4) mesh space to root space; used where there is no skin."""
+    skin: Skin | None = None
+    shapes: tuple[Shape, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class MeshDisplay(Record):
+    """How a mesh is drawn."""
+
+    visible: bool = True
+    """False when the visibility or the purpose hides it from a default render."""
     colours: Floats | None = None
     """(n, 3) linear colours from 0 to 1 at the points; None where neither a material nor
     displayColor tells."""
@@ -60,7 +79,7 @@ class Shape(Record):
     """
 
     channel: int
-    """Index of the weight that drives it, into `Rig.channels`; several shapes of a mesh may share
+    """Index of the weight that drives it, into `Body.channels`; several shapes of a mesh may share
     it."""
     path: str
     """Prim path of the BlendShape."""
@@ -77,7 +96,7 @@ class Skin(Record):
     """Joint influences of one mesh."""
 
     joints: Indices
-    """(n, k) joint indices into `Rig.joints`."""
+    """(n, k) joint indices into `Body.joints`."""
     weights: Floats
     """(n, k) weights as authored; like UsdSkel, nothing normalises them."""
     method: Literal["classicLinear", "dualQuaternion"]

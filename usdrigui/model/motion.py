@@ -29,7 +29,8 @@ class BaseSurface(Record):
     """(n,) area of the surface around each place; zero for points that are not the first of a
     place."""
     face_size: float
-    """Height along `Rig.up` of the region moved by the local controls: the unit of handle sizes."""
+    """Height along `SkelRoot.up` of the region moved by the local controls: the unit of handle
+    sizes."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,8 +41,8 @@ class Trajectories(Record):
     motions: tuple[Motion, ...]
     """One per control that moves something; others are left off."""
     excluded: tuple[Motion, ...]
-    """Motions of `Rig.excluded`, which their `control` counts: part of the yardstick for whole-face
-    controls."""
+    """Motions of `Configured.excluded`, which their `control` counts: part of the yardstick for
+    whole-face controls."""
     typical_length: float
     """Median over local controls of the largest arc length (design: l0), the unit of
     displacement."""
@@ -59,20 +60,12 @@ class Motion(Record):
 
     control: int
     """Index into `Rig.controls`."""
-    values: Floats
-    """(k,) ascending control values of the knots; includes minimum, default and maximum."""
     points: Indices
     """(p,) points that move, ascending."""
-    offsets: Singles
-    """(k, p, 3) position minus base position, in root space; zero at the default."""
+    polylines: Polylines
     arc_length: Floats
     """(p,) length of each polyline from minimum to maximum."""
-    owned: Floats | None = None
-    """(p,) how much of each point the joint of the control owns, in [0, 1]; None where the control
-    stands where it moves most."""
-    common: Floats | None = None
-    """(p,) how common the displacement of each point is, from 0 (its own) to 1 (other controls make
-    all of it as well); None where that does not count."""
+    shares: Shares
 
     @property
     def peak(self) -> float:
@@ -86,35 +79,65 @@ class Motion(Record):
         `among` (p,) are the points that count; none of them is of the joint where its skin is
         hidden: then all may.
         """
+        owned = self.shares.owned
         among = np.ones(len(self.points), dtype=bool) if among is None else among
-        if self.owned is None or not among.any() or float(self.owned[among].max()) <= 0.0:
+        if owned is None or not among.any() or float(owned[among].max()) <= 0.0:
             return among
-        return among & (self.owned >= share * float(self.owned[among].max()))
+        return among & (owned >= share * float(owned[among].max()))
 
     def missing(self, points: Indices) -> Floats:
         """(q,) the share that is missing at each of `points`, of those that move, of what the joint
         of the control owns where it may stand; zero for other controls."""
-        if self.owned is None or not len(points):
+        if self.shares.owned is None or not len(points):
             return np.zeros(len(points))
-        owned = self.owned[np.searchsorted(self.points, points)]
+        owned = self.shares.owned[np.searchsorted(self.points, points)]
         should = max(_STANDS * float(owned.max()), 1e-300)
         return np.asarray(1.0 - np.minimum(owned / should, 1.0))
 
     def on_own_skin(self) -> Motion:
         """The motion of the skin that the joint of the control owns, by how much it owns of each
         point, and so the same for every axis of the joint; the whole motion where no joint does."""
-        if self.owned is None:
+        owned = self.shares.owned
+        if owned is None:
             return self
-        own = self.owned >= _OWN * float(self.owned.max(initial=0.0))
-        points, offsets = self.points[own], self.offsets[:, own]
+        own = owned >= _OWN * float(owned.max(initial=0.0))
+        return replace(self.of(own), arc_length=owned[own], shares=Shares())
+
+    def of(self, some: Flags) -> Motion:
+        """The motion of `some` (p,) of its points."""
+        shares = self.shares
         return replace(
             self,
-            points=points,
-            offsets=offsets,
-            arc_length=self.owned[own],
-            owned=None,
-            common=None,
+            points=self.points[some],
+            polylines=replace(self.polylines, offsets=self.polylines.offsets[:, some]),
+            arc_length=self.arc_length[some],
+            shares=Shares(
+                None if shares.owned is None else shares.owned[some],
+                None if shares.common is None else shares.common[some],
+            ),
         )
+
+
+@dataclass(frozen=True, eq=False)
+class Polylines(Record):
+    """Where a control takes points, at knots of its value."""
+
+    values: Floats
+    """(k,) ascending control values of the knots; includes minimum, default and maximum."""
+    offsets: Singles
+    """(k, p, 3) position minus base position, in root space; zero at the default."""
+
+
+@dataclass(frozen=True, eq=False)
+class Shares(Record):
+    """How much of each point that a control moves is its own."""
+
+    owned: Floats | None = None
+    """(p,) how much of each point the joint of the control owns, in [0, 1]; None where the control
+    stands where it moves most."""
+    common: Floats | None = None
+    """(p,) how common the displacement of each point is, from 0 (its own) to 1 (other controls make
+    all of it as well); None where that does not count."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -20,40 +20,50 @@ from usdrigui.model.record import Floats, Indices, Record
 class Rig(Record):
     """A character under one SkelRoot: everything the layout needs, and no USD object."""
 
-    root: str
-    """Prim path of the SkelRoot."""
+    skel_root: SkelRoot
+    body: Body
+    controls: tuple[Control, ...]
+    findings: Findings
+    """Controls that the source has but the rig does not, and what there is to say of the source."""
+    configured: Configured
+
+    @cached_property
+    def control_names(self) -> frozenset[str]:
+        """The names of all controls."""
+        return frozenset(control.name for control in self.controls)
+
+
+@dataclass(frozen=True, eq=False)
+class SkelRoot(Record):
+    """The SkelRoot of a character on its stage."""
+
+    path: str
+    variant_path: str
+    """`path` with the variants in which the layout is to stand, ``/Char{LOD=low}``; empty
+    without."""
+    up: Floats
+    """(3,) unit up direction in root space."""
+    metres_per_unit: float
+    clip: Clip | None
+    """The animation of what is bound under it."""
+
+    @property
+    def character(self) -> str:
+        """What findings call the character: its SkelRoot, with the variants in which the layout
+        stands."""
+        return self.variant_path or self.path
+
+
+@dataclass(frozen=True, eq=False)
+class Body(Record):
+    """What UsdSkel poses under one SkelRoot: meshes by joints and by blend-shape weights."""
+
     meshes: tuple[RigMesh, ...]
     skeletons: tuple[Skeleton, ...]
     joints: tuple[Joint, ...]
     channels: tuple[Channel, ...]
     base_weights: Floats
     """(len(channels),) weights in the base pose (0 unless a time or pose was chosen)."""
-    controls: tuple[Control, ...]
-    clip: Clip | None
-    up: Floats
-    """(3,) unit up direction in root space."""
-    metres_per_unit: float
-    left_off: tuple[LeftOff, ...]
-    """Controls that the source has but the rig does not, and why."""
-    issues: tuple[Issue, ...]
-    glyphs: Mapping[str, Glyph] = field(default_factory=dict)
-    """Shapes that the configuration wants drawn as handles, by the name that it gives them."""
-    excluded: tuple[Control, ...] = ()
-    """Controls that the configuration leaves out; what they move still tells how large the face
-    is."""
-    variant_path: str = ""
-    """Path of the SkelRoot with the variants in which the layout is to stand, ``/Char{LOD=low}``;
-    empty without."""
-
-    @property
-    def character(self) -> str:
-        """What findings call it: its SkelRoot, with the variants in which the layout stands."""
-        return self.variant_path or self.root
-
-    @cached_property
-    def control_names(self) -> frozenset[str]:
-        """The names of all controls."""
-        return frozenset(control.name for control in self.controls)
 
     @cached_property
     def shapes_by_channel(self) -> Mapping[int, tuple[tuple[int, Shape], ...]]:
@@ -61,7 +71,7 @@ class Rig(Record):
         absent."""
         found: dict[int, tuple[tuple[int, Shape], ...]] = {}
         for index, mesh in enumerate(self.meshes):
-            for shape in mesh.shapes:
+            for shape in mesh.binding.shapes:
                 found[shape.channel] = (*found.get(shape.channel, ()), (index, shape))
         return found
 
@@ -71,7 +81,7 @@ class Rig(Record):
         return np.cumsum([0, *(len(mesh.points) for mesh in self.meshes)], dtype=np.int64)
 
     def point_of(self, path: str, local: int) -> int:
-        """Point of a local point of the mesh at a path, which the rig must have."""
+        """Point of a local point of the mesh at a path, which the body must have."""
         return int(self.starts[[mesh.path for mesh in self.meshes].index(path)]) + local
 
     def mesh_of(self, point: int) -> tuple[int, int]:
@@ -82,6 +92,16 @@ class Rig(Record):
 
 
 @dataclass(frozen=True, eq=False)
+class Configured(Record):
+    """What the configuration adds to a rig."""
+
+    excluded: tuple[Control, ...] = ()
+    """Controls that it leaves out; what they move still tells how large the face is."""
+    glyphs: Mapping[str, Glyph] = field(default_factory=dict)
+    """Shapes that it wants drawn as handles, by the name that it gives them."""
+
+
+@dataclass(frozen=True, eq=False)
 class Glyph(Record):
     """A curve or mesh that is drawn as an element's handle instead of the usual shape."""
 
@@ -89,9 +109,9 @@ class Glyph(Record):
     """As the configuration names it."""
     form: Literal["curve", "mesh"]
     points: Floats
-    """(q, 3).  In `Rig.glyphs`: x to the viewer's right, y up, z out of the face, in a sphere of
-    radius 1 about the origin.  In `Look.glyph`: offsets from the handle's centre in the base
-    pose; root space, scene units."""
+    """(q, 3).  In `Configured.glyphs`: x to the viewer's right, y up, z out of the face, in a
+    sphere of radius 1 about the origin.  In `Look.glyph`: offsets from the handle's centre in the
+    base pose; root space, scene units."""
     counts: Indices
     """(f,) points of each polyline or polygon."""
     indices: Indices

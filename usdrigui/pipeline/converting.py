@@ -63,7 +63,7 @@ def _pairs(
 ) -> Iterator[tuple[Rig, Layout]]:
     """Every layout with its character, in each of the variants."""
     for found, read in zip(layouts, reads, strict=True):
-        rigs = {rig.root: rig for rig in read.rigs}
+        rigs = {rig.skel_root.path: rig for rig in read.rigs}
         yield from ((_rig_of(rigs, layout, source), layout) for layout in found.layouts)
 
 

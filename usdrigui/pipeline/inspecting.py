@@ -68,7 +68,7 @@ def inspect(
                 clips,
             )
             facts = replace(facts, animation=uses)
-            issues += of_character(rig.character, odd)
+            issues += of_character(rig.skel_root.character, odd)
         characters.append(facts)
     return Inspection(str(asset), tuple(characters), tuple(issues), clock.seconds)
 
@@ -94,7 +94,7 @@ def _facts(character: Divided, parts: Sequence[ProblemInputs]) -> CharacterFacts
     of_control = {control: each for each in found for control in each.motions}
     flags: dict[str, list[str]] = {}
     for note in dict.fromkeys(
-        (*rig.left_off, *(note for inputs in parts for note in inputs.left_off))
+        (*rig.findings.left_off, *(note for inputs in parts for note in inputs.left_off))
     ):
         flags.setdefault(note.control, []).append(note.reason)
     for odd in dict.fromkeys(
@@ -103,10 +103,10 @@ def _facts(character: Divided, parts: Sequence[ProblemInputs]) -> CharacterFacts
         flags.setdefault(odd.path, []).append(odd.message)
     symmetric = character.symmetry or parts[0].face.symmetry
     return CharacterFacts(
-        root=rig.root,
+        root=rig.skel_root.path,
         points=len(character.trajectories.surface.points),
-        meshes=len(rig.meshes),
-        joints=len(rig.joints),
+        meshes=len(rig.body.meshes),
+        joints=len(rig.body.joints),
         symmetric=float((symmetric.partner >= 0).mean()),
         controls=tuple(
             _control(

@@ -221,9 +221,9 @@ def _read_over(shot: Path, settings: Settings, layers: ReferenceLayers) -> list[
         return [found]
     alike: dict[tuple[tuple[str, str], ...], list[Rig]] = {}
     for rig in found.source.rigs:
-        path = with_sets(found.source.variant_paths[rig.root], sets)
+        path = with_sets(found.source.variant_paths[rig.skel_root.path], sets)
         alike.setdefault(tuple(asset_selections(path).items()), []).append(
-            replace(rig, variant_path=path)
+            replace(rig, skel_root=replace(rig.skel_root, variant_path=path))
         )
     return [_of_variant(found, layers, dict(chosen), rigs) for chosen, rigs in alike.items()]
 
@@ -242,10 +242,10 @@ def _check_above(readings: Sequence[Reading]) -> None:
     """Raise VARIANT_BELOW where a layout would stand whichever variant of a set is selected."""
     for name in readings[0].settings.rig.read.variants:
         rigs = [rig for each in readings for rig in each.source.rigs]
-        if not any(name in asset_selections(rig.variant_path) for rig in rigs):
+        if not any(name in asset_selections(rig.skel_root.variant_path) for rig in rigs):
             raise refuse(
                 "VARIANT_BELOW",
-                rigs[0].root,
+                rigs[0].skel_root.path,
                 f"the variant set {name} is neither on it nor above it",
             )
 
@@ -268,8 +268,10 @@ def _laid_out(
     for each in readings:
         references, characters = followed(each.references, each.source.rigs)
         for rig in rigs_over(references, characters, each.settings.character.trajectories):
-            same = [report for _, report in reports if report.root == rig.root]
-            if not any(report.rig.variant_path == rig.variant_path for report in same):
+            same = [report for _, report in reports if report.root == rig.skel_root.path]
+            if not any(
+                report.rig.skel_root.variant_path == rig.skel_root.variant_path for report in same
+            ):
                 own = as_sibling(references, rig, same[0].layout) if same else references
                 laid = _lay_out(rig, each.settings, clock, stop, each.source.cameras, own)
                 reports.append((each, laid if own is references else _beside(laid, same[0])))
@@ -349,11 +351,11 @@ def _check_character(
     if any(os.path.realpath(target) == each.path for each in source.sources):
         raise refuse("ATTACH_CYCLE", str(target), f"is a part of {asset}")
     for rig in source.rigs:
-        if rig.root in source.composed_from and not over_base:
+        if rig.skel_root.path in source.composed_from and not over_base:
             raise refuse(
                 "SOURCE_HAS_LAYOUT",
-                rig.root,
-                f"{asset} brings in its layout from {source.composed_from[rig.root]}",
+                rig.skel_root.path,
+                f"{asset} brings in its layout from {source.composed_from[rig.skel_root.path]}",
             )
 
 
@@ -389,11 +391,11 @@ def _lay_out(
         layout = existing_layout.combined(
             existing, existing_layout.uniquify_names(layout, existing)
         )
-    previous = references.previous.get(rig.root)
+    previous = references.previous.get(rig.skel_root.path)
     if previous is None:
         return _account(laid, layout, existing)
     tell = functools.partial(_changes, laid, previous, layout)
-    changes, issues = explained(tell, None, rig.root)
+    changes, issues = explained(tell, None, rig.skel_root.path)
     return _account(laid, layout, existing, changes, issues)
 
 
@@ -438,7 +440,7 @@ def _account(
         )
     )
     return CharacterReport(
-        root=rig.root,
+        root=rig.skel_root.path,
         rig=rig,
         layout=layout,
         assignment=joined_assignment(
@@ -452,7 +454,7 @@ def _account(
         ),
         issues=(
             *issues_of(parts),
-            *of_character(rig.character, (*dict.fromkeys(short), *unexplained, *nothing)),
+            *of_character(rig.skel_root.character, (*dict.fromkeys(short), *unexplained, *nothing)),
         ),
         difference=changes,
         added=added,

@@ -143,11 +143,16 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...],
         if not wanted or each.character.root == wanted
     }
     characters = tuple(
-        (each, _with_base(each, layouts[each.root], read.listed.get(each.root, ())))
+        (
+            each,
+            _with_base(
+                each, layouts[each.skel_root.path], read.listed.get(each.skel_root.path, ())
+            ),
+        )
         for each in read.rigs
-        if each.root in layouts
+        if each.skel_root.path in layouts
     )
-    lacking = sorted(layouts.keys() - {rig.root for rig, _ in characters})
+    lacking = sorted(layouts.keys() - {rig.skel_root.path for rig, _ in characters})
     lost = {each.character: each for each in read.lost}
     stale = tuple(
         lost.get(root) or issue("LAYOUT_STALE", root, f"{layer} no longer has this character", root)
@@ -224,7 +229,7 @@ def open_layouts(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Loaded:
     _refuse_lost(read.lost)
     by_root = {each.character.root: each for each in layouts}
     characters = tuple(
-        (rig, _with_base(rig, by_root[rig.root], read.listed.get(rig.root, ())))
+        (rig, _with_base(rig, by_root[rig.skel_root.path], read.listed.get(rig.skel_root.path, ())))
         for rig in read.rigs
     )
     return Loaded(
@@ -250,11 +255,15 @@ def _review_of(
 ) -> LayerReview:
     reviews = []
     for rig, layout in loaded.characters:
-        listed = frozenset(loaded.listed.get(rig.root, ()))
+        listed = frozenset(loaded.listed.get(rig.skel_root.path, ()))
         found = _reviewed(rig, layout, listed, settings, clock, loaded.cameras)
-        wrong = [replace(e, character="") for e in loaded.contradictions if e.character == rig.root]
-        own = replace(found, issues=of_character(rig.character, [*wrong, *found.issues]))
-        reviews.append((rig.character, own))
+        wrong = [
+            replace(e, character="")
+            for e in loaded.contradictions
+            if e.character == rig.skel_root.path
+        ]
+        own = replace(found, issues=of_character(rig.skel_root.character, [*wrong, *found.issues]))
+        reviews.append((rig.skel_root.character, own))
     return LayerReview(name, tuple(reviews), clock.seconds, (*stale, *loaded.without_layout))
 
 
@@ -303,11 +312,12 @@ def _upright(rig: Rig, layout: Layout) -> Rig:
     ahead = np.sum([each.anchor.normal for each in layout.elements], axis=0)
     if layout.frame.view @ ahead <= _LYING * np.linalg.norm(ahead):
         return rig  # a view from above or aside gives none
-    if length < _SIDEWAYS or abs(float(up @ rig.up)) > _LYING * length:
+    if length < _SIDEWAYS or abs(float(up @ rig.skel_root.up)) > _LYING * length:
         return rig
     axis = int(np.abs(up).argmax())
     straight = np.sign(up[axis]) * np.eye(3)[axis]
-    return replace(rig, up=straight if abs(up[axis]) > _LYING * length else up / length)
+    up = straight if abs(up[axis]) > _LYING * length else up / length
+    return replace(rig, skel_root=replace(rig.skel_root, up=up))
 
 
 def _left(elements: tuple[Element, ...], plane_normal: Floats) -> Floats:
@@ -352,7 +362,7 @@ def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tupl
     try:
         source = read_rigs_isolated(asset, settings)
         refuse_unsound(source, settings)
-        issues = tuple(each for rig in source.rigs for each in rig.issues)
+        issues = tuple(each for rig in source.rigs for each in rig.findings.issues)
     except RigUIError as error:
         issues = error.issues
     known = {(each.code, each.path) for each in found.issues}

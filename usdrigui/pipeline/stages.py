@@ -127,8 +127,10 @@ class ProblemInputs:
             for found in matching_issues(which, each)
         )
         rig, odd = self.face.rig, self.face.trajectories.findings.issues
-        own = of_character(rig.character, (*odd, *unexplained, *renamed, *self.pins.issues))
-        return (*rig.issues, *own)
+        own = of_character(
+            rig.skel_root.character, (*odd, *unexplained, *renamed, *self.pins.issues)
+        )
+        return (*rig.findings.issues, *own)
 
     @property
     def explained_by(self) -> dict[str, tuple[tuple[str, float], ...]]:
@@ -192,11 +194,11 @@ def divided(
     """A character with its trajectories and its parts: what the problems of all parts are built
     from."""
     clock, references = clock or Clock(), references or ReferenceLayouts()
-    camera = camera_of(rig.root, settings.layout.candidates.view, cameras or {})
-    base_values = base_values_of(rig.root, rig.controls, settings.rig.read.pose)
+    camera = camera_of(rig.skel_root.path, settings.layout.candidates.view, cameras or {})
+    base_values = base_values_of(rig.skel_root.path, rig.controls, settings.rig.read.pose)
     with clock.stage("trajectories"):
         found = trajectories(rig, settings.character.trajectories, base_values)
-    _refuse_motionless(rig.root, found.motions)
+    _refuse_motionless(rig.skel_root.path, found.motions)
     asked, whole = settings, settings.character
     own = own_references(references, rig, found, whole.like, whole.trajectories)
     settings = with_sections(asked, controls=with_fixed(own, rig, asked.rig.controls))
@@ -332,7 +334,7 @@ def problem_at(
             LinearTerms.of(layout),
             layout.objective.samples,
         )
-        candidates = of_new_controls(requests.existing, rig, found.motions, candidates)
+        candidates = of_new_controls(requests.existing, rig.controls, found.motions, candidates)
     with clock.stage("problem"):
         groups = find_groups(
             face,
@@ -370,7 +372,7 @@ def measure(
     whole: Symmetry | None = None,
 ) -> Measured:
     """The stages before placing; parameters as of `problem_at`."""
-    _refuse_motionless(rig.root, found.motions)
+    _refuse_motionless(rig.skel_root.path, found.motions)
     with clock.stage("symmetry"):
         fields, twins = displacement_fields(found), configured_twins(rig, settings.rig.controls)
         if whole is not None and whole.plane.normal.any() and part != FACE:
@@ -428,7 +430,7 @@ def measure(
 
 def layout_of(inputs: ProblemInputs, assignment: Assignment) -> Layout:
     """The layout that a solution of the problem means."""
-    left_off = (*inputs.face.rig.left_off, *inputs.left_off)
+    left_off = (*inputs.face.rig.findings.left_off, *inputs.left_off)
     found = layout(
         inputs.face,
         inputs.placement,

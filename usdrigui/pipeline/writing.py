@@ -84,11 +84,11 @@ def check_base(
     composed = _composes(source, layer)
     for rig in rigs:
         root = root_in_base(base.layouts, rig)
-        if root != rig.root and not composed and base.source and not bare:
-            raise refuse("BASE_APART", rig.root, f"is {root} in {layer.name}")
-        if composed and rig.root not in source.composed_from:
+        if root != rig.skel_root.path and not composed and base.source and not bare:
+            raise refuse("BASE_APART", rig.skel_root.path, f"is {root} in {layer.name}")
+        if composed and rig.skel_root.path not in source.composed_from:
             message = f"does not compose the layout of {layer.name} with the variants selected"
-            raise refuse("BASE_APART", rig.root, message)
+            raise refuse("BASE_APART", rig.skel_root.path, message)
 
 
 def _composes(source: ReadResult, layer: Path) -> bool:

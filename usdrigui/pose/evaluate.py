@@ -18,7 +18,18 @@ from numpy.typing import ArrayLike
 from usdrigui.deform import Posed, channel_state, deform, posed, sweep
 from usdrigui.errors import meant, refuse
 from usdrigui.following import Following, board_controls, following
-from usdrigui.model import Control, Element, Floats, Indices, Layout, Record, Rig, RigMesh, Singles
+from usdrigui.model import (
+    Body,
+    Control,
+    Element,
+    Floats,
+    Indices,
+    Layout,
+    Record,
+    Rig,
+    RigMesh,
+    Singles,
+)
 from usdrigui.pose.handle_track import carried, facing, slid
 from usdrigui.pose.subset import subset
 from usdrigui.skinning import carrying_joint
@@ -78,7 +89,7 @@ def prepare(rig: Rig, layout: Layout) -> Poser:
     mesh or a control is missing, or the topology has changed.
     """
     points = np.array(
-        [_anchor_point(rig.meshes, rig.starts, element) for element in layout.elements],
+        [_anchor_point(rig.body.meshes, rig.body.starts, element) for element in layout.elements],
         dtype=np.int64,
     )
     anchors, rows = subset(rig, points)
@@ -94,7 +105,7 @@ def prepare(rig: Rig, layout: Layout) -> Poser:
     carrier = -1
     if any(element.look.adapt == "static" for element in layout.elements):
         carrier = carrying_joint(
-            rig, points[[not each.anchor.on_board for each in layout.elements]]
+            rig.body, points[[not each.anchor.on_board for each in layout.elements]]
         )
     if carrier >= 0:
         still, _ = subset(on_one_joint(rig, carrier), points)
@@ -163,7 +174,9 @@ def checked_values(rig: Rig, values: ArrayLike) -> Floats:
     at = np.array(values, dtype=np.float64)
     if at.shape != (len(rig.controls),):
         raise refuse(
-            "POSE_VALUE", rig.root, f"a pose has {len(rig.controls)} values, not {at.shape}"
+            "POSE_VALUE",
+            rig.skel_root.path,
+            f"a pose has {len(rig.controls)} values, not {at.shape}",
         )
     if not np.isfinite(at).all():
         name = rig.controls[int(np.flatnonzero(~np.isfinite(at))[0])].name
@@ -189,7 +202,7 @@ def _element(
     if key not in known:
         known[key] = _without(poser, skin, follows.held, at, values)
     others, base = known[key], before.points[row]
-    anchor, carry = _carried(_map(skin, before, row), _map(skin, others, row), base)
+    anchor, carry = _carried(_map(skin.body, before, row), _map(skin.body, others, row), base)
     if follows.deforms:
         anchor = others.points[row]
     tracks = tuple(
@@ -207,7 +220,7 @@ def _element(
     glyph = np.zeros((0, 3))
     if element.look.glyph is not None:
         held = (
-            _carried(_map(skin, before, row), _map(skin, whole, row), base)[1]
+            _carried(_map(skin.body, before, row), _map(skin.body, whole, row), base)[1]
             if follows.deforms
             else carry
         )
@@ -245,7 +258,7 @@ def _taken_back(
     alone = np.array([each.default for each in rig.controls])
     alone[control] = value
     without = replace(
-        held, weights=held.weights - (channel_state(rig, alone)[0] - rig.base_weights)
+        held, weights=held.weights - (channel_state(rig, alone)[0] - rig.body.base_weights)
     )
     points, offsets = sweep(rig, without, control, np.array([base, value]))
     return points, offsets[0] - offsets[1]
@@ -258,9 +271,9 @@ def _carried(before: Floats, now: Floats, position: Floats) -> tuple[Floats, Flo
     return (position - before[3]) @ carry + now[3], carry
 
 
-def _map(anchors: Rig, at: Posed, row: int) -> Floats:
+def _map(body: Body, at: Posed, row: int) -> Floats:
     """(4, 3) affine map of one point from mesh space to root space."""
-    mesh, local = anchors.mesh_of(row)
+    mesh, local = body.mesh_of(row)
     maps = at.maps[mesh]
     return np.asarray(maps[local if len(maps) > 1 else 0])
 
@@ -273,7 +286,7 @@ def _anchor_point(meshes: tuple[RigMesh, ...], starts: Indices, element: Element
     anchor = element.anchor
     for start, mesh in zip(starts.tolist(), meshes, strict=False):
         if mesh.path == anchor.mesh:
-            if not anchor.fits(mesh.topology_hash) or not 0 <= anchor.point < len(mesh.points):
+            if not anchor.fits(mesh.topology.hash) or not 0 <= anchor.point < len(mesh.points):
                 raise refuse(
                     "LAYOUT_STALE",
                     mesh.path,
@@ -315,14 +328,19 @@ def _controls(names: Mapping[str, int], element: Element) -> Indices:
 
 def on_one_joint(rig: Rig, joint: int) -> Rig:
     """The rig with all skinned meshes rigidly on one joint, as in the written layer."""
-    return replace(rig, meshes=tuple(_rigid(mesh, joint) for mesh in rig.meshes))
+    return replace(
+        rig, body=replace(rig.body, meshes=tuple(_rigid(mesh, joint) for mesh in rig.body.meshes))
+    )
 
 
 def _rigid(mesh: RigMesh, joint: int) -> RigMesh:
-    if mesh.skin is None:
+    if mesh.binding.skin is None:
         return mesh
     count = len(mesh.points)
     skin = replace(
-        mesh.skin, joints=np.full((count, 1), joint), weights=np.ones((count, 1)), rigid=True
+        mesh.binding.skin,
+        joints=np.full((count, 1), joint),
+        weights=np.ones((count, 1)),
+        rigid=True,
     )
-    return replace(mesh, skin=skin)
+    return replace(mesh, binding=replace(mesh.binding, skin=skin))

@@ -17,45 +17,49 @@ def subset(rig: Rig, points: Indices) -> tuple[Rig, Indices]:
     none of them, what controls do elsewhere, faces and the clip are left out.  Points may repeat
     and come in any order.
     """
-    starts = rig.starts
+    starts = rig.body.starts
     kept, rows = np.unique(np.asarray(points, dtype=np.int64), return_inverse=True)
     meshes = []
-    for index, mesh in enumerate(rig.meshes):
+    for index, mesh in enumerate(rig.body.meshes):
         local = kept[(kept >= starts[index]) & (kept < starts[index + 1])] - starts[index]
         if len(local):
             meshes.append(_part(mesh, local))
-    return _with_drives(replace(rig, meshes=tuple(meshes), clip=None)), rows.astype(np.int64)
+    still = replace(rig.skel_root, clip=None)
+    body = replace(rig.body, meshes=tuple(meshes))
+    return _with_drives(replace(rig, skel_root=still, body=body)), rows.astype(np.int64)
 
 
 def _with_drives(rig: Rig) -> Rig:
     """The rig with only the joints that its meshes' points hang on, and what its controls do to
     these points."""
-    kept = np.zeros(len(rig.joints), dtype=bool)
-    for mesh in rig.meshes:
-        if mesh.skin is not None:
+    kept = np.zeros(len(rig.body.joints), dtype=bool)
+    for mesh in rig.body.meshes:
+        if mesh.binding.skin is not None:
             # Weightless influences name joints too, and tell which skeleton the skin is on.
-            kept[np.unique(mesh.skin.joints)] = True
-    for i in range(len(rig.joints) - 1, -1, -1):
-        if kept[i] and rig.joints[i].parent >= 0:
-            kept[rig.joints[i].parent] = True
+            kept[np.unique(mesh.binding.skin.joints)] = True
+    for i in range(len(rig.body.joints) - 1, -1, -1):
+        if kept[i] and rig.body.joints[i].parent >= 0:
+            kept[rig.body.joints[i].parent] = True
     place = np.where(kept, np.cumsum(kept) - 1, -1)
     joints = tuple(
         replace(joint, parent=int(place[joint.parent]) if joint.parent >= 0 else -1)
-        for joint, stays in zip(rig.joints, kept.tolist(), strict=True)
+        for joint, stays in zip(rig.body.joints, kept.tolist(), strict=True)
         if stays
     )
-    meshes = tuple(
-        (
-            mesh
-            if mesh.skin is None
-            else replace(mesh, skin=replace(mesh.skin, joints=place[mesh.skin.joints]))
-        )
-        for mesh in rig.meshes
-    )
-    acting = np.zeros(len(rig.channels), dtype=bool)
-    acting[[shape.channel for mesh in meshes for shape in mesh.shapes]] = True
+    meshes = tuple(_renumbered(mesh, place) for mesh in rig.body.meshes)
+    acting = np.zeros(len(rig.body.channels), dtype=bool)
+    acting[[shape.channel for mesh in meshes for shape in mesh.binding.shapes]] = True
     controls = tuple(_acting(control, acting, place) for control in rig.controls)
-    return replace(rig, joints=joints, meshes=meshes, controls=controls)
+    return replace(rig, body=replace(rig.body, joints=joints, meshes=meshes), controls=controls)
+
+
+def _renumbered(mesh: RigMesh, place: Indices) -> RigMesh:
+    """The mesh with its skin on joints by their new `place` (joints,)."""
+    skin = mesh.binding.skin
+    if skin is None:
+        return mesh
+    skin = replace(skin, joints=place[skin.joints])
+    return replace(mesh, binding=replace(mesh.binding, skin=skin))
 
 
 def _acting(control: Control, acting: Flags, place: Indices) -> Control:
@@ -79,21 +83,21 @@ def _acting(control: Control, acting: Flags, place: Indices) -> Control:
 
 def _part(mesh: RigMesh, kept: Indices) -> RigMesh:
     """The `kept` local points (ascending) of a mesh, without faces."""
-    skin = mesh.skin
+    skin = mesh.binding.skin
     if skin is not None:
         skin = replace(skin, joints=skin.joints[kept], weights=skin.weights[kept])
     shapes = tuple(
-        shape for shape in (_shape_part(each, kept) for each in mesh.shapes) if len(shape.points)
+        shape
+        for shape in (_shape_part(each, kept) for each in mesh.binding.shapes)
+        if len(shape.points)
     )
     none = np.zeros(0, dtype=np.int64)
     return replace(
         mesh,
         points=mesh.points[kept],
-        face_counts=none,
-        face_indices=none,
-        skin=skin,
-        shapes=shapes,
-        colours=None,
+        topology=replace(mesh.topology, face_counts=none, face_indices=none),
+        binding=replace(mesh.binding, skin=skin, shapes=shapes),
+        display=replace(mesh.display, colours=None),
     )
 
 

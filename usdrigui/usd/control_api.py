@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, Usd, Vt
 
-from usdrigui.model import Control, Drive, Floats, Rig, Skeleton
+from usdrigui.model import Body, Control, Drive, Floats, Rig, Skeleton
 from usdrigui.usd import author, schema
 from usdrigui.usd.variants import within
 
@@ -18,7 +18,7 @@ bone: what is below is noise of the file."""
 
 
 def author_control_api(
-    xform: Sdf.PrimSpec, rig: Rig, control: Control, instance: str, figures: Mapping[str, Any]
+    xform: Sdf.PrimSpec, body: Body, control: Control, instance: str, figures: Mapping[str, Any]
 ) -> None:
     """What any client needs to show a control and to drive it."""
     author.declare(
@@ -34,25 +34,25 @@ def author_control_api(
             "default": control.default,
             "maximum": control.maximum,
             **figures,
-            **_driven_weights(rig, control.drive),
-            **_driven_joints(rig, control.drive),
+            **_driven_weights(body, control.drive),
+            **_driven_joints(body, control.drive),
         },
         instance,
     )
 
 
-def _driven_weights(rig: Rig, drive: Drive) -> dict[str, Any]:
-    plain = _is_plain(rig.base_weights, drive)
+def _driven_weights(body: Body, drive: Drive) -> dict[str, Any]:
+    plain = _is_plain(body.base_weights, drive)
     still = np.isclose(drive.weights, 0.0, atol=_NOISE).all(axis=0)
     driven = np.flatnonzero(plain | ~still)
-    channels = [rig.channels[channel] for channel in drive.channels[driven]]
+    channels = [body.channels[channel] for channel in drive.channels[driven]]
     animations = list(dict.fromkeys(channel.animation for channel in channels if channel.animation))
     which = [
         animations.index(channel.animation) if channel.animation else 0 for channel in channels
     ]
     found: dict[str, Any] = {
         "blendShapes": [channel.token for channel in channels],
-        "animation": animations if animations != _only_animation(rig.skeletons) else [],
+        "animation": animations if animations != _only_animation(body.skeletons) else [],
         "blendShapeAnimations": which if any(which) else [],
     }
     if not plain:
@@ -75,8 +75,8 @@ def _is_plain(base_weights: Floats, drive: Drive) -> bool:
     return bool(abs(absolute - drive.values).max() < 1e-12)
 
 
-def _driven_joints(rig: Rig, drive: Drive) -> dict[str, Any]:
-    extent = max((float(np.abs(joint.rest[3, :3]).max()) for joint in rig.joints), default=0.0)
+def _driven_joints(body: Body, drive: Drive) -> dict[str, Any]:
+    extent = max((float(np.abs(joint.rest[3, :3]).max()) for joint in body.joints), default=0.0)
     turns, shifts, scales = (
         np.where(np.abs(rows).max(axis=(0, 2), keepdims=True) > _NOISE * unit, rows, 0.0)
         for rows, unit in (
@@ -88,14 +88,14 @@ def _driven_joints(rig: Rig, drive: Drive) -> dict[str, Any]:
     moved = np.flatnonzero(
         np.any([rows.any(axis=(0, 2)) for rows in (turns, shifts, scales)], axis=0)
     )
-    joints = [rig.joints[joint] for joint in drive.joints[moved]]
+    joints = [body.joints[joint] for joint in drive.joints[moved]]
     if not joints:
         return {}
     skeletons = list(dict.fromkeys(joint.skeleton for joint in joints))
     which = [skeletons.index(joint.skeleton) for joint in joints]
     turns, shifts, scales = (rows[:, moved].reshape(-1, 3) for rows in (turns, shifts, scales))
     return {
-        "skeleton": [rig.skeletons[skeleton].path for skeleton in skeletons],
+        "skeleton": [body.skeletons[skeleton].path for skeleton in skeletons],
         "joints": [joint.path for joint in joints],
         "jointSkeletons": which if any(which) else [],
         "jointRotationVectors": np.degrees(turns) if turns.any() else (),
@@ -115,11 +115,11 @@ def author_limits(layer: Sdf.Layer, rig: Rig) -> None:
     """
     if not hasattr(Usd, "AttributeLimits"):
         return
-    for skeleton in rig.skeletons:
+    for skeleton in rig.body.skeletons:
         ranges = _weight_ranges(rig, skeleton.animation) if skeleton.animation else np.zeros((0, 2))
         if len(ranges):
             spec = Sdf.CreatePrimInLayer(
-                layer, within(Sdf.Path(skeleton.animation), rig.variant_path)
+                layer, within(Sdf.Path(skeleton.animation), rig.skel_root.variant_path)
             )
             if "blendShapeWeights" not in spec.properties:
                 weights = Sdf.AttributeSpec(
@@ -135,10 +135,15 @@ def _weight_ranges(rig: Rig, animation: str) -> Floats:
     """(weights, 2) least and largest weight of each blend shape of a SkelAnimation, in its
     order."""
     own = {
-        i: channel.index for i, channel in enumerate(rig.channels) if channel.animation == animation
+        i: channel.index
+        for i, channel in enumerate(rig.body.channels)
+        if channel.animation == animation
     }
     ranges = np.tile([0.0, 1.0], (max(own.values(), default=-1) + 1, 1))
     for control in rig.controls:
-        if _is_plain(rig.base_weights, control.drive) and int(control.drive.channels[0]) in own:
+        if (
+            _is_plain(rig.body.base_weights, control.drive)
+            and int(control.drive.channels[0]) in own
+        ):
             ranges[own[int(control.drive.channels[0])]] = control.minimum, control.maximum
     return ranges

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, UsdGeom, Vt
 
-from usdrigui.model import Channel, Element, Floats, Indices, Joint, Record, Rig, Skeleton
+from usdrigui.model import Body, Channel, Element, Floats, Indices, Joint, Record, Skeleton
 from usdrigui.palette import linear
 from usdrigui.usd import author, schema
 from usdrigui.usd.drawn import Drawn, in_steps
@@ -100,7 +100,7 @@ def drawing_about(drawing: Drawing) -> str:
 
 def author_drawing(
     mesh: Sdf.PrimSpec,
-    rig: Rig,
+    body: Body,
     drawing: Drawing,
     elements: Sequence[DrawnElement],
     names: Sequence[str],
@@ -113,9 +113,9 @@ def author_drawing(
     points = np.concatenate([part.points for _, part in drawing.parts])
     author.put(mesh, "points", "point3f[]", in_steps(points, _GRID * size))
     _author_faces(mesh, drawing, elements)
-    _author_binding(mesh, rig.skeletons, rig.joints, drawing)
+    _author_binding(mesh, body.skeletons, body.joints, drawing)
     subsets = _author_subsets(mesh, drawing, names)
-    author_shapes(mesh, rig.channels, _spans(rig.skeletons, rig.channels, drawing), set(names))
+    author_shapes(mesh, body.channels, _spans(body.skeletons, body.channels, drawing), set(names))
     return subsets
 
 

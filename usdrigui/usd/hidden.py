@@ -16,12 +16,16 @@ def hidden_issues(
 
     Hidden stand-ins for what is drawn share its blend shapes, and are nothing to wonder at.
     """
-    shown = [mesh for mesh in meshes if mesh.visible and (mesh.shapes or mesh.skin is not None)]
-    seen = {shape.channel for mesh in shown for shape in mesh.shapes}
+    shown = [
+        mesh
+        for mesh in meshes
+        if mesh.display.visible and (mesh.binding.shapes or mesh.binding.skin is not None)
+    ]
+    seen = {shape.channel for mesh in shown for shape in mesh.binding.shapes}
     found = []
     for mesh in meshes:
-        own = sum(shape.channel not in seen for shape in mesh.shapes)
-        if mesh.visible or not (own or (mesh.skin is not None and not shown)):
+        own = sum(shape.channel not in seen for shape in mesh.binding.shapes)
+        if mesh.display.visible or not (own or (mesh.binding.skin is not None and not shown)):
             continue
         what = (
             f"{own} of its blend shapes are on no mesh that is drawn"

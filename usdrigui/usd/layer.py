@@ -21,6 +21,7 @@ from usdrigui.errors import refuse
 from usdrigui.levels import inner_names
 from usdrigui.model import (
     Anchor,
+    Body,
     Control,
     Element,
     Floats,
@@ -240,7 +241,8 @@ def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
     author.declare(
         scope,
         schema.LAYOUT,
-        _frame(rig.skeletons, layout.frame) | account(rig.controls, layout.character.base_values),
+        _frame(rig.body.skeletons, layout.frame)
+        | account(rig.controls, layout.character.base_values),
     )
     author.note(scope, books(layout))
     subsets = author_elements(scope, rig, layout, layout.elements)
@@ -332,16 +334,16 @@ def author_elements(
         if drawing.inner:
             # Applications that know nothing of levels show the first one.
             author.put(mesh, "visibility", "token", "invisible")
-        subsets |= author_drawing(mesh, rig, drawing, drawn, names, skin.size)
+        subsets |= author_drawing(mesh, rig.body, drawing, drawn, names, skin.size)
     paths = {element.name: _plain(subsets[i].path) for i, element in enumerate(elements)}
     for i, element in enumerate(elements):
-        _author_element(subsets[i], rig, skin, element, paths)
+        _author_element(subsets[i], rig.body, skin, element, paths)
     return list(paths.values())
 
 
 def _author_element(
     subset: Sdf.PrimSpec,
-    rig: Rig,
+    body: Body,
     skin: SkinBinding,
     element: Element,
     paths: Mapping[str, Sdf.Path],
@@ -369,7 +371,7 @@ def _author_element(
             **_track(member, skin.control(member.control)),
         }
         author_control_api(
-            subset, rig, skin.control(member.control), instances[member.control], figures
+            subset, body, skin.control(member.control), instances[member.control], figures
         )
 
 

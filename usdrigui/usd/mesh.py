@@ -10,7 +10,16 @@ import numpy as np
 from pxr import Sdf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import Issue, issue, refuse
-from usdrigui.model import Floats, Indices, RigMesh, Skin, Subset
+from usdrigui.model import (
+    Floats,
+    Indices,
+    MeshBinding,
+    MeshDisplay,
+    RigMesh,
+    Skin,
+    Subset,
+    Topology,
+)
 from usdrigui.usd import schema
 from usdrigui.usd.arrays import check_finite, check_range, floats, integers, value_at, vectors
 from usdrigui.usd.colours import point_colours
@@ -97,17 +106,18 @@ def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found)
     return RigMesh(
         path=path,
         points=points,
-        face_counts=counts,
-        face_indices=indices,
-        left_handed=left_handed(mesh, _linear_to_root(binding, skin, to_root)),
-        visible=_visible(mesh, frames.time),
-        subdivision=str(mesh.GetSubdivisionSchemeAttr().Get()),
-        to_root=to_root,
-        skin=skin,
-        shapes=shapes,
-        topology_hash=topology_hash(len(points), counts, indices),
-        subsets=_subsets(mesh, counts, indices, len(points), found),
-        colours=point_colours(prim, len(points), counts, indices, frames.time),
+        topology=Topology(
+            counts,
+            indices,
+            left_handed(mesh, _linear_to_root(binding, skin, to_root)),
+            topology_hash(len(points), counts, indices),
+            _subsets(mesh, counts, indices, len(points), found),
+        ),
+        binding=MeshBinding(to_root, skin, shapes),
+        display=MeshDisplay(
+            _visible(mesh, frames.time),
+            point_colours(prim, len(points), counts, indices, frames.time),
+        ),
     )
 
 
@@ -196,7 +206,7 @@ def _time_name(mesh: UsdGeom.Mesh, time: Usd.TimeCode) -> str:
 def _skin(
     binding: Binding | None, count: int, path: str, time: Usd.TimeCode, found: Found
 ) -> Skin | None:
-    """Influences with joints numbered as in `Rig.joints`; None where UsdSkel would not skin
+    """Influences with joints numbered as in `Body.joints`; None where UsdSkel would not skin
     either."""
     if (
         binding is None
@@ -238,7 +248,7 @@ def _skin(
 
 
 def _joint_order(binding: Binding, path: str) -> Indices:
-    """Index into `Rig.joints` of each joint that the mesh counts by."""
+    """Index into `Body.joints` of each joint that the mesh counts by."""
     armature = binding.armature
     own = binding.query.GetJointOrder()
     if own is None or len(own) == 0:

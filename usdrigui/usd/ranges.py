@@ -64,7 +64,7 @@ def read_ranges(
     metadata = _metadata(root, channels, issues)
     between = [[0.0, 1.0] for _ in channels]
     for mesh in meshes:
-        for shape in mesh.shapes:
+        for shape in mesh.binding.shapes:
             if len(shape.weights) > 1:
                 low, high = between[shape.channel]
                 between[shape.channel] = [

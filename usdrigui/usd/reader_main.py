@@ -127,7 +127,10 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
         layouts = own_layouts(stage)
         below = source_of(path) if layouts else ""
         sources = _sources(path, stages.GetAllStages(), before)
-        paths = {rig.root: variant_path(stage.GetPrimAtPath(rig.root)) for rig in rigs}
+        paths = {
+            rig.skel_root.path: variant_path(stage.GetPrimAtPath(rig.skel_root.path))
+            for rig in rigs
+        }
         return ReadResult(
             rigs,
             metadata,
@@ -298,8 +301,9 @@ def _with_diagnostics(
     issues = [issue("USD_DIAGNOSTIC", str(path), text) for text in diagnostics]
     if not rigs:
         return rigs
-    new = tuple(each for each in issues if each not in rigs[0].issues)
-    return (replace(rigs[0], issues=(*rigs[0].issues, *new)), *rigs[1:])
+    new = tuple(each for each in issues if each not in rigs[0].findings.issues)
+    findings = replace(rigs[0].findings, issues=(*rigs[0].findings.issues, *new))
+    return (replace(rigs[0], findings=findings), *rigs[1:])
 
 
 def _depends(stage: Any) -> bool:
@@ -353,8 +357,10 @@ def cameras_toward(stage: Any, rigs: Iterable[Any], view: str) -> dict[str, Any]
     toward = cache.GetLocalToWorldTransform(camera.GetPrim()).TransformDir(Gf.Vec3d(0, 0, 1))
     found = {}
     for rig in rigs:
-        to_root = cache.GetLocalToWorldTransform(stage.GetPrimAtPath(rig.root)).GetInverse()
-        found[rig.root] = np.array(to_root.TransformDir(toward), dtype=np.float64)
+        to_root = cache.GetLocalToWorldTransform(
+            stage.GetPrimAtPath(rig.skel_root.path)
+        ).GetInverse()
+        found[rig.skel_root.path] = np.array(to_root.TransformDir(toward), dtype=np.float64)
     return found
 
 

@@ -14,7 +14,21 @@ import numpy as np
 from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import Faults, Issue, RigUIError, issue, listed, meant, of_character, refuse
-from usdrigui.model import Channel, Clip, Control, Floats, Glyph, Joint, LeftOff, Rig, RigMesh
+from usdrigui.model import (
+    Body,
+    Channel,
+    Clip,
+    Configured,
+    Control,
+    Findings,
+    Floats,
+    Glyph,
+    Joint,
+    LeftOff,
+    Rig,
+    RigMesh,
+    SkelRoot,
+)
 from usdrigui.settings import ControlSettings, ReadSettings, RigSettings, Settings
 from usdrigui.usd.binding import bound_in_vain
 from usdrigui.usd.controls import (
@@ -95,9 +109,9 @@ def read_characters(
 
     Collects what the configuration has wrong: CONFIG_* and GLYPH_*.  Raises RigUIError: FILE_*,
     LAYER_*, SKELROOT_*, CONTROLS_MISSING, INSTANCE or, where no character is left, the code of the
-    first array that cannot be right.  What can be lived with
-    stands in `Rig.issues`, what became no control in `Rig.left_off`; findings about the stage as a
-    whole stand with the first rig.
+    first array that cannot be right.  What can be lived with and
+    what became no control stand in `Rig.findings`; findings about the stage as a whole stand with
+    the first rig.
     """
     faults = Faults()
     with listening() as messages:
@@ -120,9 +134,9 @@ def read_characters(
         glyphs = _guarded_glyphs(stage, path, settings.controls, settings.read.size_limit, faults)
     _check_names(readings, settings.controls, settings.joints, faults)
     rigs = tuple(
-        replace(reading.rig, glyphs=glyphs)
+        replace(reading.rig, configured=replace(reading.rig.configured, glyphs=glyphs))
         for reading in readings
-        if reading.rig.controls and reading.rig.meshes
+        if reading.rig.controls and reading.rig.body.meshes
     )
     lost = () if laid_out is None else _lost(stage, readings)
     if not (rigs or lost):
@@ -140,7 +154,7 @@ def _without_controls(stage: Usd.Stage, readings: list[_Reading]) -> RigUIError:
     broken = [fault for reading in readings for fault in reading.faults]
     if broken:
         return broken[0]
-    lost = [each for reading in readings for each in reading.rig.left_off]
+    lost = [each for reading in readings for each in reading.rig.findings.left_off]
     reasons = tuple({each.reason for each in lost})
     vain = [
         each
@@ -148,19 +162,19 @@ def _without_controls(stage: Usd.Stage, readings: list[_Reading]) -> RigUIError:
         for each in reading.bound_in_vain
         if not each.message.endswith(reasons)
     ]
-    off = "".join(_inactive_clause(stage, reading.rig.root) for reading in readings)
+    off = "".join(_inactive_clause(stage, reading.rig.skel_root.path) for reading in readings)
     why = f"{_lost_clause(lost)}{_vain_clause(vain)}{off}" or _joints_clause(readings[0])
-    meshes = any(reading.rig.meshes for reading in readings)
+    meshes = any(reading.rig.body.meshes for reading in readings)
     what = "no blend shape, animated joint or named pose" if meshes else "no mesh to move"
-    return refuse("CONTROLS_MISSING", readings[0].rig.root, f"{what}{why}")
+    return refuse("CONTROLS_MISSING", readings[0].rig.skel_root.path, f"{what}{why}")
 
 
 def _lost(stage: Usd.Stage, readings: list[_Reading]) -> tuple[Issue, ...]:
     """Why characters that are laid out have nothing to control."""
     found = []
     for reading in readings:
-        root = reading.rig.root
-        if not reading.rig.meshes:
+        root = reading.rig.skel_root.path
+        if not reading.rig.body.meshes:
             what = f"none of its meshes is left{_inactive_clause(stage, root)}"
             found.append(issue("LAYOUT_MESH_GONE", root, what, root))
         elif not reading.rig.controls:
@@ -271,20 +285,23 @@ def _read(root: Usd.Prim, settings: RigSettings, faults: Faults, *, instances: b
     path = with_sets(variant_path(root), settings.read.variants)
     found = (*scene.found.issues, *scene.names.issues, *issues)
     rig = Rig(
-        root=str(root.GetPath()),
-        variant_path=path,
-        meshes=scene.meshes,
-        skeletons=tuple(armature.record for armature in scene.armatures),
-        joints=scene.joints,
-        channels=scene.channels,
-        base_weights=_rest_weights(scene, controls),
+        skel_root=SkelRoot(
+            path=str(root.GetPath()),
+            variant_path=path,
+            up=_up(root),
+            metres_per_unit=metres_per_unit(root.GetStage().GetRootLayer()) or 0.01,
+            clip=scene.clip or scene.still,
+        ),
+        body=Body(
+            meshes=scene.meshes,
+            skeletons=tuple(armature.record for armature in scene.armatures),
+            joints=scene.joints,
+            channels=scene.channels,
+            base_weights=_rest_weights(scene, controls),
+        ),
         controls=controls,
-        clip=scene.clip or scene.still,
-        up=_up(root),
-        metres_per_unit=metres_per_unit(root.GetStage().GetRootLayer()) or 0.01,
-        left_off=lost,
-        issues=of_character(path or str(root.GetPath()), found),
-        excluded=excluded,
+        findings=Findings(lost, of_character(path or str(root.GetPath()), found)),
+        configured=Configured(excluded),
     )
     unknown = unknown_names(drafts, list(lost), settings.controls)
     joints = unknown_joints(scene.joints, settings.joints)
@@ -333,7 +350,7 @@ def _drafts(
 ) -> tuple[list[Draft], list[LeftOff], tuple[Issue, ...]]:
     """Every control that the asset could have, what is left off, and what is odd about the
     ranges."""
-    used = {shape.channel for mesh in scene.meshes for shape in mesh.shapes}
+    used = {shape.channel for mesh in scene.meshes for shape in mesh.binding.shapes}
     authored, issues = read_ranges(
         root, scene.armatures, scene.channels, scene.meshes, scene.authored_weights, scene.clip
     )
@@ -526,7 +543,11 @@ def _check_names(
         if all(name in reading.unknown_joints for reading in readings):
             hint = meant(
                 name,
-                (each for reading in readings for each in _names_of_joints(reading.rig.joints)),
+                (
+                    each
+                    for reading in readings
+                    for each in _names_of_joints(reading.rig.body.joints)
+                ),
             )
             known = hint or "".join(map(_joints_clause, readings))
             with faults.collected():
@@ -544,10 +565,10 @@ def _names_of_joints(joints: tuple[Joint, ...]) -> list[str]:
 
 def _joints_clause(reading: _Reading) -> str:
     """A clause with the names of the first joints of a rig, empty if it has none."""
-    names = joint_names(reading.rig.joints)
+    names = joint_names(reading.rig.body.joints)
     more = f" and {len(names) - _JOINTS_TOLD} more" if len(names) > _JOINTS_TOLD else ""
     return (
-        f"; {reading.rig.root} has the joints {', '.join(names[:_JOINTS_TOLD])}{more}"
+        f"; {reading.rig.skel_root.path} has the joints {', '.join(names[:_JOINTS_TOLD])}{more}"
         if names
         else ""
     )
@@ -585,4 +606,5 @@ def _vain_clause(vain: list[Issue]) -> str:
 
 
 def _with_issues(rig: Rig, more: tuple[Issue, ...]) -> Rig:
-    return replace(rig, issues=(*more, *rig.issues))
+    found = rig.findings
+    return replace(rig, findings=replace(found, issues=(*more, *found.issues)))

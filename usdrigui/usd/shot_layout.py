@@ -77,8 +77,8 @@ def write_shot_layouts(
         if not bare:
             layer.subLayerPaths.append(relative_asset_path(shot, target))
         for each in shots:
-            if below and each.base_root != each.rig.root:
-                root = Sdf.CreatePrimInLayer(layer, each.rig.root)
+            if below and each.base_root != each.rig.skel_root.path:
+                root = Sdf.CreatePrimInLayer(layer, each.rig.skel_root.path)
                 root.referenceList.prependedItems = [Sdf.Reference(below, each.base_root)]
             elif below and below not in layer.subLayerPaths:
                 layer.subLayerPaths.append(below)
@@ -86,7 +86,9 @@ def write_shot_layouts(
                 _author(layer, each)
                 author_limits(layer, each.rig)
     content = layer_bytes(layer, target.suffix, str(target))
-    roots = [each.rig.variant_path or each.rig.root for each in shots if each.added]
+    roots = [
+        each.rig.skel_root.variant_path or each.rig.skel_root.path for each in shots if each.added
+    ]
     return write(content, target, verify=functools.partial(holds_layouts, roots))
 
 
@@ -94,9 +96,9 @@ def _author(layer: Sdf.Layer, shot: ShotLayout) -> None:
     rig, layout = shot.rig, shot.layout
     as_variant = all(prim.in_variant for prim in shot.prims)
     root = (
-        author_variant(layer, rig.variant_path or rig.root)
+        author_variant(layer, rig.skel_root.variant_path or rig.skel_root.path)
         if as_variant
-        else Sdf.CreatePrimInLayer(layer, rig.root)
+        else Sdf.CreatePrimInLayer(layer, rig.skel_root.path)
     )
     scope = Sdf.PrimSpec(root, schema.SCOPE, Sdf.SpecifierOver)
     author.apply(scope, [schema.LAYOUT])
@@ -119,7 +121,7 @@ def _author_new_shapes(scope: Sdf.PrimSpec, shot: ShotLayout, elements: Sequence
         for each in elements
         if not each.anchor.on_board
     }
-    prefixes = Sdf.Path(shot.base_root), Sdf.Path(shot.rig.root)
+    prefixes = Sdf.Path(shot.base_root), Sdf.Path(shot.rig.skel_root.path)
     for prim in shot.prims:
         spans = [
             span
@@ -131,7 +133,11 @@ def _author_new_shapes(scope: Sdf.PrimSpec, shot: ShotLayout, elements: Sequence
         new = [
             (
                 points,
-                [shape for shape in shapes if shot.rig.channels[shape.channel].token not in known],
+                [
+                    shape
+                    for shape in shapes
+                    if shot.rig.body.channels[shape.channel].token not in known
+                ],
             )
             for points, shapes in spans
         ]
@@ -139,13 +145,13 @@ def _author_new_shapes(scope: Sdf.PrimSpec, shot: ShotLayout, elements: Sequence
             path = (
                 Sdf.Path(prim.path)
                 .ReplacePrefix(*prefixes)
-                .ReplacePrefix(shot.rig.root, scope.path.GetParentPath())
+                .ReplacePrefix(shot.rig.skel_root.path, scope.path.GetParentPath())
             )
             targets = [Sdf.Path(each).ReplacePrefix(*prefixes) for each in prim.targets]
             existing = list(zip(prim.shapes, targets, strict=True))
             spec = Sdf.CreatePrimInLayer(scope.layer, path)
             taken = {target.name for target in targets} | set(prim.names)
-            author_shapes(spec, shot.rig.channels, new, taken, existing)
+            author_shapes(spec, shot.rig.body.channels, new, taken, existing)
 
 
 def _moved(

@@ -26,9 +26,9 @@ class Armature:
     animation: UsdSkel.AnimQuery | None
     joint_names: tuple[str, ...]
     index: int
-    """Index of the Skeleton in `Rig.skeletons`."""
+    """Index of the Skeleton in `Body.skeletons`."""
     first: int
-    """Index of its first joint in `Rig.joints`."""
+    """Index of its first joint in `Body.joints`."""
     tokens: tuple[str, ...]
     """Blend shapes that the animation lists."""
 

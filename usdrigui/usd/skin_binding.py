@@ -18,16 +18,20 @@ from usdrigui.deform import channel_state, posed
 from usdrigui.errors import refuse
 from usdrigui.following import board_controls, following
 from usdrigui.model import (
+    Body,
     Control,
     Element,
     Floats,
     Indices,
     Joint,
     Layout,
+    MeshBinding,
+    MeshDisplay,
     Record,
     Rig,
     RigMesh,
     Skin,
+    Topology,
 )
 from usdrigui.skinning import carrying_joint
 
@@ -45,9 +49,9 @@ class JointBinding(Record):
     """How a drawn part hangs on the character's joints."""
 
     skeleton: int
-    """Index into `Rig.skeletons`, or -1 if the rig has none."""
+    """Index into `Body.skeletons`, or -1 if the body has none."""
     joints: Indices
-    """(k,) indices into `Rig.joints`; none where no joint moves it."""
+    """(k,) indices into `Body.joints`; none where no joint moves it."""
     weights: Floats
     """(k,)"""
     method: Method
@@ -112,19 +116,19 @@ class SkinBinding:
 
     def __init__(self, rig: Rig, layout: Layout) -> None:
         self.rig = rig
-        self.values = _base_values(rig.root, rig.controls, layout.character.base_values)
+        self.values = _base_values(rig.skel_root.path, rig.controls, layout.character.base_values)
         self.weights = channel_state(rig, self.values)[0]
         self._controls = {control.name: control for control in rig.controls}
-        self._meshes = {mesh.path: mesh for mesh in rig.meshes}
-        self.size = _size(rig)
+        self._meshes = {mesh.path: mesh for mesh in rig.body.meshes}
+        self.size = _size(rig.body)
         self._positions = {control.name: i for i, control in enumerate(rig.controls)}
         on_face = [self._anchored(each) for each in layout.elements if not each.anchor.on_board]
         starts = dict(
-            zip(self._meshes, rig.starts.tolist(), strict=False)
+            zip(self._meshes, rig.body.starts.tolist(), strict=False)
         )  # one more start than meshes
         rows = [starts[mesh.path] + point for mesh, point in on_face]
-        self._rigid = carrying_joint(rig, np.array(rows, dtype=np.int64))
-        self._shapes = _shapes_of(rig, on_face, self.size)
+        self._rigid = carrying_joint(rig.body, np.array(rows, dtype=np.int64))
+        self._shapes = _shapes_of(rig.body, on_face, self.size)
         on_board = [self._own(each) for each in layout.elements if each.anchor.on_board]
         self._board = board_controls(rig.controls, on_board)
 
@@ -132,7 +136,9 @@ class SkinBinding:
         """The rig's control of that name."""
         if name not in self._controls:
             raise refuse(
-                "BUG", self.rig.root, f"the layout has a control {name!r} that the rig lacks"
+                "BUG",
+                self.rig.skel_root.path,
+                f"the layout has a control {name!r} that the rig lacks",
             )
         return self._controls[name]
 
@@ -152,13 +158,13 @@ class SkinBinding:
         )
         held = [self.rig.controls[each] for each in follows.held.tolist()]
         deforms = follows.deforms
-        skeleton = _skeleton_of(self.rig, mesh)
-        influences = _influences(mesh.skin, point)
+        skeleton = _skeleton_of(self.rig.body, mesh)
+        influences = _influences(mesh.binding.skin, point)
         if follows.joint >= 0:
             influences = np.array([follows.joint]), np.ones(1)
-        fixed = _without(self.rig, influences, _own_joints(held, self.size))
+        fixed = _without(self.rig.body, influences, _own_joints(held, self.size))
         turning = fixed is not influences
-        to_rest = _to_rest(self.rig, mesh)
+        to_rest = _to_rest(self.rig.body, mesh)
         rest = np.append(mesh.points[point], 1.0) @ to_rest
         track = self._joint_binding(mesh, skeleton, fixed)
         return AnchorBinding(
@@ -208,7 +214,9 @@ class SkinBinding:
         self, mesh: RigMesh, skeleton: int, influences: tuple[Indices, Floats]
     ) -> JointBinding:
         joints, weights = influences
-        method: Method = mesh.skin.method if mesh.skin is not None else "classicLinear"
+        method: Method = (
+            mesh.binding.skin.method if mesh.binding.skin is not None else "classicLinear"
+        )
         return JointBinding(
             skeleton,
             joints,
@@ -223,22 +231,19 @@ class SkinBinding:
         """(4, 3) map from bind pose to root space, by posing a rig of a single point."""
         if not len(joints):
             return np.eye(4)[:, :3]
-        bound = np.asarray(np.linalg.inv(self.rig.skeletons[skeleton].to_root), dtype=np.float64)
+        bound = np.asarray(
+            np.linalg.inv(self.rig.body.skeletons[skeleton].to_root), dtype=np.float64
+        )
         skin = Skin(joints[None], weights[None], method, bound, False)
         single = RigMesh(
             "",
             np.full((1, 3), self.size),
-            _NONE,
-            _NONE,
-            False,
-            True,
-            "none",
-            np.eye(4),
-            skin,
-            (),
-            "",
+            Topology(_NONE, _NONE, False, ""),
+            MeshBinding(np.eye(4), skin),
+            MeshDisplay(),
         )
-        return np.array(posed(replace(self.rig, meshes=(single,)), values).maps[0][0])
+        alone = replace(self.rig, body=replace(self.rig.body, meshes=(single,)))
+        return np.array(posed(alone, values).maps[0][0])
 
 
 _NONE: Indices = np.zeros(0, dtype=np.int64)
@@ -255,36 +260,36 @@ def _base_values(root: str, controls: tuple[Control, ...], base_values: Floats) 
     return np.array(base_values, dtype=np.float64)
 
 
-def _size(rig: Rig) -> float:
+def _size(body: Body) -> float:
     """Diagonal of the box around the largest mesh, in the units of the bind pose."""
     spans = [
-        np.ptp(mesh.points @ _to_rest(rig, mesh)[:3], axis=0)
-        for mesh in rig.meshes
+        np.ptp(mesh.points @ _to_rest(body, mesh)[:3], axis=0)
+        for mesh in body.meshes
         if len(mesh.points)
     ]
     return max((float(np.linalg.norm(span)) for span in spans), default=1.0) or 1.0
 
 
-def _to_rest(rig: Rig, mesh: RigMesh) -> Floats:
+def _to_rest(body: Body, mesh: RigMesh) -> Floats:
     """(4, 3) map from mesh space to the bind pose."""
-    if mesh.skin is None:
-        return mesh.to_root[:, :3]
-    skeleton = rig.skeletons[_skeleton_of(rig, mesh)]
+    if mesh.binding.skin is None:
+        return mesh.binding.to_root[:, :3]
+    skeleton = body.skeletons[_skeleton_of(body, mesh)]
     if abs(np.linalg.det(skeleton.to_root[:3, :3])) < 1e-30:
         raise refuse("SKELETON_INVALID", skeleton.path, "its transform collapses space")
-    return np.asarray((mesh.skin.geom_bind @ skeleton.to_root)[:, :3], dtype=np.float64)
+    return np.asarray((mesh.binding.skin.geom_bind @ skeleton.to_root)[:, :3], dtype=np.float64)
 
 
-def _skeleton_of(rig: Rig, mesh: RigMesh) -> int:
+def _skeleton_of(body: Body, mesh: RigMesh) -> int:
     """The Skeleton that a mesh is bound to: its joints', else the one whose animation drives its
     shapes."""
-    if mesh.skin is not None:
-        return rig.joints[int(mesh.skin.joints[0, 0])].skeleton
-    animations = [rig.channels[shape.channel].animation for shape in mesh.shapes]
-    for index, skeleton in enumerate(rig.skeletons):
+    if mesh.binding.skin is not None:
+        return body.joints[int(mesh.binding.skin.joints[0, 0])].skeleton
+    animations = [body.channels[shape.channel].animation for shape in mesh.binding.shapes]
+    for index, skeleton in enumerate(body.skeletons):
         if skeleton.animation and skeleton.animation in animations:
             return index
-    return 0 if rig.skeletons else -1
+    return 0 if body.skeletons else -1
 
 
 def _influences(skin: Skin | None, point: int) -> tuple[Indices, Floats]:
@@ -308,7 +313,9 @@ def _own_joints(controls: list[Control], size: float) -> set[int]:
     return own
 
 
-def _without(rig: Rig, influences: tuple[Indices, Floats], own: set[int]) -> tuple[Indices, Floats]:
+def _without(
+    body: Body, influences: tuple[Indices, Floats], own: set[int]
+) -> tuple[Indices, Floats]:
     """Influences that the joints `own` cannot reach: each that hangs on them goes to the nearest
     joint above.
 
@@ -316,7 +323,7 @@ def _without(rig: Rig, influences: tuple[Indices, Floats], own: set[int]) -> tup
     more. Returns the very `influences` when nothing has to change.
     """
     joints, weights = influences
-    moved = {int(joint): _free_ancestor(rig.joints, int(joint), own) for joint in joints}
+    moved = {int(joint): _free_ancestor(body.joints, int(joint), own) for joint in joints}
     if all(joint == target for joint, target in moved.items()):
         return influences
     shares: dict[int, float] = {}
@@ -345,7 +352,7 @@ def _free_ancestor(joints: tuple[Joint, ...], joint: int, own: set[int]) -> int:
 
 
 def _shapes_of(
-    rig: Rig, anchors: list[tuple[RigMesh, int]], size: float
+    body: Body, anchors: list[tuple[RigMesh, int]], size: float
 ) -> dict[tuple[str, int], tuple[PointShape, ...]]:
     """The shapes that move each anchor, by mesh and point, in the order of their channels."""
     found: dict[tuple[str, int], list[PointShape]] = {
@@ -353,8 +360,8 @@ def _shapes_of(
     }
     for mesh in {mesh.path: mesh for mesh, _ in anchors}.values():
         points = np.array(sorted(point for path, point in found if path == mesh.path))
-        to_rest = _to_rest(rig, mesh)[:3]
-        for shape in mesh.shapes:
+        to_rest = _to_rest(body, mesh)[:3]
+        for shape in mesh.binding.shapes:
             place = np.searchsorted(shape.points, points)
             hit = np.flatnonzero(np.append(shape.points, -1)[place] == points)
             offsets = shape.offsets[:, place[hit]].astype(np.float64) @ to_rest

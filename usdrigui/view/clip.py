@@ -18,16 +18,16 @@ def clip_values(rig: Rig, count: int = 0) -> Floats:
     rotation vector from its base; pose controls stay at their defaults, since many mixtures of
     poses would give the same frame.  Raises RigUIError ANIMATION_MISSING.
     """
-    clip = rig.clip
+    clip = rig.skel_root.clip
     if clip is None or len(clip.times) < 2:
-        raise refuse("ANIMATION_MISSING", rig.root, "has no animation to show")
+        raise refuse("ANIMATION_MISSING", rig.skel_root.path, "has no animation to show")
     last = len(clip.times) - 1
     steps = (
         np.arange(last + 1)
         if count <= 0
         else np.unique(np.linspace(0, last, count).round().astype(int))
     )
-    values = np.stack([_values(rig.joints, clip, control) for control in rig.controls], axis=1)
+    values = np.stack([_values(rig.body.joints, clip, control) for control in rig.controls], axis=1)
     return np.asarray(values[steps], dtype=np.float64)
 
 

@@ -80,7 +80,7 @@ class _Eye:
 
 def complexion(rig: Rig, layout: Layout) -> Complexion:
     """Colours of a character in the base pose of its layout."""
-    colours = _of_meshes(rig.meshes)
+    colours = _of_meshes(rig.body.meshes)
     gaze, clear = np.full((len(colours), 2), 9.0), np.zeros(len(colours), dtype=bool)
     seen = _seen(rig, layout)
     if seen is None:
@@ -108,7 +108,7 @@ def _of_meshes(meshes: tuple[RigMesh, ...]) -> Floats:
     parts = [np.zeros((0, 3))]
     for mesh in meshes:
         usual = np.tile(np.array(_said(mesh.path) or SKIN), (len(mesh.points), 1))
-        parts.append(usual if mesh.colours is None else np.asarray(mesh.colours))
+        parts.append(usual if mesh.display.colours is None else np.asarray(mesh.display.colours))
     return np.concatenate(parts)
 
 
@@ -120,19 +120,21 @@ def _said(path: str) -> tuple[float, float, float] | None:
 
 def _seen(rig: Rig, layout: Layout) -> _Seen | None:
     """None where no point is left to be coloured."""
-    coloured = [mesh.colours is not None or _said(mesh.path) is not None for mesh in rig.meshes]
+    coloured = [
+        mesh.display.colours is not None or _said(mesh.path) is not None for mesh in rig.body.meshes
+    ]
     spans = [
-        np.full(len(mesh.points), mesh.visible and not has)
-        for mesh, has in zip(rig.meshes, coloured, strict=True)
+        np.full(len(mesh.points), mesh.display.visible and not has)
+        for mesh, has in zip(rig.body.meshes, coloured, strict=True)
     ]
     free = np.concatenate([np.zeros(0, dtype=bool), *spans])
-    corners = mesh_triangles(rig.meshes, visible_only=True)
+    corners = mesh_triangles(rig.body.meshes, visible_only=True)
     on_face = [
         element.anchor.position for element in layout.elements if not element.anchor.on_board
     ]
     if not free.any() or not len(corners) or not on_face:
         return None
-    rows = look(layout.frame.view, rig.up)
+    rows = look(layout.frame.view, rig.skel_root.up)
     points = deform(rig, layout.character.base_values)
     points = np.where(np.isfinite(points), points, 0.0)
     places = weld(points)

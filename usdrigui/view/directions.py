@@ -37,7 +37,9 @@ def ahead_of(rig: Rig, plane_normal: Floats, base_values: Floats) -> Floats:
 
     `LayoutFrame.view` does not tell: a layout made for the side has the profile there.
     """
-    return front_of(rig.up, trajectories(rig, TrajectorySettings(), base_values), plane_normal)
+    return front_of(
+        rig.skel_root.up, trajectories(rig, TrajectorySettings(), base_values), plane_normal
+    )
 
 
 def turned(direction: Floats, up: Floats, degrees: float) -> Floats:

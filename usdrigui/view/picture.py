@@ -20,7 +20,7 @@ from usdrigui.pose.evaluate import PosedLayout, evaluate, prepare
 from usdrigui.view import directions, lettering, overlay, shading
 from usdrigui.view.complexion import complexion
 from usdrigui.view.sections import cut_away, main_layout, sections
-from usdrigui.view.shading import Body, Camera, Complexion
+from usdrigui.view.shading import Camera, Complexion, Subject
 
 VIEWS = {
     "front": 0.0,
@@ -86,10 +86,10 @@ def render(
             rig, layout, posed, _set_up(rig, layout, posed, views, size, labels), size, title
         )
     pages, colours = [], complexion(rig, main_layout(layout))
-    for each in sections(layout, posed, rig.up):
+    for each in sections(layout, posed, rig.skel_root.up):
         own = cut_away(rig, each.layout, colours)
         scene = _set_up(rig, each.layout, each.posed, each.views or None, size, labels, own)
-        name = title or rig.root.strip("/") or "character"
+        name = title or rig.skel_root.path.strip("/") or "character"
         held = len(each.layout.controls)
         pages.append(
             _page(rig, each.layout, each.posed, scene, size, f"{name}: {each.title}", held)
@@ -148,19 +148,22 @@ def _set_up(
     """
     colours = colours or complexion(rig, main_layout(layout))
     skin, ahead = (
-        _skin(rig.meshes, posed, colours),
+        _skin(rig.body.meshes, posed, colours),
         directions.ahead_of(rig, layout.frame.plane.normal, layout.character.base_values),
     )
     if views is None:
         shown = [
             (layout.frame.view, True),
-            *((each, False) for each in directions.companions(layout.frame.view, ahead, rig.up)),
+            *(
+                (each, False)
+                for each in directions.companions(layout.frame.view, ahead, rig.skel_root.up)
+            ),
         ]
     else:
         azimuths = [VIEWS[view] if isinstance(view, str) else None for view in views]
         shown = [
             (
-                (directions.turned(layout.frame.view, rig.up, at), at == 0.0)
+                (directions.turned(layout.frame.view, rig.skel_root.up, at), at == 0.0)
                 if at is not None
                 else (np.asarray(view), i == 0)
             )
@@ -169,14 +172,14 @@ def _set_up(
     panels: list[_Framed] = []
     boards: list[_Framed] = []
     for at, own in shown:
-        rows = shading.look(at, rig.up)
+        rows = shading.look(at, rig.skel_root.up)
         panels.append(
             _framed(
                 layout,
                 posed,
                 skin,
                 rows,
-                directions.caption(at, ahead, rig.up),
+                directions.caption(at, ahead, rig.skel_root.up),
                 own,
                 own and labels,
             )
@@ -203,7 +206,7 @@ def _page(
     controls: int | None = None,
 ) -> Image.Image:
     """One page; ``controls`` is how many the title tells of, by default those of the rig."""
-    subject = shading.body(rig.meshes, posed.points, scene.complexion)
+    subject = shading.subject_of(rig.body.meshes, posed.points, scene.complexion)
     below = sum(
         camera.height + _CAPTION
         for panel, camera in zip(scene.panels, scene.cameras, strict=True)
@@ -218,7 +221,7 @@ def _page(
         ImageDraw.Draw(page).text(middle, caption, fill=_QUIET, font=type_, anchor="mm")
     _title(
         page,
-        title or rig.root.strip("/") or "character",
+        title or rig.skel_root.path.strip("/") or "character",
         _numbers(controls or len(rig.controls), layout, size[0] - 2 * _EDGE),
     )
     _legend(page, layout.elements)
@@ -431,7 +434,7 @@ def _board_camera(board: _Framed, width: int) -> Camera:
 
 
 def _panel(
-    subject: Body, layout: Layout, posed: PosedLayout, panel: _Framed, camera: Camera
+    subject: Subject, layout: Layout, posed: PosedLayout, panel: _Framed, camera: Camera
 ) -> Image.Image:
     shaded = shading.empty(camera) if panel.board else shading.shade(subject, camera)
     picture, width = _developed(shaded), layout.frame.handle_width_of

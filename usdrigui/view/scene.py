@@ -23,6 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 from usdrigui.errors import Issue, refuse
 from usdrigui.following import Following, board_controls, following
 from usdrigui.model import (
+    Body,
     Clip,
     Control,
     Drive,
@@ -114,29 +115,35 @@ class _Body:
 
 def _character(body: _Body, rig: Rig, layout: Layout) -> Json:
     return {
-        "root": rig.root,
+        "root": rig.skel_root.path,
         "identity": _identity(rig),
-        "up": _list(rig.up),
-        "metresPerUnit": rig.metres_per_unit,
-        "meshes": _meshes(body, rig.meshes, rig.starts, complexion(rig, main_layout(layout))),
+        "up": _list(rig.skel_root.up),
+        "metresPerUnit": rig.skel_root.metres_per_unit,
+        "meshes": _meshes(
+            body, rig.body.meshes, rig.body.starts, complexion(rig, main_layout(layout))
+        ),
         "eye": {**{name: _srgb(colour) for name, colour in EYE.items()}, "radii": [PUPIL, IRIS]},
         "skeletons": [
             {"path": each.path, "animation": each.animation, "toRoot": _list(each.to_root)}
-            for each in rig.skeletons
+            for each in rig.body.skeletons
         ],
         "joints": [
             {"path": each.path, "skeleton": each.skeleton, "parent": each.parent}
-            for each in rig.joints
+            for each in rig.body.joints
         ],
-        "bind": body.reals(np.array([each.bind for each in rig.joints]).reshape(-1, 4, 4), "f8"),
-        "base": body.reals(np.array([each.base for each in rig.joints]).reshape(-1, 4, 4), "f8"),
+        "bind": body.reals(
+            np.array([each.bind for each in rig.body.joints]).reshape(-1, 4, 4), "f8"
+        ),
+        "base": body.reals(
+            np.array([each.base for each in rig.body.joints]).reshape(-1, 4, 4), "f8"
+        ),
         "channels": [
             {"token": each.token, "animation": each.animation, "index": each.index}
-            for each in rig.channels
+            for each in rig.body.channels
         ],
-        "baseWeights": _list(rig.base_weights),
+        "baseWeights": _list(rig.body.base_weights),
         "controls": [_control(each) for each in rig.controls],
-        "clip": _clip(body, rig.clip, rig.issues),
+        "clip": _clip(body, rig.skel_root.clip, rig.findings.issues),
         "layout": _layout(rig, layout),
     }
 
@@ -144,8 +151,10 @@ def _character(body: _Body, rig: Rig, layout: Layout) -> Json:
 def _identity(rig: Rig) -> str:
     """Hex digest of what work on a character belongs to: its meshes and controls, not its layout or
     animation."""
-    found = hashlib.sha256(json.dumps([rig.root, [each.name for each in rig.controls]]).encode())
-    for mesh in rig.meshes:
+    found = hashlib.sha256(
+        json.dumps([rig.skel_root.path, [each.name for each in rig.controls]]).encode()
+    )
+    for mesh in rig.body.meshes:
         found.update(mesh.path.encode() + np.ascontiguousarray(mesh.points, dtype="<f4").tobytes())
     return found.hexdigest()[:32]
 
@@ -160,19 +169,24 @@ def _meshes(
 
 def _mesh(body: _Body, mesh: RigMesh, look: Complexion) -> Json:
     low, step, grid = _quantised_positions(mesh.points)
-    corners = triangles(mesh.points, mesh.face_counts, mesh.face_indices, mesh.left_handed)
+    corners = triangles(
+        mesh.points,
+        mesh.topology.face_counts,
+        mesh.topology.face_indices,
+        mesh.topology.left_handed,
+    )
     corners = corners[~look.clear[corners].all(axis=1)]
     on_eye = (np.abs(look.gaze) < 3.0).any()
     return {
         "path": mesh.path,
-        "visible": mesh.visible,
+        "visible": mesh.display.visible,
         "low": _list(low),
         "step": _list(step),
         "points": body.integers(grid, "u2"),
         "triangles": body.wandering(corners),
-        "toRoot": _list(mesh.to_root),
-        "skin": None if mesh.skin is None else _skin(body, mesh.skin),
-        "shapes": [_shape(body, shape) for shape in mesh.shapes],
+        "toRoot": _list(mesh.binding.to_root),
+        "skin": None if mesh.binding.skin is None else _skin(body, mesh.binding.skin),
+        "shapes": [_shape(body, shape) for shape in mesh.binding.shapes],
         "colours": body.integers(np.rint(255.0 * encoded(look.colours)), "u1"),
         "gaze": (
             body.integers(np.rint(look.gaze / _GAZE_STEP).clip(-32767, 32767), "i2")
@@ -267,7 +281,7 @@ def _clip(body: _Body, clip: Clip | None, issues: tuple[Issue, ...]) -> Json | N
 
 def _layout(rig: Rig, layout: Layout) -> Json:
     controls = {control.name: index for index, control in enumerate(rig.controls)}
-    meshes = {mesh.path: index for index, mesh in enumerate(rig.meshes)}
+    meshes = {mesh.path: index for index, mesh in enumerate(rig.body.meshes)}
     return {
         "handleWidth": layout.frame.handle_width,
         "view": _list(layout.frame.view),
@@ -296,22 +310,24 @@ def _sections(rig: Rig, layout: Layout) -> list[Json]:
             "view": _list(each.layout.frame.view),
             "elements": [element.name for element in each.layout.elements],
         }
-        for each in sections(layout, evaluate(prepare(rig, layout)), rig.up)
+        for each in sections(layout, evaluate(prepare(rig, layout)), rig.skel_root.up)
     ]
 
 
 def _elements(
     rig: Rig, meshes: dict[str, int], controls: dict[str, int], layout: Layout
 ) -> list[Json]:
-    found = [_element(rig, meshes, controls, each) for each in layout.elements]
+    found = [_element(rig.body, meshes, controls, each) for each in layout.elements]
     own = [np.array([each["control"] for each in packed["members"]]) for packed in found]
     board = board_controls(
         rig.controls, itertools.compress(own, (packed["onBoard"] for packed in found))
     )
     rows = [
-        rig.starts[packed["mesh"]] + packed["point"] for packed in found if not packed["onBoard"]
+        rig.body.starts[packed["mesh"]] + packed["point"]
+        for packed in found
+        if not packed["onBoard"]
     ]
-    carrier = carrying_joint(rig, np.array(rows, dtype=np.int64))
+    carrier = carrying_joint(rig.body, np.array(rows, dtype=np.int64))
     for packed, mine, element in zip(found, own, layout.elements, strict=True):
         places = [
             following(
@@ -332,10 +348,12 @@ def _follows(following: Following) -> Json:
     }
 
 
-def _element(rig: Rig, meshes: dict[str, int], controls: dict[str, int], element: Element) -> Json:
+def _element(
+    body: Body, meshes: dict[str, int], controls: dict[str, int], element: Element
+) -> Json:
     anchor = element.anchor
     if anchor.mesh not in meshes or not 0 <= anchor.point < len(
-        rig.meshes[meshes[anchor.mesh]].points
+        body.meshes[meshes[anchor.mesh]].points
     ):
         raise refuse(
             "VIEW_MISMATCH",

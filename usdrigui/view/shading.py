@@ -73,7 +73,7 @@ class Complexion(Record):
 
 
 @dataclass(frozen=True, eq=False)
-class Body(Record):
+class Subject(Record):
     """The visible surface of a character at one pose, ready for ray casting."""
 
     points: Floats
@@ -116,7 +116,9 @@ def empty(camera: Camera) -> Shaded:
     return Shaded(np.zeros((*size, 3)), np.zeros(size), np.full(size, -np.inf))
 
 
-def body(meshes: tuple[RigMesh, ...], points: Floats, complexion: Complexion | None = None) -> Body:
+def subject_of(
+    meshes: tuple[RigMesh, ...], points: Floats, complexion: Complexion | None = None
+) -> Subject:
     """The rig's visible meshes (all, if none is visible) at ``points`` (n, 3) in root space;
     without a complexion all is skin."""
     look = complexion or _plain(len(points))
@@ -124,11 +126,11 @@ def body(meshes: tuple[RigMesh, ...], points: Floats, complexion: Complexion | N
     finite: Flags = np.asarray(np.isfinite(points).all(axis=1))
     points = np.where(finite[:, None], points, 0.0)
     normals = vertex_normals(points, corners, weld(points))
-    return Body(points, corners, normals, look.colours, look.gaze, make_caster(points[corners]))
+    return Subject(points, corners, normals, look.colours, look.gaze, make_caster(points[corners]))
 
 
 def drawn(meshes: tuple[RigMesh, ...], points: Floats, look: Complexion) -> Indices:
-    """(t, 3) the triangles that `body` draws: finite, and not clear."""
+    """(t, 3) the triangles that `subject_of` draws: finite, and not clear."""
     corners = mesh_triangles(meshes, visible_only=True)
     if not len(corners):
         corners = mesh_triangles(meshes)
@@ -143,7 +145,7 @@ def _plain(count: int) -> Complexion:
     )
 
 
-def shade(subject: Body, camera: Camera) -> Shaded:
+def shade(subject: Subject, camera: Camera) -> Shaded:
     """Render the body under three lights, darkened in hollows."""
     y, x = np.mgrid[: camera.height, : camera.width]
     pixels = np.stack([x.ravel(), y.ravel()], axis=1) + 0.5
@@ -163,7 +165,7 @@ def shade(subject: Body, camera: Camera) -> Shaded:
     return Shaded(colour, cover.reshape(shape), grid)
 
 
-def _samples(subject: Body, camera: Camera, pixels: Floats) -> tuple[Floats, Floats]:
+def _samples(subject: Subject, camera: Camera, pixels: Floats) -> tuple[Floats, Floats]:
     """Linear colours (n, 3) and depths (n,) where rays through ``pixels`` (n, 2) meet the body."""
     colour, depth = np.zeros((len(pixels), 3)), np.full(len(pixels), -np.inf)
     if not len(subject.corners):

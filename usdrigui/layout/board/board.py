@@ -270,10 +270,10 @@ def _member(face: Face, control: int, place: Floats, length: float, direction: F
 
 def _anchor(drawing: _Drawing, place: Floats) -> Anchor:
     rig = drawing.face.rig
-    index, local = rig.mesh_of(drawing.carrier)
-    mesh = rig.meshes[index]
+    index, local = rig.body.mesh_of(drawing.carrier)
+    mesh = rig.body.meshes[index]
     toward = drawing.face.views.directions[0]
-    return Anchor(mesh.path, local, len(mesh.points), mesh.topology_hash, place, toward, True)
+    return Anchor(mesh.path, local, len(mesh.points), mesh.topology.hash, place, toward, True)
 
 
 def _side(face: Face, entry: BoardEntry, own: int) -> Side:

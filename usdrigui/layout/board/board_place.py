@@ -7,7 +7,7 @@ import numpy as np
 
 from usdrigui.layout.face import Face
 from usdrigui.layout.symmetry.mirror_plane import projected
-from usdrigui.model import Floats, Indices, MirrorPlane, Rig, Skin, Trajectories
+from usdrigui.model import Body, Floats, Indices, MirrorPlane, Skin, Trajectories
 from usdrigui.ties import first_largest
 
 
@@ -23,7 +23,9 @@ def silhouette(face: Face, middle: Floats, frame: Floats, half: float) -> float:
 
     `frame` (2, 3) are right and up on the screen.
     """
-    drawn = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in face.rig.meshes])
+    drawn = np.concatenate(
+        [np.full(len(mesh.points), mesh.display.visible) for mesh in face.rig.body.meshes]
+    )
     flat = face.trajectories.surface.points[drawn] @ frame.T
     near = flat[np.abs(flat[:, 1] - middle @ frame[1]) <= half, 0]
     return float(near.max()) if len(near) else float(middle @ frame[0])
@@ -36,7 +38,7 @@ def anchor_point(face: Face, middle: Floats) -> int:
     total = np.zeros(len(trajectories.surface.points))
     for motion in trajectories.motions:
         total[motion.points] += motion.arc_length
-    firmness = _firmness(face.rig, _face_points(trajectories))
+    firmness = _firmness(face.rig.body, _face_points(trajectories))
     apart = np.linalg.norm(trajectories.surface.points - middle, axis=1)
     unit = trajectories.surface.face_size
     order = np.lexsort(
@@ -53,15 +55,18 @@ def _face_points(trajectories: Trajectories) -> Indices:
     return np.flatnonzero(moved)
 
 
-def _firmness(rig: Rig, face_points: Indices) -> Floats:
+def _firmness(body: Body, face_points: Indices) -> Floats:
     """(n,) weight of the joint that holds most of the face; 1 throughout without skins."""
-    if not rig.joints:
-        return np.ones(sum(len(mesh.points) for mesh in rig.meshes))
-    tables = [_joint_weights(mesh.skin, len(mesh.points), len(rig.joints)) for mesh in rig.meshes]
+    if not body.joints:
+        return np.ones(sum(len(mesh.points) for mesh in body.meshes))
+    tables = [
+        _joint_weights(mesh.binding.skin, len(mesh.points), len(body.joints))
+        for mesh in body.meshes
+    ]
     face = np.zeros(sum(len(table) for table in tables), dtype=bool)
     face[face_points] = True
     parts = (
-        face[start : start + len(table)] for start, table in zip(rig.starts, tables, strict=False)
+        face[start : start + len(table)] for start, table in zip(body.starts, tables, strict=False)
     )
     totals = sum(table[part].sum(axis=0) for table, part in zip(tables, parts, strict=True))
     strongest = first_largest(totals)

@@ -93,7 +93,7 @@ def classify(
     meanings = [requests.names.meanings[motion.control] for motion in trajectories.motions]
     controls = [rig.controls[motion.control] for motion in trajectories.motions]
     covered = _of_sets(covered[: len(meanings)], controls, meanings)
-    vanish = visibility_shapes(rig.meshes, trajectories, views)
+    vanish = visibility_shapes(rig.body.meshes, trajectories, views)
     shares_of_own = shares[: len(trajectories.motions)]
     repeated = composites(
         rig, trajectories, symmetry, similarity, shares_of_own, requests.names.meanings
@@ -122,7 +122,9 @@ def classify(
                 trajectories.typical_length,
             ),
             composite=(
-                repeated.get(index) if not (joints_alone and motion.owned is not None) else None
+                repeated.get(index)
+                if not (joints_alone and motion.shares.owned is not None)
+                else None
             ),
         )
         category, reason = _category(evidence, motion.control, requests, settings)
@@ -192,7 +194,7 @@ def _kept(motions: tuple[Motion, ...], symmetry: Symmetry, visible: Flags) -> Fl
     1 for the control of a joint, whose skin is its place."""
     found = np.ones(len(motions))
     for index, motion in enumerate(motions):
-        if motion.owned is None:
+        if motion.shares.owned is None:
             found[index] = motion.arc_length[visible[motion.points]].max(initial=0.0) / max(
                 motion.peak, 1e-300
             )

@@ -52,12 +52,12 @@ def with_common_motion(
     motions = list(trajectories.motions)
     for index in np.flatnonzero(on_face).tolist():
         motion = motions[index]
-        if motion.owned is None:
+        if motion.shares.owned is None:
             at = row[trajectories.surface.places[motion.points]]
             share = np.ones(len(at))
             share[at >= 0] = _shares(similarity, index, on_face, at[at >= 0])
             common = _beyond_the_best(share, motion.arc_length, visible[motion.points])
-            motions[index] = replace(motion, common=common)
+            motions[index] = replace(motion, shares=replace(motion.shares, common=common))
     return replace(trajectories, motions=tuple(motions))
 
 

@@ -227,7 +227,7 @@ class _Spreads:
         self.size = regions @ trajectories.surface.areas
         self.cosine = similarity.cosine
         self.contains = _contained(similarity.fields, regions[:, similarity.fields.places])
-        self.far = _distant(trajectories.surface, similarity, rig.up)
+        self.far = _distant(trajectories.surface, similarity, rig.skel_root.up)
 
     def distant_pair(self, index: int, atoms: Flags) -> tuple[int, ...]:
         """Two distant atoms as which the motion moves the face at once; empty where it does not."""

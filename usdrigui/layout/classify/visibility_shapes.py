@@ -47,7 +47,7 @@ def _shrunk(base: Floats, motion: Motion, parts: Indices, count: int) -> Flags:
     """(count,) which parts the control shrinks to next to nothing; `parts` (p,) are those of its
     points."""
     before = base[motion.points]
-    after = before + motion.offsets[-1]
+    after = before + motion.polylines.offsets[-1]
     return np.asarray(_extents(parts, after, count) < _COLLAPSED * _extents(parts, before, count))
 
 
@@ -74,7 +74,7 @@ def _moves_inside(
     if views.caster is None or not seen.any() or float(np.median(motion.arc_length[inside])) < size:
         return False
     end = surface.points.copy()
-    end[motion.points] += motion.offsets[-1]
+    end[motion.points] += motion.polylines.offsets[-1]
     corners = mesh_triangles(meshes, visible_only=True)
     caster, normals = (
         make_caster(end[corners]),

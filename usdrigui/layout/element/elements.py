@@ -82,7 +82,9 @@ def layout(
     elements.extend(board_elements(face, board, requests, settings.output.adapt))
     return Layout(
         character=LayoutCharacter(
-            root=face.rig.root, base_values=base_values, variant_path=face.rig.variant_path
+            root=face.rig.skel_root.path,
+            base_values=base_values,
+            variant_path=face.rig.skel_root.variant_path,
         ),
         elements=tuple(
             replace(each, placement=replace(each.placement, part=part))
@@ -233,15 +235,15 @@ def _member(face: Face, control: int, point: int, source: int, least: float) -> 
     lengths, (path,) = arc_lengths(motion, one), paths(motion, one)
     (length,), (factor,) = lengths.tolist(), magnification(lengths, least).tolist()
     track = face.trajectories.surface.points[point] + factor * path
-    return Member(face.control_name(control), motion.values, track, length, factor)
+    return Member(face.control_name(control), motion.polylines.values, track, length, factor)
 
 
 def anchor_at(face: Face, point: int) -> Anchor:
     """The anchor on a point of the face."""
-    index, local = face.rig.mesh_of(point)
-    mesh = face.rig.meshes[index]
+    index, local = face.rig.body.mesh_of(point)
+    mesh = face.rig.body.meshes[index]
     base, normal = face.trajectories.surface.points[point], face.trajectories.surface.normals[point]
-    return Anchor(mesh.path, local, len(mesh.points), mesh.topology_hash, base, normal, False)
+    return Anchor(mesh.path, local, len(mesh.points), mesh.topology.hash, base, normal, False)
 
 
 def _side(face: Face, point: int) -> Side:

@@ -19,7 +19,7 @@ import numpy as np
 from usdrigui.conventions import Meaning, joysticks
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.similarity import Similarity
-from usdrigui.model import Control, Rig
+from usdrigui.model import Body, Control
 from usdrigui.rotation import rotation_part
 from usdrigui.settings import CandidateSettings
 
@@ -58,7 +58,7 @@ class Evidence:
         motions, controls = face.trajectories.motions, face.rig.controls
         self.face, self.similarity = face, similarity
         self.meanings = [meanings[motion.control] for motion in motions]
-        self.joints = [_joints(face.rig, controls[motion.control]) for motion in motions]
+        self.joints = [_joints(face.rig.body, controls[motion.control]) for motion in motions]
         self.ways = tuple(frozenset(pair) for pair in joysticks().values())
 
     def relation(self, a: int, b: int) -> Relation:
@@ -138,15 +138,15 @@ class Evidence:
         return len(axes) == 2 and one.side == other.side and axes in self.ways
 
 
-def _joints(rig: Rig, control: Control) -> frozenset[int]:
+def _joints(body: Body, control: Control) -> frozenset[int]:
     """The joints that a control of joints turns; none of another control.  Of joints of one parent
     that turn alike the first: where all joints of a hand are roots, a spread carries the whole
     finger, and is no more a turn of its end than in a chain of joints."""
     if control.kind != "joint":
         return frozenset()
     joints, turns = control.drive.joints.tolist(), control.drive.rotations
-    parents = [rig.joints[joint].parent for joint in joints]
-    bases = [rotation_part(rig.joints[joint].base) for joint in joints]
+    parents = [body.joints[joint].parent for joint in joints]
+    bases = [rotation_part(body.joints[joint].base) for joint in joints]
     # About the axes of the joints' parents.
     own = [turns[:, i] @ base for i, base in enumerate(bases)]
     return frozenset(

@@ -607,7 +607,7 @@ class _Grouping:
             self.requests.meaning(motion.control),
         )
         override = self.requests.overrides[motion.control]
-        placed = bool(override.anchor or override.near) or motion.owned is not None
+        placed = bool(override.anchor or override.near) or motion.shares.owned is not None
         if not placed and all_aside(
             face.trajectories.surface, face.symmetry.plane, self.sets[index].points
         ):

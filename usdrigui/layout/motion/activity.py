@@ -50,7 +50,7 @@ def activity(rig: Rig, performances: Iterable[Performance]) -> Activity:
     """
     clips = tuple(performances)
     rest = np.array([control.default for control in rig.controls])
-    values = np.concatenate([_values(rig.joints, rig.controls, clip, rest) for clip in clips])
+    values = np.concatenate([_values(rig.body.joints, rig.controls, clip, rest) for clip in clips])
     extent = np.array([max(c.maximum - c.default, c.default - c.minimum) for c in rig.controls])
     amounts = np.nan_to_num(np.clip(np.abs(values - rest) / extent, 0.0, 1.0))
     names = tuple(f"{clip.source}{clip.path}" for clip in clips)
@@ -62,9 +62,9 @@ def activity(rig: Rig, performances: Iterable[Performance]) -> Activity:
             if unknown
             else "is moved by none of them"
         )
-        raise refuse("CLIP_FOREIGN", rig.root, why)
+        raise refuse("CLIP_FOREIGN", rig.skel_root.path, why)
     issues = (
-        (issue("CLIP_UNKNOWN_CONTROL", rig.root, f"{len(unknown)} of them: {listed}"),)
+        (issue("CLIP_UNKNOWN_CONTROL", rig.skel_root.path, f"{len(unknown)} of them: {listed}"),)
         if unknown
         else ()
     )
@@ -209,8 +209,8 @@ def _tokens(rig: Rig) -> set[str]:
     """Blend shapes that some control sets, and those that became no control for a reason that is
     reported."""
     used = {
-        rig.channels[int(channel)].token
+        rig.body.channels[int(channel)].token
         for control in rig.controls
         for channel in control.drive.channels
     }
-    return used | {left.control for left in rig.left_off}
+    return used | {left.control for left in rig.findings.left_off}

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from usdrigui.joint_tree import Hanging
-from usdrigui.model import Control, Flags, Floats, Joint, Rig, Skeleton
+from usdrigui.model import Body, Control, Flags, Floats, Joint, Skeleton
 
 _SPAN = (0.2, 0.7)
 """Share of the way from a joint to the next one between which its control stands."""
@@ -32,7 +32,7 @@ _NOTHING = 1e-3
 """Weight below which a point does not count as skin of a joint."""
 
 
-def owned_skin(rig: Rig, hanging: Hanging, control: Control, points: Floats) -> Floats | None:
+def owned_skin(body: Body, hanging: Hanging, control: Control, points: Floats) -> Floats | None:
     """(n,) how much of each point the joints of a joint control own, in [0, 1]; None for other
     controls and where no skin hangs on them.
 
@@ -40,39 +40,39 @@ def owned_skin(rig: Rig, hanging: Hanging, control: Control, points: Floats) -> 
     the skin below it; without a bone, the skin of the joints next below it.
     """
     driven = set(control.drive.joints.tolist())
-    joints = {i for i in driven if rig.joints[i].path == control.source} or driven
+    joints = {i for i in driven if body.joints[i].path == control.source} or driven
     if control.kind != "joint" or not joints or len(control.drive.channels):
         return None
-    below, bones = _below(rig, joints), _bones(rig.skeletons, rig.joints, hanging)
+    below, bones = _below(body, joints), _bones(body.skeletons, body.joints, hanging)
     has_bone = any(b.joint in joints and b.next in below for b in bones)
-    for holders in (joints, *((joints | below,) if has_bone else _levels(rig, joints))):
-        weights = _weights(rig, holders)
+    for holders in (joints, *((joints | below,) if has_bone else _levels(body, joints))):
+        weights = _weights(body, holders)
         if weights.max(initial=0.0) > _NOTHING:
             firm = np.minimum(weights / (_FIRM * weights.max()), 1.0)
             of = joints if has_bone else holders
-            return np.asarray(firm * _by_own_bone(rig, bones, of, points, weights > _NOTHING))
+            return np.asarray(firm * _by_own_bone(body, bones, of, points, weights > _NOTHING))
     return None
 
 
-def _levels(rig: Rig, joints: set[int]) -> Iterator[set[int]]:
+def _levels(body: Body, joints: set[int]) -> Iterator[set[int]]:
     """The joints next below, those next below these, and so on."""
-    while joints := {i for i, joint in enumerate(rig.joints) if joint.parent in joints}:
+    while joints := {i for i, joint in enumerate(body.joints) if joint.parent in joints}:
         yield joints
 
 
-def _below(rig: Rig, joints: set[int]) -> set[int]:
+def _below(body: Body, joints: set[int]) -> set[int]:
     """All joints below `joints`."""
     found: set[int] = set()
-    return found.union(*_levels(rig, joints)) - joints
+    return found.union(*_levels(body, joints)) - joints
 
 
-def _weights(rig: Rig, joints: set[int]) -> Floats:
+def _weights(body: Body, joints: set[int]) -> Floats:
     """(n,) weight of `joints` together at every point of the rig."""
-    total = np.zeros(int(rig.starts[-1]))
-    for start, mesh in zip(rig.starts, rig.meshes, strict=False):
-        if mesh.skin is None:
+    total = np.zeros(int(body.starts[-1]))
+    for start, mesh in zip(body.starts, body.meshes, strict=False):
+        if mesh.binding.skin is None:
             continue
-        local, weights, present, starts = mesh.skin.by_joint
+        local, weights, present, starts = mesh.binding.skin.by_joint
         for row in np.flatnonzero(np.isin(present, list(joints))):
             part = slice(starts[row], starts[row + 1])
             total[start + local[part]] += weights[part]
@@ -80,7 +80,7 @@ def _weights(rig: Rig, joints: set[int]) -> Floats:
 
 
 def _by_own_bone(
-    rig: Rig, bones: list[_Bone], joints: set[int], points: Floats, owned: Flags
+    body: Body, bones: list[_Bone], joints: set[int], points: Floats, owned: Flags
 ) -> Floats:
     """(n,) one where a point lies along a bone of `joints`, less at its ends and where a bone above
     or below is nearer."""
@@ -88,7 +88,7 @@ def _by_own_bone(
     own = [b for b in bones if b.joint in joints and b.next not in joints]
     if not own:
         return factor
-    above, below = _above(rig, joints), _below(rig, joints)
+    above, below = _above(body, joints), _below(body, joints)
     starts = {bone.start.tobytes() for bone in own}
     chain = (above | below) - joints
     rivals = [b for b in bones if b.joint in chain and b.start.tobytes() not in starts]
@@ -131,11 +131,11 @@ def _bones(
     return found
 
 
-def _above(rig: Rig, joints: set[int]) -> set[int]:
+def _above(body: Body, joints: set[int]) -> set[int]:
     """The joints from the parents of `joints` up to the root."""
     found: set[int] = set()
     for joint in joints:
-        while (joint := rig.joints[joint].parent) >= 0:
+        while (joint := body.joints[joint].parent) >= 0:
             found.add(joint)
     return found
 

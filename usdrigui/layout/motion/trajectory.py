@@ -21,8 +21,10 @@ from usdrigui.model import (
     Indices,
     LeftOff,
     Motion,
+    Polylines,
     Rig,
     RigMesh,
+    Shares,
     Singles,
     Trajectories,
 )
@@ -62,7 +64,7 @@ def trajectories(
     """
     base = posed(rig, base_values)
     size = _diagonal(base.points)
-    chains = hanging(rig.joints, rig.meshes)
+    chains = hanging(rig.body.joints, rig.body.meshes)
     motions, left_off = [], []
     for index, control in enumerate(rig.controls):
         start, value = sweep_start(rig, base, base_values, index)
@@ -73,7 +75,7 @@ def trajectories(
             left_off.append(LeftOff(control.name, STAGE, "moves no point of any mesh"))
     excluded = _excluded(rig, chains, size, settings)
     moving = (
-        _without_drift(rig.meshes, rig.controls, motions)
+        _without_drift(rig.body.meshes, rig.controls, motions)
         if settings.noise > 0.0
         else tuple(motions)
     )
@@ -107,13 +109,7 @@ def _beyond_drift(motion: Motion, count: int) -> Motion:
     if middle > _MOST_DRIFT * peak:
         return motion
     far = motion.arc_length > min(float(quartile + _BEYOND * (middle - quartile)), NOTABLE * peak)
-    return replace(
-        motion,
-        points=motion.points[far],
-        offsets=motion.offsets[:, far],
-        arc_length=motion.arc_length[far],
-        owned=None if motion.owned is None else motion.owned[far],
-    )
+    return motion.of(far)
 
 
 def of_controls(
@@ -126,7 +122,7 @@ def of_controls(
     """The trajectories of some controls alone, which then define how large the face is and what a
     typical control does.
 
-    `controls` are indices into `Rig.controls`, `excluded` into `Rig.excluded`.
+    `controls` are indices into `Rig.controls`, `excluded` into `Configured.excluded`.
     """
     motions = tuple(motion for motion in found.motions if motion.control in controls)
     left_out = tuple(motion for motion in found.excluded if motion.control in excluded)
@@ -153,7 +149,7 @@ def total_motion(motions: Sequence[Motion], count: int) -> Singles:
     that touch at rest."""
     total = np.zeros((count, 3), dtype=np.float32)
     for motion in motions:
-        total[motion.points] += motion.offsets[-1] - motion.offsets[0]
+        total[motion.points] += motion.polylines.offsets[-1] - motion.polylines.offsets[0]
     return total
 
 
@@ -161,11 +157,11 @@ def _excluded(
     rig: Rig, chains: Hanging, size: float, settings: TrajectorySettings
 ) -> tuple[Motion, ...]:
     """Motions of the controls that the configuration leaves out, from the default pose."""
-    alone = replace(rig, controls=rig.excluded)
+    alone = replace(rig, controls=rig.configured.excluded)
     start = posed(alone, None)
     found = (
         _motion(alone, chains, start, i, control.default, settings)
-        for i, control in enumerate(rig.excluded)
+        for i, control in enumerate(rig.configured.excluded)
     )
     return tuple(motion for motion in found if motion.arc_length.max(initial=0.0) > _EMPTY * size)
 
@@ -185,10 +181,10 @@ def _motion(
         offsets = offsets - start_offsets
     arc = _arc_lengths(offsets)
     moving = arc > max(settings.noise * arc.max(initial=0.0), 0.0)
-    if not moving.all():
-        points, offsets, arc = points[moving], offsets[:, moving], arc[moving]
-    owned = owned_skin(rig, chains, rig.controls[index], start.points)
-    return Motion(index, values, points, offsets, arc, None if owned is None else owned[points])
+    owned = owned_skin(rig.body, chains, rig.controls[index], start.points)
+    shares = Shares(None if owned is None else owned[points])
+    motion = Motion(index, points, Polylines(values, offsets), arc, shares)
+    return motion if moving.all() else motion.of(moving)
 
 
 def _refined(
@@ -235,7 +231,9 @@ def _arc_lengths(offsets: Singles) -> Floats:
 def _apart(meshes: tuple[RigMesh, ...], motion: Floats) -> Floats:
     """(n, 4) what keeps points at one position apart: moving unlike, or lying on a mesh that is not
     shown."""
-    shown = np.repeat([mesh.visible for mesh in meshes], [len(mesh.points) for mesh in meshes])
+    shown = np.repeat(
+        [mesh.display.visible for mesh in meshes], [len(mesh.points) for mesh in meshes]
+    )
     scale = float(np.abs(motion).max(initial=0.0)) or 1.0
     return np.column_stack([motion, np.where(shown, scale, 0.0)])
 
@@ -248,8 +246,10 @@ def _assembled(
     left_off: tuple[LeftOff, ...],
     settings: TrajectorySettings,
 ) -> Trajectories:
-    corners = mesh_triangles(rig.meshes)
-    places = weld(base, _apart(rig.meshes, total_motion(motions, len(base)).astype(np.float64)))
+    corners = mesh_triangles(rig.body.meshes)
+    places = weld(
+        base, _apart(rig.body.meshes, total_motion(motions, len(base)).astype(np.float64))
+    )
     areas = point_areas(base, corners, places)
     normals = vertex_normals(base, corners, weld(base))
     inward = faces_inward(base, corners)
@@ -262,7 +262,7 @@ def _assembled(
         Findings(
             left_off,
             (
-                *_inward(rig.root, inward),
+                *_inward(rig.skel_root.path, inward),
                 *_tiny(rig.controls, motions, scale.face_size, settings),
                 *_duplicates(rig.controls, motions),
             ),
@@ -291,7 +291,7 @@ class _Scale:
         shown = [motions[i] for i in np.flatnonzero(local)]
         # A joint may own a single point, and all points may rest in one place.
         size = (
-            _face_size(shown, base @ rig.up)
+            _face_size(shown, base @ rig.skel_root.up)
             or _diagonal(base[np.concatenate([np.zeros(0, int), *(each.points for each in shown)])])
             or _diagonal(base)
             or float(peaks.max(initial=0.0))
@@ -372,9 +372,14 @@ def _duplicates(controls: tuple[Control, ...], motions: tuple[Motion, ...]) -> l
 
 def _same_up_to_scale(motion: Motion, other: Motion) -> float:
     """Factor by which `motion` repeats `other`, or 0."""
-    if not np.array_equal(motion.points, other.points) or len(motion.values) != len(other.values):
+    if not np.array_equal(motion.points, other.points) or len(motion.polylines.values) != len(
+        other.polylines.values
+    ):
         return 0.0
-    a, b = motion.offsets.astype(np.float64).ravel(), other.offsets.astype(np.float64).ravel()
+    a, b = (
+        motion.polylines.offsets.astype(np.float64).ravel(),
+        other.polylines.offsets.astype(np.float64).ravel(),
+    )
     factor = float(a @ b) / float(b @ b)
     return (
         factor

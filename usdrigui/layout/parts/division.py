@@ -53,7 +53,7 @@ class Part(Record):
     controls: frozenset[int]
     """Indices of its controls."""
     excluded: frozenset[int] = frozenset()
-    """Indices into `Rig.excluded`: controls that count for how large the part is."""
+    """Indices into `Configured.excluded`: controls that count for how large the part is."""
 
 
 def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...]:
@@ -80,7 +80,9 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     }
     names = _together(names, _bound(settings, index))
     known = sorted(set(names.values()), key=_rank)
-    left_out = {each.control: tell(rig.excluded[each.control], each) for each in found.excluded}
+    left_out = {
+        each.control: tell(rig.configured.excluded[each.control], each) for each in found.excluded
+    }
     main = main_part(known)
     left_out = {control: name if name in known else main for control, name in left_out.items()}
     return tuple(Part(name, _named(names, name), _named(left_out, name)) for name in known)
@@ -175,7 +177,7 @@ class _Names:
     def __init__(self, rig: Rig, found: Trajectories, regions: JointRegions, whole: float) -> None:
         self.rig, self.found, self.regions, self.whole = rig, found, regions, whole
         self.known = sorted(set(regions.of_skin) | set(regions.of_joint), key=_rank)
-        self.skin = self._skin(owner_of_points(rig.meshes))
+        self.skin = self._skin(owner_of_points(rig.body.meshes))
         self.near_face = (
             self._near(self.skin == self.known.index(FACE)) if FACE in self.known else None
         )
@@ -185,7 +187,7 @@ class _Names:
         if control.kind == "joint" and len(control.drive.joints):
             driven = control.drive.joints.tolist()
             own: int = next(
-                (i for i in driven if self.rig.joints[i].path == control.source), driven[0]
+                (i for i in driven if self.rig.body.joints[i].path == control.source), driven[0]
             )
             return self.regions.of_joint[own]
         mass = self.found.surface.areas[motion.points] * motion.arc_length

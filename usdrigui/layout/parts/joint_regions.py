@@ -45,12 +45,12 @@ class JointRegions:
 
 def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     """The regions of a rig's joints; None for a rig that is not skinned to several joints."""
-    tree = Tree(rig.joints, rig.meshes)
+    tree = Tree(rig.body.joints, rig.body.meshes)
     if len(tree.owners) < 2:
         return None
     heads = _heads(rig, tree, found)
     spine = _spine(tree, heads)
-    of_joint, of_skin = [BODY] * len(rig.joints), [BODY] * len(rig.joints)
+    of_joint, of_skin = [BODY] * len(rig.body.joints), [BODY] * len(rig.body.joints)
     ends = [
         fan
         for fan in fans(tree)
@@ -58,7 +58,7 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     ]
     for fan in ends:
         name, fingers = (
-            _end(rig.up, tree, fan, spine),
+            _end(rig.skel_root.up, tree, fan, spine),
             tree.below([chain[0] for chain in fan.chains]),
         )
         for joint in fingers:
@@ -67,7 +67,7 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     for joint in tree.below(heads):
         of_joint[joint] = BODY if joint in heads else FACE
         of_skin[joint] = FACE
-    own = pieces_of(rig, tree, found.surface.places, owner_of_points(rig.meshes))
+    own = pieces_of(rig.body, tree, found.surface.places, owner_of_points(rig.body.meshes))
     eyeballs = eyes(own, tree.below(heads) - heads)
     for name, roots in ((EYES, eyeballs), (PROPS, props(own, heads, eyeballs))):
         for joint in tree.below(roots):
@@ -84,11 +84,13 @@ def owner_of_points(meshes: tuple[RigMesh, ...]) -> Indices:
     skinned."""
     parts = []
     for mesh in meshes:
-        if mesh.skin is None or not mesh.skin.joints.shape[1]:
+        if mesh.binding.skin is None or not mesh.binding.skin.joints.shape[1]:
             parts.append(np.full(len(mesh.points), -1, dtype=np.int64))
             continue
-        strongest = np.argmax(mesh.skin.weights, axis=1)
-        parts.append(mesh.skin.joints[np.arange(len(mesh.points)), strongest].astype(np.int64))
+        strongest = np.argmax(mesh.binding.skin.weights, axis=1)
+        parts.append(
+            mesh.binding.skin.joints[np.arange(len(mesh.points)), strongest].astype(np.int64)
+        )
     return np.concatenate(parts)
 
 
@@ -98,7 +100,9 @@ def owner_of_points(meshes: tuple[RigMesh, ...]) -> Indices:
 def _heads(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
     """The joint of the head, of each skeleton that has one."""
     named = {
-        i for i, joint in enumerate(rig.joints) if _is_head(joint.path) and _skinned_below(tree, i)
+        i
+        for i, joint in enumerate(rig.body.joints)
+        if _is_head(joint.path) and _skinned_below(tree, i)
     }
     if named:
         return frozenset(i for i in named if not named & set(tree.above(i)))
@@ -107,7 +111,7 @@ def _heads(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
     facial = [0 if i in roots else count for i, count in enumerate(leaves)]
     if max(facial) >= _FACIAL:
         return frozenset({int(np.argmax(facial))})
-    return _by_shapes(rig.meshes, rig.controls, tree, found)
+    return _by_shapes(rig.body.meshes, rig.controls, tree, found)
 
 
 def _is_head(path: str) -> bool:

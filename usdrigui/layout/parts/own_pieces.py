@@ -14,7 +14,7 @@ import numpy as np
 from scipy.spatial import ConvexHull, QhullError
 
 from usdrigui.joint_tree import Tree, one_sided
-from usdrigui.model import Flags, Floats, Indices, Rig
+from usdrigui.model import Body, Flags, Floats, Indices
 from usdrigui.skinning import bound_points
 from usdrigui.surface import components, mesh_triangles
 
@@ -64,19 +64,21 @@ class Pieces:
         return self.bound[np.isin(self.of_point, pieces)]
 
 
-def pieces_of(rig: Rig, tree: Tree, places: Indices, owners: Indices) -> Pieces:
+def pieces_of(body: Body, tree: Tree, places: Indices, owners: Indices) -> Pieces:
     """The pieces of a rig whose points at the same position are one place, `places` (n,).
 
     `owners` (n,) is as of `Pieces`.
     """
-    of_point = components(mesh_triangles(rig.meshes), places)
+    of_point = components(mesh_triangles(body.meshes), places)
     bound = np.zeros((len(of_point), 3))
-    held = np.zeros((len(rig.joints), int(of_point.max(initial=-1)) + 1))
-    for start, mesh in zip(rig.starts, rig.meshes, strict=False):
-        if mesh.skin is None:
+    held = np.zeros((len(body.joints), int(of_point.max(initial=-1)) + 1))
+    for start, mesh in zip(body.starts, body.meshes, strict=False):
+        if mesh.binding.skin is None:
             continue
-        bound[start : start + len(mesh.points)] = bound_points(mesh.points, mesh.skin)[:, :3]
-        local, weights, present, starts = mesh.skin.by_joint
+        bound[start : start + len(mesh.points)] = bound_points(mesh.points, mesh.binding.skin)[
+            :, :3
+        ]
+        local, weights, present, starts = mesh.binding.skin.by_joint
         joints = np.repeat(present, np.diff(starts))
         np.add.at(held, (joints, of_point[start + local]), weights)
     of_piece, of_joint = (

@@ -177,7 +177,7 @@ def _moving_places(
     # What a person says, an earlier place and the skin that a joint owns come before what a name
     # says.
     is_asked = requests.overrides[motion.control].near or motion.control in requests.prior.places
-    if not is_asked and motion.owned is None:
+    if not is_asked and motion.shares.owned is None:
         seen = _where_expected(face, motion, seen, requests.expectation(motion.control))
     points = _pruned(face, motion, seen, some, settings, samples)
     return points if len(points) else _unseen(motion, some, settings.prune_at, settings.peak_share)

@@ -66,7 +66,9 @@ def labels_of(
         cost += worst
         displacement += least
     if own_mirror_image(face, group):
-        of_joint = all(face.trajectories.motion_of(c).owned is not None for c in group.controls)
+        of_joint = all(
+            face.trajectories.motion_of(c).shares.owned is not None for c in group.controls
+        )
         cost += off_plane(face, choice.anchors[:, 0], mirror.plane_weight, of_joint=of_joint)
     return choice, cost, displacement
 
@@ -172,7 +174,7 @@ def _images(face: Face, group: Group, points: Indices, tolerance: float) -> Indi
     return orbit_points(
         face.trajectories.surface,
         orbit,
-        face.rig.up,
+        face.rig.skel_root.up,
         tolerance * face.trajectories.surface.face_size,
         points,
     )

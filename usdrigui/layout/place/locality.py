@@ -82,7 +82,10 @@ def _distances(face: Face, where: str, near: str) -> Floats:
         return np.asarray(straight)
     _, sources = cKDTree(base).query(centres)
     along = surface_distances(
-        base, mesh_triangles(face.rig.meshes), face.trajectories.surface.places, np.asarray(sources)
+        base,
+        mesh_triangles(face.rig.body.meshes),
+        face.trajectories.surface.places,
+        np.asarray(sources),
     )
     return np.where(np.isfinite(along), along, straight)
 
@@ -90,38 +93,39 @@ def _distances(face: Face, where: str, near: str) -> Floats:
 def _named_points(rig: Rig, where: str, near: str) -> Indices:
     if match := re.fullmatch(r"(.+)\.point\[(\d+)\]", near):
         return np.array([point_index(rig, where, match[1], int(match[2]))])
-    for start, mesh in zip(rig.starts, rig.meshes, strict=False):
+    for start, mesh in zip(rig.body.starts, rig.body.meshes, strict=False):
         if mesh.path == near:
             return np.arange(start, start + len(mesh.points))
-        for subset in mesh.subsets:
+        for subset in mesh.topology.subsets:
             if subset.path == near:
                 return np.asarray(start + subset.points)
-    meshes = [mesh.path for mesh in rig.meshes]
-    subsets = [subset.path for mesh in rig.meshes for subset in mesh.subsets]
-    joints = [f"joint:{name}" for name in _joint_names(rig.joints)]
+    meshes = [mesh.path for mesh in rig.body.meshes]
+    subsets = [subset.path for mesh in rig.body.meshes for subset in mesh.topology.subsets]
+    joints = [f"joint:{name}" for name in _joint_names(rig.body.joints)]
     like = meant(near, (*meshes, *subsets, *joints)) or f"; its meshes are {listed(meshes)}"
     raise refuse(
         "CONFIG_VALUE",
         where,
-        f"{near!r} is no joint:NAME, mesh, GeomSubset or MESH.point[i] of {rig.root}{like}",
+        f"{near!r} is no joint:NAME, mesh, GeomSubset or MESH.point[i] of "
+        f"{rig.skel_root.path}{like}",
     )
 
 
 def _joint_position(rig: Rig, where: str, name: str) -> Floats:
     """(3,) position of a joint in root space at the base pose; `name` is its path or the path's
     last part."""
-    for index, joint in enumerate(rig.joints):
+    for index, joint in enumerate(rig.body.joints):
         if name in (joint.path, joint.path.rpartition("/")[2]):
             matrix, at = np.eye(4), index
             while at >= 0:
-                matrix = matrix @ rig.joints[at].base
-                at = rig.joints[at].parent
+                matrix = matrix @ rig.body.joints[at].base
+                at = rig.body.joints[at].parent
             return np.asarray(
-                (matrix @ rig.skeletons[joint.skeleton].to_root)[3, :3], dtype=np.float64
+                (matrix @ rig.body.skeletons[joint.skeleton].to_root)[3, :3], dtype=np.float64
             )
-    names = _joint_names(rig.joints)
+    names = _joint_names(rig.body.joints)
     like = meant(name, names) or (f"; its joints are {listed(names)}" if names else "")
-    raise refuse("CONFIG_VALUE", where, f"{rig.root} has no joint {name!r}{like}")
+    raise refuse("CONFIG_VALUE", where, f"{rig.skel_root.path} has no joint {name!r}{like}")
 
 
 def _joint_names(joints: tuple[Joint, ...]) -> list[str]:

@@ -70,7 +70,7 @@ def placement_problem(
     sets = {face.trajectories.motions[each.motion].control: each for each in candidates.sets}
     toward = face.views.flat_direction(layout.candidates.space)
     base, samples = face.trajectories.surface.points, layout.objective.samples
-    existing = existing_variables(requests.fixed_elements, face.rig, base, samples, toward)
+    existing = existing_variables(requests.fixed_elements, face.rig.body, base, samples, toward)
     costs = _Costs(face, settings, LinearTerms.of(layout), overlap, separation, existing)
     variables, choices = [], []
     for index, group in enumerate(groups):
@@ -111,7 +111,7 @@ def _constants(face: Face, settings: ObjectiveSettings) -> tuple[Overlap, float]
     """The overlap's constants and the separation in scene units."""
     trajectories = face.trajectories
     if settings.scene_units:
-        corners = mesh_triangles(face.rig.meshes)
+        corners = mesh_triangles(face.rig.body.meshes)
         radius = (
             mean_edge_length(trajectories.surface.points, corners, trajectories.surface.places)
             * settings.overlap_radius

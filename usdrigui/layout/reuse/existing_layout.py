@@ -15,7 +15,9 @@ import numpy as np
 from usdrigui.layout.motion.tracks import flattened, resampled
 from usdrigui.model import (
     BaseSurface,
+    Body,
     Candidates,
+    Control,
     Element,
     Floats,
     Layout,
@@ -40,7 +42,7 @@ def layout_of(layouts: tuple[Layout, ...], rig: Rig) -> Layout | None:
     name.
     """
     found = _fitting(layouts, rig)
-    return None if found is None else _moved(found, rig.root, rig.variant_path)
+    return None if found is None else _moved(found, rig.skel_root.path, rig.skel_root.variant_path)
 
 
 def root_in_base(layouts: tuple[Layout, ...], rig: Rig) -> str:
@@ -49,10 +51,10 @@ def root_in_base(layouts: tuple[Layout, ...], rig: Rig) -> str:
     return found.character.root if found is not None else ""
 
 
-def new_controls(layout: Layout, rig: Rig) -> frozenset[int]:
+def new_controls(layout: Layout, controls: tuple[Control, ...]) -> frozenset[int]:
     """Indices of the controls that the layout neither has nor lists as left off."""
     known = layout.controls | {left.control for left in layout.left_off}
-    return frozenset(i for i, control in enumerate(rig.controls) if control.name not in known)
+    return frozenset(i for i, control in enumerate(controls) if control.name not in known)
 
 
 def with_drawn_handles(
@@ -77,19 +79,22 @@ def with_drawn_handles(
 
 
 def of_new_controls(
-    existing: Layout | None, rig: Rig, motions: tuple[Motion, ...], candidates: Candidates
+    existing: Layout | None,
+    controls: tuple[Control, ...],
+    motions: tuple[Motion, ...],
+    candidates: Candidates,
 ) -> Candidates:
     """The candidates of the controls that the existing layout does not have; of all where there is
     none."""
     if existing is None:
         return candidates
-    new = new_controls(existing, rig)
+    new = new_controls(existing, controls)
     kept = tuple(each for each in candidates.sets if motions[each.motion].control in new)
     return Candidates(kept, candidates.left_off)
 
 
 def existing_variables(
-    elements: tuple[Element, ...], rig: Rig, base: Floats, count: int, toward: Floats | None
+    elements: tuple[Element, ...], body: Body, base: Floats, count: int, toward: Floats | None
 ) -> tuple[Variable, ...]:
     """The existing `elements` on the face, each as a variable of one candidate, drawn as its layer
     draws it.
@@ -97,7 +102,7 @@ def existing_variables(
     `base` (n, 3) are the points of the base pose, `count` the samples of a track, `toward` the
     direction to the viewer of a flat layout.
     """
-    return tuple(_variable(e, rig, base, count, toward) for e in elements if not e.anchor.on_board)
+    return tuple(_variable(e, body, base, count, toward) for e in elements if not e.anchor.on_board)
 
 
 def costs_beside_existing(
@@ -158,11 +163,11 @@ def combined(existing: Layout, added: Layout) -> Layout:
 
 
 def _fitting(layouts: tuple[Layout, ...], rig: Rig) -> Layout | None:
-    here = [layout for layout in layouts if layout.character.root == rig.root]
+    here = [layout for layout in layouts if layout.character.root == rig.skel_root.path]
     fitting = [
         layout
         for layout in here or layouts
-        if _alike(_moved(layout, rig.root, rig.variant_path), rig)
+        if _alike(_moved(layout, rig.skel_root.path, rig.skel_root.variant_path), rig)
     ]
     return fitting[0] if len(fitting) == 1 else None
 
@@ -171,7 +176,7 @@ def _alike(layout: Layout, rig: Rig) -> bool:
     """Whether a layout has a mesh and a control in common with a character."""
     meshes = {element.anchor.mesh for element in layout.elements}
     names = layout.controls
-    return bool(meshes & {mesh.path for mesh in rig.meshes}) and bool(
+    return bool(meshes & {mesh.path for mesh in rig.body.meshes}) and bool(
         names & {each.name for each in rig.controls}
     )
 
@@ -197,9 +202,9 @@ def _moved_path(path: str, before: str, after: str) -> str:
 
 
 def _variable(
-    element: Element, rig: Rig, base: Floats, count: int, toward: Floats | None
+    element: Element, body: Body, base: Floats, count: int, toward: Floats | None
 ) -> Variable:
-    point = np.array([rig.point_of(element.anchor.mesh, element.anchor.point)])
+    point = np.array([body.point_of(element.anchor.mesh, element.anchor.point)])
     samples = np.concatenate(
         [resampled(member.track[None], count)[0] for member in element.manipulator.members]
     )

@@ -20,6 +20,7 @@ from usdrigui.layout.reuse.retargeting import face_map
 from usdrigui.levels import outer_first
 from usdrigui.model import (
     BaseSurface,
+    Body,
     Element,
     Flags,
     Floats,
@@ -140,7 +141,7 @@ def at_anchors(
     """(left, new) evidence for controls of an earlier layout and of the rig, at the anchors of the
     layout."""
     held = _held(elements)
-    points = _anchor_points(held, rig, trajectories)
+    points = _anchor_points(held, rig.body, trajectories)
     index = {control.name: number for number, control in enumerate(rig.controls)}
     columns = np.array([index[name] for name in new], dtype=np.int64)
     found = np.zeros((len(left), len(new)))
@@ -217,7 +218,9 @@ def _blurred(character: tuple[Rig, Trajectories], points: Floats) -> Floats:
     weights = (_around(trajectories, points) @ _cells(trajectories)).tocsc()
     found = np.zeros((len(rig.controls), len(points), 3))
     for motion in trajectories.motions:
-        found[motion.control] = weights[:, motion.points] @ (motion.offsets[-1] - motion.offsets[0])
+        found[motion.control] = weights[:, motion.points] @ (
+            motion.polylines.offsets[-1] - motion.polylines.offsets[0]
+        )
     return found
 
 
@@ -299,19 +302,21 @@ def _at_point(motions: tuple[Motion, ...], count: int, point: int) -> Floats:
     for motion in motions:
         at = int(np.searchsorted(motion.points, point))
         if at < len(motion.points) and motion.points[at] == point:
-            found[motion.control] = motion.offsets[-1, at] - motion.offsets[0, at]
+            found[motion.control] = (
+                motion.polylines.offsets[-1, at] - motion.polylines.offsets[0, at]
+            )
     return found
 
 
 def _anchor_points(
-    held: Mapping[str, _Held], rig: Rig, trajectories: Trajectories
+    held: Mapping[str, _Held], body: Body, trajectories: Trajectories
 ) -> dict[str, int]:
     """By control, the point of today's rig whose track the layout holds.
 
     That is the anchor, or the nearest point that moves where the mesh has other points; but a hand
     that corrects an anchor seldom draws its track again.
     """
-    meshes, places = points_of_meshes(rig.meshes, rig.starts), _moved_places(trajectories)
+    meshes, places = points_of_meshes(body.meshes, body.starts), _moved_places(trajectories)
     tree = cKDTree(trajectories.surface.points[places])
     found = {}
     for name, each in held.items():

@@ -15,7 +15,7 @@ from usdrigui.errors import meant, refuse
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.mirror_plane import plane_distance, reflected
 from usdrigui.levels import outer_first
-from usdrigui.model import Element, Floats, Indices, Layout, Rig, RigMesh, Symmetry
+from usdrigui.model import Body, Element, Floats, Indices, Layout, Rig, RigMesh, Symmetry
 from usdrigui.settings import ControlSettings
 
 MIRROR = "mirror:"
@@ -43,12 +43,14 @@ def fixed_by(
             if member.control not in known:
                 where = f"{layout.character.root} element {element.name}"
                 raise refuse(
-                    "CONFIG_UNKNOWN_CONTROL", where, f"{rig.root} has no control {member.control!r}"
+                    "CONFIG_UNKNOWN_CONTROL",
+                    where,
+                    f"{rig.skel_root.path} has no control {member.control!r}",
                 )
             name = renamed.get(member.control, member.control)
             override = found.get(name, ControlSettings())
             if name in placed:
-                found[name] = _anchored_again(override, element, rig.meshes)
+                found[name] = _anchored_again(override, element, rig.body.meshes)
                 continue
             if override.anchor or override.place:
                 continue
@@ -56,7 +58,7 @@ def fixed_by(
             found[name] = (
                 replace(override, place="board")
                 if element.anchor.on_board
-                else _anchored(override, element, rig.meshes)
+                else _anchored(override, element, rig.body.meshes)
             )
     return found
 
@@ -78,23 +80,23 @@ def anchored_point(rig: Rig, where: str, anchor: str) -> int | None:
     return point_index(rig, where, path, int(number))
 
 
-def place_of(rig: Rig, point: int) -> str:
+def place_of(body: Body, point: int) -> str:
     """``MESH_PATH#POINT`` of a point among all points of the rig."""
-    mesh, local = rig.mesh_of(point)
-    return f"{rig.meshes[mesh].path}#{local}"
+    mesh, local = body.mesh_of(point)
+    return f"{body.meshes[mesh].path}#{local}"
 
 
 def point_index(rig: Rig, where: str, path: str, local: int) -> int:
     """Index into all points of the rig of a point of one mesh; raises CONFIG_VALUE for `where` if
     there is none."""
-    for start, mesh in zip(rig.starts, rig.meshes, strict=False):
+    for start, mesh in zip(rig.body.starts, rig.body.meshes, strict=False):
         if mesh.path == path and local < len(mesh.points):
             return int(start + local)
-    counts = {mesh.path: len(mesh.points) for mesh in rig.meshes}
+    counts = {mesh.path: len(mesh.points) for mesh in rig.body.meshes}
     what = (
         f"the mesh {path} has the points 0 to {counts[path] - 1}, not {local}"
         if path in counts
-        else f"{rig.root} has no mesh {path!r}{meant(path, counts)}"
+        else f"{rig.skel_root.path} has no mesh {path!r}{meant(path, counts)}"
     )
     raise refuse("CONFIG_VALUE", where, what)
 
@@ -146,7 +148,7 @@ def _anchored(
 ) -> ControlSettings:
     anchor = element.anchor
     mesh = next((each for each in meshes if each.path == anchor.mesh), None)
-    if mesh is None or not anchor.fits(mesh.topology_hash):
+    if mesh is None or not anchor.fits(mesh.topology.hash):
         change = "is gone" if mesh is None else "has other points or faces by now"
         raise refuse("FIXED_IMPOSSIBLE", element.name, f"its mesh {anchor.mesh} {change}")
     return replace(override, anchor=f"{anchor.mesh}#{anchor.point}")

@@ -19,6 +19,7 @@ from usdrigui.layout.reuse.prior_layout import points_of_meshes, same_point
 from usdrigui.layout.symmetry.mirror_plane import reflected
 from usdrigui.levels import outer_first
 from usdrigui.model import (
+    Body,
     Decision,
     Element,
     Floats,
@@ -130,9 +131,9 @@ def _carried(
     """Where the pinned anchor of an element is today, empty if nowhere, and an issue about
     it."""
     moved = _moved_by_all(controls, rig, trajectories)
-    same = same_point(element.anchor, points_of_meshes(rig.meshes, rig.starts))
+    same = same_point(element.anchor, points_of_meshes(rig.body.meshes, rig.body.starts))
     if same >= 0 and same in moved:
-        return place_of(rig, same), None
+        return place_of(rig.body, same), None
     if not len(moved) or not np.isfinite(element.placement.pinned_position).all():
         why = (
             "its controls move no point together"
@@ -144,7 +145,7 @@ def _carried(
     nearest = first_smallest(apart)
     off = float(apart[nearest]) / max(width, 1e-300)
     message = f"is {off:.1f} handle widths from where it was pinned"
-    return place_of(rig, int(moved[nearest])), (
+    return place_of(rig.body, int(moved[nearest])), (
         issue("PIN_CARRIED", element.name, message) if off > _NEAR else None
     )
 
@@ -208,7 +209,7 @@ def with_twins(
             point = fixed_anchor(rig, rig.controls[control].name, override.anchor)
             image = -1 if point is None else _image(trajectories, symmetry, twin, point)
             if image >= 0:
-                found[twin] = replace(overrides[twin], anchor=place_of(rig, image))
+                found[twin] = replace(overrides[twin], anchor=place_of(rig.body, image))
     return tuple(found)
 
 
@@ -273,7 +274,9 @@ def with_decisions(
     return replace(
         layout,
         elements=tuple(
-            replace(e, placement=_pinned(e, decided, before, layout.frame.handle_width, rig, rest))
+            replace(
+                e, placement=_pinned(e, decided, before, layout.frame.handle_width, rig.body, rest)
+            )
             for e in layout.elements
         ),
     )
@@ -320,7 +323,7 @@ def _pinned(
     decided: Mapping[str, frozenset[Decision]],
     before: Mapping[str, tuple[float, float, float]],
     handle_width: float,
-    rig: Rig,
+    body: Body,
     rest: Floats,
 ) -> Placement:
     found = decided.get(element.name, frozenset())
@@ -332,7 +335,7 @@ def _pinned(
     )
     if "anchor" not in kept:
         return replace(element.placement, pinned=kept)
-    here = rest[rig.point_of(element.anchor.mesh, element.anchor.point)]
+    here = rest[body.point_of(element.anchor.mesh, element.anchor.point)]
     then = np.array(before.get(element.name, (np.nan,) * 3))
     # The place that was decided stays on record while it is the same place: carrying it on adds up
     # no errors.

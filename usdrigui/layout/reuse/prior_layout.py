@@ -157,7 +157,7 @@ def _places(elements: tuple[Element, ...], rig: Rig) -> tuple[dict[int, Place], 
     """The places of the controls, and those of the sliders that some have besides under a coarse
     element."""
     index = {control.name: number for number, control in enumerate(rig.controls)}
-    meshes = points_of_meshes(rig.meshes, rig.starts)
+    meshes = points_of_meshes(rig.body.meshes, rig.body.starts)
     places: dict[int, Place] = {}
     axis_places: dict[int, Place] = {}
     inner = inner_names(elements)
@@ -190,5 +190,5 @@ def same_point(anchor: Anchor, meshes: Mapping[str, tuple[int, RigMesh]]) -> int
     if anchor.mesh not in meshes:
         return -1
     start, mesh = meshes[anchor.mesh]
-    known = anchor.fits(mesh.topology_hash) and 0 <= anchor.point < len(mesh.points)
+    known = anchor.fits(mesh.topology.hash) and 0 <= anchor.point < len(mesh.points)
     return start + anchor.point if known else -1

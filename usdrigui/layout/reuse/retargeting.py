@@ -268,7 +268,7 @@ def _by_size(theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories]) -
     up."""
     (rig, one), (other_rig, other) = theirs, ours
     scale = other.surface.face_size / one.surface.face_size
-    rotation = _turn(rig.up, other_rig.up)
+    rotation = _turn(rig.skel_root.up, other_rig.skel_root.up)
     return _Similarity(scale, rotation, _face_middle(other) - scale * rotation @ _face_middle(one))
 
 

@@ -23,6 +23,7 @@ from usdrigui.levels import inner_names, states
 from usdrigui.model import (
     Anchor,
     BaseSurface,
+    Body,
     Candidates,
     CandidateSet,
     Choice,
@@ -133,7 +134,9 @@ def refuse_stale(
 ) -> None:
     """Raise every error for which a layout does not fit the rig any more (LAYOUT_...), by cause."""
     faults = Faults()
-    stale = of_character(rig.character, _stale(rig, trajectories, layout, settings, layout))
+    stale = of_character(
+        rig.skel_root.character, _stale(rig, trajectories, layout, settings, layout)
+    )
     for found in by_cause(stale):
         with faults.collected():
             if found.severity == "error":
@@ -148,7 +151,7 @@ def _stale(
     rig: Rig, trajectories: Trajectories, layout: Layout, settings: ReadSettings, whole: Layout
 ) -> Iterator[Issue]:
     comparable = not _custom_base(layout.character.base_values, settings)
-    meshes = {mesh.path: mesh for mesh in rig.meshes}
+    meshes = {mesh.path: mesh for mesh in rig.body.meshes}
     known = rig.control_names
     lacking = not known.issuperset(layout.controls)
     renamed = match_layout(layout, rig, trajectories).renamed if lacking else {}
@@ -162,7 +165,7 @@ def _stale(
         mesh = meshes.get(element.anchor.mesh)
         if mesh is not None:
             yield from _anchor_faults(
-                rig, trajectories.surface, element, mesh, comparable=comparable
+                rig.body, trajectories.surface, element, mesh, comparable=comparable
             )
         for member in element.manipulator.members:
             if member.control not in known | along:
@@ -174,28 +177,28 @@ def _stale(
                 yield issue(
                     "LAYOUT_CONTROL_GONE",
                     element.name,
-                    f"{rig.root} has no control {member.control!r}{now}",
+                    f"{rig.skel_root.path} has no control {member.control!r}{now}",
                 )
 
 
 def _anchor_faults(
-    rig: Rig, surface: BaseSurface, element: Element, mesh: RigMesh, *, comparable: bool
+    body: Body, surface: BaseSurface, element: Element, mesh: RigMesh, *, comparable: bool
 ) -> Iterator[Issue]:
     """What is wrong with an anchor on a `mesh` that is there; where it is, only if base poses are
     `comparable`."""
     anchor = element.anchor
-    if change := anchor.mesh_change(mesh.topology_hash, len(mesh.points)):
+    if change := anchor.mesh_change(mesh.topology.hash, len(mesh.points)):
         yield issue("LAYOUT_TOPOLOGY", element.name, change)
     elif not 0 <= anchor.point < len(mesh.points):
         yield issue("LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has no point {anchor.point}")
-    elif comparable and not anchor.on_board and (off := _off(rig, surface, anchor)) > _MOVED:
+    elif comparable and not anchor.on_board and (off := _off(body, surface, anchor)) > _MOVED:
         found = f"its point lies {off:.1%} of the face from where it was"
         yield issue("LAYOUT_ANCHOR_MOVED", element.name, found)
 
 
-def _off(rig: Rig, surface: BaseSurface, anchor: Anchor) -> float:
+def _off(body: Body, surface: BaseSurface, anchor: Anchor) -> float:
     """Distance between the anchor as recorded and as it is, over the face size."""
-    here = surface.points[rig.point_of(anchor.mesh, anchor.point)]
+    here = surface.points[body.point_of(anchor.mesh, anchor.point)]
     return float(np.linalg.norm(here - anchor.position)) / surface.face_size
 
 
@@ -241,7 +244,7 @@ def _crowded(elements: tuple[Element, ...], least: float) -> Iterator[Issue]:
 def _hidden(face: Face, elements: tuple[Element, ...]) -> Iterator[Issue]:
     seen = face.views.anywhere
     for element in elements:
-        if not seen[face.rig.point_of(element.anchor.mesh, element.anchor.point)]:
+        if not seen[face.rig.body.point_of(element.anchor.mesh, element.anchor.point)]:
             yield issue("LAYOUT_ANCHOR_HIDDEN", element.name, "its anchor is hidden in all views")
 
 
@@ -253,7 +256,7 @@ def _sound(face: Face, elements: tuple[Element, ...]) -> tuple[Element, ...]:
     move it."""
     rig = face.rig
     moving = {rig.controls[motion.control].name for motion in face.trajectories.motions}
-    meshes = {mesh.path: len(mesh.points) for mesh in rig.meshes}
+    meshes = {mesh.path: len(mesh.points) for mesh in rig.body.meshes}
     return tuple(
         element
         for element in elements
@@ -273,7 +276,9 @@ def _as_problem(
 ) -> tuple[LayoutProblem, tuple[Choice, ...], Indices]:
     """The problem in which every element is one variable, its own anchor among the candidates."""
     groups = _as_groups(face.rig, layout.elements, elements)
-    points = [face.rig.point_of(element.anchor.mesh, element.anchor.point) for element in elements]
+    points = [
+        face.rig.body.point_of(element.anchor.mesh, element.anchor.point) for element in elements
+    ]
     sets = _with_points(face, candidates, groups, points, LinearTerms.of(settings.layout))
     placement = placement_problem(face, sets, groups, requests, settings)
     labels, kept = [], []
@@ -429,7 +434,7 @@ def _rated(
         nearest=nearest,
         distance=distance / face.handle_width,
         improvement=max(0.0, improvement),
-        better=place_of(face.rig, int(choice.anchors[best, 0])) if improvement > 0.0 else "",
+        better=place_of(face.rig.body, int(choice.anchors[best, 0])) if improvement > 0.0 else "",
     )
 
 

@@ -77,22 +77,22 @@ def _bound(rig: Rig) -> Rig | None:
     try:
         local = [
             (
-                joint.bind @ np.linalg.inv(rig.joints[joint.parent].bind)
+                joint.bind @ np.linalg.inv(rig.body.joints[joint.parent].bind)
                 if joint.parent >= 0
                 else joint.bind
             )
-            for joint in rig.joints
+            for joint in rig.body.joints
         ]
     except np.linalg.LinAlgError:
         return None
     if all(
-        np.allclose(at, joint.base, atol=1e-4) for at, joint in zip(local, rig.joints, strict=True)
+        np.allclose(at, joint.base, atol=1e-4)
+        for at, joint in zip(local, rig.body.joints, strict=True)
     ):
         return None
-    return replace(
-        rig,
-        joints=tuple(replace(joint, base=at) for at, joint in zip(local, rig.joints, strict=True)),
-    )
+    joints = rig.body.joints
+    turned = tuple(replace(joint, base=at) for at, joint in zip(local, joints, strict=True))
+    return replace(rig, body=replace(rig.body, joints=turned))
 
 
 def _same_controls(

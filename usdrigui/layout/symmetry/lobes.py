@@ -51,7 +51,7 @@ def two_lobed(
     the field expect the control on both sides; None where they do not know it.  The control of a
     joint stands on the skin that its joint owns, once.
     """
-    if motion.owned is not None:
+    if motion.shares.owned is not None:
         return False
     length = np.where(visible[motion.points], motion.arc_length, 0.0)
     if not length.any():
@@ -67,6 +67,6 @@ def in_the_middle(
 ) -> Flags:
     """(p,) which points that a motion moves a handle on the mirror plane covers, where a joint is
     turned about itself that is its own mirror image; none for another control."""
-    own = motion.owned is not None and int(symmetry.twins[motion.control]) == motion.control
+    own = motion.shares.owned is not None and int(symmetry.twins[motion.control]) == motion.control
     apart = np.abs(plane_distance(surface.points[motion.points], symmetry.plane))
     return own & symmetry.plane.normal.any() & (apart <= ON_PLANE * handle_width)

@@ -94,8 +94,8 @@ def find_symmetry(
     tolerance = settings.tolerance * trajectories.surface.face_size
     plane = named = None
     if settings.enabled and trajectories.motions:
-        named = plane_of_names(rig.skeletons, rig.joints)
-        found = _find_plane(rig.up, trajectories, fields, tolerance)
+        named = plane_of_names(rig.body.skeletons, rig.body.joints)
+        found = _find_plane(rig.skel_root.up, trajectories, fields, tolerance)
         plane = _named_instead(named, found, trajectories)
     if plane is None:
         partner = np.full(count, -1, dtype=np.int64)
@@ -364,9 +364,9 @@ def _towards_left(
         if named is not None and abs(float(named[0] @ plane.normal)) >= _AGREES:
             left = named[0]
         elif (ahead := ahead_of_head(rig, trajectories)) is not None:
-            left = np.cross(rig.up, ahead)
+            left = np.cross(rig.skel_root.up, ahead)
     if left is None:
-        left = np.cross(rig.up, front(rig.up, trajectories, plane.normal))
+        left = np.cross(rig.skel_root.up, front(rig.skel_root.up, trajectories, plane.normal))
     normal = towards(plane.normal, left)
     return _Plane(normal, float(np.copysign(1.0, normal @ plane.normal)) * plane.offset)
 

@@ -80,15 +80,15 @@ def ahead_of_head(rig: Rig, trajectories: Trajectories) -> Floats | None:
         else np.zeros(1, bool)
     )
     points = (
-        trajectories.surface.points[head[owner_of_points(rig.meshes)]]
+        trajectories.surface.points[head[owner_of_points(rig.body.meshes)]]
         if facial
         else np.zeros((0, 3))
     )
     if not len(points):
         return None
     middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
-    way = joint_places(rig.skeletons, rig.joints)[facial].mean(axis=0) - middle
-    level = np.asarray(way - (way @ rig.up) * rig.up)
+    way = joint_places(rig.body.skeletons, rig.body.joints)[facial].mean(axis=0) - middle
+    level = np.asarray(way - (way @ rig.skel_root.up) * rig.skel_root.up)
     return (
         level
         if float(np.linalg.norm(level)) >= _AHEAD * float(np.ptp(points, axis=0).max())

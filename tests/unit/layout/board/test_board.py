@@ -1,6 +1,5 @@
 """The board."""
 
-from dataclasses import replace
 from types import SimpleNamespace
 
 import chain
@@ -9,6 +8,7 @@ import numpy as np
 import pytest
 
 from usdrigui.layout.board import board, board_place
+from usdrigui.model import MeshDisplay
 
 POINTS, QUADS = makers.mask()
 
@@ -82,8 +82,8 @@ def test_the_board_hangs_on_the_joint_that_holds_the_face():
     joints = tuple(
         Joint(name, 0, parent, np.eye(4), np.eye(4), np.eye(4)) for name, parent in (("neck", -1), ("neck/head", 0))
     )
-    mesh = replace(rig.meshes[0], skin=skin)
-    rig = replace(rig, meshes=(mesh,), joints=joints, skeletons=(Skeleton("/Root/skel", "", np.eye(4)),))
+    mesh = makers.changed(rig.body.meshes[0], skin=skin)
+    rig = makers.changed(rig, meshes=(mesh,), joints=joints, skeletons=(Skeleton("/Root/skel", "", np.eye(4)),))
     line = chain.lay_out(rig)
     whole = chain.by_name(line)["whole"]
     assert head[whole.anchor.point] == 1.0
@@ -113,10 +113,11 @@ def test_the_middle_of_the_face_is_that_of_what_moves_and_on_the_mirror_plane(or
 def test_the_silhouette_ends_at_the_rightmost_visible_point_as_high_as_the_board():
     base = [(1, 0, 0), (2, 1, 5), (3, -1.1, 0), (7, 0, 0)]
     meshes = [
-        SimpleNamespace(points=np.zeros((3, 3)), visible=True),
-        SimpleNamespace(points=np.zeros((1, 3)), visible=False),
+        SimpleNamespace(points=np.zeros((3, 3)), display=MeshDisplay(True)),
+        SimpleNamespace(points=np.zeros((1, 3)), display=MeshDisplay(False)),
     ]
-    face = SimpleNamespace(rig=SimpleNamespace(meshes=meshes), trajectories=scene(base))
+    rig = SimpleNamespace(body=SimpleNamespace(meshes=meshes))
+    face = SimpleNamespace(rig=rig, trajectories=scene(base))
     frame, middle = np.eye(3)[:2], np.array([0.5, 0.0, 0.0])
     assert board_place.silhouette(face, middle, frame, 1.0) == 2.0
     assert board_place.silhouette(face, middle, frame, 1.1) == 3.0
@@ -126,7 +127,8 @@ def test_the_silhouette_ends_at_the_rightmost_visible_point_as_high_as_the_board
 
 def test_the_board_hangs_on_the_point_that_moves_least_nearest_to_the_middle():
     base = [(0, 0, 0), (1, 0, 0), (0.5, 0, 0), (0.4, 0, 0)]
-    face = SimpleNamespace(rig=SimpleNamespace(joints=(), meshes=[SimpleNamespace(points=base)]))
+    body = SimpleNamespace(joints=(), meshes=[SimpleNamespace(points=base)])
+    face = SimpleNamespace(rig=SimpleNamespace(body=body))
     for lengths, point in (([[1, 0, 0, 1]], 2), ([[1, 0, 0, 1], [0, 0, 0.1, 0]], 1), ([[1, 1, 1, 1]], 0)):
         face.trajectories = scene(base, *lengths)
         assert board_place.anchor_point(face, np.zeros(3)) == point

@@ -99,7 +99,7 @@ def turning(face, turns):
         drive = replace(each.drive, joints=np.array([*turn]), rotations=vectors)
         controls.append(replace(each, kind="joint", drive=drive))
     joints = tuple(Joint(f"j{i}", 0, -1, np.eye(4), np.eye(4), np.eye(4)) for i in range(2))
-    return replace(face, rig=replace(face.rig, controls=tuple(controls), joints=joints))
+    return replace(face, rig=makers.changed(face.rig, controls=tuple(controls), joints=joints))
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ import pytest
 
 from usdrigui.layout.motion.coverage import _covered, coverage_of_smaller, notable_points, shares_of_face
 from usdrigui.layout.motion.trajectory import _beyond_drift, _split, trajectories
-from usdrigui.model import Drive, Joint, Motion, Skeleton
+from usdrigui.model import Drive, Joint, Motion, Polylines, Shares, Skeleton
 from usdrigui.settings import TrajectorySettings
 
 POINTS, QUADS = makers.mask(9, 11)
@@ -24,9 +24,9 @@ def test_a_straight_shape_is_its_offset_and_only_moving_points_are_held():
     offsets = makers.bump(POINTS, (0.0, 0.0), (0, 0, 1), 0.5)
     found = trajectories(one(offsets), DENSE)
     motion = found.motions[0]
-    assert motion.values.tolist() == [0.0, 1.0]
+    assert motion.polylines.values.tolist() == [0.0, 1.0]
     assert len(motion.points) < len(POINTS)
-    assert np.allclose(motion.offsets[1], offsets[motion.points], atol=1e-7)
+    assert np.allclose(motion.polylines.offsets[1], offsets[motion.points], atol=1e-7)
     assert np.allclose(motion.arc_length, np.linalg.norm(offsets[motion.points], axis=1), rtol=1e-5)
 
 
@@ -34,16 +34,16 @@ def test_an_in_between_bends_the_path_and_counts_in_the_arc_length():
     side = makers.bump(POINTS, (0.0, 0.0), (1, 0, 0), 0.5)
     found = trajectories(one({0.5: side, 1.0: np.zeros_like(side)}), DENSE)
     motion = found.motions[0]
-    assert motion.values.tolist() == [0.0, 0.5, 1.0]
-    assert np.allclose(motion.offsets[-1], 0.0)
+    assert motion.polylines.values.tolist() == [0.0, 0.5, 1.0]
+    assert np.allclose(motion.polylines.offsets[-1], 0.0)
     assert motion.arc_length.max() == pytest.approx(0.2, rel=1e-4)
 
 
 def test_a_signed_range_has_the_rest_in_the_middle():
     found = trajectories(one(makers.bump(POINTS, (0, 0), (0, 1, 0)), ranges={"one": (-1.0, 2.0)}), DENSE)
     motion = found.motions[0]
-    assert motion.values.tolist() == [-1.0, 0.0, 2.0]
-    assert not motion.offsets[1].any()
+    assert motion.polylines.values.tolist() == [-1.0, 0.0, 2.0]
+    assert not motion.polylines.offsets[1].any()
     assert motion.arc_length.max() == pytest.approx(0.3, rel=1e-4)
 
 
@@ -53,10 +53,10 @@ def test_the_base_pose_moves_the_start_of_the_path_and_not_its_length():
     rest, posed = trajectories(rig, DENSE), trajectories(rig, DENSE, np.array([0.25, 0.0]))
     assert np.allclose(posed.surface.points, POINTS + 0.25 * shapes["a"], atol=1e-6)
     first = posed.motions[0]
-    assert first.values.tolist() == [0.0, 0.25, 1.0]
-    assert not first.offsets[1].any()
+    assert first.polylines.values.tolist() == [0.0, 0.25, 1.0]
+    assert not first.polylines.offsets[1].any()
     assert np.allclose(first.arc_length, rest.motions[0].arc_length, rtol=1e-4)
-    assert np.allclose(posed.surface.points[first.points] + first.offsets[0], POINTS[first.points], atol=1e-6)
+    assert np.allclose(posed.surface.points[first.points] + first.polylines.offsets[0], POINTS[first.points], atol=1e-6)
 
 
 def test_an_empty_control_is_left_off_with_the_reason():
@@ -107,15 +107,17 @@ def test_a_turning_joint_is_sampled_to_the_tolerance():
     rig = jointed(np.radians(90.0))
     coarse = trajectories(rig, TrajectorySettings(tolerance=1e-2)).motions[0]
     fine = trajectories(rig, TrajectorySettings(tolerance=1e-4)).motions[0]
-    assert len(coarse.values) < len(fine.values) <= 33
-    radius = np.linalg.norm(rig.meshes[0].points[fine.points][:, [1, 2]], axis=1)
+    assert len(coarse.polylines.values) < len(fine.polylines.values) <= 33
+    radius = np.linalg.norm(rig.body.meshes[0].points[fine.points][:, [1, 2]], axis=1)
     assert np.allclose(fine.arc_length, radius * np.pi / 2, rtol=1e-3)
 
 
 def test_sizes_follow_the_local_controls_and_scale_with_the_character():
     rig = makers.face()
     found = trajectories(rig, DENSE)
-    whole = makers.rig(rig.meshes[0].points, QUADS_FULL, {**makers.face_shapes(rig.meshes[0].points), "head": HEAD})
+    whole = makers.rig(
+        rig.body.meshes[0].points, QUADS_FULL, {**makers.face_shapes(rig.body.meshes[0].points), "head": HEAD}
+    )
     with_head = trajectories(whole, DENSE)
     assert with_head.surface.face_size == pytest.approx(found.surface.face_size, rel=1e-6)
     assert with_head.typical_length == pytest.approx(found.typical_length, rel=1e-6)
@@ -160,9 +162,9 @@ def jointed(angle):
         np.zeros((2, 1, 3)),
     )
     control = replace(makers.control("jaw:rx", 0), kind="joint", drive=drive)
-    mesh = replace(base.meshes[0], skin=makers.skin(len(POINTS)), shapes=())
+    mesh = makers.changed(base.body.meshes[0], skin=makers.skin(len(POINTS)), shapes=())
     joint = Joint("jaw", 0, -1, np.eye(4), np.eye(4), np.eye(4))
-    return replace(
+    return makers.changed(
         base, meshes=(mesh,), joints=(joint,), skeletons=(Skeleton("/Root/skel", "", np.eye(4)),), controls=(control,)
     )
 
@@ -195,18 +197,18 @@ def test_halves_of_a_piece_that_missed_its_curve_stay_pending_and_the_others_wai
 def test_drift_is_taken_off_what_moves_nine_points_in_ten(still, kept):
     """Of 36 points that drift by .01 and 4 that move by 1, beside some that stand still."""
     length = np.concatenate([np.full(36, 0.01), np.ones(4)])
-    motion = Motion(0, np.array([0.0, 1.0]), np.arange(40), np.zeros((2, 40, 3), np.float32), length, None)
+    motion = Motion(
+        0, np.arange(40), Polylines(np.array([0.0, 1.0]), np.zeros((2, 40, 3), np.float32)), length, Shares()
+    )
     found = _beyond_drift(motion, 40 + still)
-    assert len(found.points) == len(found.arc_length) == found.offsets.shape[1] == kept
+    assert len(found.points) == len(found.arc_length) == found.polylines.offsets.shape[1] == kept
     assert found.points[-1] == 39
 
 
 def motions_of(*lengths):
     """Motions that move every point by these lengths."""
-    return [
-        Motion(i, np.array([0.0, 1.0]), np.arange(4), np.zeros((2, 4, 3), np.float32), np.array(each, dtype=float))
-        for i, each in enumerate(lengths)
-    ]
+    still = Polylines(np.array([0.0, 1.0]), np.zeros((2, 4, 3), np.float32))
+    return [Motion(i, np.arange(4), still, np.array(each, dtype=float), Shares()) for i, each in enumerate(lengths)]
 
 
 @pytest.mark.parametrize("unit", [1e-3, 1.0, 1e3])

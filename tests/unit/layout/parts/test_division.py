@@ -34,14 +34,14 @@ def named(rig, settings=None):
 
 def posed(rig, seed=3):
     """The same character with every joint turned by up to half a radian in its rest pose."""
-    turns = rotations(0.5 * np.random.default_rng(seed).uniform(-1.0, 1.0, (len(rig.joints), 3)))
+    turns = rotations(0.5 * np.random.default_rng(seed).uniform(-1.0, 1.0, (len(rig.body.joints), 3)))
     joints, world = [], []
-    for joint, turn in zip(rig.joints, turns, strict=True):
+    for joint, turn in zip(rig.body.joints, turns, strict=True):
         local = joint.rest.copy()
         local[:3, :3] = turn @ local[:3, :3]
         world.append(local @ world[joint.parent] if joint.parent >= 0 else local)
         joints.append(replace(joint, rest=local, base=local))
-    return replace(rig, joints=tuple(joints))
+    return makers.changed(rig, joints=tuple(joints))
 
 
 @pytest.mark.parametrize(
@@ -77,21 +77,21 @@ def tube(points):
 def equipped(shared, chain_of_sword=1):
     """The body with two eyeballs and a sword of their own meshes; its own skin `shared` between neighbours or of rigid
     parts.  So many joints in a chain hold the sword."""
-    at = {joint.path: joint.bind[3, :3] for joint in BODY.joints}
+    at = {joint.path: joint.bind[3, :3] for joint in BODY.body.joints}
     hung = {"h/s/t/n/e/b": (0.03, 1.6, 0.1), "h/s/t/n/e/c": (-0.03, 1.6, 0.1), "h/s/t/a0/a1/a2/w": (1.45, 0.9, 0.1)}
     names = [*at, *hung]
     chained = ["h/s/t/a0/a1/a2/w" + "/v" * more for more in range(1, chain_of_sword)]
     names += chained
     places = np.array([*at.values(), *hung.values(), *([hung["h/s/t/a0/a1/a2/w"]] * len(chained))])
-    joints = limbs.skeleton_rig(names, places, list(range(len(names)))).joints
-    own = BODY.meshes[0].skin.joints
+    joints = limbs.skeleton_rig(names, places, list(range(len(names)))).body.joints
+    own = BODY.body.meshes[0].binding.skin.joints
     above = np.maximum([joint.parent for joint in joints], 0)
     skin = replace(
-        BODY.meshes[0].skin,
+        BODY.body.meshes[0].binding.skin,
         joints=np.concatenate([own, above[own]], axis=1),
         weights=np.tile([0.7, 0.3] if shared else [1.0, 0.0], (len(own), 1)),
     )
-    meshes = [replace(BODY.meshes[0], skin=skin)]
+    meshes = [makers.changed(BODY.body.meshes[0], skin=skin)]
     ball = np.concatenate([np.c_[np.sin(t) * RING, np.full(6, np.cos(t))] for t in np.linspace(0.3, 2.8, 5)])
     stick = np.concatenate([np.c_[0.01 * RING[:, 0], np.full(6, y), 0.01 * RING[:, 1]] for y in np.linspace(0, 0.6, 7)])
     for name, shape in zip(hung, (0.02 * ball, 0.02 * ball, stick), strict=True):
@@ -99,7 +99,7 @@ def equipped(shared, chain_of_sword=1):
         by = np.array([names.index(holding[at * len(holding) // len(shape)]) for at in range(len(shape))])
         held = replace(skin, joints=by[:, None], weights=np.ones((len(shape), 1)))
         meshes.append(makers.mesh(shape + hung[name], tube(shape), path=f"/Root/{name[-1]}", skin=held))
-    return limbs.with_default_controls(replace(BODY, joints=joints, meshes=tuple(meshes)))
+    return limbs.with_default_controls(makers.changed(BODY, joints=joints, meshes=tuple(meshes)))
 
 
 @pytest.mark.parametrize(
@@ -130,10 +130,12 @@ def test_an_eyeball_has_twelve_points_at_least(points, eye):
 
 def test_a_head_without_a_body_keeps_its_eyes():
     rig = equipped(shared=True)
-    limb = [i for i, joint in enumerate(rig.joints) if "/a" in joint.path or "/b0" in joint.path or "l0" in joint.path]
-    own = rig.meshes[0].skin
+    limb = [
+        i for i, joint in enumerate(rig.body.joints) if "/a" in joint.path or "/b0" in joint.path or "l0" in joint.path
+    ]
+    own = rig.body.meshes[0].binding.skin
     trunk = replace(own, joints=np.where(np.isin(own.joints, limb), 0, own.joints))
-    bust = replace(rig, meshes=(replace(rig.meshes[0], skin=trunk), *rig.meshes[1:3]))
+    bust = makers.changed(rig, meshes=(makers.changed(rig.body.meshes[0], skin=trunk), *rig.body.meshes[1:3]))
     assert list(named(limbs.with_default_controls(bust))) == ["face"]
 
 
@@ -141,13 +143,17 @@ def test_a_head_without_a_body_keeps_its_eyes():
 def test_a_shape_of_an_eye_stays_with_the_face_and_one_of_a_prop_with_the_prop(moved, part):
     """What takes all props along, as one that hides them, is no control of theirs."""
     rig = equipped(shared=True)
-    _, _, ball, stick = rig.meshes
+    _, _, ball, stick = rig.body.meshes
     offsets = [np.tile([0.0, 0.0, 0.01], (len(mesh.points), 1)) for mesh in (ball, stick)]
     offsets[1][int(moved * len(stick.points)) :] = 0.0
     shapes = [makers.shape(i, each) for i, each in enumerate(offsets)]
-    meshes = (*rig.meshes[:2], replace(ball, shapes=(shapes[0],)), replace(stick, shapes=(shapes[1],)))
+    meshes = (
+        *rig.body.meshes[:2],
+        makers.changed(ball, shapes=(shapes[0],)),
+        makers.changed(stick, shapes=(shapes[1],)),
+    )
     named_shapes = makers.rig_of_meshes(meshes, ["look", "glow"])
-    made = replace(named_shapes, joints=rig.joints, skeletons=rig.skeletons)
+    made = makers.changed(named_shapes, joints=rig.body.joints, skeletons=rig.body.skeletons)
     assert named(made) == {"face": {"look"}, part: {"glow"}}
 
 
@@ -188,12 +194,14 @@ def test_the_whole_says_of_the_part_that_is_not_proved_why():
 
 
 def test_blend_shapes_are_of_the_part_whose_skin_they_move_and_a_neck_is_of_the_face():
-    points, owners = BODY.meshes[0].points, BODY.meshes[0].skin.joints[:, 0]
-    paths = [joint.path for joint in BODY.joints]
+    points, owners = BODY.body.meshes[0].points, BODY.body.meshes[0].binding.skin.joints[:, 0]
+    paths = [joint.path for joint in BODY.body.joints]
     on = {"smile": "h/s/t/n/e/k0", "swallow": "h/s/t/n", "biceps": "h/s/t/a0/a1", "nail": "h/s/t/a0/a1/a2/af00/af01"}
     shapes = [0.01 * (owners == paths.index(path))[:, None] * np.array([0.0, 0.0, 1.0]) for path in on.values()]
-    mesh = replace(BODY.meshes[0], shapes=tuple(makers.shape(i, each) for i, each in enumerate(shapes)))
-    made = replace(makers.rig_of_meshes([mesh], list(on)), joints=BODY.joints, skeletons=BODY.skeletons)
+    mesh = makers.changed(BODY.body.meshes[0], shapes=tuple(makers.shape(i, each) for i, each in enumerate(shapes)))
+    made = makers.changed(
+        makers.rig_of_meshes([mesh], list(on)), joints=BODY.body.joints, skeletons=BODY.body.skeletons
+    )
     assert len(points) == len(owners)
     assert named(made) == {"face": {"smile", "swallow"}, "hands": {"nail"}, "body": {"biceps"}}
 

@@ -6,6 +6,7 @@ import chain
 import limbs
 import numpy as np
 import pytest
+from makers import changed
 
 from usdrigui.model import Joint
 
@@ -38,12 +39,12 @@ def test_skin_by_another_bone_counts_less_than_how_firmly_it_is_held(late):
 def test_a_joint_whose_skin_hangs_on_a_twist_joint_stands_along_its_own_bone():
     """The next joint has skin of its own, which moves further."""
     rig = limbs.chain_rig(3)
-    world, local = rig.joints[1].bind.copy(), np.eye(4)
+    world, local = rig.body.joints[1].bind.copy(), np.eye(4)
     world[3, 1] += 0.4
     local[3, 1] = 0.4
-    twist, (mesh,) = Joint("j0/j1/t", 0, 1, world, local, local), rig.meshes
-    skin = replace(mesh.skin, joints=np.where(mesh.skin.joints == 1, 3, mesh.skin.joints))
-    rig = replace(rig, joints=(*rig.joints, twist), meshes=(replace(mesh, skin=skin),))
+    twist, (mesh,) = Joint("j0/j1/t", 0, 1, world, local, local), rig.body.meshes
+    skin = replace(mesh.binding.skin, joints=np.where(mesh.binding.skin.joints == 1, 3, mesh.binding.skin.joints))
+    rig = changed(rig, joints=(*rig.body.joints, twist), meshes=(changed(mesh, skin=skin),))
     found = candidates(rig)
     for axis in "xyz":
         assert np.ptp([1, 2, *found[f"j1:r{axis}"][:, 1]]) == 1.0, axis
@@ -54,8 +55,8 @@ def test_near_asks_before_pruning_does():
     near = {"near": "/Root/mesh.point[12]", "within": 0.1}
     found = candidates(limbs.chain_rig(3), controls={"j0:rz": near, "j0:rx": near})
     for name in ("j0:rz", "j0:rx"):
-        size = np.ptp(limbs.chain_rig(3).meshes[0].points[:, 1])
-        apart = np.linalg.norm(found[name] - limbs.chain_rig(3).meshes[0].points[12], axis=1)
+        size = np.ptp(limbs.chain_rig(3).body.meshes[0].points[:, 1])
+        apart = np.linalg.norm(found[name] - limbs.chain_rig(3).body.meshes[0].points[12], axis=1)
         assert apart.max() <= 0.1 * size, name
 
 
@@ -67,9 +68,9 @@ def test_the_spine_does_not_leave_the_character_for_what_it_carries():
 def test_a_joint_that_is_its_own_mirror_image_stands_on_the_plane():
     """The sides of a trunk, wider than deep, move twice as far when it twists as its belly does."""
     rig = limbs.chain_rig(4)
-    points = rig.meshes[0].points * [2.0, 1.0, 1.0]
-    wide = replace(rig.meshes[0], points=points * np.where(points[:, 2:] < 0.0, [1.0, 1.0, 0.8], 1.0))
-    line = chain.lay_out(replace(rig, meshes=(wide,)))
+    points = rig.body.meshes[0].points * [2.0, 1.0, 1.0]
+    wide = replace(rig.body.meshes[0], points=points * np.where(points[:, 2:] < 0.0, [1.0, 1.0, 0.8], 1.0))
+    line = chain.lay_out(changed(rig, meshes=(wide,)))
     symmetry, anchors = line.face.symmetry, [each.anchor.point for each in line.layout.elements]
     assert symmetry.twins.tolist() == list(range(len(rig.controls)))
     assert min(anchors) >= 0
@@ -80,8 +81,8 @@ def test_a_joint_that_is_its_own_mirror_image_stands_on_the_plane():
 def test_a_helper_at_the_origin_is_no_end_of_a_bone():
     """Importers leave joints without skin at the origin; a line to there runs along the whole trunk."""
     rig = limbs.chain_rig(5)
-    away = np.linalg.inv(rig.joints[4].bind)
-    helper = Joint(f"{rig.joints[4].path}/h", 0, 4, np.eye(4), away, away)
-    plain, helped = candidates(rig), candidates(replace(rig, joints=(*rig.joints, helper)))
+    away = np.linalg.inv(rig.body.joints[4].bind)
+    helper = Joint(f"{rig.body.joints[4].path}/h", 0, 4, np.eye(4), away, away)
+    plain, helped = candidates(rig), candidates(changed(rig, joints=(*rig.body.joints, helper)))
     for name, points in plain.items():
         np.testing.assert_array_equal(helped[name], points, name)

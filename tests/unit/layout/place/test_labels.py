@@ -152,7 +152,7 @@ def test_the_paper_preset_takes_the_constants_literally():
     from usdrigui.surface import mean_edge_length, mesh_triangles
 
     line = chain.problem_of(makers.face(), load(preset="paper"))
-    edge = mean_edge_length(POINTS, mesh_triangles(line.face.rig.meshes))
+    edge = mean_edge_length(POINTS, mesh_triangles(line.face.rig.body.meshes))
     overlap = line.problem.overlap
     assert overlap.radius == pytest.approx(edge)
     assert (overlap.sharpness, overlap.maximum) == (2.0, 5.0)

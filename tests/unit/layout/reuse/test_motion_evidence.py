@@ -76,7 +76,13 @@ SURFACE = SimpleNamespace(
 )
 SCENE = SimpleNamespace(
     surface=SURFACE,
-    motions=[SimpleNamespace(control=1, points=np.arange(5), offsets=np.zeros((2, 5, 3)))],
+    motions=[
+        SimpleNamespace(
+            control=1,
+            points=np.arange(5),
+            polylines=SimpleNamespace(offsets=np.zeros((2, 5, 3))),
+        )
+    ],
 )
 """Points in three cells of a grid of a sixtieth, the second of two points; the last is at the place of the first."""
 
@@ -91,7 +97,7 @@ def test_displacements_are_the_mean_over_cells_and_those_blurred_around_points()
     assert weights == pytest.approx(np.array([[1.0 / (1.0 + second), second / (1.0 + second), 0.0], [0.0, 0, 0]]))
     offsets = np.zeros((2, 5, 3))
     offsets[0, 0, 1], offsets[1, 0, 1] = -1.0, 2.0
-    moving = SimpleNamespace(control=1, points=np.arange(5), offsets=offsets)
+    moving = SimpleNamespace(control=1, points=np.arange(5), polylines=SimpleNamespace(offsets=offsets))
     scene = SimpleNamespace(surface=SURFACE, motions=[moving])
     found = evidence._blurred((SimpleNamespace(controls="ab"), scene), np.array([[0.0, 0, 0]]))
     assert found == pytest.approx(np.array([[[0.0, 0, 0]], [[0.0, 3.0 / (1.0 + second), 0]]]))
@@ -109,9 +115,8 @@ def test_one_place_of_each_cell_is_sampled():
 
 
 def test_what_controls_do_at_a_point_and_what_a_track_tells():
-    moving = SimpleNamespace(
-        control=2, points=np.array([3, 5]), offsets=np.array([[[0.0, 0, 1], [0, 0, 2]], [[1, 0, 0], [0, 5, 0]]])
-    )
+    offsets = np.array([[[0.0, 0, 1], [0, 0, 2]], [[1, 0, 0], [0, 5, 0]]])
+    moving = SimpleNamespace(control=2, points=np.array([3, 5]), polylines=SimpleNamespace(offsets=offsets))
     assert evidence._at_point((moving,), 3, 5).tolist() == [[0, 0, 0], [0, 0, 0], [0, 5, -2]]
     assert not evidence._at_point((moving,), 3, 4).any()
     assert not evidence._at_point((moving,), 3, 6).any()

@@ -82,7 +82,7 @@ def test_five_decisions_stand_through_ten_versions_of_a_rig(decided):
     settings = load({"solve": {"gap": 1e-2}})
     before = decided
     for number, (rig, names) in enumerate(versions()):
-        inputs, _, layout = lay_out(rig, settings, previous={rig.root: before})
+        inputs, _, layout = lay_out(rig, settings, previous={rig.skel_root.path: before})
         half = 0.6 * inputs.face.handle_width
         for control in ("brow_L", "brow_R", "jawRight"):
             apart = np.linalg.norm(place(layout, names[control]) - place(decided, control))
@@ -116,7 +116,7 @@ def test_a_pin_that_is_in_the_way_of_another_is_given_up_with_a_warning_and_not_
         for each in decided.elements
     )
     face = makers.face()
-    inputs, _, layout = lay_out(face, previous={face.root: replace(decided, elements=elements)})
+    inputs, _, layout = lay_out(face, previous={face.skel_root.path: replace(decided, elements=elements)})
     lost = {each.path for each in inputs.issues if each.code == "PIN_LOST"}
     assert len(lost) == 1
     assert lost <= {"brow_L", "blink_L"}
@@ -130,7 +130,7 @@ def test_a_pin_far_from_all_that_its_control_moves_says_so(decided, known):
         replace(each, placement=replace(each.placement, pinned_position=away)) for each in decided.elements
     )
     rig = another_mesh(45, 51)
-    inputs, _, _ = lay_out(rig, previous={rig.root: replace(decided, elements=elements)})
+    inputs, _, _ = lay_out(rig, previous={rig.skel_root.path: replace(decided, elements=elements)})
     assert {each.code for each in inputs.issues if each.code.startswith("PIN_")} == {
         "PIN_CARRIED" if known else "PIN_LOST"
     }

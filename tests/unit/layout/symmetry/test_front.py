@@ -27,22 +27,24 @@ def test_controls_of_the_whole_head_do_not_outvote_the_face(wholes):
     rig = with_hair({**local, **{f"whole{k}": np.full_like(POINTS, 0.1 + 0.1 * k) for k in range(wholes)}})
     face = chain.face_of(rig)
     assert face.views.ahead == pytest.approx([0.0, 0.0, 1.0], abs=1e-6)
-    assert front(rig.up, face.trajectories, np.zeros(3))[2] > 0.9
+    assert front(rig.skel_root.up, face.trajectories, np.zeros(3))[2] > 0.9
 
 
 def test_large_controls_have_no_more_votes_than_small_ones():
     """One control moves all of the hair and looks back; three small ones on the face decide."""
     rig = with_hair({name: makers.face_shapes(POINTS)[name] for name in ("smile_L", "smile_R", "chin")})
     hair = np.vstack([np.zeros_like(POINTS), np.full_like(POINTS, 0.3)])
-    mesh = rig.meshes[0]
+    mesh = rig.body.meshes[0]
     shapes = [*(shape_of(rig, k) for k in range(3)), hair]
-    rig = makers.rig(mesh.points, mesh.face_indices.reshape(-1, 4).tolist(), dict(zip("abcd", shapes, strict=True)))
+    rig = makers.rig(
+        mesh.points, mesh.topology.face_indices.reshape(-1, 4).tolist(), dict(zip("abcd", shapes, strict=True))
+    )
     assert chain.face_of(rig).views.ahead == pytest.approx([0.0, 0.0, 1.0], abs=1e-6)
 
 
 def shape_of(rig, index):
-    offsets = np.zeros_like(rig.meshes[0].points)
-    shape = rig.meshes[0].shapes[index]
+    offsets = np.zeros_like(rig.body.meshes[0].points)
+    shape = rig.body.meshes[0].binding.shapes[index]
     offsets[shape.points] = shape.offsets[-1]
     return offsets
 
@@ -51,8 +53,12 @@ def shape_of(rig, index):
 def test_the_face_looks_where_it_moves(matrix):
     rig = makers.moved(makers.face(), matrix)
     face = chain.face_of(rig)
-    assert front(rig.up, face.trajectories, face.symmetry.plane.normal) @ (matrix @ [0, 0, 1]) == pytest.approx(1.0)
-    assert front(rig.up, face.trajectories, np.zeros(3)) @ (matrix @ [0, 0, 1]) == pytest.approx(1.0, abs=1e-3)
+    assert front(rig.skel_root.up, face.trajectories, face.symmetry.plane.normal) @ (
+        matrix @ [0, 0, 1]
+    ) == pytest.approx(1.0)
+    assert front(rig.skel_root.up, face.trajectories, np.zeros(3)) @ (matrix @ [0, 0, 1]) == pytest.approx(
+        1.0, abs=1e-3
+    )
 
 
 def test_the_other_views_look_from_40_degrees_to_either_side():

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from usdrigui.layout.symmetry.lobes import all_aside, in_the_middle, two_lobed
+from usdrigui.model import Shares
 
 POINTS, QUADS = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
@@ -73,7 +74,7 @@ def test_the_middle_is_a_hundredth_of_the_face_wide_to_either_side(apart, kept, 
     shares = np.array([kept, kept, 1.0, 1.0])
     scene = SimpleNamespace(points=base, face_size=1.0)
     plane = SimpleNamespace(origin=np.zeros(3), normal=np.array([1.0, 0, 0]))
-    motion = SimpleNamespace(owned=None, points=np.arange(4), arc_length=3.0 * shares)
+    motion = SimpleNamespace(shares=Shares(), points=np.arange(4), arc_length=3.0 * shares)
     least = {None: 0.75, True: 0.8, False: 0.5}[both_sides]
     inside = kept if apart == 0.01 else 0.0
     assert two_lobed(scene, plane, np.ones(4, dtype=bool), motion, both_sides) == (inside < least)
@@ -96,5 +97,5 @@ def test_the_handle_of_a_joint_in_the_middle_covers_what_is_nearer_than_its_radi
     plane = SimpleNamespace(origin=np.zeros(3), normal=np.array([1.0, 0, 0]))
     symmetry = SimpleNamespace(plane=plane, twins={7: twin})
     scene = SimpleNamespace(points=np.array([[0.0, 9, 9], [-0.5, 0, 0], [0.51, 0, 0]]), face_size=2.0)
-    motion = SimpleNamespace(owned=np.ones(3) if owned else None, control=7, points=np.arange(3))
+    motion = SimpleNamespace(shares=Shares(np.ones(3) if owned else None), control=7, points=np.arange(3))
     assert np.flatnonzero(in_the_middle(scene, symmetry, motion, 1.0)).tolist() == found

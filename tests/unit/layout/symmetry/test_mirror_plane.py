@@ -35,7 +35,7 @@ def symmetry_of(rig, settings=None):
 
 def apart(rig, symmetry):
     """Distance of each point's partner from its exact mirror image."""
-    points = rig.meshes[0].points
+    points = rig.body.meshes[0].points
     return np.linalg.norm(reflected(points, symmetry.plane) - points[symmetry.partner], axis=1)
 
 
@@ -66,7 +66,7 @@ def test_the_controls_decide_where_the_face_is_as_symmetric_upside_down(seed):
     turn = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0]
     face = makers.moved(makers.face(17, 21), turn)
     for up in (turn[:, 1], turn[:, 0]):
-        assert abs(symmetry_of(replace(face, up=up)).plane.normal @ turn[:, 0]) == pytest.approx(1.0, abs=1e-9)
+        assert abs(symmetry_of(makers.changed(face, up=up)).plane.normal @ turn[:, 0]) == pytest.approx(1.0, abs=1e-9)
 
 
 @pytest.mark.parametrize("up", [0, 1])
@@ -91,7 +91,7 @@ def test_hair_on_one_side_does_not_tilt_the_plane():
 def test_partners_are_images_and_come_in_twos():
     rig = makers.face()
     symmetry = symmetry_of(rig)
-    points = rig.meshes[0].points
+    points = rig.body.meshes[0].points
     assert np.allclose(reflected(points, symmetry.plane), points[symmetry.partner], atol=1e-6)
     assert np.array_equal(symmetry.partner[symmetry.partner], np.arange(len(points)))
 
@@ -100,10 +100,10 @@ def test_partners_are_images_and_come_in_twos():
 def test_the_points_of_a_coarse_surface_have_partners_within_its_cells(columns, rows, found):
     """One cheek is .06 deeper than the other: within a coarse cell, beyond a fine one."""
     face = makers.face(columns, rows)
-    points = face.meshes[0].points
+    points = face.body.meshes[0].points
     cheek = (points[:, 0] < -0.3) & (np.abs(points[:, 1]) < 0.2)
     dented = points - np.outer(cheek, [0.0, 0.0, 0.06])
-    symmetry = symmetry_of(replace(face, meshes=(replace(face.meshes[0], points=dented),)))
+    symmetry = symmetry_of(makers.changed(face, meshes=(replace(face.body.meshes[0], points=dented),)))
     assert (symmetry.partner[cheek] >= 0).mean() == pytest.approx(found, abs=0.35)
 
 

@@ -18,7 +18,7 @@ def test_an_orbit_is_laid_out_once_and_all_its_copies_count(arms):
     orbit = {"orbit": tuple(f"arm{k}" for k in range(arms))}
     said = chain.settings(controls={"arm0": orbit}, candidates={"occlusion": False})
     if arms == 2:
-        rig = replace(rig, up=np.array([0.0, 0.0, 1.0]))
+        rig = makers.changed(rig, up=np.array([0.0, 0.0, 1.0]))
     line = chain.lay_out(rig, said)
     assert len(line.problem.variables) == 1
     assert line.problem.variables[0].handles.shape[1] == arms
@@ -29,7 +29,7 @@ def test_an_orbit_is_laid_out_once_and_all_its_copies_count(arms):
     assert np.allclose(anchors[0] @ turn, anchors[1], atol=1e-6)
     found = line.face.trajectories
     assert (
-        orbit_points(found.surface, found.motions, rig.up, 0.01 * found.surface.face_size, np.arange(60)) >= 0
+        orbit_points(found.surface, found.motions, rig.skel_root.up, 0.01 * found.surface.face_size, np.arange(60)) >= 0
     ).all()
 
 
@@ -40,9 +40,9 @@ def test_wrong_orbits_are_refused(orbit):
 
 
 def test_an_orbit_of_two_does_not_depend_on_where_the_character_is():
-    rig = replace(makers.star(2), up=np.array([0.0, 0.0, 1.0]))
-    moved = replace(
-        rig, meshes=tuple(replace(mesh, points=mesh.points + np.array([3.0, 5.0, -2.0])) for mesh in rig.meshes)
+    rig = makers.changed(makers.star(2), up=np.array([0.0, 0.0, 1.0]))
+    moved = makers.changed(
+        rig, meshes=tuple(replace(mesh, points=mesh.points + np.array([3.0, 5.0, -2.0])) for mesh in rig.body.meshes)
     )
     said = chain.settings(controls={"arm0": {"orbit": ("arm0", "arm1")}}, candidates={"occlusion": False})
     here, there = (chain.by_name(chain.lay_out(each, said)) for each in (rig, moved))

@@ -7,6 +7,7 @@ import chain
 import limbs
 import numpy as np
 import pytest
+from makers import changed
 
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.symmetry.sides_of_joints import ahead_of_head
@@ -29,13 +30,13 @@ def robot(swapped=False):
 
 def resting(rig, seed=5):
     """The same character, bound as before, with every joint at rest turned by up to half a radian."""
-    turns = rotations(np.random.default_rng(seed).uniform(-0.5, 0.5, (len(rig.joints), 3)))
+    turns = rotations(np.random.default_rng(seed).uniform(-0.5, 0.5, (len(rig.body.joints), 3)))
     joints = []
-    for joint, turn in zip(rig.joints, turns, strict=True):
+    for joint, turn in zip(rig.body.joints, turns, strict=True):
         local = joint.rest.copy()
         local[:3, :3] = turn @ local[:3, :3]
         joints.append(replace(joint, rest=local, base=local))
-    return replace(rig, joints=tuple(joints))
+    return changed(rig, joints=tuple(joints))
 
 
 def twins(face):
@@ -52,8 +53,8 @@ def test_a_robot_is_mirrored_between_the_joints_named_left_and_right():
 
 def test_numbers_with_which_an_exporter_counts_the_joints_hide_no_sides():
     made = robot()
-    counted = tuple(replace(joint, path=f"{joint.path}_{i:02d}") for i, joint in enumerate(made.joints))
-    face = chain.face_of(limbs.with_default_controls(replace(made, joints=counted)))
+    counted = tuple(replace(joint, path=f"{joint.path}_{i:02d}") for i, joint in enumerate(made.body.joints))
+    face = chain.face_of(limbs.with_default_controls(changed(made, joints=counted)))
     assert face.symmetry.plane.normal == pytest.approx([1.0, 0.0, 0.0], abs=0.05)
 
 
@@ -74,9 +75,9 @@ def test_names_of_joints_tell_the_front_before_hair_behind_the_head():
     sides = {"/a": "/l_arm", "/b": "/r_arm"}
     joints = tuple(
         replace(joint, path="".join(sides.get(part, part) for part in re.split(r"(/[ab])", joint.path)))
-        for joint in made.joints
+        for joint in made.body.joints
     )
-    face = chain.face_of(limbs.with_default_controls(replace(made, joints=joints)))
+    face = chain.face_of(limbs.with_default_controls(changed(made, joints=joints)))
     assert face.views.ahead == pytest.approx([0.0, 0.0, 1.0], abs=0.05)
 
 
