@@ -110,11 +110,15 @@ def environment(**own: str) -> dict[str, str]:
     USD.
 
     With positional reads a crate file that shrinks under us is an error instead of a bus error.
+    Arrays of a stage take the memory of the one before: given back to the system, each page would
+    be cleared for them again.
     """
     always = {
         "PYTHONPATH": os.pathsep.join(each for each in sys.path if each),
         "USDC_USE_PREAD": "1",
         "MALLOC_ARENA_MAX": "2",
+        "MALLOC_MMAP_THRESHOLD_": str(32 << 20),
+        "MALLOC_TRIM_THRESHOLD_": str(128 << 20),
     }
     return {
         "PXR_WORK_THREAD_LIMIT": str(min(4, os.cpu_count() or 1)),

@@ -3,12 +3,17 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 from typing import NoReturn
 
 from usdrigui import worker
 from usdrigui.errors import Exit
+
+_ALLOCATIONS = 50_000
+"""Between two collections of garbage: what is loaded to start would be looked through again and
+again."""
 
 
 def main() -> NoReturn:
@@ -19,6 +24,7 @@ def main() -> NoReturn:
     """
     try:
         worker.start()
+        gc.set_threshold(_ALLOCATIONS)
         from usdrigui import cli
 
         worker.finish(cli.main(sys.argv[1:]))

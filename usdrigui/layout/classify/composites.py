@@ -22,13 +22,17 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from scipy.sparse import csr_array
 
 from usdrigui.conventions import Meaning
 from usdrigui.layout.classify.basis import Basis, Explanation, best_sum, choose_basis
 from usdrigui.layout.classify.families import Family, find_families
 from usdrigui.layout.motion.coverage import notable_points
-from usdrigui.layout.motion.similarity import DisplacementFields, Similarity
+from usdrigui.layout.motion.similarity import (
+    DisplacementFields,
+    Similarity,
+    inner_products,
+    sparse_rows,
+)
 from usdrigui.layout.names import is_step_of, spelling_style
 from usdrigui.model import (
     BaseSurface,
@@ -248,9 +252,7 @@ def _contained(fields: DisplacementFields, regions: Flags) -> Flags:
     squared = np.einsum("cmi,cmi->cm", fields.vectors, fields.vectors) * fields.weights.astype(
         np.float32
     )
-    inside = np.asarray(
-        (csr_array(squared) @ csr_array(regions.astype(np.float32)).T).toarray(), dtype=np.float64
-    )
+    inside = inner_products(sparse_rows(squared), sparse_rows(regions.astype(np.float32)))
     local = np.sqrt(np.maximum(inside * own, 0.0))
     return np.asarray((along > _LOCAL_COSINE * local) & (along > _LOCAL_AMOUNT * own))
 

@@ -179,11 +179,11 @@ def _ranked(
     planes: list[_Plane], tree: cKDTree, sample: Floats, slack: float
 ) -> tuple[list[_Plane], int]:
     """The distinct planes, the best first, and how many of them fit as well as the best."""
-    misfits = [_misfit(plane, tree, sample) for plane in planes]
-    order = sorted(range(len(planes)), key=lambda i: (round(misfits[i] / slack, 3), i))
-    distinct = _distinct([planes[i] for i in order], sample)
-    least = min(misfits) + slack
-    return distinct, sum(_misfit(plane, tree, sample) <= least for plane in distinct)
+    misfits = {id(plane): _misfit(plane, tree, sample) for plane in planes}
+    order = sorted(planes, key=lambda plane: round(misfits[id(plane)] / slack, 3))
+    distinct = _distinct(order, sample)
+    least = min(misfits.values()) + slack
+    return distinct, sum(misfits[id(plane)] <= least for plane in distinct)
 
 
 def _distinct(planes: list[_Plane], sample: Floats) -> list[_Plane]:

@@ -79,12 +79,13 @@ def agreements(fields: DisplacementFields, partner: Indices, normal: Floats) -> 
     at all places that have a partner: 1 for exact mirror images, less where direction, region or
     measure differ.  Rounded: an agreement may be just the least that counts.
     """
-    mirrored, own = _mirrored(fields, partner, normal)
-    product = own.products(mirrored)
-    both = (
-        DisplacementFields(own.places, mirrored, own.weights).sizes()[:, None]
-        + own.sizes()[None, :]
+    mirrored, weights = _mirrored(fields, partner, normal)
+    product = fields.products(mirrored)
+    one, other = (
+        DisplacementFields(fields.places, vectors, weights).sizes()
+        for vectors in (mirrored, fields.vectors)
     )
+    both = one[:, None] + other[None, :]
     ratio = np.divide(2.0 * product, both, out=np.zeros_like(product), where=both > 0.0)
     return np.asarray(np.round(ratio, _DIGITS), dtype=np.float64)
 
@@ -99,17 +100,17 @@ def pairable(raw: Floats, motions: tuple[Motion, ...]) -> Floats:
 
 def _mirrored(
     fields: DisplacementFields, partner: Indices, normal: Floats
-) -> tuple[Singles, DisplacementFields]:
-    """The mirrored vectors (motions, m, 3), and the fields, at the places whose partner is among
-    them."""
+) -> tuple[Singles, Floats]:
+    """The mirrored vectors (motions, m, 3) and the weights (m,) of the places, both zero where the
+    partner is none of them."""
     row = np.full(len(partner), -1, dtype=np.int64)
     row[fields.places] = np.arange(len(fields.places))
     images = partner[fields.places]
     source = np.where(images >= 0, row[images], -1)
-    here = source >= 0
     turn = (np.eye(3) - 2.0 * np.outer(normal, normal)).astype(np.float32)
-    own = DisplacementFields(fields.places[here], fields.vectors[:, here], fields.weights[here])
-    return fields.vectors[:, source[here]] @ turn, own
+    mirrored = fields.vectors[:, source] @ turn
+    mirrored[:, source < 0] = 0.0
+    return mirrored, np.where(source >= 0, fields.weights, 0.0)
 
 
 def configured_twins(rig: Rig, controls: Mapping[str, ControlSettings]) -> dict[int, int]:
