@@ -25,7 +25,7 @@ class Following(Record):
     """Whether it goes with the skin at its anchor, and its handle with all of it.  What does not
     follows joints alone, and its handle slides along its tracks."""
     joint: int
-    """Index into `Rig.joints` of the one that alone carries it, or -1: those of its anchor do."""
+    """Index into `Body.joints` of the one that alone carries it, or -1: those of its anchor do."""
 
 
 def following(

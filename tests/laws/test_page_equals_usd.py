@@ -7,6 +7,7 @@ layouts are such that UsdSkel can say all of it: no joint that an element turns,
 from __future__ import annotations
 
 import base64
+import functools
 import json
 import shutil
 import subprocess
@@ -17,6 +18,7 @@ import laid_out
 import numpy as np
 import pytest
 import skinned_stages
+from page_in_node import placed_by_the_page
 from pxr import Sdf, Usd, UsdSkel
 
 from usdrigui.levels import states
@@ -27,7 +29,6 @@ from usdrigui.view.scene import pack
 
 pytestmark = pytest.mark.usefixtures("every_point_drawn")
 ROOT = Path(__file__).resolve().parents[2]
-PLACED = ROOT / "tests" / "clients" / "placed.mjs"
 CLOSE = 8e-5
 """Of the character's diagonal: what 16-bit positions and offsets leave of a handle's place."""
 HAIR = 0.3
@@ -85,21 +86,17 @@ def cases(tmp_path_factory):
 @pytest.fixture(scope="module")
 def pages(cases):
     """By name, handle and tracks of each element at each sample of the clip; one process for all."""
-    if shutil.which("node") is None:
-        pytest.skip("Node.js is not installed")
     asked = [
         {"scene": base64.b64encode(pack([(rig, layout)], "law")).decode(), "times": rig.skel_root.clip.times.tolist()}
         for rig, layout, _ in cases.values()
     ]
-    done = subprocess.run(
-        ["node", str(PLACED)], input=json.dumps(asked), capture_output=True, text=True, timeout=120, check=False
-    )
-    assert done.returncode == 0, done.stderr
-    return dict(zip(cases, json.loads(done.stdout), strict=True))
+    return {name: found["frames"] for name, found in zip(cases, placed_by_the_page(asked), strict=True)}
 
 
 @pytest.mark.parametrize("name", ["sample", *MADE])
-def test_the_page_has_handles_and_tracks_where_usd_has_them(cases, pages, tmp_path, name):
+def test_the_page_has_handles_and_tracks_where_usd_has_them(cases, pages, tmp_path, monkeypatch, name):
+    for asked in ("root_points", "element_prim"):  # of many elements in one mesh
+        monkeypatch.setattr(laid_out, asked, functools.cache(getattr(laid_out, asked)))
     rig, layout, source = cases[name]
     stage = attached(tmp_path, rig, layout, source)
     drives = {control.name: control.drive for control in rig.controls}
