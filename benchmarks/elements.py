@@ -87,7 +87,7 @@ def main() -> None:
 
 
 def cell(row: Row, asset: Path, given: argparse.Namespace) -> str:
-    """What is said of one rig without the element of the row."""
+    """The judge's figures of one rig without the element of the row."""
     layer = given.folder / row.name.replace(" ", "_") / f"{asset.stem}.rigui.usda"
     layer.parent.mkdir(parents=True, exist_ok=True)
     settings = load(row.settings, {"solve": {"time_limit": given.seconds}})

@@ -51,7 +51,7 @@ NAMES = {
 }
 NAMES |= {"maximum": "minimum", "minimum": "maximum", "any": "all", "all": "any"}
 GUARD = 1e-100
-"""Half more of a smaller number is told only by lengths and weights that are smaller still."""
+"""Half more of a smaller number matters only to lengths and weights that are smaller still."""
 
 
 @dataclass(frozen=True)
@@ -144,7 +144,7 @@ def _expressions(
 ) -> Iterator[tuple[ast.expr, ast.AST, str]]:
     """Expressions that decide something, each before those inside it.
 
-    With each comes what tells it apart (itself, or what stands around a mere number) and the name
+    With each comes what identifies it (itself, or the expression around a mere number) and the name
     of its function or class.
     """
     for name, value in ast.iter_fields(tree):
@@ -264,7 +264,7 @@ def _functions_naming(mutant: Mutant) -> list[str]:
 
 
 def marked(path: str, mutants: Sequence[Mutant]) -> str:
-    """The text of a file that says when a mutant's expression or a function is reached."""
+    """The text of a file that reports when a mutant's expression or a function is reached."""
     text = (ROOT / path).read_text(encoding="utf-8")
     lines = text.splitlines(keepends=True)
     starts = [sum(map(len, lines[:at])) for at in range(len(lines))]

@@ -165,7 +165,7 @@ _MUST = {
 
 
 def contract_page() -> str:
-    """The contract with its table of properties, which follows the last line that says so."""
+    """The contract with its table of properties, which follows the line that announces it."""
     text = (ROOT / "schemas" / "CONTRACT.md").read_text(encoding="utf-8")
     head = "| property | type, unit | space | if absent | meaning |\n|---|---|---|---|---|\n"
     rows = (_brief(each) for prim in _schemas() for each in prim.properties)

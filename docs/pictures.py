@@ -5,7 +5,7 @@
 Everything is made by the package itself from the sample character and from the blossom below: each
 panel is a run of ``usdrigui process`` with the configuration that the page shows.  With words only
 the scenes whose names hold one of them are drawn; with ``--check`` nothing is written and the exit
-code says whether page and pictures are there and of an age.  The same installation gives the same
+code is 1 where page or pictures are missing or older.  The same installation gives the same
 bytes.
 """
 
@@ -51,7 +51,7 @@ class Panel:
 
 @dataclass(frozen=True)
 class Scene:
-    """One picture of the page and what is said of it."""
+    """One picture of the page and its text."""
 
     name: str
     heading: str
@@ -92,7 +92,7 @@ def main() -> int:
 
 
 def amiss() -> list[str]:
-    """What `main` would have to write anew, as far as one can tell without drawing."""
+    """What `main` would have to write anew, as far as known without drawing."""
     found = (
         []
         if PAGE.is_file() and PAGE.read_text(encoding="utf-8") == page()

@@ -1,7 +1,7 @@
 """What carries an element, and which controls it ignores.
 
 Said once, as a record.  `usdrigui.pose` and the page evaluate it; the layer's gprims have it as
-influences and blend shapes, as far as UsdSkel can say it (docs/decisions/093).
+influences and blend shapes, as far as UsdSkel can express it (docs/decisions/093).
 """
 
 from __future__ import annotations

@@ -55,7 +55,7 @@ def shown(layout: Layout, opened: Iterable[str] = (), *, everything: bool = Fals
         if name not in coarse:
             known = ", ".join(sorted(coarse)) or "none"
             raise refuse(
-                "CONFIG_VALUE", "--open", f"{name!r} is no coarse element; there are {known}"
+                "CONFIG_VALUE", "--open", f"{name!r} is not a coarse element; there are {known}"
             )
     members = members_of(layout.elements)
     wide = frozenset().union(

@@ -1,4 +1,4 @@
-"""What Blender says of every element's anchor: the evaluated mesh, the bones, the shape keys at one
+"""Every element's anchor in Blender: the evaluated mesh, the bones, the shape keys at one
 vertex."""
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What an element says of its tracks and its handle, and where its mesh hangs: in the format that
+"""The tracks and the handle of an element, and where its mesh hangs: in the format that
 is written today."""
 
 from __future__ import annotations

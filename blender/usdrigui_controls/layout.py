@@ -16,7 +16,7 @@ Place = tuple[float, float, float]
 
 
 class LayoutError(Exception):
-    """A layer or a character that cannot be used, said for people."""
+    """A layer or a character that cannot be used, with a message for people."""
 
 
 @dataclass(frozen=True)
@@ -205,7 +205,7 @@ def to_json(layout: Layout) -> str:
 
 def from_json(text: str) -> Layout:
     """The layout that `to_json` wrote.  Raises LayoutError when it is none."""
-    text = text.replace('"gain":', '"magnification":')  # as files of earlier versions say it
+    text = text.replace('"gain":', '"magnification":')  # as in files of earlier versions
     try:
         return _record(Layout, json.loads(text))
     except (ValueError, TypeError, KeyError, AttributeError) as error:

@@ -1,5 +1,5 @@
-"""What prims say: their applied schemas, attributes, relationships, and the influences of their
-points."""
+"""Properties of prims: their applied schemas, attributes, relationships, and the influences of
+their points."""
 
 from __future__ import annotations
 

@@ -152,7 +152,7 @@ def _joints(prim, instance, of, keys, parts):
 
 
 def _table(rows, keys, joints):
-    """Per joint, one vector per key; zeros where the layer says nothing."""
+    """Per joint, one vector per key; zeros where the layer has none."""
     rows = rows or [(0.0, 0.0, 0.0)] * (keys * joints)
     if len(rows) != keys * joints:
         raise LayoutError(f"{len(rows)} joint vectors for {keys} keys of {joints} joints")

@@ -43,7 +43,7 @@ class Drawing:
 
 @dataclass(frozen=True)
 class AnchorFrame:
-    """What the application says of an element's anchor at this moment."""
+    """An element's anchor in the application at this moment."""
 
     point: np.ndarray | None
     """(3,) the deformed anchor, in world space; None for an element that hangs rigidly."""

@@ -116,5 +116,5 @@ def _step(
 def _value(given: Path | str, *, plain: bool = False) -> str:
     text = str(given) if plain else os.path.abspath(given)  # noqa: PTH100 (keeps links)
     if "{{" in text or len(text) > _TEXT:
-        raise refuse("FILE_NAME", text[:80], "cannot stand in a job template")
+        raise refuse("FILE_NAME", text[:80], "cannot be written in a job template")
     return text

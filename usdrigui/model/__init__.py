@@ -3,8 +3,8 @@
     Usd.Stage → Rig → Trajectories → Candidates → Groups → LayoutProblem → Assignment → Layout →
     Sdf.Layer
 
-Coordinates: unless a field says otherwise, positions are in the space of the SkelRoot ("root
-space"), column ``(x, y, z)`` triples in scene units.  Matrices are 4x4 in USD's row-vector
+Coordinates: unless a field's documentation differs, positions are in the space of the SkelRoot
+("root space"), column ``(x, y, z)`` triples in scene units.  Matrices are 4x4 in USD's row-vector
 convention (``p' = p @ M``).  *Point* means an index into the concatenation of all meshes' points,
 in the order of `Body.meshes`; *local* point means an index into one mesh.
 """

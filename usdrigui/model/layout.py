@@ -170,7 +170,7 @@ class Placement(Record):
 
     part: str = ""
     """The part of the character: ``face``, ``hands``, ``feet``, ``body`` or one of the
-    configuration's; empty where a layer does not say."""
+    configuration's; empty where a layer has none."""
     category: str = ""
     """On the board, the heading under which it stands (``global``, ``hidden``, ``composite``,
     ``requested``, ``crowded``); else empty."""

@@ -58,7 +58,7 @@ class MeshDisplay(Record):
     """False when the visibility or the purpose hides it from a default render."""
     colours: Floats | None = None
     """(n, 3) linear colours from 0 to 1 at the points; None where neither a material nor
-    displayColor tells."""
+    displayColor has."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,7 +1,7 @@
 """Control values from the drag of a handle in the plane of the screen.
 
 Everything is two-dimensional, in pixels, x to the right and y down: a client projects an element's
-tracks as they are at the pose of the moment (`evaluate.elements_at`) and says how far the pointer
+tracks as they are at the pose of the moment (`evaluate.elements_at`) and finds how far the pointer
 has moved.
 
 * An element has axes (`Manipulator.axes`): one control, or two opposed controls that are the
@@ -135,7 +135,7 @@ def begin_drag(
     limits, home, now = (np.array(each, dtype=np.float64) for each in (ranges, base, current))
     if limits.shape != (len(lines), 3) or home.shape != (len(lines),) or now.shape != home.shape:
         raise ValueError(
-            "a member needs one value in the base pose and now, and three that say its range"
+            "a member needs one value in the base pose and now, and three for its range"
         )
     if sorted(i for members in axes for i in members) != list(range(len(lines))):
         raise ValueError("every member belongs to one axis")

@@ -1,9 +1,10 @@
 """A layout at any pose: the deformed character, and every element where it then is.
 
-What carries an element and which controls its tracks ignore, `usdrigui.following` says; its handle
-lies on the deformed anchor, however its tracks are magnified, or slides along them.  The written
-layer says the same to UsdSkel, which deforms tracks and handles as gprims; better than a gprim can,
-tracks here also follow other controls of the joints that their own control turns.  numpy only.
+`usdrigui.following` defines what carries an element and which controls its tracks ignore; its
+handle lies on the deformed anchor, however its tracks are magnified, or slides along them.  The
+written layer gives the same to UsdSkel, which deforms tracks and handles as gprims; better than a
+gprim can, tracks here also follow other controls of the joints that their own control turns.  numpy
+only.
 """
 
 from __future__ import annotations

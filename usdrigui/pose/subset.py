@@ -35,7 +35,7 @@ def _with_drives(rig: Rig) -> Rig:
     kept = np.zeros(len(rig.body.joints), dtype=bool)
     for mesh in rig.body.meshes:
         if mesh.binding.skin is not None:
-            # Weightless influences name joints too, and tell which skeleton the skin is on.
+            # Weightless influences name joints too, and so the skeleton that the skin is on.
             kept[np.unique(mesh.binding.skin.joints)] = True
     for i in range(len(rig.body.joints) - 1, -1, -1):
         if kept[i] and rig.body.joints[i].parent >= 0:

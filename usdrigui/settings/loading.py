@@ -161,7 +161,7 @@ def _scalar(hint: Any, value: Any, path: str) -> Any:
 
 
 def document(settings: Settings) -> dict[str, Any]:
-    """The sections of a configuration that says all of it, as plain JSON-ready values."""
+    """The sections of a complete configuration, as plain JSON-ready values."""
     return {name: _plain(section) for name, section in sections(settings).items()}
 
 

@@ -30,7 +30,7 @@ class Progress:
 
 
 class Budget:
-    """Counts the work of one run and says when to stop; the only object of a solver that changes.
+    """Counts the work of one run and decides when to stop; a solver's only object that changes.
 
     Work is counted in pair evaluations (and, for searches, in table entries read), so that a run
     stopped by `SolveSettings.work_limit` is the same on every machine.  The clock is read only for

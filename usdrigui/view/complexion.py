@@ -1,9 +1,9 @@
 """Colours to judge a face by: those of the asset, and for what has none skin, eyes with pupils,
 lips, brows and teeth.
 
-What the asset does not say is found by form: a pair of balls in front are the eyes; the surface
+Where the asset has no colour, form decides: a pair of balls in front are the eyes; the surface
 that faces itself across the mid-plane is the mouth; the ridge above an eye carries its brow; what
-lies behind the mouth are teeth and tongue.  Where the form does not tell, everything is skin.  The
+lies behind the mouth are teeth and tongue.  Where the form is unclear, everything is skin.  The
 layout is not changed by any of this.
 """
 
@@ -60,7 +60,7 @@ class _Seen:
     sheets: Indices
     """(n,) as `pieces`, but of points that share triangles, whatever else lies where they lie."""
     free: Flags
-    """(n,) visible points whose mesh says nothing about colour, neither by values nor by its
+    """(n,) visible points whose mesh has no colour, neither by values nor by its
     name."""
     width: float
     """Of a handle."""
@@ -104,7 +104,7 @@ def complexion(rig: Rig, layout: Layout) -> Complexion:
 
 
 def _of_meshes(meshes: tuple[RigMesh, ...]) -> Floats:
-    """(n, 3) the colours that meshes have, or the usual ones of what their names say."""
+    """(n, 3) the colours that meshes have, or the usual ones of the things that they name."""
     parts = [np.zeros((0, 3))]
     for mesh in meshes:
         usual = np.tile(np.array(_said(mesh.path) or SKIN), (len(mesh.points), 1))
@@ -113,7 +113,7 @@ def _of_meshes(meshes: tuple[RigMesh, ...]) -> Floats:
 
 
 def _said(path: str) -> tuple[float, float, float] | None:
-    """The colour that a mesh's name tells."""
+    """The colour of the thing that a mesh names."""
     name = path.rsplit("/", 1)[-1]
     return next((colour for word, colour in _NAMED if word.search(name)), None)
 

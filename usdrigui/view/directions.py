@@ -35,7 +35,7 @@ _APART, _BEYOND = 20.0, 90.0
 def ahead_of(rig: Rig, plane_normal: Floats, base_values: Floats) -> Floats:
     """Where the face looks: level, and found as it was when the layout was made.
 
-    `LayoutFrame.view` does not tell: a layout made for the side has the profile there.
+    `LayoutFrame.view` does not show it: a layout made for the side has the profile there.
     """
     return front_of(
         rig.skel_root.up, trajectories(rig, TrajectorySettings(), base_values), plane_normal

@@ -65,8 +65,8 @@ class LiveFile:
         return Content(text, hashlib.sha256(text).hexdigest() if text else ABSENT)
 
     def replace(self, text: bytes, known: str) -> Content | None:
-        """Let the file hold `text` if it is as `known` says, and tell its new content; None where
-        it is not.
+        """Let the file hold `text` if its content is `known`, and return the new content; None
+        where it is not.
 
         Raises RigUIError with a FILE_ code; what the file held is untouched then.
         """

@@ -31,7 +31,7 @@ VIEWS = {
     "back": 180.0,
 }
 """Degrees about the up axis from `LayoutFrame.view` toward the character's own left: ``front`` is
-the view that the layout was made for, whichever that is.  Captions say what is shown."""
+the view that the layout was made for, whichever that is.  Captions name the view."""
 
 _TITLE, _CAPTION, _LEGEND, _GAP, _EDGE = 66, 24, 42, 14, 22
 """Heights of the title above the panels, of captions and legend below, space between panels and
@@ -205,7 +205,7 @@ def _page(
     title: str,
     controls: int | None = None,
 ) -> Image.Image:
-    """One page; ``controls`` is how many the title tells of, by default those of the rig."""
+    """One page; ``controls`` is their number in the title, by default that of the rig."""
     subject = shading.subject_of(rig.body.meshes, posed.points, scene.complexion)
     below = sum(
         camera.height + _CAPTION

@@ -49,8 +49,8 @@ def find_candidates(
     Points are pruned below the mean arc length of the control and below a share of its visible
     peak, where no view sees them and where the trajectory runs inside or behind the model.  Where
     pruning would leave nothing, its weaker reasons give way in the reverse order: a control that
-    any view can see always has a candidate.  `samples` are the points of a track that tell whether
-    it runs there.
+    any view can see always has a candidate.  `samples` are the points of a track that decide
+    whether it runs there.
     """
     sets: list[CandidateSet] = []
     left_off: list[LeftOff] = []
@@ -174,8 +174,8 @@ def _moving_places(
     some = _allowed(face, motion, requests, settings, everywhere)
     seen = _allowed(face, motion, requests, settings, _seen(face, motion.points, settings.space))
     seen = _with_clear_handles(face, motion, requests, settings, seen)
-    # What a person says, an earlier place and the skin that a joint owns come before what a name
-    # says.
+    # A person's decision, an earlier place and the skin that a joint owns come before the meaning
+    # of a name.
     is_asked = requests.overrides[motion.control].near or motion.control in requests.prior.places
     if not is_asked and motion.shares.owned is None:
         seen = _where_expected(face, motion, seen, requests.expectation(motion.control))

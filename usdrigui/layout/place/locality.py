@@ -106,7 +106,7 @@ def _named_points(rig: Rig, where: str, near: str) -> Indices:
     raise refuse(
         "CONFIG_VALUE",
         where,
-        f"{near!r} is no joint:NAME, mesh, GeomSubset or MESH.point[i] of "
+        f"{near!r} is not a joint:NAME, mesh, GeomSubset or MESH.point[i] of "
         f"{rig.skel_root.path}{like}",
     )
 

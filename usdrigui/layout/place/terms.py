@@ -35,7 +35,7 @@ it stands than it should."""
 
 @dataclass(frozen=True, slots=True)
 class LinearTerms:
-    """What the settings say of the linear terms and of the unit of displacement."""
+    """The settings of the linear terms and of the unit of displacement."""
 
     occlusion_weight: float
     distinctive_weight: float
@@ -48,7 +48,7 @@ class LinearTerms:
 
     @classmethod
     def of(cls, settings: LayoutSettings) -> LinearTerms:
-        """As the settings say."""
+        """From the settings."""
         objective = settings.objective
         return cls(
             settings.candidates.occlusion_weight,
