@@ -120,7 +120,7 @@ class Faults:
 
 
 def issue(code: str, path: str, message: str, character: str = "") -> Issue:
-    """Record a finding; `code` must stand in `CODES`."""
+    """Record a finding; `code` must be in `CODES`."""
     entry = CODES[code]
     return Issue(code, entry.severity, path, message, entry.repair, character)
 

@@ -24,7 +24,7 @@ _OWNS = 1e-3
 _PARALLEL = 0.6
 """Least cosine of a chain to the mean direction of its fan; a thumb stays ahead."""
 _SAME = 1e-4
-"""Share of the skeleton's size within which two joints stand at the same place."""
+"""Share of the skeleton's size within which two joints have the same place."""
 _ON_PLANE = 0.02
 """Share of the skeleton's size within which a joint lies on the mirror plane."""
 _AIM = 0.95

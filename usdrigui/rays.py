@@ -2,7 +2,7 @@
 it.
 
 Views are orthographic: a *direction* ``toward`` points from the face to the viewer, and all rays of
-one call share it.  Two ways to cast stand behind one `Caster`: Embree, where the optional package
+one call share it.  One `Caster` has two ways to cast: Embree, where the optional package
 `embreex` is installed, and `GridCaster` in numpy alone.  Both are exact up to rounding and
 deterministic.  The fall-back computes in double precision where Embree computes in single, so they
 may differ for rays that graze an edge or start within rounding of a surface; and it prepares one

@@ -127,7 +127,7 @@ def as_sibling(references: ReferenceLayouts, rig: Rig, first: Layout) -> Referen
 def followed(
     references: ReferenceLayouts, rigs: tuple[Rig, ...]
 ) -> tuple[ReferenceLayouts, tuple[Rig, ...]]:
-    """The references with the earlier layout of the one character where that stands at another path
+    """The references with the earlier layout of the one character where that has another path
     now.
 
     Only where there is one character on either side, with a mesh of the same name below its
@@ -179,7 +179,7 @@ def rigs_over(
 
 
 def _mismatch(previous: Mapping[str, Layout], rig: Rig) -> str:
-    """Why none of the earlier layouts can be this character's: it stands elsewhere, or has other
+    """Why none of the earlier layouts can be this character's: it has another path, or other
     controls."""
     alike = [root for root, layout in previous.items() if _shares_controls(layout.controls, rig)]
     if alike:

@@ -41,14 +41,14 @@ class ControlRow:
     reason: str
     """Why it is not on the face, or why it shares an element."""
     explained_by: tuple[tuple[str, float], ...] = ()
-    """Controls that do together what it does, and how far each goes; empty for one that stands for
+    """Controls that do together what it does, and how far each goes; empty for one that explains
     itself."""
     part: str = ""
     """The part of the character to which its element belongs; empty where there are none."""
 
     @property
     def stands(self) -> str:
-        """Where a reader finds it: the part on which it stands, the board, or nowhere."""
+        """Where a reader finds it: its part, the board, or nowhere."""
         return self.part or self.place if self.place == "face" else self.place
 
 
@@ -59,7 +59,7 @@ class PartRow:
     name: str
     controls: tuple[str, ...]
     on_it: int
-    """How many of them stand on the part; the others stand on the board."""
+    """How many of them are on the part; the others are on the board."""
     handle_width: float
     view: Floats
     """(3,) unit direction from the part to the viewer."""
@@ -84,7 +84,7 @@ class CharacterReport:
     """`usdrigui.layout.review.difference.Difference` from the previous layout, where one was
     given."""
     added: frozenset[str] = frozenset()
-    """Names of the elements that this run placed: all, but for those that stand in the layer of
+    """Names of the elements that this run placed: all, but for those in the layer of
     `--base`."""
     matchings: Mapping[str, Any] = field(default_factory=dict)
     """`usdrigui.layout.reuse.identity.Matching` by the layout that was given: ``fixed``,
@@ -105,7 +105,7 @@ class CharacterReport:
     @property
     def explanations(self) -> nx.DiGraph:
         """Which controls explain which: an edge from a composite to each of its parts, `amount`
-        saying how far that goes.  Acyclic; it ends at controls that stand for themselves."""
+        with how far that goes.  Acyclic; it ends at controls that explain themselves."""
         import networkx as nx
 
         graph = nx.DiGraph()

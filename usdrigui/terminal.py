@@ -73,7 +73,7 @@ class Screen:
 
     def report(self, report: Report, written: Sequence[str]) -> None:
         """What is not on the character and why, what is to be looked at, and the closing line;
-        where every control stands, with `--verbose`."""
+        the place of every control, with `--verbose`."""
         if not self._quiet:
             for character in report.characters:
                 self._character(character)
@@ -331,12 +331,12 @@ def _weakest(rows: Sequence[ControlRow]) -> str:
 
 
 def _places(elements: Sequence[Element]) -> dict[str, str]:
-    """Where elements stand, by name, as ``anchor`` takes it; nothing for those on the board."""
+    """Places of elements, by name, as ``anchor`` takes them; nothing for those on the board."""
     return {each.name: each.anchor.place for each in elements if not each.anchor.on_board}
 
 
 def _rows_table(rows: Sequence[ControlRow], places: Mapping[str, str]) -> Table:
-    """One row a control; where its element stands (`places`), and why each element once."""
+    """One row a control; the place of its element (`places`), and why each element once."""
     headers = ("control", "place", "displacement", "at", "element", "kind", "twin", "why")
     table = Table(*headers, below=("why",))
     printed: set[tuple[str, str]] = set()
@@ -492,7 +492,7 @@ def _figures(figures: Iterable[tuple[str, float]]) -> str:
 
 
 def _where(characters: Sequence[CharacterReport]) -> str:
-    """What controls stand on: the one part that there is, or the character."""
+    """What controls are on: the only part, or the character."""
     parts = {part.name for character in characters for part in character.parts}
     return next(iter(parts)) if len(parts) == 1 else "character" if parts else "face"
 

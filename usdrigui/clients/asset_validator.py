@@ -24,8 +24,8 @@ class BlendShapeChecker(BaseRuleChecker):
     """Blend shapes are what UsdSkel can use: names and targets in pairs, arrays of the right
     length, finite numbers.
 
-    Found besides: in-betweens without a weight of their own, names that stand twice, an order other
-    than the animation's, and weights outside the limits that the animation states.  Pairs that
+    Found besides: in-betweens without a weight of their own, names that are listed twice, an order
+    other than the animation's, and weights outside the limits of the animation.  Pairs that
     UsdSkel ignores can be dropped, and the order changed, by the suggestion.
     """
 
@@ -47,7 +47,7 @@ class BlendShapeChecker(BaseRuleChecker):
 
 @register_rule(CATEGORY)
 class RigUILayoutChecker(BaseRuleChecker):
-    """Layouts of usdrigui fit the meshes on which they stand; `usdrigui process` makes them
+    """Layouts of usdrigui fit the meshes that they are anchored to; `usdrigui process` makes them
     anew."""
 
     # The names are the validator's.

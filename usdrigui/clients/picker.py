@@ -2,7 +2,7 @@
 
 Each part of a character is seen from the direction that it was laid out for, at the base pose,
 without perspective, over a picture of it.  Elements keep their places but where handles would lie
-on each other; the board is in rows beside it.  Parts and characters stand in rows.
+on each other; the board is in rows beside it.  Parts and characters are in rows.
 """
 
 from __future__ import annotations

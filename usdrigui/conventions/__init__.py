@@ -60,10 +60,10 @@ class Action:
     """-1 or 1: which end."""
     importance: float = 1.0
     place: tuple[float, float] | None = None
-    """Where it stands on a canonical face: to the side on which it acts, and up from between the
+    """Its place on a canonical face: to the side on which it acts, and up from between the
     eyes, in distances of the pupils."""
     radius: float = 0.4
-    """Of the region around that place in which it may stand, in the same unit."""
+    """Of the region around that place in which it may be, in the same unit."""
     vague: bool = False
     """Whether only the region is known, not which way it goes."""
     both: bool = False
@@ -138,7 +138,7 @@ class Spelling:
 
     @property
     def senses(self) -> frozenset[str]:
-        """The words, each as the one that stands for all that two makers may use for it."""
+        """The words, each replaced by the one for all synonyms of two makers."""
         return frozenset(_synonyms().get(word, word) for word in self.words)
 
     @property
@@ -233,7 +233,7 @@ def joysticks() -> Mapping[str, tuple[str, str]]:
 
 
 def _meaning(each: tuple[str, ...], unit: Action | None) -> Meaning | None:
-    """The words as they stand first (in mouthLeft the side is a direction), then without the side;
+    """The words in their order first (in mouthLeft the side is a direction), then without the side;
     before both the action `unit` of which the name is the number."""
     side, toward, rest = _side_and_direction(each)
     if unit is not None:
@@ -261,7 +261,7 @@ class _Phrase:
     directed: bool
     """Whether a word for a side is a direction here: mouthLeft goes to the left."""
     alone: frozenset[str] | None
-    """The only other words that may stand beside them; None for any."""
+    """The only other words that may be beside them; None for any."""
 
     def fits(self, rest: tuple[str, ...], toward: Side) -> bool:
         own = {*rest, toward} if self.directed else set(rest)
@@ -309,7 +309,7 @@ def _without_shared(names: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
 
 def _without_makers(names: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
     """The names without the word of their owner: a word of no convention with which several
-    names begin that mean actions without it.  VRoid's Fcl_MTH_A stands beside ARKit's names in some
+    names begin that mean actions without it.  VRoid's Fcl_MTH_A is beside ARKit's names in some
     rigs."""
     while True:
         heads = Counter(each[0] for each in names if len(each) > 1 and _acts(each[1:]))

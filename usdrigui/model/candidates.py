@@ -21,9 +21,9 @@ Category = Literal[
     "combination",
     "requested",
 ]
-"""Why a control does not stand on the face: it moves the face as a whole, only affects geometry
-hidden in all views, repeats what others do, stands with its family, or the configuration says so;
-empty for a control that is to stand there."""
+"""Why a control is off the face: it moves the face as a whole, only affects geometry
+hidden in all views, repeats others, stays with its family, or is sent there by configuration;
+empty for a control of the face."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +52,7 @@ class CandidateSet(Record):
     is shown at a visible proxy of a hidden region."""
     category: Category = ""
     off_face_reason: str = ""
-    """Why it does not stand on the face; else empty."""
+    """Why it is off the face; else empty."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +62,7 @@ class Group:
     name: str
     kind: ElementKind
     controls: tuple[int, ...]
-    """Indices into `Rig.controls`, in the element's order; opposed controls stand next to each
+    """Indices into `Rig.controls`, in the element's order; opposed controls are next to each
     other."""
     opposed: tuple[tuple[int, int], ...]
     """Pairs of `controls` that are the two ends of one axis (negative, positive)."""

@@ -34,7 +34,7 @@ class Layout(Record):
         return frozenset().union(*(each.manipulator.controls for each in self.elements))
 
     def mesh_gone(self, mesh: str, controls: int = 0) -> Issue:
-        """LAYOUT_MESH_GONE of a mesh that is not there, with how many elements stand on it;
+        """LAYOUT_MESH_GONE of a mesh that is not there, with the number of its elements;
         `controls` of the layout are gone too."""
         elements = sum(element.anchor.mesh == mesh for element in self.elements)
         message = f"is gone, and {elements} element{'s' * (elements != 1)} of the layout with it"
@@ -53,12 +53,12 @@ class LayoutCharacter(Record):
     base_values: Floats
     """(controls,) base pose: value of every control, in the order of `Rig.controls`."""
     variant_path: str = ""
-    """Path of the SkelRoot with the variants in which the layout stands, ``/Char{LOD=low}``; empty
+    """Path of the SkelRoot with the variants that hold the layout, ``/Char{LOD=low}``; empty
     without."""
 
     @property
     def path(self) -> str:
-        """Of the SkelRoot, with the variants where the layout stands in some."""
+        """Of the SkelRoot, with the variants that hold the layout, if any."""
         return self.variant_path or self.root
 
 
@@ -172,10 +172,10 @@ class Placement(Record):
     """The part of the character: ``face``, ``hands``, ``feet``, ``body`` or one of the
     configuration's; empty where a layer has none."""
     category: str = ""
-    """On the board, the heading under which it stands (``global``, ``hidden``, ``composite``,
+    """On the board, its heading (``global``, ``hidden``, ``composite``,
     ``requested``, ``crowded``); else empty."""
     reason: str = ""
-    """Why it stands on the board or shares an element; else empty."""
+    """Why it is on the board or shares an element; else empty."""
     pinned: tuple[Decision, ...] = ()
     """Decisions of a person that hold whenever the layout is made again."""
     pinned_position: tuple[float, float, float] = (0.0, 0.0, 0.0)
@@ -214,7 +214,7 @@ class Anchor(Record):
     normal: Floats
     """(3,) unit; the direction in which the element faces."""
     on_board: bool
-    """True when the element stands on the board and takes from the point its joint influences
+    """True when the element is on the board and takes from the point its joint influences
     only."""
 
     @property

@@ -10,7 +10,7 @@ from usdrigui.model.record import Flags, Floats, Indices, Record, Singles
 from usdrigui.model.rig import Findings
 
 _STANDS = 0.75
-"""A control of a joint stands where the joint owns this share of the most that it owns anywhere."""
+"""A control of a joint is where the joint owns this share of the most that it owns anywhere."""
 _OWN = 0.3
 """What a joint owns by this share of the most that it owns anywhere is its own skin."""
 
@@ -69,11 +69,11 @@ class Motion(Record):
 
     @property
     def peak(self) -> float:
-        """Largest arc length where the control may stand."""
+        """Largest arc length at the control's allowed places."""
         return float(self.arc_length[self.stands_on()].max(initial=0.0))
 
     def stands_on(self, among: Flags | None = None, share: float = _STANDS) -> Flags:
-        """(p,) the points where the control may stand: those that its joint owns most, by a
+        """(p,) the control's allowed places: those that its joint owns most, by a
         `share` of the most, or all.
 
         `among` (p,) are the points that count; none of them is of the joint where its skin is
@@ -134,7 +134,7 @@ class Shares(Record):
 
     owned: Floats | None = None
     """(p,) how much of each point the joint of the control owns, in [0, 1]; None where the control
-    stands where it moves most."""
+    is where it moves most."""
     common: Floats | None = None
     """(p,) how common the displacement of each point is, from 0 (its own) to 1 (other controls make
     all of it as well); None where that does not count."""

@@ -39,7 +39,7 @@ class SkelRoot(Record):
 
     path: str
     variant_path: str
-    """`path` with the variants in which the layout is to stand, ``/Char{LOD=low}``; empty
+    """`path` with the variants that are to hold the layout, ``/Char{LOD=low}``; empty
     without."""
     up: Floats
     """(3,) unit up direction in root space."""

@@ -239,7 +239,7 @@ def _of_variant(
 
 
 def _check_above(readings: Sequence[Reading]) -> None:
-    """Raise VARIANT_BELOW where a layout would stand whichever variant of a set is selected."""
+    """Raise VARIANT_BELOW where a layout would be composed for every variant of a set."""
     for name in readings[0].settings.rig.read.variants:
         rigs = [rig for each in readings for rig in each.source.rigs]
         if not any(name in asset_selections(rig.skel_root.variant_path) for rig in rigs):
@@ -479,14 +479,14 @@ def _part_row(laid: LaidPart) -> PartRow:
 
 
 def _added(existing: Layout | None, elements: tuple[Element, ...]) -> frozenset[str]:
-    """Names of the elements that do not stand in another layer."""
+    """Names of the elements that are not in another layer."""
     return frozenset(
         e.name for e in elements[len(existing.elements) if existing is not None else 0 :]
     )
 
 
 def _nothing_added(layout: Layout) -> Issue:
-    return issue("BASE_COMPLETE", layout.character.root, f"{len(layout.elements)} elements stand")
+    return issue("BASE_COMPLETE", layout.character.root, f"{len(layout.elements)} elements in it")
 
 
 def _source_row(source: SourceFile, asset: Path) -> SourceRow:

@@ -66,7 +66,7 @@ def check_target(asset: Path, target: Path) -> None:
 
 
 def check_replaceable(target: Path, opening: Opening, asset: Path | None = None) -> None:
-    """What stands at the target must be a layout layer of ours: nobody's own work is replaced by a
+    """A file at the target must be a layout layer of ours: no other work is replaced by a
     slip of the hand.
 
     An asset with its layout attached, a shot over one and a layer of corrections hold work that

@@ -8,7 +8,7 @@ has moved.
   negative and the positive end of one signed axis.  The *coordinate* of a single control goes from
   0 at its minimum to 1 at its maximum; that of an opposed pair from -1 through 0 to 1, and only one
   of its ends is away from its default.
-* The handle stands at its place in the base pose plus the sum of its axes' moves, each a polyline.
+* The handle is at its place in the base pose plus the sum of its axes' moves, each a polyline.
 * One or two axes: every two pieces of their polylines span a parallelogram.  The handle goes to the
   point nearest to where the pointer wants it, downhill from the parallelogram in which it is: a
   curved track does not jump from one branch to another, unless the other is nearer by far.

@@ -1,6 +1,6 @@
 """How the drawing of an element goes with its anchor, and where a handle slides on its tracks.
 
-These rules of the layer stand here once.  Needs numpy only: the Blender extension takes this file
+These rules of the layer are here once.  Needs numpy only: the Blender extension takes this file
 along as it is.
 
 Maps act on row vectors.
@@ -35,7 +35,7 @@ def slid(
     """(3,) places of a handle that slides on its tracks, one for each member: at the `base` values
     of the members, and `now`.
 
-    The vertices of `tracks` (k, 3) stand at `values` (k,), ascending.
+    The vertices of `tracks` (k, 3) are at `values` (k,), ascending.
     """
     homes = [along(at, track, value) for at, track, value in zip(values, tracks, base, strict=True)]
     moves = [

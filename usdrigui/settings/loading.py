@@ -23,7 +23,7 @@ from usdrigui.settings.table import current_name
 _EARLIER_VALUES = {"beside": "board"}
 """What values were called in configurations of before (`place`)."""
 _MOVED: dict[tuple[type, str], str] = {(PoseSettings, "label"): "controls"}
-"""The part in which an earlier setting of another part stands now."""
+"""The part that has an earlier setting of another part now."""
 
 
 class UnsoundSettingsError(RigUIError):

@@ -71,7 +71,7 @@ def attach(
     Raises RigUIError: ATTACH_PACKAGE (a usdz), ATTACH_LINK (a symbolic link), ATTACH_NOT_BARE,
     ATTACH_CYCLE, ATTACH_MISMATCH (of another character), ATTACH_OUTSIDE (a payload cannot bring
     it), LAYOUT_MISSING, SOURCE_HAS_LAYOUT, and all that reading and `usdrigui.usd.replacing` can
-    raise.  Then nothing has been written.  A layout that stands in a variant is attached whichever
+    raise.  Then nothing has been written.  A layout in a variant is attached whichever
     the asset selects.
     """
     _check_editable(asset, settings.rig.read.size_limit)
@@ -176,7 +176,7 @@ def _has_layout(path: Path, opening: Opening) -> bool:
 
 
 def _in_its_variant(layouts: Sequence[Layout], settings: Settings) -> Settings:
-    """The settings with the variants selected in which a layout stands: the asset may select
+    """The settings with the variants selected that hold a layout: the asset may select
     others."""
     chosen = {**asset_selections(layouts[0].character.variant_path), **settings.rig.read.variants}
     return with_sections(settings, read=replace(settings.rig.read, variants=chosen))

@@ -121,7 +121,7 @@ def repair(prim: Usd.Prim) -> None:
 
     Authors skel:blendShapes and skel:blendShapeTargets in the stage's edit target.
     """
-    # Of a name that stands twice UsdSkel takes the last.
+    # Of a name that is listed twice UsdSkel takes the last.
     kept = dict(zip(*pairs_of(prim), strict=True))
     kept = {
         token: target
@@ -223,7 +223,7 @@ def _animated(prim: Usd.Prim) -> list[str]:
         return []
     with contextlib.suppress(
         RigUIError
-    ):  # What is wrong with the animation stands with the animation.
+    ):  # Faults of the animation are recorded with the animation.
         return list(
             tokens(animation.GetBlendShapesAttr().Get(), str(animation.GetPath()), "blendShapes")
         )

@@ -1,7 +1,7 @@
 """Glyphs: curves and meshes that the configuration names to be drawn as handles.
 
 A glyph is drawn as its own stage shows it from above: the stage's up axis comes out of the face,
-its X axis points to the viewer's right.  Where it stands there and how large it is does not matter:
+its X axis points to the viewer's right.  Its place there and its size do not matter:
 it is centred and fitted into a sphere of radius 1.
 """
 

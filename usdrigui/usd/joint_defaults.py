@@ -47,7 +47,7 @@ class Turn:
     name: str
     """What follows the joint's name: ``rx``, ``bend``, ``twist``, ``curl``, ``spread``."""
     home: int
-    """The joint on whose skin the control stands."""
+    """The joint on whose skin the control is."""
     joints: tuple[int, ...]
     axes: Floats
     """(j, 3) unit axes of the turns, each in its joint's own frame."""

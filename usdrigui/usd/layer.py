@@ -177,7 +177,7 @@ def holds_layouts(roots: Sequence[str], path: Path) -> bool:
 
 
 def author_variant(layer: Sdf.Layer, root: str) -> Sdf.PrimSpec:
-    """The variant of a SkelRoot in which its layout stands: whoever selects the other one is not
+    """The variant of a SkelRoot that holds its layout: whoever selects the other one is not
     troubled by it.
 
     `root` may hold variants of the asset's own, inside which it then is; which of these is selected

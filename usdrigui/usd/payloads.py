@@ -33,7 +33,7 @@ _VARIANTS = """\
 {indent}        ) {{
 {indent}        }}
 {indent}    }}"""
-"""What stands first in its body."""
+"""The first lines of its body."""
 _TOKEN = re.compile(
     r"""#[^\n]*|'''(?:\\.|[^\\])*?'''|"{3}(?:\\.|[^\\])*?"{3}|"""
     r"""'(?:\\.|[^'\\\n])*'|"(?:\\.|[^"\\\n])*\""""
@@ -94,7 +94,7 @@ def check_reachable(layer: Path, opened: Sdf.Layer, variant_path: str, root: str
 
 
 def add(asset: Sdf.Layer, payloads: Sequence[PayloadOf]) -> None:
-    """Author the payloads, with the variants that they stand in, the first selected."""
+    """Author the payloads, with the variants that hold them, the first selected."""
     for each in payloads:
         prim = Sdf.CreatePrimInLayer(asset, each.root)
         prim.variantSelections[schema.VARIANTS] = schema.WITH

@@ -157,7 +157,7 @@ _DECIDED: Mapping[Decision, frozenset[str]] = {
         author.properties(schema.ELEMENT)[name].name for name in ("controls", "elementType")
     ),
 }
-"""Properties in which the decisions of a layout stand."""
+"""Properties that hold the decisions of a layout."""
 
 
 def placement(prim: Usd.Prim, part: str, category: str, reason: str) -> Placement:

@@ -121,8 +121,8 @@ def with_corrections(stage: Usd.Stage, layouts: tuple[Layout, ...]) -> tuple[Lay
 
 
 def layout_scopes(stage: Usd.Stage) -> Iterator[Usd.Prim]:
-    """The prims below which layouts stand, defined or not: a layout is there even when its source
-    is not."""
+    """The prims that have layouts below them, defined or not: a layout is there even when its
+    source is not."""
     return (prim for prim in _scopes(stage) if prim.IsActive())
 
 
@@ -150,7 +150,7 @@ def element_prims(scope: Usd.Prim) -> tuple[Usd.Prim, ...]:
 
 
 def layout_paths(layer: Sdf.Layer) -> tuple[Sdf.Path, ...]:
-    """The scopes of the layouts that a layer itself has, with the variants in which they stand."""
+    """The scopes of the layouts that a layer itself has, with the variants that hold them."""
     found: list[Sdf.Path] = []
 
     def visit(path: Sdf.Path) -> None:

@@ -144,7 +144,7 @@ class LayerResult(Record):
     ours: bool
     """Whether it is a layout layer that we wrote, not one that brings such a layer in."""
     variants: tuple[Mapping[str, str], ...] = ()
-    """The asset's variants in which its own layouts stand: a selection for each of them; empty
+    """The asset's variants that hold its own layouts: a selection for each of them; empty
     where none names any."""
 
 

@@ -61,7 +61,7 @@ def replace_source(
     """Let `content` take the place of `asset`, which must still hold `original`, the content of
     `before`.
 
-    At every moment one of the two, or a save that came meanwhile, stands there complete.  Owner,
+    At every moment one of the two, or a save that came meanwhile, is there complete.  Owner,
     group, mode, access list and other attributes are kept.  Raises SOURCE_CHANGED, ATTACH_BUSY (a
     program has the file open for writing), ATTACH_HARD_LINK, ATTACH_ATTRIBUTES and the FILE_ codes;
     then the asset is as it was, or as somebody saved it.

@@ -225,7 +225,7 @@ class _Reading:
 
 @dataclass(frozen=True)
 class _Scene:
-    """What stands under one SkelRoot, before anything is called a control."""
+    """The content of one SkelRoot, before anything is called a control."""
 
     armatures: tuple[Armature, ...]
     joints: tuple[Joint, ...]

@@ -1,4 +1,4 @@
-"""The layer of a shot: what it adds to a layout that stands in another layer, and nothing of that
+"""The layer of a shot: what it adds to a layout in another layer, and nothing of that
 one.
 
 The new elements are children of the same Scope.  Where a shape of the shot moves the anchor of an

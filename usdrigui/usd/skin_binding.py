@@ -1,7 +1,7 @@
 """What carries an element: where its anchor rests, and which shapes and joints move its drawn
 parts.
 
-Everything drawn stands in the *bind pose*: the space of the SkelRoot with the skeleton in its bind
+Everything drawn is in the *bind pose*: the space of the SkelRoot with the skeleton in its bind
 pose and no shape applied.  There the skin of a point is its mesh's, and the space is the same for
 every mesh.  numpy only.
 """

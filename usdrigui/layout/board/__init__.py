@@ -1,1 +1,1 @@
-"""The board: elements that do not stand on the face, in a tidy grid."""
+"""The board: elements off the face, in a tidy grid."""

@@ -1,7 +1,7 @@
-"""The board: a tidy grid beside the face for elements that do not stand on it (paper section 3.3,
+"""The board: a tidy grid beside the face for elements off the face (paper section 3.3,
 global deformations).
 
-It stands in the plane of the layout's own view, to the right of the silhouette at its own height,
+It lies in the plane of the layout's own view, to the right of the silhouette at its own height,
 in columns no taller than the face; rows are grouped by category.  It is attached to the most
 head-like joint, so that it follows the head and nothing else.
 """
@@ -257,7 +257,7 @@ def _directions(group: Group, frame: Floats) -> list[Floats]:
 
 
 def _member(face: Face, control: int, place: Floats, length: float, direction: Floats) -> Member:
-    """A straight track through `place`, where the control stands at its base value; to one side
+    """A straight track through `place`, where the handle is at the base value; to one side
     only where the control goes to one side only."""
     ours = face.rig.controls[control]
     values = np.unique([ours.minimum, ours.default, ours.maximum])

@@ -1,4 +1,4 @@
-"""Where the board stands: beside the silhouette, and carried by the joint that holds most of the
+"""Where the board is: beside the silhouette, and carried by the joint that holds most of the
 face."""
 
 from __future__ import annotations

@@ -82,8 +82,8 @@ def choose_basis(
         (i, Explanation(np.array([j]), np.ones(1), 1.0))
         for i, j in (*pairs, *_parallel(cosine, costs))
     ]
-    # What stands in any case explains first: beside it an atom that explains dear ones may not be
-    # needed.
+    # Controls that are on the face in any case explain first: beside them an atom that explains
+    # dear ones may not be needed.
     known += _explained(costs, costs < 0.0, cosine)
     # Ties are broken by order, by less than any difference of costs that is meant.
     ranked = costs + 1e-7 * np.arange(len(costs))

@@ -1,4 +1,4 @@
-"""Which controls do not stand on the face, and why (paper sections 3.3 and 4.2)."""
+"""Which controls are off the face, and why (paper sections 3.3 and 4.2)."""
 
 from __future__ import annotations
 
@@ -40,10 +40,10 @@ _FELT = 0.25
 
 @dataclass(frozen=True)
 class Classification:
-    """Whether a control stands on the face, and if not, in which category it falls and why."""
+    """Whether a control is on the face, and if not, in which category it falls and why."""
 
     category: Category = ""
-    """Empty for a control that is to stand on the face."""
+    """Empty for a control of the face."""
     off_face_reason: str = ""
     coverage: float = 0.0
     """Share of the visible face that it moves notably."""
@@ -66,7 +66,7 @@ class _Evidence:
     kept: float
     """Largest share of its true peak at a visible place."""
     essential: bool
-    """Whether it stands on the face even if its peak is hidden."""
+    """Whether it is on the face even if its peak is hidden."""
     composite: Composite | None
 
 
@@ -141,12 +141,12 @@ def classify(
 def _category(
     evidence: _Evidence, control: int, requests: Requests, settings: CandidateSettings
 ) -> tuple[Category, str]:
-    """Category and reason, both empty for a control that is to stand on the face; that of a
+    """Category and reason, both empty for a control of the face; that of a
     composite is left open."""
     override = requests.overrides[control]
     if override.place in ("face", "proxy") or override.anchor:
         return "", ""
-    # A control that stands on the face already is not sent away because another one was added.
+    # A control that is on the face already is not sent away because another one was added.
     composite = (
         evidence.composite
         if settings.board_composite and not requests.prior.stood_on_face((control,))
@@ -205,7 +205,7 @@ def _kept(motions: tuple[Motion, ...], symmetry: Symmetry, visible: Flags) -> Fl
 
 def _essential(meaning: Meaning | None, seen: float, typical_length: float) -> bool:
     """Whether the name is that of an atom without which no face is animated, of one whose visible
-    displacement, of length `seen`, can be felt, or of a family, which stands together."""
+    displacement, of length `seen`, can be felt, or of a family, which stays together."""
     if meaning is None or meaning.action.category not in ("atom", "viseme", "emotion"):
         return False
     return meaning.action.is_needed or seen >= _FELT * typical_length

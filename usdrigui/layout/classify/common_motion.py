@@ -32,7 +32,7 @@ anything."""
 _HALF = 0.5
 """Share up to which a motion is the control's own."""
 _NOTABLE = 0.5
-"""Share of its visible peak that a control keeps where it may stand."""
+"""Share of its visible peak that a control keeps at its allowed places."""
 _DIGITS = 6
 """Decimals of a share: rounding of sums must not decide between places."""
 
@@ -42,7 +42,7 @@ def with_common_motion(
 ) -> Trajectories:
     """The trajectories whose motions know how common they are.
 
-    `on_face` (motions,) are the controls that are to stand on the face: only they are placed, and
+    `on_face` (motions,) are the controls of the face: only they are placed, and
     only they are others; `visible` (n,) are the points that some view sees.  A control whose joint
     owns skin stands there; it is left out.
     """
@@ -63,7 +63,7 @@ def with_common_motion(
 
 def _beyond_the_best(share: Floats, length: Floats, visible: Flags) -> Floats:
     """(p,) by how much each share is above a half, and above that of the most distinctive of the
-    places where the control may stand; 1 where all is common."""
+    the control's allowed places; 1 where all is common."""
     seen = length * (visible if visible.any() else 1.0)
     own = np.where(seen >= _NOTABLE * seen.max(initial=0.0), seen * (1.0 - share), -1.0)
     least = max(float(share[first_largest(own)]), _HALF)

@@ -6,7 +6,7 @@ atoms is decided for all at once (`basis`), at costs for what a rigger would kee
 
 * a control with the name of an atomic action, and most of all one without which no face can be
   animated, is one;
-* a copy for both sides of two that stand there, a step of another (``smile_50``) and what a family
+* a copy for both sides of two that are there, a step of another (``smile_50``) and what a family
   is made of are not if others explain them;
 * of controls whose names mean nothing, local ones with a twin are rather atoms than wide ones
   without.
@@ -70,7 +70,7 @@ _FAR_PAIRS = 2
 
 @dataclass(frozen=True)
 class Composite:
-    """Why a control stands off the face beside others that do the same."""
+    """Why a control is off the face, for others that have the same motion."""
 
     category: Category
     kind: Literal["repetition", "mixture", "spread", "family"]
@@ -103,7 +103,7 @@ def composites(
     coverage: Floats,
     meanings: Sequence[Meaning | None],
 ) -> dict[int, Composite]:
-    """The motions that repeat others, or stand with their family off the face; both twins of a pair
+    """The motions that repeat others, or are with their family off the face; both twins of a pair
     or neither.
 
     `coverage` (motions,) is the share of the face that each moves, `meanings` (controls,) what the

@@ -3,9 +3,9 @@ paper).
 
 Visemes, emotions, moods of one part of the face and numbered series are used as a set: half of them
 on the lips and half on the board is worth less than either.  A family leaves the face as a whole
-where the other controls make most of what it does, and stands on the face as a whole where they do
+where the other controls make most of its motion, and is on the face as a whole where they do
 not (a cartoon's five vowels are its only mouth controls). Moods of the whole face are made by those
-of its parts, where a rig has both. Shapes of other people's heads, tongues and teeth never stand on
+of its parts, where a rig has both. Shapes of other people's heads, tongues and teeth are never on
 the skin.
 """
 
@@ -34,8 +34,8 @@ sculpts."""
 _WHOLE_FACE = "emotion"
 """Action of moods of the whole face."""
 _WORDS = {
-    "viseme": "visemes stand together",
-    "emotion": "emotions stand together",
+    "viseme": "visemes are grouped on the board",
+    "emotion": "emotions are grouped on the board",
     "identity": "changes the identity of the character, not its expression",
     "interior": "moves the inside of the mouth",
     "combination": "corrects a combination of other controls",
@@ -44,14 +44,14 @@ _WORDS = {
 
 @dataclass(frozen=True, slots=True)
 class Family:
-    """Controls that stand together."""
+    """Controls that stay together."""
 
     kind: FamilyKind
     members: tuple[int, ...]
     """Motions."""
     on_face: bool
     reason: str
-    """Why it stands off the face; empty if it does not."""
+    """Why it is off the face; empty if it is not."""
 
 
 def find_families(

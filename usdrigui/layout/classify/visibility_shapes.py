@@ -2,7 +2,7 @@
 inside.
 
 Rigs without visibility switches hide hair, jewellery or blush that way.  They give the largest
-displacements of all and mean none of them, so they do not stand on the face.
+displacements of all and mean none of them, so they are not on the face.
 """
 
 from __future__ import annotations

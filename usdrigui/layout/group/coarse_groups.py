@@ -2,7 +2,7 @@
 together.
 
 A coarse group is shown first, and its members in its place when it is opened (`usdrigui.levels`).
-A level configured for one side of the character holds for the other, since a group stands for both.
+A level configured for one side of the character holds for the other, since a group represents both.
 """
 
 from __future__ import annotations

@@ -34,7 +34,7 @@ TWINS_OPPOSED = -0.4
 _SAME_REGION = 0.5
 """Least overlap of the regions of a pair of the convention."""
 _HELD = CandidateSettings().least_kept
-"""Share of both peaks that one visible place must keep: what any control keeps where it stands."""
+"""Share of both peaks that one visible place must keep: what any control keeps at its place."""
 _LIKE_AMOUNT = 0.25
 """Least amount of one end in shares of the other's, where no convention pairs them."""
 

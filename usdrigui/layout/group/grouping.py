@@ -102,7 +102,7 @@ def check_groups(groups: Mapping[str, Sequence[str]], known: Collection[str]) ->
                     what = f"no control is called {member!r}{meant(member, known)}"
                     raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
                 if member in taken:
-                    what = f"{member} stands twice: a control can be in one group only"
+                    what = f"{member} is listed twice: a control can be in one group only"
                     raise refuse("CONFIG_VALUE", where, what)
                 taken.add(member)
     faults.raise_all()
@@ -137,7 +137,7 @@ def share_a_place(
     mirror: SymmetrySettings,
     names: Sequence[str],
 ) -> bool:
-    """Whether controls could be one element: all are to stand on the face, and some point suits
+    """Whether controls could be one element: all are controls of the face, and some point suits
     them all."""
     grouping = _Grouping(face, candidates, similarity, requests, settings, mirror)
     motions = [i for i in grouping.sets if grouping.names[i] in names]
@@ -501,7 +501,7 @@ class _Grouping:
     # --- symmetry ---------------------------------------------------------------------------------
 
     def _image(self, motions: Sequence[int]) -> tuple[int, ...]:
-        """The twins, in the same order; a control without twin stands for itself."""
+        """The twins, in the same order; a control without twin is its own."""
         return tuple(self.twin[i] if self.twin[i] >= 0 else i for i in motions)
 
     def _with_image(self, motions: tuple[int, ...]) -> list[tuple[int, ...]]:
@@ -589,7 +589,7 @@ class _Grouping:
         )
 
     def _reason(self, merged: _Merged) -> str:
-        """Why its controls stand off the face and share an element, or do not."""
+        """Why its controls are off the face, and why they share an element, where they do."""
         off_face = self.sets[merged.motions[0]].off_face_reason
         return "; ".join(each for each in (off_face, merged.reason) if each)
 

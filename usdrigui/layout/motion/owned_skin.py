@@ -1,7 +1,7 @@
-"""The skin that a joint owns: where the control of a joint stands.
+"""The skin that a joint owns: the places of the joint's control.
 
 The displacement of a joint grows with the distance from it, so its largest displacement lies at the
-end of the chain.  The control stands instead where the joint has the most weight, between the joint
+end of the chain.  The control is instead where the joint has the most weight, between the joint
 and the next one.
 """
 
@@ -17,7 +17,7 @@ from usdrigui.joint_tree import Hanging
 from usdrigui.model import Body, Control, Flags, Floats, Joint, Skeleton
 
 _SPAN = (0.2, 0.7)
-"""Share of the way from a joint to the next one between which its control stands."""
+"""Share of the way from a joint to the next one between which its control is."""
 _BEYOND = 0.5
 """Factor on the weight of skin beyond that."""
 _FIRM = 0.5

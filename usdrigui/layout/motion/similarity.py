@@ -12,7 +12,7 @@ from usdrigui.model import Floats, Indices, Motion, Record, Singles, Trajectorie
 from usdrigui.ties import rounded
 
 _ENTRIES = 12_000_000
-"""Entries (controls times places) held at most: 150 MB; beyond, the places that move most stand for
+"""Entries (controls times places) held at most: 150 MB; beyond, the places that move most represent
 all."""
 _DENSE = 0.25
 """Share of entries that are not zero from which rows are multiplied as dense ones."""

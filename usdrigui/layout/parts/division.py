@@ -111,7 +111,7 @@ def _named(names: Mapping[int, str], name: str) -> frozenset[int]:
 
 
 def main_part(parts: Iterable[str]) -> str:
-    """The name of the part that stands for the character: its face, else its body."""
+    """The name of the character's main part: its face, else its body."""
     known = sorted(set(parts), key=_rank)
     return next((name for name in (FACE, BODY) if name in known), known[0])
 
@@ -196,7 +196,7 @@ class _Names:
         most = self.known[first_largest(masses)]
         prop = most == PROPS and float(masses.max()) >= _MOST * total
         if prop and self._all_props(motion):
-            # It hides or carries them: among controls of props alone it would stand nowhere.
+            # It hides or carries them: among controls of props alone it would have no place.
             prop, most = False, BODY if BODY in self.known else main_part(self.known)
         near = (
             not prop

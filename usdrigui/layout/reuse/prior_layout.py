@@ -1,8 +1,8 @@
 """An earlier layout that the new one should be like: what was where, and what it costs to leave it.
 
-It is a soft request.  Its groups stand where they still can, and every other place than the earlier
-one costs a penalty, so that a control moves when that improves the cost by more than the penalty
-and stays otherwise.
+It is a soft request.  Its groups are kept where they still can be, and every other place than the
+earlier one costs a penalty, so that a control moves when that improves the cost by more than the
+penalty and stays otherwise.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class KeptGroup:
 
 @dataclass(frozen=True, eq=False)
 class Place(Record):
-    """Where a control stood."""
+    """The earlier place of a control."""
 
     point: int
     """The same point of today's rig, or -1 where the mesh has other points by now."""
@@ -123,7 +123,7 @@ def leaving_penalties(
     """(R,) what each candidate of one copy of an element costs because it is not the earlier place.
 
     Parameters: `anchors` (R,) points; `base` (n, 3) positions; `width` of a handle.  An element
-    that stood on the board pays the whole penalty for every place on the face.
+    that was on the board pays the whole penalty for every place on the face.
     """
     cost = np.zeros(len(anchors))
     for control in controls:

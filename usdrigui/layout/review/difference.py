@@ -97,7 +97,7 @@ def difference(
 ) -> Difference:
     """Compare two layouts of one character.
 
-    `improvements` is what each element of `after` saves by not standing where it was, in the units
+    `improvements` is what each element of `after` saves by its move, in the units
     of the objective, as far as known; `matching` maps the controls of the one to those of the
     other, and is worked out from the layouts where it is not given.  The places of elements on the
     board are not compared.
@@ -318,10 +318,10 @@ def _crowd(
 def cost_savings(
     face: Face, requests: Requests, placement: PlacementProblem, labels: Indices
 ) -> dict[str, float]:
-    """By element: cost at its earlier place less cost where it is, all others standing where they
-    stand now.
+    """By element: cost at its earlier place less cost where it is, all others being where they
+    are now.
 
-    Elements that stay, that had no place on the face, or that can no longer stand there are left
+    Elements that stay, that had no place on the face, or that can no longer be there are left
     out.
     """
     found: dict[str, float] = {}

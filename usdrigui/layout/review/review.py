@@ -66,9 +66,9 @@ class ElementReview:
     """Between the two handles, in handle widths; inf when it is alone."""
     improvement: float
     """What moving it to its best place would save, all others staying; a pair moves as one.  0 when
-    it stands there."""
+    it is there."""
     better: str
-    """That place as ``MESH_PATH#POINT``, ready for a configuration; empty when it stands there."""
+    """That place as ``MESH_PATH#POINT``, ready for a configuration; empty when it is there."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +78,7 @@ class Review:
     issues: tuple[Issue, ...]
     elements: tuple[ElementReview, ...]
     cost: float
-    """Objective of the elements on the face as they stand; inf if two handles are too near."""
+    """Objective of the elements on the face at their places; inf if two handles are too near."""
 
 
 def review(
@@ -379,7 +379,7 @@ def _mates(
     choices: tuple[Choice, ...],
     labels: Indices,
 ) -> list[int]:
-    """For every element the other one of its pair, where the two stand as mirror images; else
+    """For every element the other one of its pair, where the two are mirror images; else
     -1."""
     mirror = {element.name: element.manipulator.mirror for element in elements}
     index = {variable.name: i for i, variable in enumerate(problem.variables)}

@@ -11,7 +11,7 @@ from usdrigui.settings import ObjectiveSettings, Settings
 
 
 def shortfalls(face: Face, elements: tuple[Element, ...], asked: Settings) -> tuple[Issue, ...]:
-    """PLACE_KEEPS_LITTLE where a control stands where it was asked to and hardly moves there,
+    """PLACE_KEEPS_LITTLE where a control is where it was asked to be and hardly moves there,
     HANDLES_NARROWER where handles that were asked to be wider than usual are not."""
     return (
         *_still_places(face, elements, asked),

@@ -2,7 +2,7 @@
 deformations).
 
 The paper holds the element of a symmetric control to the mirror plane.  A puff of both cheeks
-hardly moves the plane: there its handle would stand on the lips.  Such a control gets a handle on
+hardly moves the plane: there its handle would be on the lips.  Such a control gets a handle on
 each lobe; both set the same value.
 """
 
@@ -49,7 +49,7 @@ def two_lobed(
 
     `visible` (n,) are the points that some view sees, `both_sides` is whether the conventions of
     the field expect the control on both sides; None where they do not know it.  The control of a
-    joint stands on the skin that its joint owns, once.
+    joint is on the skin that its joint owns, once.
     """
     if motion.shares.owned is not None:
         return False

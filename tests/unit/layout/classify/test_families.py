@@ -29,7 +29,7 @@ def visemes():
 def test_visemes_leave_the_face_together_where_others_make_them():
     found = categories(SHAPES | visemes())
     assert {found[name].category for name in visemes()} == {"viseme"}
-    assert all("visemes stand together" in found[name].off_face_reason for name in visemes())
+    assert all("visemes are grouped on the board" in found[name].off_face_reason for name in visemes())
     assert all(not found[name].category for name in SHAPES)
 
 

@@ -67,3 +67,13 @@ def test_a_point_within_a_thousandth_of_the_face_from_the_plane_is_in_the_middle
     assert elements._side(face, 0) == side
     face.symmetry.plane.normal = np.zeros(3)
     assert elements._side(face, 0) == "none"
+
+
+def test_an_element_faces_along_the_normal_of_its_point_or_where_it_has_none_along_the_view():
+    normals = np.array([[1.0, 0.0, 0.0], [0.6, 0.8, 0.0], [0.0, 0.0, 0.0]])
+    face = SimpleNamespace(
+        trajectories=SimpleNamespace(surface=SimpleNamespace(normals=normals)),
+        views=SimpleNamespace(directions=np.array([[0.0, 0.0, 1.0]])),
+    )
+    faced = np.array([elements._normal(face, point) for point in range(3)])
+    assert np.array_equal(faced, [[1.0, 0.0, 0.0], [0.6, 0.8, 0.0], [0.0, 0.0, 1.0]])
