@@ -83,7 +83,7 @@ def _slider(rig, number, j, at, points, normals, point, offsets) -> Element:
         where.path,
         local,
         len(where.points),
-        where.topology_hash,
+        where.topology.hash,
         points[point],
         normals[point],
         False,

@@ -120,7 +120,7 @@ def _on_face(rig, base, name, kind, controls, opposed, mesh, local, side, mirror
         where.path,
         local,
         len(where.points),
-        where.topology_hash,
+        where.topology.hash,
         base.points[point],
         toward / np.linalg.norm(toward),
         False,
@@ -138,7 +138,7 @@ def _on_face(rig, base, name, kind, controls, opposed, mesh, local, side, mirror
 
 def _joystick(rig):
     where, place = rig.body.meshes[0], np.array([10.0, 10.0, -0.66])
-    anchor = Anchor(where.path, 0, len(where.points), where.topology_hash, place, np.array([0.0, 0.0, 1.0]), True)
+    anchor = Anchor(where.path, 0, len(where.points), where.topology.hash, place, np.array([0.0, 0.0, 1.0]), True)
     members = []
     for name, axis in (("Head:ry", (1.0, 0.0, 0.0)), ("Head:rx", (0.0, -1.0, 0.0))):
         control = next(each for each in rig.controls if each.name == name)
