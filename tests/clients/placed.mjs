@@ -1,5 +1,5 @@
 // Where the viewer has points and elements, without a browser: JSON of cases on standard input, [{scene, times, poses}];
-// out come, per case, handle and tracks of each element at each time, and the same with all points at each pose.
+// out come, per case, all values with handle and tracks of each element at each time, and the same with all points at each pose.
 
 import { text } from 'node:stream/consumers';
 
@@ -14,7 +14,7 @@ for (const { scene, times = [], poses = [] } of JSON.parse(await text(process.st
   const session = new Session(characters[0]);
   const frames = times.map((time) => {
     session.go(time);
-    return placed(session);
+    return { values: Array.from(session.values), elements: placed(session) };
   });
   const posed = poses.map((values) => {
     session.values.set(values);

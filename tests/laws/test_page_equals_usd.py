@@ -11,6 +11,7 @@ import functools
 import json
 import shutil
 import subprocess
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -25,6 +26,7 @@ from usdrigui.levels import states
 from usdrigui.settings import OutputSettings, Settings
 from usdrigui.usd.layer import layer_for, stage_metadata
 from usdrigui.usd.rig import read_rigs
+from usdrigui.view.clip import clip_values
 from usdrigui.view.scene import pack
 
 pytestmark = pytest.mark.usefixtures("every_point_drawn")
@@ -103,7 +105,7 @@ def test_the_page_has_handles_and_tracks_where_usd_has_them(cases, pages, tmp_pa
     diagonal = float(np.linalg.norm(np.ptp(laid_out.posed(rig).points, axis=0)))
     travels = np.zeros(len(layout.elements))
     for time, placed in zip(rig.skel_root.clip.times.tolist(), pages[name], strict=True):
-        for i, (element, page) in enumerate(zip(layout.elements, placed, strict=True)):
+        for i, (element, page) in enumerate(zip(layout.elements, placed["elements"], strict=True)):
             for ours, theirs in zip(
                 page["tracks"], laid_out.tracks(stage, rig.skel_root.path, element, time), strict=True
             ):
@@ -128,6 +130,16 @@ def attached(folder, rig, layout, source):
     stage = Usd.Stage.Open(str(folder / "layout.usda"))
     assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.skel_root.path)))
     return stage
+
+
+def test_a_page_reads_the_values_of_a_clip_as_a_film_does(cases):
+    rig, layout, _ = cases["joints and the skin"]
+    away = replace(rig, body=replace(rig.body, base_weights=rig.body.base_weights + 0.2))
+    scene = base64.b64encode(pack([(away, layout)], "law")).decode()
+    (found,) = placed_by_the_page([{"scene": scene, "times": rig.skel_root.clip.times.tolist()}])
+    values = np.array([frame["values"] for frame in found["frames"]])
+    assert values == pytest.approx(clip_values(away), abs=1e-5)
+    assert (np.ptp(values, axis=0) > 0.1).sum() > 10
 
 
 OPENING = """

@@ -3,10 +3,12 @@ motion."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from usdrigui.errors import refuse
-from usdrigui.model import Clip, Control, Floats, Joint, Rig
+from usdrigui.model import Body, Clip, Control, Floats, Record, Rig
 from usdrigui.rotation import rotation_part, rotation_vectors
 
 
@@ -27,23 +29,47 @@ def clip_values(rig: Rig, count: int = 0) -> Floats:
         if count <= 0
         else np.unique(np.linspace(0, last, count).round().astype(int))
     )
-    values = np.stack([_values(rig.body.joints, clip, control) for control in rig.controls], axis=1)
+    values = np.stack([_values(rig.body, clip, control) for control in rig.controls], axis=1)
     return np.asarray(values[steps], dtype=np.float64)
 
 
-def _values(joints: tuple[Joint, ...], clip: Clip, control: Control) -> Floats:
-    """(f,) values of one control over the clip."""
+@dataclass(frozen=True, eq=False)
+class Reading(Record):
+    """Where the value of a control is read in a clip, for films and for pages: in the weight of the
+    first of `rises`, else in the rotation of a joint."""
+
+    rises: tuple[tuple[int, float], ...]
+    """Channels, and what the weight of each gains per unit of the control."""
+    joint: int
+    """Index into `Body.joints`, or -1."""
+    turn: Floats
+    """(3,) rotation vector per unit of the control."""
+
+
+def reading(control: Control) -> Reading | None:
+    """Where a control is read; None for one that a clip does not determine."""
     drive = control.drive
     per_unit = 1.0 / float(drive.values[-1] - drive.values[0])
-    if control.kind == "blendShape" and len(drive.channels):
-        rise = float(drive.weights[-1, 0] - drive.weights[0, 0]) * per_unit
-        if rise:
-            return np.asarray(clip.weights[:, drive.channels[0]] / rise)
+    rises = (drive.weights[-1] - drive.weights[0]) * per_unit
+    if control.kind == "blendShape" and len(rises) and rises[0]:
+        pairs = zip(drive.channels.tolist(), rises.tolist(), strict=True)
+        return Reading(tuple(pairs), -1, np.zeros(3))
     if control.kind == "joint" and len(drive.joints) == 1:
         turn = (drive.rotations[-1, 0] - drive.rotations[0, 0]) * per_unit
-        if turn.any():
-            joint = int(drive.joints[0])
-            frame = rotation_part(joints[joint].base)
-            turned = rotation_vectors(rotation_part(clip.locals[:, joint]) @ frame.T)
-            return np.asarray(control.default + turned @ turn / (turn @ turn))
-    return np.full(len(clip.times), control.default)
+        return Reading((), int(drive.joints[0]), turn) if turn.any() else None
+    return None
+
+
+def _values(body: Body, clip: Clip, control: Control) -> Floats:
+    """(f,) values of one control over the clip."""
+    found = reading(control)
+    if found is None:
+        return np.full(len(clip.times), control.default)
+    if found.rises:
+        channel, rise = found.rises[0]
+        away = (clip.weights[:, channel] - body.base_weights[channel]) / rise
+    else:
+        frame = rotation_part(body.joints[found.joint].base)
+        turned = rotation_vectors(rotation_part(clip.locals[:, found.joint]) @ frame.T)
+        away = turned @ found.turn / (found.turn @ found.turn)
+    return np.asarray(control.default + away)

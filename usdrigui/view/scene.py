@@ -42,6 +42,7 @@ from usdrigui.palette import SIDES
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.skinning import carrying_joint
 from usdrigui.surface import triangles
+from usdrigui.view.clip import Reading, reading
 from usdrigui.view.complexion import complexion
 from usdrigui.view.headings import heading
 from usdrigui.view.sections import main_layout, sections
@@ -249,7 +250,17 @@ def _control(control: Control) -> Json:
         "default": control.default,
         "maximum": control.maximum,
         "drive": _drive(control.drive),
+        "reading": _reading(reading(control)),
     }
+
+
+def _reading(found: Reading | None) -> Json | None:
+    """Where a clip has the value of a control."""
+    if found is None:
+        return None
+    if found.rises:
+        return {"rises": [list(each) for each in found.rises]}
+    return {"joint": found.joint, "turn": _list(found.turn)}
 
 
 def _drive(drive: Drive) -> Json:

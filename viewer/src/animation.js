@@ -22,13 +22,13 @@ export class Animation {
     this.first = Math.floor(times[0]);
     this.last = Math.max(this.first + 1, Math.ceil(times.at(-1)));
     this.span = null; // first and last frame as set by hand, where no clip says them
-    this.readings = this.controls.map((control) => this.clip && (channelReading(control) ?? jointReading(control)));
+    this.readings = this.controls.map(({ reading }) => this.clip && reading); // where the clip has their values
     this.moving = this.readings.map((reading) => reading !== null && this.isMoved(reading));
     this.known = new Map();
   }
 
   /** Whether the clip changes what a control is read from. */
-  isMoved({ channel, joint }) {
+  isMoved({ rises, joint }) {
     const { weights, locals, times } = this.clip;
     const changes = (array, width, from, count) => {
       for (let i = from; i < from + count; i++) {
@@ -36,7 +36,7 @@ export class Animation {
       }
       return false;
     };
-    if (channel !== undefined) return changes(weights, this.character.channels.length, channel, 1);
+    if (rises) return changes(weights, this.character.channels.length, rises[0][0], 1);
     return changes(locals, 16 * this.character.joints.length, 16 * joint, 11);
   }
 
@@ -105,8 +105,8 @@ export class Animation {
     const values = Float64Array.from(this.controls, (control, index) => {
       const reading = this.readings[index];
       if (!reading) return control.default;
-      const away = reading.joint === undefined ? this.awayOfWeight(reading, weights) : this.awayOfJoint(reading, locals);
-      if (reading.joint !== undefined) {
+      const away = reading.rises ? this.awayOfWeight(reading, weights) : this.awayOfJoint(reading, locals);
+      if (!reading.rises) {
         const turned = turns.get(reading.joint) ?? [0, 0, 0];
         turns.set(reading.joint, turned.map((value, axis) => value + away * reading.turn[axis]));
       }
@@ -120,11 +120,11 @@ export class Animation {
     return { values, weights, locals };
   }
 
-  awayOfWeight({ channel, rises }, weights) {
-    return (weights[channel] - this.character.baseWeights[channel]) / rises[0][1];
+  awayOfWeight({ rises: [[channel, rise]] }, weights) {
+    return (weights[channel] - this.character.baseWeights[channel]) / rise;
   }
 
-  /** The component along the control's own turn of the rotation from the rig's base, as usdrigui/view/clip.py. */
+  /** The component along the control's own turn of the rotation from the rig's base. */
   awayOfJoint({ joint, turn }, locals) {
     const rotation = (local) => matrix.polar(local).rotation;
     const base = rotation(this.character.base.subarray(16 * joint, 16 * joint + 16));
@@ -177,22 +177,6 @@ export function keyedValue(track, time, clip) {
   const away = Math.abs(time - edge);
   if (!clip || away === 0) return value;
   return away >= 1 ? clip(time) : mixed(value, clip(edge + Math.sign(time - edge)), away);
-}
-
-/** How a blend-shape control is read from a weight: the first channel, and what each gains per unit. */
-function channelReading({ kind, drive }) {
-  if (kind !== 'blendShape' || !drive.channels.length) return null;
-  const range = drive.values.at(-1) - drive.values[0];
-  const rises = drive.channels.map((channel, i) => [channel, (drive.weights.at(-1)[i] - drive.weights[0][i]) / range]);
-  return rises[0][1] ? { channel: drive.channels[0], rises } : null;
-}
-
-/** How a joint's control is read from its rotation: the rotation vector per unit. */
-function jointReading({ kind, drive }) {
-  if (kind !== 'joint' || drive.joints.length !== 1) return null;
-  const range = drive.values.at(-1) - drive.values[0];
-  const turn = [0, 1, 2].map((axis) => (drive.rotations.at(-1)[0][axis] - drive.rotations[0][0][axis]) / range);
-  return dot(turn, turn) ? { joint: drive.joints[0], turn } : null;
 }
 
 /** Take a turn out of a local transform S R, so that turning by it gives the transform again. */
