@@ -40,6 +40,7 @@ from usdrigui.model import (
 )
 from usdrigui.palette import SIDES
 from usdrigui.pose.evaluate import evaluate, prepare
+from usdrigui.settings import OutputSettings
 from usdrigui.skinning import carrying_joint
 from usdrigui.surface import triangles
 from usdrigui.view.clip import Reading, reading
@@ -299,6 +300,7 @@ def _layout(rig: Rig, layout: Layout) -> Json:
         "planeOrigin": _list(layout.frame.plane.origin),
         "planeNormal": _list(layout.frame.plane.normal),
         "baseValues": _list(layout.character.base_values),
+        "leastTrack": OutputSettings().min_track,
         "colours": {side: f"#{bytes(colour).hex()}" for side, colour in SIDES.items()},
         "elements": _elements(rig, meshes, controls, layout),
         "sections": _sections(rig, layout),

@@ -3,7 +3,6 @@
 
 import { minus } from './camera.js';
 
-const LEAST_TRACK = 1.5; // handle widths: shorter tracks are drawn enlarged
 const LEAST_HEAT = 3; // of 255: what a control must move a point at which its element may stand
 
 export class Rearranging {
@@ -57,7 +56,7 @@ export class Rearranging {
 
   anchor(element, point) {
     const [mesh, local] = this.session.meshOf(point);
-    this.session.elements.reanchor(element, mesh, local, LEAST_TRACK);
+    this.session.elements.reanchor(element, mesh, local, this.session.character.layout.leastTrack);
     const path = this.session.character.meshes[mesh].path;
     this.moved.set(element.index, { anchor: `${path}#${local}` });
   }
