@@ -26,6 +26,7 @@ from skel_stages import (
 from usdrigui.deform import channel_state, deform
 from usdrigui.errors import RigUIError
 from usdrigui.model import Channel
+from usdrigui.rotation import rotations
 from usdrigui.settings import ControlSettings, JointSettings, Settings, load
 from usdrigui.usd import controls as drafts
 from usdrigui.usd import ranges
@@ -475,6 +476,24 @@ def test_a_pose_of_weights(tmp_path):
     rig = read(head(tmp_path / "char.usda"), config)
     assert (controls(rig)["smirk"].kind, controls(rig)["smirk"].label) == ("pose", "Smirk")
     assert channel_state(rig, [0.0, 0.0, 0.5])[0].tolist() == [0.35, 0.0]
+
+
+def test_a_drive_added_to_the_base_pose_is_the_pose_at_every_key():
+    random = np.random.default_rng(5)
+    rest, turned = random.random((3, 3)), random.random((3, 3, 3)) * [[[0.0]], [[0.5]], [[1.0]]]
+    turned[:, 2] = 0.0
+    placed = np.tile(np.eye(4), (3, 3, 1, 1))  # keys, joints
+    placed[..., :3, :3] = rotations(turned) @ rotations(rest)
+    placed[..., 3, :3] = random.random((3, 3)) + turned
+    weights = np.tile(random.random(4), (3, 1))
+    weights[1:, [0, 1, 3]] += random.random((2, 3))
+    base, states = drafts.State(weights[0], placed[0]), drafts.State(weights, placed)
+    (drive,) = drafts.pose_drives([drafts.NamedPose("clip", np.array([0.0, 0.5, 1.0]), states)], base)
+    assert (drive.channels.tolist(), drive.joints.tolist()) == ([0, 1, 3], [0, 1])
+    assert np.allclose(weights[0, drive.channels] + drive.weights, weights[:, drive.channels])
+    assert np.allclose(placed[0, drive.joints, 3, :3] + drive.translations, placed[:, drive.joints, 3, :3])
+    assert np.allclose(drive.rotations, turned[:, :2])
+    assert not drive.scales.any()
 
 
 def test_a_pose_named_like_a_token_keeps_apart(tmp_path):
