@@ -43,7 +43,7 @@ Layouts of real rigs with default settings: by an earlier version → by this on
 remaining faults listed. *On the character*: controls with an element on the character, of all;
 *kept*: mean displacement at the handle as a share of the control's peak; *gap*: proven distance of
 the cost from the optimum; *placed*: controls (of joints: axes) that are where an animator expects
-them, judged by a separate program.
+them, judged by a separate program; - where it knows no place for any.
 
 Sources and licences are in the `customLayerData` of each file. `ict_*`: ICT FaceKit, MIT; `mh_*`:
 MakeHuman, CC0; vitruvian: CharMorph Vitruvian, CC0; godette: Godette by SirRichard94, VRM by Lyuma,
@@ -129,7 +129,7 @@ def _judged(layer: Path, judge: Path | None) -> str:
     judged = subprocess.run(
         [sys.executable, str(judge), str(layer)], capture_output=True, text=True, check=False
     ).stdout
-    found = re.search(r"(\d+/\d+) placed|joint axes (\d+/\d+)", judged)
+    found = re.search(r"(\d+/[1-9]\d*) placed|joint axes (\d+/[1-9]\d*)", judged)
     return next((each for each in found.groups() if each), "-") if found else "-"
 
 
