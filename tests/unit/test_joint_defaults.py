@@ -69,6 +69,30 @@ def test_curled_fingers_reach_into_the_palm_and_stay_in_one_piece(made):
             assert after == pytest.approx(before)
 
 
+@pytest.mark.parametrize("bend", [0.0, 10.0], ids=["straight", "bent"])
+def test_the_thumb_is_the_finger_apart_and_curls_towards_the_others(bend):
+    ahead = [rotations(np.radians([0.0, 0.0, -bend * k])) @ [-0.25, 0.15, 0.02] for k in range(3)]
+    thumb = np.cumsum([[-0.4, 0.2, 0.05], *ahead], axis=0)
+    paths, places = zip(*((joint.path, joint.bind[3, :3]) for joint in HAND.body.joints), strict=True)
+    names = [*paths, *("w/" + "/".join(f"t{k}" for k in range(n + 1)) for n in range(4))]
+    made = limbs.skeleton_rig(names, np.vstack([places, thumb]), [i for i, n in enumerate(names) if n[-1] != "3"])
+    tree = Tree(made.body.joints, made.body.meshes)
+    curls = {turn.joints[0]: turn for turn in default_turns(tree) if turn.name == "curl"}
+    turn = curls.pop(len(paths))
+    others = tree.places[sorted(curls)].mean(axis=0)
+    tips = [_place(made, posed_locals(tree, turn, np.array([at]))[0], len(paths) + 3) for at in (0.0, 30.0)]
+    assert np.linalg.norm(tips[1] - others) < np.linalg.norm(tips[0] - others) - 0.1
+    assert all(abs(each.axes[0][0]) > 0.99 for each in curls.values()), "fingers curl about their row"
+
+
+def _place(made, locals_, joint):
+    """Where a joint is by the local transforms of all."""
+    world = {}
+    for i, each in enumerate(made.body.joints):
+        world[i] = locals_[i] @ world[each.parent] if each.parent >= 0 else locals_[i]
+    return world[joint][3, :3]
+
+
 def test_what_a_flat_skeleton_does_under_a_control_is_what_the_hierarchy_does():
     """The keys of the flat one follow the arcs to a hundredth of the hand."""
     size = np.ptp(HAND.body.meshes[0].points, axis=0).max()
