@@ -321,6 +321,7 @@ def _without_makers(names: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
         names = [each[1:] if len(each) > 1 and each[0] in found else each for each in names]
 
 
+@cache
 def _acts(each: tuple[str, ...]) -> bool:
     _, toward, rest = _side_and_direction(each)
     return any(phrase.fits(rest, toward) for phrase in _phrases())

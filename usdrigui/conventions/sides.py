@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from functools import cache
 from typing import Literal
 
 Side = Literal["left", "right", ""]
@@ -26,6 +27,7 @@ SIDES: Mapping[str, Side] = {
 _SWAPPED = dict(_PAIRS) | {right: left for left, right in reversed(_PAIRS)}
 
 
+@cache
 def mirrored(name: str) -> str:
     """`name` with the words for left and right swapped, lower case; equal to it when it has
     none."""

@@ -68,5 +68,7 @@ def in_the_middle(
     """(p,) which points that a motion moves a handle on the mirror plane covers, where a joint is
     turned about itself that is its own mirror image; none for another control."""
     own = motion.shares.owned is not None and int(symmetry.twins[motion.control]) == motion.control
+    if not (own and symmetry.plane.normal.any()):
+        return np.zeros(len(motion.points), dtype=bool)
     apart = np.abs(plane_distance(surface.points[motion.points], symmetry.plane))
-    return own & symmetry.plane.normal.any() & (apart <= ON_PLANE * handle_width)
+    return np.asarray(apart <= ON_PLANE * handle_width)

@@ -285,9 +285,10 @@ def _normals(centred: Floats, weights: Floats, up: Floats) -> list[Floats]:
 
 def _refined(plane: _Plane, tree: cKDTree, sample: Floats, rounds: int) -> _Plane:
     """Alternate between nearest pairs and the reflection that fits them best, until it settles."""
+    last = int(_TRIM * (len(sample) - 1))
     for _ in range(rounds):
         apart, nearest = tree.query(plane.reflect(sample))
-        near = apart <= np.quantile(apart, _TRIM)
+        near = apart <= np.partition(apart, last)[last]
         found = _fitted(sample[near], tree.data[nearest[near]], plane)
         if np.abs(found.normal - plane.normal).max() < 1e-12:
             return found
