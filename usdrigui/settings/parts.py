@@ -515,7 +515,8 @@ class SolveSettings:
 
     method: Literal["highs", "paper", "toulbar2"] = setting(
         "highs",
-        "Solver of the rest that dual bounds and tests leave of the problem.",
+        "Solver of the rest that dual bounds and tests leave: ``highs``, followed by branch and"
+        " bound where the problem stays open, or ``toulbar2``; ``paper`` is the paper's pipeline.",
         level="expert",
     )
     gap: float = setting(
@@ -560,7 +561,9 @@ class SolveSettings:
         bounds=(1e-06, 1.0),
         level="paper",
     )
-    seed: int = setting(0, "Seed of the sampling.", bounds=(0, 2**62), level="paper")
+    seed: int = setting(
+        0, "Seed of the sampling, of local search and of HiGHS.", bounds=(0, 2**62), level="paper"
+    )
 
 
 @dataclass(frozen=True, slots=True)
