@@ -27,14 +27,13 @@ from usdrigui.solve import Progress, exact, local_search, milp, partition, reduc
 from usdrigui.solve.assignment import assignment
 from usdrigui.solve.branch_and_bound import branch_and_bound
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.dominance import undominated
 from usdrigui.solve.exact import infeasible_penalty, solve_whole
 from usdrigui.solve.label_geometry import LabelSet, all_labels
 from usdrigui.solve.local_search import LocalSearch
 from usdrigui.solve.milp import solve_milp
 from usdrigui.solve.pair_costs import near_blocks, pair_costs
 from usdrigui.solve.partition import Blocks
-from usdrigui.solve.reduced_problem import DEAREST, ReducedProblem, Solution, least_sums
+from usdrigui.solve.reduced_problem import DEAREST, ReducedProblem, Solution, least_sums, undominated
 from usdrigui.solve.triplets import raise_bound
 
 Way = Callable[[pytest.MonkeyPatch], None]

@@ -40,11 +40,10 @@ def branch_and_bound(
     """Best layout of a reduced problem that costs less than the cutoff, or the proof that there is
     none.
 
-    `linear` (n,) and `pairs` (n, n) are the costs of its labels without messages.  The bound of a
-    search that `budget` stops holds.
+    `linear` (n,) and `pairs` (n, n) are the costs of its labels without messages, +inf for pairs
+    that are excluded.  The bound of a search that `budget` stops holds.
     """
-    without_messages = np.where(np.isinf(problem.both_ways()), np.inf, pairs)
-    root = ReducedProblem(problem.owner, np.arange(len(linear)), linear, without_messages)
+    root = ReducedProblem(problem.owner, np.arange(len(linear)), linear, pairs)
     whole = _Node(root, np.arange(problem.count), np.empty(0, dtype=np.int64))
     open_ = [_Branch(problem.bound(), whole, np.ones(len(linear), dtype=bool))]
     failures, least, best, nodes = np.ones(problem.count), cutoff, None, 0
@@ -89,14 +88,10 @@ def _branches(node: _Node, failures: Floats) -> list[_Branch]:
     sizes = np.diff(left.start)
     weights = np.where(sizes > 1, sizes / failures[node.variables], np.inf)
     mine = left.slices[int(weights.argmin())]
-    bounds = left.label_lower_bounds()
-    found = []
-    for label in range(mine.start, mine.stop):
-        alive = np.ones(len(left.costs), dtype=bool)
-        alive[mine] = False
-        alive[label] = True
-        found.append(_Branch(float(bounds[label]), node, alive))
-    return sorted(found, key=lambda each: -each.bound)
+    bounds, numbers = left.label_lower_bounds(), np.arange(len(left.costs))
+    others = left.owner != left.owner[mine.start]
+    labels = mine.start + np.argsort(-bounds[mine], kind="stable")
+    return [_Branch(float(bounds[each]), node, others | (numbers == each)) for each in labels]
 
 
 def _folded(node: _Node, alive: Flags) -> _Node:
@@ -104,7 +99,7 @@ def _folded(node: _Node, alive: Flags) -> _Node:
     left = node.problem.restricted(alive)
     single = np.diff(left.start) == 1
     fixed = single[left.owner]
-    costs = left.costs + left.costs_with(fixed)
+    costs = left.costs + left.both_ways()[fixed].sum(axis=0)
     allowed = np.logical_or.reduceat(np.isfinite(costs), left.start[:-1])
     if not (single.any() and allowed.all()):  # Excluded pairs close the second kind.
         return node._replace(problem=left)

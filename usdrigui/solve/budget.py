@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -25,10 +25,15 @@ class Progress:
     """Of the best layout so far; +inf before the first."""
     bound: float
     """No layout costs less; -inf before the first."""
-    gap: float
-    """(cost - bound) / |cost|; inf while either is unknown."""
+
+    @property
+    def gap(self) -> float:
+        """(cost - bound) / |cost|; inf while either is unknown."""
+        above = max(0.0, self.cost - self.bound)
+        return above / max(abs(self.cost), GAP_FLOOR) if self.cost < np.inf else np.inf
 
 
+@dataclass(eq=False)
 class Budget:
     """Counts the work of one run and decides when to stop; a solver's only object that changes.
 
@@ -37,28 +42,21 @@ class Budget:
     a time limit and for the seconds of the report.
     """
 
-    def __init__(
-        self,
-        settings: SolveSettings,
-        progress: Callable[[Progress], None] | None = None,
-        stop: Callable[[], bool] | None = None,
-    ) -> None:
-        self.settings = settings
-        self.work = 0
-        self.cost = np.inf
-        self.bound = -np.inf
-        self.ceiling = np.inf
-        """More than any allowed layout can cost; set by the solver."""
-        self.aim = np.inf
-        """A bound above this is not looked for."""
-        self.steps: list[Step] = []
-        self._tell = progress
-        self._asked = stop
-        self.limit = ""
-        """What stopped the run: ``work limit``, ``time limit``, ``memory limit`` or
-        ``interrupt``."""
-        self._began = time.monotonic()
-        self._step_began = self._began
+    settings: SolveSettings
+    progress: Callable[[Progress], None] | None = None
+    stop: Callable[[], bool] | None = None
+    work: int = 0
+    cost: float = np.inf
+    bound: float = -np.inf
+    ceiling: float = np.inf
+    """More than any allowed layout can cost; set by the solver."""
+    aim: float = np.inf
+    """A bound above this is not looked for."""
+    steps: list[Step] = field(default_factory=list)
+    limit: str = ""
+    """What stopped the run: ``work limit``, ``time limit``, ``memory limit`` or ``interrupt``."""
+    _began: float = field(default_factory=time.monotonic, init=False)
+    _step_began: float = field(default_factory=time.monotonic, init=False)
 
     @property
     def work_left(self) -> int:
@@ -78,10 +76,10 @@ class Budget:
         Its work must be counted here with `spend` when it is done: what it leaves goes to those
         that follow.
         """
-        limits = replace(self.settings, work_limit=int(share * self.work_left))
-        if self.settings.time_limit > 0:
-            # Once it has run out, no time is left: 0 would mean no limit.
-            limits = replace(limits, time_limit=max(share * self.seconds_left, 1e-9))
+        # Once it has run out, no time is left: 0 would mean no limit.
+        time_limit = self.settings.time_limit and max(share * self.seconds_left, 1e-9)
+        work_limit = int(share * self.work_left)
+        limits = replace(self.settings, work_limit=work_limit, time_limit=time_limit)
         return Budget(limits, stop=self.stopped)
 
     def spend(self, work: int) -> None:
@@ -95,7 +93,7 @@ class Budget:
                 self.reach("work limit")
             elif self.seconds_left <= 0:
                 self.reach("time limit")
-            elif self._asked is not None and self._asked():
+            elif self.stop is not None and self.stop():
                 self.reach("interrupt")
         return bool(self.limit)
 
@@ -139,22 +137,11 @@ class Budget:
             self.reach("work limit")
         better = cost < self.cost or bound > self.bound
         self.cost, self.bound = min(self.cost, cost), max(self.bound, bound)
-        if better and self._tell is not None:
-            self._tell(Progress(step, self.cost, self.bound, self._gap()))
+        if better and self.progress is not None:
+            self.progress(Progress(step, self.cost, self.bound))
 
     def note(self, name: str, **figures: float) -> None:
         """End a step: its figures and the time since the last one."""
-        now = time.monotonic()
-        self.steps.append(
-            Step(
-                name,
-                tuple((key, float(value)) for key, value in figures.items()),
-                now - self._step_began,
-            )
-        )
-        self._step_began = now
-
-    def _gap(self) -> float:
-        if not (np.isfinite(self.cost) and np.isfinite(self.bound)):
-            return np.inf
-        return max(0.0, self.cost - self.bound) / max(abs(self.cost), GAP_FLOOR)
+        began, self._step_began = self._step_began, time.monotonic()
+        numbers = tuple((key, float(value)) for key, value in figures.items())
+        self.steps.append(Step(name, numbers, self._step_began - began))

@@ -13,7 +13,7 @@ from usdrigui.model import Floats, LayoutProblem, Variable
 Linkage = Literal["single", "sum"]
 
 
-def clusters(problem: LayoutProblem, count: int, method: Linkage = "single") -> list[list[int]]:
+def clusters(problem: LayoutProblem, count: int, linkage: Linkage = "single") -> list[list[int]]:
     """Partition of the variables into `count` clusters (fewer where there are fewer variables),
     largest first.
 
@@ -24,32 +24,21 @@ def clusters(problem: LayoutProblem, count: int, method: Linkage = "single") -> 
     ``sum`` merges by the sum over all pairs of candidates of both clusters, as printed.  Variables
     without candidates on the face touch nothing and go with the first cluster.
     """
-    placed = [at for at, each in enumerate(problem.variables) if len(each.cost)]
-    homeless = [at for at, each in enumerate(problem.variables) if not len(each.cost)]
-    if not placed:
-        return [homeless] if homeless else []
-    distance = _mean_distances([problem.variables[at] for at in placed])
-    if method == "sum":
-        sizes = np.array([len(problem.variables[at].cost) for at in placed], dtype=np.float64)
-        distance *= np.outer(sizes, sizes)
-    parts = _merged(distance, count, np.minimum if method == "single" else np.add)
-    found = sorted(
-        (sorted(placed[at] for at in part) for part in parts), key=lambda each: (-len(each), each)
-    )
-    return [sorted(found[0] + homeless), *found[1:]]
-
-
-def _merged(distance: Floats, count: int, linkage: np.ufunc) -> list[list[int]]:
-    """Merge the nearest two until `count` are left; `linkage` makes one distance of two."""
-    members = [[at] for at in range(len(distance))]
-    np.fill_diagonal(distance, np.inf)
-    while len(members) > count:
-        a, b = sorted(divmod(int(distance.argmin()), len(members)))
-        distance[a] = distance[:, a] = linkage(distance[a], distance[b])
-        distance[a, a] = np.inf
+    sizes = np.array([len(each.cost) for each in problem.variables], dtype=np.float64)
+    parts, homeless = [[int(at)] for at in np.flatnonzero(sizes)], np.flatnonzero(sizes == 0)
+    distance = _mean_distances([problem.variables[at] for (at,) in parts])
+    if linkage == "sum":
+        distance *= np.outer(sizes[sizes > 0], sizes[sizes > 0])
+    while len(parts) > count:
+        np.fill_diagonal(distance, np.inf)
+        a, b = sorted(divmod(int(distance.argmin()), len(parts)))
+        merged = (np.minimum if linkage == "single" else np.add)(distance[a], distance[b])
+        distance[a] = distance[:, a] = merged
         distance = np.delete(np.delete(distance, b, axis=0), b, axis=1)
-        members[a] += members.pop(b)
-    return members
+        parts[a] += parts.pop(b)
+    found = sorted(map(sorted, parts), key=lambda each: (-len(each), each))
+    first = sorted(itertools.chain(*found[:1], homeless.tolist()))
+    return [first, *found[1:]] if first else []
 
 
 def _mean_distances(variables: list[Variable]) -> Floats:

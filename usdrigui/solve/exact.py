@@ -49,9 +49,8 @@ def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
     labels, incumbent = _first_layout(problem, labels, budget)
     budget.note("local search", cost=incumbent.cost, labels=count, work=budget.work)
     left = reduce(problem, labels, budget, incumbent)
-    budget.note(
-        "reduce", **_figures(left), cost=incumbent.cost, bound=budget.bound, work=budget.work
-    )
+    figures = {"labels": 0} if left is None else left.figures()
+    budget.note("reduce", **figures, cost=incumbent.cost, bound=budget.bound, work=budget.work)
     if left is not None and left.exact and not budget.closed() and not budget.stopped():
         method = _solve_reduced(left, incumbent, budget)
     return assignment(problem, labels, labels.candidate[incumbent.chosen], budget, method)
@@ -125,7 +124,8 @@ def _solve_reduced(left: Reduction, incumbent: LocalSearch, budget: Budget) -> s
         budget.note(method, **found.figures, bound=found.bound, work=budget.work)
         return method
 
-    linear, pairs = left.block_set.cost[left.problem.labels], left.pairs.toarray()
+    linear, excluded = left.block_set.cost[left.problem.labels], np.isinf(left.problem.both_ways())
+    pairs = np.where(excluded, np.inf, left.pairs.toarray())
     if budget.settings.method == "toulbar2":
         found = solve_by_toulbar2(left.problem, linear, pairs, budget.cutoff, budget)
         return noted("toulbar2", found)
@@ -135,16 +135,3 @@ def _solve_reduced(left: Reduction, incumbent: LocalSearch, budget: Budget) -> s
         return method
     found = branch_and_bound(left.problem, linear, pairs, budget.cutoff, budget)
     return noted("branch and bound", found)
-
-
-def _figures(left: Reduction | None) -> dict[str, float]:
-    """What the reduction has left."""
-    if left is None:
-        return {"labels": 0}
-    problem = left.problem
-    return {
-        "blocks": len(problem.labels),
-        "labels": int(left.blocks.sizes[problem.labels].sum()),
-        "excluded_pairs": sum(int(np.isinf(each.costs).sum()) for each in problem.tables),
-        "triplets": len(problem.messages),
-    }

@@ -55,18 +55,16 @@ class _Program:
         self._most = most
         self._problem, self._cutoff, self._budget = problem, cutoff, budget
         self._base = problem.bound()
-        self._tables = [
-            _Table(len(problem.costs) + at, [problem.slices[each] for each in ends], costs)
-            for at, (ends, costs) in enumerate(_together(problem))
-        ]
+        self._tables = _together(problem)
+        """What two or three variables cost together; each has a column."""
         self._highs = highspy.Highs()  # type: ignore[no-untyped-call]
         self._highs.cbSimplexInterrupt.subscribe(self._interrupt_simplex)
-        self._infinity = highspy.kHighsInf
+        self._highs.cbMipInterrupt.subscribe(self._interrupt)
         self._rows = 0
         self._stated: set[bytes] = set()
         """Rows added since the first: HiGHS's tolerances let a solution violate them a little."""
         self._nodes = 0
-        self._bound = self._lp_bound = self._base
+        self._bound = self._base
         self._best: tuple[float, Indices | None] = (np.inf, None)
         self._state()
 
@@ -77,70 +75,62 @@ class _Program:
             self._highs.setOptionValue(name, value)
         self._highs.setOptionValue("random_seed", self._budget.settings.seed % 2**31)
         costs = np.concatenate([problem.excess(), np.ones(len(self._tables))])
-        most = np.where(np.arange(len(costs)) < count, 1.0, self._infinity)
-        none = np.empty(0, dtype=np.int32)
-        self._highs.addCols(
-            len(costs), costs, np.zeros(len(costs)), most, 0, none, none, np.empty(0)
-        )
+        most = np.where(np.arange(len(costs)) < count, 1.0, np.inf)
+        self._highs.addVars(len(costs), np.zeros(len(costs)), most)
+        self._highs.changeColsCost(len(costs), np.arange(len(costs), dtype=np.int32), costs)
         groups = [np.arange(each.start, each.stop) for each in problem.slices]
         self._add([(each, np.ones(len(each))) for each in groups], 1.0, 1.0)
-        self._add([(each, np.ones(len(each))) for each in _cliques(problem)], -self._infinity, 1.0)
+        self._add([(each, np.ones(len(each))) for each in _cliques(problem)], -np.inf, 1.0)
 
     def solved(self) -> Solution:
-        """Programs and the rows they violate, until nothing is violated or a limit is reached."""
-        if self._linear():
-            self._whole()
-        labels = len(self._problem.costs)
+        """Linear programs, then such with whole labels, until nothing is violated or a limit is
+        reached."""
+        import highspy
+
+        more, labels = self._refined(whole=False), len(self._problem.costs)
+        lp_bound = self._bound
+        if more:
+            kinds = np.full(labels, highspy.HighsVarType.kInteger)
+            self._highs.changeColsIntegrality(labels, np.arange(labels, dtype=np.int32), kinds)
+            self._refined(whole=True)
         figures = {
             "labels": labels,
             "columns": labels + len(self._tables),
             "rows": self._rows,
-            "lp_bound": min(self._lp_bound, self._cutoff),
+            "lp_bound": lp_bound,
             "nodes": self._nodes,
             "cutoff": self._cutoff,
         }
         return Solution(min(self._bound, self._limit), self._best[1], figures)
 
-    def _linear(self) -> bool:
-        """Solve the linear program with the rows that it violates; whether more is to be done."""
-        while True:
-            self._highs.run()
-            info = self._highs.getInfo()
-            self._budget.spend(1000 + max(0, int(info.simplex_iteration_count)) * self._rows // 4)
-            if self._status("kInfeasible", "kObjectiveBound"):
-                self._bound = self._lp_bound = self._cutoff
-                return False
-            if not self._status("kOptimal"):
-                return False  # The value of a program that is not solved bounds nothing.
-            self._lp_bound = max(self._lp_bound, self._lowered(info.objective_function_value))
-            self._raise(self._lp_bound)
-            if self._bound >= self._cutoff or self._stopped():
-                return False
+    def _refined(self, *, whole: bool) -> bool:
+        """Solve the program with the rows that its solution violates, again and again; whether one
+        violates none.  Of whole labels that one is optimal."""
+        while self._run(whole):
             if not self._grown():
                 return True
+        return False
 
-    def _whole(self) -> None:
-        """The same with whole labels; a solution that violates no new row is optimal."""
+    def _run(self, whole: bool) -> bool:
+        """Solve the program and raise the bound; whether its solution leaves anything open."""
         import highspy
 
-        count = len(self._problem.costs)
-        kinds = np.full(count, highspy.HighsVarType.kInteger)
-        self._highs.changeColsIntegrality(count, np.arange(count, dtype=np.int32), kinds)
-        self._highs.cbMipInterrupt.subscribe(self._interrupt)
-        while True:
-            self._highs.setOptionValue("objective_bound", self._limit - self._base)
-            self._highs.run()
-            info = self._highs.getInfo()
-            self._nodes += max(0, int(info.mip_node_count))
-            if self._status("kInfeasible", "kObjectiveBound"):
-                self._raise(self._limit)
-                return
-            self._raise(min(self._lowered(info.mip_dual_bound), self._limit))
-            if info.primal_solution_status != highspy.kSolutionStatusFeasible:
-                return
-            self._improve()
-            if self._bound >= self._limit or self._stopped() or not self._grown():
-                return
+        self._highs.setOptionValue("objective_bound", self._limit - self._base)
+        self._highs.run()
+        info, status = self._highs.getInfo(), self._highs.getModelStatus().name
+        self._nodes += max(0, int(info.mip_node_count))
+        if not whole:
+            self._budget.spend(1000 + max(0, int(info.simplex_iteration_count)) * self._rows // 4)
+        if status in {"kInfeasible", "kObjectiveBound"}:
+            self._raise(self._limit)
+            return False
+        if not whole and status != "kOptimal":
+            return False  # The value of a linear program that is not solved bounds nothing.
+        self._raise(self._lowered(info.mip_dual_bound if whole else info.objective_function_value))
+        if info.primal_solution_status != highspy.kSolutionStatusFeasible:
+            return False
+        self._improve()
+        return self._bound < self._limit and not self._stopped()
 
     def _interrupt_simplex(self, event: highspy.HighsCallbackEvent) -> None:
         """End a linear program at a limit of the run; its iterations count when it is done."""
@@ -163,25 +153,18 @@ class _Program:
         """Layouts that cost at least this are of no interest."""
         return min(self._cutoff, self._best[0])
 
-    def _status(self, *names: str) -> bool:
-        """Whether the last run ended so."""
-        return self._highs.getModelStatus().name in names
-
     def _lowered(self, value: float) -> float:
         """A bound of the program as one of the problem, less what rounding may have added."""
         return self._base + value - 1e-9 * (1.0 + abs(value)) if np.isfinite(value) else -np.inf
 
     def _raise(self, bound: float) -> None:
-        if bound > self._bound:
-            self._bound = bound
-            self._budget.found("highs", bound=min(bound, self._cutoff))
+        self._bound = max(self._bound, min(bound, self._limit))
+        self._budget.found("highs", bound=self._bound)
 
     def _improve(self) -> None:
         """Remember the layout of a solution if its true cost is the least so far."""
-        values = self._values()
-        chosen = np.array(
-            [each.start + int(values[each].argmax()) for each in self._problem.slices]
-        )
+        values, slices = self._values(), self._problem.slices
+        chosen = np.array([each.start + int(values[each].argmax()) for each in slices])
         cost = self._problem.value(chosen)
         if cost < self._limit:
             self._best = (cost, chosen)
@@ -192,59 +175,42 @@ class _Program:
     # --- rows -------------------------------------------------------------------------------------
 
     def _grown(self) -> bool:
-        """Add the rows that the solution violates and that are not stated yet; whether any."""
-        values = self._values()
-        rows = [row for table in self._tables for row in table.violated(values)]
-        found = {columns.tobytes() + each.tobytes(): (columns, each) for columns, each in rows}
-        new = {key: row for key, row in found.items() if key not in self._stated}
-        self._add(list(new.values()), 0.0, self._infinity)
+        """Add the rows for the likeliest labels of all variables of a table but one, in every way,
+        that the solution violates and that are not stated yet; whether any."""
+        values, new = self._values(), {}
+        for column, (ends, costs) in enumerate(self._tables, len(self._problem.costs)):
+            for at, last in enumerate(ends):
+                order = (*ends[:at], *ends[at + 1 :], last)
+                labels = [self._problem.slices[each] for each in order]
+                columns, row = _row(column, labels, np.moveaxis(costs, at, -1), values)
+                key = columns.tobytes() + row.tobytes()
+                if row @ values[columns] < -VIOLATED and key not in self._stated:
+                    new[key] = columns, row
+        self._add(list(new.values()), 0.0, np.inf)
         self._stated |= new.keys()
         return bool(new)
 
     def _add(self, rows: Sequence[Row], low: float, high: float) -> None:
-        if not rows:
-            return
-        sizes = np.array([len(columns) for columns, _ in rows])
-        self._highs.addRows(
-            len(rows),
-            np.full(len(rows), low),
-            np.full(len(rows), high),
-            int(sizes.sum()),
-            (np.cumsum(sizes) - sizes).astype(np.int32),
-            np.concatenate([columns for columns, _ in rows]).astype(np.int32),
-            np.concatenate([values for _, values in rows]),
-        )
+        for columns, values in rows:
+            self._highs.addRow(low, high, len(columns), columns.astype(np.int32), values)
         self._rows += len(rows)
 
 
-class _Table:
-    """The column of what two or three variables cost together, and its rows."""
-
-    def __init__(self, column: int, labels: Sequence[slice], costs: Floats) -> None:
-        self._column, every = column, range(len(labels))
-        orders = [[*(each for each in every if each != last), last] for last in every]
-        self._sides = [([labels[at] for at in each], costs.transpose(each)) for each in orders]
-
-    def violated(self, values: Floats) -> list[Row]:
-        """The violated rows for the likeliest labels of all variables but one, in every way."""
-        rows = [self._row(labels, costs, values) for labels, costs in self._sides]
-        return [row for row in rows if -float(row[1] @ values[row[0]]) > VIOLATED]
-
-    def _row(self, labels: list[slice], costs: Floats, values: Floats) -> Row:
-        """The row for one label of each variable but the last, lifted to all of their labels one
-        variable after the other.  A pair that is excluded may have any cost, and needs no lift."""
-        likely = tuple(int(values[each].argmax()) for each in labels[:-1])
-        own = np.where(np.isfinite(costs[likely]), costs[likely], 0.0)
-        parts, most = [(labels[-1], -own)], own
-        for depth in reversed(range(len(likely))):
-            over = most - costs[likely[:depth]]
-            lift = np.maximum(over.reshape(len(over), -1).max(axis=1), 0.0)
-            parts.append((labels[depth], lift))
-            most = most - lift.reshape(-1, *(1,) * most.ndim)
-        columns = np.concatenate([np.arange(each.start, each.stop) for each, _ in parts])
-        coefficients = np.concatenate([each for _, each in parts])
-        used = np.abs(coefficients) > EPSILON
-        return np.append(columns[used], self._column), np.append(coefficients[used], 1.0)
+def _row(column: int, labels: list[slice], costs: Floats, values: Floats) -> Row:
+    """The row for one label of each variable but the last, lifted to all of their labels one
+    variable after the other.  A pair that is excluded may have any cost, and needs no lift."""
+    likely = tuple(int(values[each].argmax()) for each in labels[:-1])
+    own = np.where(np.isfinite(costs[likely]), costs[likely], 0.0)
+    parts, most = [(labels[-1], -own)], own
+    for depth in reversed(range(len(likely))):
+        over = most - costs[likely[:depth]]
+        lift = np.maximum(over.reshape(len(over), -1).max(axis=1), 0.0)
+        parts.append((labels[depth], lift))
+        most = most - lift.reshape(-1, *(1,) * most.ndim)
+    columns = np.concatenate([np.arange(each.start, each.stop) for each, _ in parts])
+    coefficients = np.concatenate([each for _, each in parts])
+    used = np.abs(coefficients) > EPSILON
+    return np.append(columns[used], column), np.append(coefficients[used], 1.0)
 
 
 def _together(problem: ReducedProblem) -> list[tuple[tuple[int, ...], Floats]]:

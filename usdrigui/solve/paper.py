@@ -1,5 +1,5 @@
-"""The paper's own pipeline: clusters of controls in sequence, weighted random sampling (section
-4.2).
+"""The paper's own pipeline (section 4.2): clusters of controls in sequence, each over a weighted
+random sample of its candidates.
 
 Kept to be compared with: what it drops it never gets back, so it proves no more than the trivial
 bound.
@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from usdrigui.model import Assignment, Flags, Floats, Indices, LayoutProblem, Variable
+from usdrigui.model import Assignment, Flags, Floats, Indices, LayoutProblem
 from usdrigui.overlap import pair_costs
 from usdrigui.solve.assignment import assignment
 from usdrigui.solve.budget import Budget
@@ -28,32 +28,36 @@ def solve_by_clusters(
 ) -> Assignment:
     """Place cluster after cluster, the largest first, each over a sample of its candidates.
 
-    Elements placed before are fixed: what they cost a later cluster's candidates is part of those
-    candidates' linear cost.  All clusters share one allowance of work and time, by their numbers of
-    elements.  Raises SOLVE_INFEASIBLE when former elements leave one without a place.
+    Elements placed before are fixed: they have one label in the problems of later clusters.  All
+    clusters share one allowance of work and time, by their numbers of elements.  Raises
+    SOLVE_INFEASIBLE when former elements leave one without a place.
     """
     settings = budget.settings
     generator = np.random.default_rng(settings.seed)
     chosen = np.full(len(problem.variables), -1, dtype=np.int64)
     placed: list[int] = []
     for cluster in clusters(problem, settings.clusters, settings.linkage):
-        variables = [_with_fixed_costs(problem, at, placed, chosen) for at in cluster]
-        allowed = [np.isfinite(each.cost) for each in variables]
-        weights = [each.displacement for each in variables]
+        allowed = [_allowed(problem, at, placed, chosen) for at in cluster]
+        weights = [problem.variables[at].displacement for at in cluster]
         kept = sample(weights, settings.sample, generator, allowed)
+        labels = dict(zip(cluster, kept, strict=True)) | {at: chosen[[at]] for at in placed}
+        part = _restricted(problem, labels, np.flatnonzero(chosen >= 0))
         mine = budget.part(len(cluster) / (len(problem.variables) - len(placed)))
-        solution = solve_cluster(_restricted(problem, cluster, variables, kept), mine)
+        solution = solve_cluster(part, mine)
         budget.spend(mine.work)
         count = sum(map(len, kept))
         budget.note(
             "cluster", elements=len(cluster), labels=count, cost=solution.cost, work=mine.work
         )
-        chosen[cluster] = solution.labels
+        chosen[cluster] = solution.labels[cluster]
         placed += cluster
     everything = all_labels(problem)
     budget.found("paper", bound=float(everything.best.sum()))
     budget.note("paper", clusters=settings.clusters, sample=settings.sample, work=budget.work)
     return assignment(problem, everything, chosen, budget, "paper")
+
+
+# --- samples --------------------------------------------------------------------------------------
 
 
 def sample(
@@ -66,8 +70,6 @@ def sample(
     `displacements` and `allowed` hold (R,) per variable.
     """
     labels = [np.flatnonzero(each) for each in allowed]
-    if share >= 1.0:
-        return labels
     # Exponential keys: the k least are a weighted sample without replacement (Efraimidis and
     # Spirakis 2006).  Candidates that do not move are kept when nothing else is left.
     keys = [
@@ -80,38 +82,27 @@ def sample(
     return [mine[each] for mine, each in zip(labels, kept, strict=True)]
 
 
-def _with_fixed_costs(
-    problem: LayoutProblem, at: int, placed: list[int], chosen: Indices
-) -> Variable:
-    """A variable whose linear costs hold what the elements placed before cost it."""
-    variable = problem.variables[at]
-    labels = np.arange(len(variable.cost))
-    cost = variable.cost.copy()
+# --- the problem of a cluster ---------------------------------------------------------------------
+
+
+def _allowed(problem: LayoutProblem, at: int, placed: list[int], chosen: Indices) -> Flags:
+    """(R,) the candidates of a variable that no element placed before forbids."""
+    allowed = np.isfinite(problem.variables[at].cost)
+    labels = np.arange(len(allowed))
     for other in placed:
-        if chosen[other] >= 0:
-            cost += pair_costs(problem, at, other, labels, np.full(len(labels), chosen[other]))
-    for extra in problem.extra:
-        ends = {extra.first: extra.first_labels, extra.second: extra.second_labels}
-        other = extra.second if extra.first == at else extra.first
-        if at in ends and other in placed:
-            hit = ends[other] == chosen[other]
-            cost[ends[at][hit]] += extra.costs[hit]
-    return replace(variable, cost=cost)
+        fixed = np.full(len(labels), chosen[other])
+        allowed &= np.isfinite(pair_costs(problem, at, other, labels, fixed))
+    return allowed
 
 
-def _restricted(
-    problem: LayoutProblem, cluster: list[int], variables: list[Variable], labels: list[Indices]
-) -> LayoutProblem:
-    """The problem of one cluster, in which the labels that are not kept cost +inf."""
-    kept = []
-    for each, mine in zip(variables, labels, strict=True):
-        cost = np.full(len(each.cost), np.inf)
-        cost[mine] = each.cost[mine]
-        kept.append(replace(each, cost=cost))
-    place = {variable: at for at, variable in enumerate(cluster)}
-    extra = [
-        replace(each, first=place[each.first], second=place[each.second])
-        for each in problem.extra
-        if each.first in place and each.second in place
-    ]
-    return replace(problem, variables=tuple(kept), extra=tuple(extra))
+def _restricted(problem: LayoutProblem, kept: dict[int, Indices], placed: Indices) -> LayoutProblem:
+    """The problem in which variables have the candidates `kept` alone; those `placed` on the face
+    stay on it, and those of later clusters, which have none, cost nothing."""
+    variables = []
+    for at, each in enumerate(problem.variables):
+        is_kept = np.isin(np.arange(len(each.cost)), kept.get(at, []))
+        off_face = each.off_face_cost if at in kept else 0.0
+        off_face = np.inf if at in placed else off_face
+        cost = np.where(is_kept, each.cost, np.inf)
+        variables.append(replace(each, cost=cost, off_face_cost=off_face))
+    return replace(problem, variables=tuple(variables))

@@ -53,10 +53,9 @@ def first_blocks(labels: LabelSet, budget: Budget) -> Blocks:
 def affordable_at_once(labels: LabelSet, budget: Budget) -> bool:
     """Whether labels are few, and all pairs of elements can be looked at with a quarter of the work
     that is left, should every two of different variables be near."""
-    elements = np.zeros(labels.variables, dtype=np.int64)
-    for each in labels.geometries:
-        elements += np.bincount(labels.variable[each.owner], minlength=len(elements))
-    pairs = int(elements.sum() ** 2 - np.square(elements).sum()) // 2
+    owners = [labels.variable[each.owner] for each in labels.geometries]
+    elements = sum(np.bincount(each, minlength=labels.variables) for each in owners)
+    pairs = int(np.sum(elements) ** 2 - np.square(elements).sum()) // 2
     memory = planned(len(labels.cost) ** 2 // 2, pairs)
     few = len(labels.cost) <= ONE_BY_ONE and 4 * pairs <= budget.work_left
     return few and memory <= budget.settings.memory_limit
@@ -113,13 +112,9 @@ def block_set(labels: LabelSet, blocks: Blocks) -> LabelSet:
         bounding(each, each.places(len(labels.cost))[blocks.members], group)
         for each in labels.geometries
     ]
-    return LabelSet(
-        labels.variables,
-        blocks.variable,
-        np.where(blocks.sizes == 1, labels.candidate[blocks.members[first]], SEVERAL),
-        np.minimum.reduceat(labels.cost[blocks.members], first),
-        tuple(geometries),
-    )
+    candidate = np.where(blocks.sizes == 1, labels.candidate[blocks.members[first]], SEVERAL)
+    cost = np.minimum.reduceat(labels.cost[blocks.members], first)
+    return LabelSet(labels.variables, blocks.variable, candidate, cost, tuple(geometries))
 
 
 def cheapest(labels: LabelSet, blocks: Blocks) -> Indices:

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.sparse import csr_array
 
 from usdrigui.model import Floats, Indices, LayoutProblem
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.dominance import undominated
 from usdrigui.solve.label_geometry import LabelSet
 from usdrigui.solve.local_search import KnownRows, LocalSearch
 from usdrigui.solve.pair_costs import near_blocks, pair_costs, refined
@@ -19,7 +17,7 @@ from usdrigui.solve.partition import (
     member_slack,
     split,
 )
-from usdrigui.solve.reduced_problem import LARGEST_TESTED, ReducedProblem, reduced
+from usdrigui.solve.reduced_problem import LARGEST_TESTED, ReducedProblem, reduced, undominated
 from usdrigui.solve.triplets import raise_bound
 
 SWEEPS = 8
@@ -68,10 +66,8 @@ class Reduction:
         self._near = near_blocks(problem, self.block_set, budget)
         self.pairs = pair_costs(problem, self.block_set, self._near)
         """Pair costs of the problem's labels, without messages."""
-        numbers = np.arange(len(self.block_set.cost))
-        self.problem = ReducedProblem(
-            self.block_set.variable, numbers, self.block_set.cost.copy(), self.pairs
-        )
+        numbers, cost = np.arange(len(self.block_set.cost)), self.block_set.cost.copy()
+        self.problem = ReducedProblem(self.block_set.variable, numbers, cost, self.pairs)
         """Its labels are blocks."""
 
     @property
@@ -82,6 +78,16 @@ class Reduction:
     def representatives(self, chosen: Indices) -> Indices:
         """(variables,) the labels of least linear cost of the blocks that a solution chooses."""
         return cheapest(self._labels, self.blocks)[self.problem.labels[chosen]]
+
+    def figures(self) -> dict[str, int]:
+        """How much is left, for the report."""
+        excluded = sum(int(np.isinf(each.costs).sum()) for each in self.problem.tables)
+        return {
+            "blocks": len(self.problem.labels),
+            "labels": int(self.blocks.sizes[self.problem.labels].sum()),
+            "excluded_pairs": excluded,
+            "triplets": len(self.problem.messages),
+        }
 
     def done(self) -> bool:
         """Sweep, tighten, split, while that gains anything; whether anything is left."""
@@ -111,7 +117,9 @@ class Reduction:
         """Look for a good layout of the blocks; whether it is far above the bound."""
         left = self.problem
         first = np.array([each.start + int(left.costs[each].argmin()) for each in left.slices])
-        found = self._descended(left.start, self.block_set.cost[left.labels], self.pairs, first)
+        linear, penalty = self.block_set.cost[left.labels], self._incumbent.penalty
+        found = LocalSearch(left.start, linear, KnownRows(self.pairs), self._budget, penalty)
+        found.improve_from(first)
         if self.exact:
             found.search(TRIES)
         self._incumbent.improve_from(self.representatives(found.chosen))
@@ -127,19 +135,11 @@ class Reduction:
         kept = np.sort(np.argsort(-slack, kind="stable")[: max(ONE_BY_ONE, len(likeliest))])
         part = labels.of(kept)
         pairs = pair_costs(self._whole, part, near_blocks(self._whole, part, self._budget))
-        first = np.searchsorted(kept, likeliest)
-        found = self._descended(part.start, part.cost, pairs, first)
+        rows, penalty = KnownRows(pairs), self._incumbent.penalty
+        found = LocalSearch(part.start, part.cost, rows, self._budget, penalty)
+        found.improve_from(np.searchsorted(kept, likeliest))
         found.search(TRIES)
         self._incumbent.improve_from(kept[found.chosen])
-
-    def _descended(
-        self, start: Indices, linear: Floats, pairs: csr_array, first: Indices
-    ) -> LocalSearch:
-        """A local search of labels with known costs after its descent from a first layout."""
-        rows, penalty = KnownRows(pairs), self._incumbent.penalty
-        found = LocalSearch(start, linear, rows, self._budget, penalty)
-        found.improve_from(first)
-        return found
 
     # --- bounds -----------------------------------------------------------------------------------
 

@@ -86,12 +86,11 @@ def tables_of(owner: Indices, pairs: Floats | csr_array) -> list[Strip]:
 
 
 def interacting(owner: Indices, pairs: csr_array) -> Flags:
-    """(variables, variables) which have a pair."""
-    variables = int(owner[-1]) + 1 if len(owner) else 0
-    found = np.zeros((variables, variables), dtype=bool)
+    """(variables, variables) which have a pair, the earlier one first."""
+    found = np.zeros((owner[-1] + 1,) * 2, dtype=bool)
     first, second = pairs.nonzero()
     found[owner[first], owner[second]] = True
-    return np.asarray(found | found.T)
+    return found
 
 
 class ReducedProblem:
@@ -156,20 +155,10 @@ class ReducedProblem:
             found[strip.columns, strip.mine] = strip.costs.T
         return found
 
-    def costs_with(self, chosen: Flags) -> Floats:
-        """(n,) what every label costs in pairs with the chosen ones."""
-        found = np.zeros(len(self.costs))
-        for strip in self.tables:
-            found[strip.columns] += strip.costs[chosen[strip.mine]].sum(axis=0)
-            found[strip.mine] += strip.costs[:, chosen[strip.columns]].sum(axis=1)
-        return found
-
     def value(self, chosen: Indices) -> float:
         """Cost of one label (index into this problem) per variable."""
-        is_chosen = np.zeros(len(self.costs), dtype=bool)
-        is_chosen[chosen] = True
-        total = self.constant + self.costs[chosen].sum()
-        total += self.costs_with(is_chosen)[chosen].sum() / 2
+        pairs = self.both_ways()[np.ix_(chosen, chosen)]
+        total = self.constant + self.costs[chosen].sum() + pairs.sum() / 2
         at = chosen - self.start[:-1]
         for (a, b, c), (ab, ac, bc) in self.messages.items():
             total -= sum(map(float, (ab[at[a], at[b]], ac[at[a], at[c]], bc[at[b], at[c]])))
@@ -218,7 +207,7 @@ class ReducedProblem:
         used = interacting(owner, pairs) | self.linked
         tables = []
         for at, strip in enumerate(self.tables):
-            messages = _without(strip, older)
+            messages = strip.costs - finite(older[strip.mine][:, strip.columns].toarray())
             mine = slice(*start[at : at + 2].tolist())
             columns = mine.stop + np.flatnonzero(used[at, owner[mine.stop :]])
             found = pairs[mine][:, columns].toarray()
@@ -253,7 +242,7 @@ class ReducedProblem:
             least = np.minimum.reduceat(strip.costs.min(axis=0), strip.first)
             most = np.maximum.reduceat(strip.costs.max(axis=0), strip.first)
             self.linked[at, strip.others] = self.linked[strip.others, at] = most > least + EPSILON
-            moved = np.where(least < np.inf, least, 0.0)
+            moved = finite(least)
             if moved.any():
                 strip.costs[...] -= np.repeat(moved, strip.sizes)
                 self.constant += float(moved.sum())
@@ -271,7 +260,7 @@ class ReducedProblem:
             share = self.costs[strip.mine] * portion[at]
             self.costs[strip.mine] -= share * ahead[at]
             strip.costs[...] += share[:, None] * strip.each(self.linked[at])
-            least = _finite(strip.costs.min(axis=0))
+            least = finite(strip.costs.min(axis=0))
             strip.costs[...] -= least
             self.costs[strip.columns] += least
         shares = np.zeros(len(self.costs))
@@ -279,7 +268,7 @@ class ReducedProblem:
             # Later variables have all that comes from behind, and have set their shares aside.
             if ahead[at]:
                 strip.costs[...] += shares[strip.columns] * strip.each(self.linked[at])
-                given = _finite(np.minimum.reduceat(strip.costs, strip.first, axis=1))
+                given = finite(np.minimum.reduceat(strip.costs, strip.first, axis=1))
                 strip.costs[...] -= np.repeat(given, strip.sizes, axis=1)
                 self.costs[strip.mine] += given.sum(axis=1)
             shares[strip.mine] = self.costs[strip.mine] * portion[at]
@@ -304,10 +293,8 @@ class ReducedProblem:
         for strip in self.tables:
             if len(strip.others):
                 least[strip.columns] += (strip.costs + excess[strip.mine, None]).min(axis=0)
-                theirs = np.minimum.reduceat(
-                    strip.costs + excess[strip.columns], strip.first, axis=1
-                )
-                least[strip.mine] += theirs.sum(axis=1)
+                costs = strip.costs + excess[strip.columns]
+                least[strip.mine] += np.minimum.reduceat(costs, strip.first, axis=1).sum(axis=1)
         return np.asarray(self.bound() + excess + least)
 
     def exclude_pairs(self, cutoff: float) -> int:
@@ -352,6 +339,38 @@ def reduced(problem: ReducedProblem, cutoff: float) -> ReducedProblem | None:
         problem = problem.restricted(alive)
 
 
+def undominated(start: Indices, linear: Floats, pairs: Floats, excluded: Flags) -> Flags:
+    """(n,) labels that no other label of their variable can always replace at no more cost
+    (dead-end elimination).
+
+    Label r of a variable goes when for some label s of it
+
+        linear_s - linear_r + sum_u max_t (c_st - c_rt) <= 0,
+
+    u over the other variables, t over the labels of u that a layout with r may use: whatever the
+    others choose, s costs no more (J. Desmet et al., 1992; R. F. Goldstein, 1994).  A layout below
+    the cutoff stays below it, so it still uses nothing that bounds exclude.
+
+    `start` (variables + 1,) is the first label of each variable; `linear` (n,) and `pairs` (n, n),
+    the same both ways, are what labels cost before any reparametrisation; `excluded` (n, n) are the
+    pairs that no layout below the cutoff uses.  Of labels that can replace each other one is kept.
+    """
+    alive = np.ones(len(linear), dtype=bool)
+    owner = np.repeat(np.arange(len(start) - 1), np.diff(start))
+    for low, high in itertools.pairwise(start.tolist()):
+        others = np.flatnonzero(alive)
+        first = np.flatnonzero(np.diff(owner[others], prepend=-1))
+        costs = np.minimum(pairs[low:high, others], 1e30)  # infinite costs have no differences
+        # No replacement need pay for a pair that is excluded.
+        used = np.where(excluded[low:high, others], np.inf, costs)
+        own, mine = linear[low:high], alive[low:high]
+        for label in np.argsort(-own, kind="stable"):
+            mine[label] = False
+            more = np.maximum.reduceat(costs[mine] - used[label], first, axis=1).sum(axis=1)
+            mine[label] = not (own[mine] - own[label] + more <= 0).any()
+    return alive
+
+
 def least_sums(one: Floats, other: Floats) -> Floats:
     """(x, y) of (x, t) and (y, t) costs: the least sum of two for any t, none counted above
     DEAREST.
@@ -365,12 +384,6 @@ def least_sums(one: Floats, other: Floats) -> Floats:
     return np.asarray(most - rounding - cdist(most - one, other, "chebyshev"))
 
 
-def _finite(least: Floats) -> Floats:
-    """Costs to be moved: nothing from labels that are excluded."""
-    return np.where(least < np.inf, least, 0.0)
-
-
-def _without(strip: Strip, pairs: csr_array) -> Floats:
-    """The costs of a strip less those of the pairs: what messages gave; +inf stays."""
-    own = pairs[strip.mine][:, strip.columns].toarray()
-    return np.asarray(strip.costs - np.where(own < np.inf, own, 0.0))
+def finite(costs: Floats) -> Floats:
+    """Costs to be moved: nothing of what is excluded, which stays so."""
+    return np.where(costs < np.inf, costs, 0.0)

@@ -6,13 +6,12 @@ It runs in a process of its own: it answers no request to stop, so the process i
 
 from __future__ import annotations
 
-import io
 import itertools
+import pickle
 import subprocess
 import sys
 import tempfile
 from contextlib import suppress
-from typing import Any
 
 import numpy as np
 
@@ -41,15 +40,14 @@ def solve_by_toulbar2(
     """Best layout of a reduced problem that costs less than the cutoff, or the proof that there is
     none.
 
-    `linear` (n,) and `pairs` (n, n) are the costs of its labels without messages.  A run that
-    `budget` stops proves and finds nothing.
+    `linear` (n,) and `pairs` (n, n) are the costs of its labels without messages, +inf for pairs
+    that are excluded.  A run that `budget` stops proves and finds nothing.
     """
     least = np.minimum.reduceat(linear, problem.start[:-1])
     spare = cutoff - float(least.sum())
-    costs = np.where(np.isinf(problem.both_ways()), np.inf, pairs)
     above = np.minimum(linear - least[problem.owner], spare)
     figures = {"labels": len(linear)}
-    answer = _asked((problem.start, above, np.minimum(costs, spare), spare), budget)
+    answer = _asked((problem.start, above, np.minimum(pairs, spare), spare), budget)
     if answer is None:
         return Solution(problem.bound(), None, figures)
     bound, chosen, rounding = answer
@@ -67,34 +65,21 @@ Answer = tuple[float, Indices | None, float]
 
 def _asked(network: Network, budget: Budget) -> Answer | None:
     """The answer of toulbar2 in a process that ends when the run is to stop; None then."""
-    command = [sys.executable, "-m", __name__]
+    command, pipe = [sys.executable, "-m", __name__], subprocess.PIPE
     with tempfile.TemporaryFile() as question:
-        question.write(_packed(*network))
+        pickle.dump(network, question)
         question.seek(0)
-        with subprocess.Popen(
-            command, stdin=question, stdout=subprocess.PIPE, start_new_session=True
-        ) as run:
+        with subprocess.Popen(command, stdin=question, stdout=pipe, start_new_session=True) as run:
             while not budget.stopped():
                 with suppress(subprocess.TimeoutExpired):
-                    bound, chosen, rounding = _unpacked(run.communicate(timeout=0.1)[0])
-                    return float(bound), chosen if len(chosen) else None, float(rounding)
+                    found: Answer = pickle.loads(run.communicate(timeout=0.1)[0])
+                    return found
             run.kill()
     return None
 
 
-def _packed(*arrays: Any) -> bytes:
-    file = io.BytesIO()
-    np.savez(file, *arrays)
-    return file.getvalue()
-
-
-def _unpacked(data: bytes) -> list[Any]:
-    with np.load(io.BytesIO(data), allow_pickle=False) as found:
-        return [found[name] for name in found.files]
-
-
-def _solved(network: Network) -> tuple[float, Indices, float]:
-    """The same by toulbar2 in this process; no labels where no layout is found."""
+def _solved(network: Network) -> Answer:
+    """The same by toulbar2 in this process."""
     import pytoulbar2
 
     start, linear, pairs, spare = network
@@ -114,10 +99,9 @@ def _solved(network: Network) -> tuple[float, Indices, float]:
     model.Option.verbose = -1
     model.Option.showSolutions = 0
     found = model.Solve()
-    chosen = np.array([] if found is None else found[0][: len(slices)], dtype=np.int64)
+    chosen = None if found is None else np.array(found[0][: len(slices)], dtype=np.int64)
     return float(model.GetDDualBound()), chosen, (len(slices) + tables) * 10.0**-digits
 
 
 if __name__ == "__main__":
-    *tables, limit = _unpacked(sys.stdin.buffer.read())
-    sys.stdout.buffer.write(_packed(*_solved((*tables, float(limit)))))
+    sys.stdout.buffer.write(pickle.dumps(_solved(pickle.load(sys.stdin.buffer))))

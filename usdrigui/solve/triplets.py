@@ -13,7 +13,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from usdrigui.model import Floats, Singles
+from usdrigui.model import Floats
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.reduced_problem import (
     DEAREST,
@@ -21,6 +21,7 @@ from usdrigui.solve.reduced_problem import (
     LARGEST_TESTED,
     ReducedProblem,
     Triplet,
+    finite,
     least_sums,
 )
 
@@ -42,31 +43,23 @@ def raise_bound(problem: ReducedProblem, budget: Budget) -> None:
     # the others add excludes more.
     visits = VISITS if few else VISITS[:3]
     problem.normalize()
-    new = _best_triplets(problem)
-    problem.messages.update((each, _no_messages(problem, each)) for each in new)
+    sizes = np.diff(problem.start)
+    for triplet in _best_triplets(problem):
+        a, b, c = sizes[list(triplet)].tolist()
+        ab, ac, bc = (np.zeros(shape, dtype=np.float32) for shape in ((a, b), (a, c), (b, c)))
+        problem.messages[triplet] = ab, ac, bc
+    cubes = sum(int(sizes[list(each)].prod()) for each in problem.messages)
+    work = len(visits) * cubes // 1500 + 200 * len(problem.messages) + problem.entries // 24
     for turn in range(PASSES if len(problem.costs) <= LARGEST_TESTED else PASSES // 3):
         problem.spread()
         for first, triplet in enumerate(problem.messages, turn):
             _visit(problem, triplet, visits, 0 if few else first)
         problem.normalize()
         problem.sweep()
-        budget.spend(work_of(problem, len(visits)))
+        budget.spend(work)
         if budget.stopped():
             break
     problem.normalize()
-
-
-def work_of(problem: ReducedProblem, visits: int) -> int:
-    """Work that a pass over the triplets counts as."""
-    sizes = np.diff(problem.start)
-    cubes = sum(int(sizes[a] * sizes[b] * sizes[c]) for a, b, c in problem.messages)
-    return visits * cubes // 1500 + 200 * len(problem.messages) + problem.entries // 24
-
-
-def _no_messages(problem: ReducedProblem, triplet: Triplet) -> tuple[Singles, Singles, Singles]:
-    a, b, c = np.diff(problem.start)[list(triplet)].tolist()
-    ab, ac, bc = (np.zeros(shape, dtype=np.float32) for shape in ((a, b), (a, c), (b, c)))
-    return ab, ac, bc
 
 
 def _visit(
@@ -76,19 +69,16 @@ def _visit(
     least together with a label of the third, and then all that is left of it."""
     a, b, c = triplet
     tables = (problem.table(a, b), problem.table(a, c), problem.table(b, c))
-    before = [
-        table - message for table, message in zip(tables, problem.messages[triplet], strict=True)
-    ]
+    messages = problem.messages[triplet]
+    before = [table - message for table, message in zip(tables, messages, strict=True)]
     left, given = [each.copy() for each in before], [np.zeros_like(each) for each in before]
     for at, share in visits:
         side, (ab, ac, bc) = (first + at) % 3, left
         one, other = ((ac, bc), (ab, bc.T), (ab.T, ac.T))[side]
         least = (least_sums(one, other) + left[side]) / share
         given[side] += least
-        left[side] -= np.where(least < np.inf, least, 0.0)  # what is excluded stays so
-    for table, message, old, new in zip(
-        tables, problem.messages[triplet], before, given, strict=True
-    ):
+        left[side] -= finite(least)
+    for table, message, old, new in zip(tables, messages, before, given, strict=True):
         moved = np.subtract(new, old, out=np.zeros_like(new), where=new < np.inf)
         # In single precision, which halves their memory, no message is larger than it was.
         message[...] = moved - np.finfo(np.float32).eps * np.abs(moved)
@@ -122,12 +112,8 @@ def _cheapest(problem: ReducedProblem) -> Floats:
     """(variables, variables, k, k) pair costs of the few labels of every variable that the best
     layouts may use, with their even shares of what these cost alone; the same both ways."""
     bounds = problem.label_lower_bounds()
-    labels = np.stack(
-        [
-            np.resize(mine.start + np.argsort(bounds[mine], kind="stable")[:CHEAPEST], CHEAPEST)
-            for mine in problem.slices
-        ]
-    )
+    ranked = (mine.start + np.argsort(bounds[mine], kind="stable") for mine in problem.slices)
+    labels = np.stack([np.resize(each[:CHEAPEST], CHEAPEST) for each in ranked])
     tables = np.zeros((problem.count, problem.count, CHEAPEST, CHEAPEST))
     place = labels - problem.start[:-1, None]
     for a, b in np.argwhere(np.triu(problem.linked)).tolist():
