@@ -244,11 +244,11 @@ def _moving_region(trajectories: Trajectories) -> tuple[Floats, Floats]:
 
 
 def _thinned(points: Floats, weights: Floats) -> Floats:
-    """At most `_SAMPLE` of the points: the heaviest, whatever their order."""
+    """Fewer than twice `_SAMPLE` of the points, evenly from the heaviest, in any order of them."""
     if len(points) <= _SAMPLE:
         return points
     heaviest = np.lexsort((*rounded(points).T, -rounded(weights)))[: 4 * _SAMPLE]
-    return points[heaviest[:: max(1, len(heaviest) // _SAMPLE)]]
+    return points[heaviest[:: len(heaviest) // _SAMPLE]]
 
 
 def _starts(every: Floats, region: Floats, weights: Floats, up: Floats) -> list[_Plane]:
