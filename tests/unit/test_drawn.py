@@ -118,6 +118,16 @@ def test_areas_face_along_the_normal_between_the_ends_of_tracks(degrees, areas):
     assert tracks.faces.counts.sum() == len(tracks.points), "no point is shared: the mesh is a manifold"
 
 
+@pytest.mark.parametrize("degrees", [(0, 90), (0, 60, 120), (10, 130, 250), (0, 90, 180, 270)])
+def test_an_area_has_the_middle_of_the_ends_that_it_spans_and_stops_short_of_them(degrees):
+    fan = element(around(*degrees))
+    ((ends, corners),) = drawn._areas(fan)
+    spanned = np.array([drawn._end(fan, end) for end in ends])
+    middle = spanned.mean(axis=0)
+    assert np.allclose(corners.mean(axis=0), middle)
+    assert np.allclose(corners - middle, 0.95 * (spanned - middle))
+
+
 def test_two_tracks_through_the_handle_span_an_area_between_their_four_ends():
     rig = makers.face(9, 11)
     ways = [member(name, way, (-1.0, 0.0, 1.0)) for name, way in (("chin", (1, 0, 0)), ("pucker", (0, 1, 0)))]
