@@ -13,9 +13,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, TextIO
 
-from rich.console import Console
-from rich.text import Text
-
 from usdrigui.errors import sentences, visible
 from usdrigui.terminal_table import Table
 from usdrigui.text_lines import columns, wrapped
@@ -58,15 +55,17 @@ class Screen:
         self._verbose = verbose
         self._silent = machine
         self._printed = time.monotonic()
-        self._side = Console(stderr=True, markup=False, highlight=False)
 
     @contextmanager
     def progress(self) -> Iterator[ProgressCallback]:
         """A live line on a terminal, one plain line a stage elsewhere, nothing when quiet."""
         if self._quiet or self._silent:
             yield _ignore
-        elif self._side.is_terminal:
-            with self._side.status("starting") as status:
+        elif sys.stderr is not None and sys.stderr.isatty():
+            from rich.console import Console  # as long to load as a layer takes to write
+
+            console = Console(stderr=True, markup=False, highlight=False)
+            with console.status("starting") as status:
                 yield lambda event: self._live(status, event)
         else:
             yield self._plain
@@ -230,6 +229,8 @@ class Screen:
         _put(sys.stdout, map(visible, text.splitlines()))
 
     def _live(self, status: Status, event: Event) -> None:
+        from rich.text import Text
+
         status.update(Text(f"{event.stage}: {event.detail}" if event.detail else event.stage))
 
     def _now_and_then(self, event: Event) -> None:

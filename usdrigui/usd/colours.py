@@ -6,7 +6,6 @@ import io
 from typing import Any
 
 import numpy as np
-from PIL import Image, UnidentifiedImageError
 from pxr import Ar, Usd, UsdGeom, UsdShade
 
 from usdrigui.model import Floats, Indices
@@ -184,6 +183,8 @@ def _image(shader: UsdShade.Shader) -> Any:
     )
     if not opened:
         return None
+    from PIL import Image, UnidentifiedImageError  # few assets come with textures
+
     try:
         with Image.open(io.BytesIO(bytes(opened.GetBuffer()))) as image:
             return (
