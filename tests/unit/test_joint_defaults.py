@@ -113,24 +113,24 @@ def with_defaults(rig):
 
 
 def test_a_trunk_and_small_bones_of_a_face_have_no_hinge_where_no_plane_mirrors_the_joints():
-    body = limbs.posed_body()
-    tree = Tree(body.body.joints, body.body.meshes)
+    rig = limbs.posed_body()
+    tree = Tree(rig.body.joints, rig.body.meshes)
     assert tree.mirror is None
-    bends = [body.body.joints[turn.home].path.rsplit("/", 1)[-1] for turn in default_turns(tree) if turn.name == "bend"]
+    bends = [rig.body.joints[turn.home].path.rsplit("/", 1)[-1] for turn in default_turns(tree) if turn.name == "bend"]
     assert sorted(bends) == ["a1", "b1", "c1", "d1"]
 
 
 def test_an_elbow_is_one_axis_that_lies_across_the_bend_and_a_joint_without_skin_is_none():
-    body = limbs.body_rig()
-    tree = Tree(body.body.joints, body.body.meshes)
+    rig = limbs.body_rig()
+    tree = Tree(rig.body.joints, rig.body.meshes)
     turns = default_turns(tree)
     bends = [turn for turn in turns if turn.name == "bend"]
-    assert [body.body.joints[turn.home].path.rsplit("/", 1)[-1] for turn in bends] == ["c1", "d1", "a1", "b1"]
+    assert [rig.body.joints[turn.home].path.rsplit("/", 1)[-1] for turn in bends] == ["c1", "d1", "a1", "b1"]
     for turn in bends:
         axis = rotation_part(tree.world[turn.home][None])[0].T @ turn.axes[0]
         assert abs(axis @ tree.direction([turn.home])) < 1e-6
     assert {turn.home for turn in turns} <= tree.owners
-    assert len(tree.owners) < len(body.body.joints)
+    assert len(tree.owners) < len(rig.body.joints)
 
 
 @pytest.mark.parametrize("turned", [0, 1, 2])
@@ -177,15 +177,13 @@ def kinds_of(rig):
 
 def test_helpers_off_the_way_change_no_degree_of_freedom():
     """A joint without skin on the ground above each limb, as exports have those of constraints."""
-    body = limbs.body_rig()
-    at = {re.sub(r"/([abcd])0", r"/m\1/\g<1>0", joint.path): joint.bind[3, :3] for joint in body.body.joints}
+    rig = limbs.body_rig()
+    at = {re.sub(r"/([abcd])0", r"/m\1/\g<1>0", joint.path): joint.bind[3, :3] for joint in rig.body.joints}
     at |= {path: np.array([0.0, -2.0, 0.0]) for path in ("h/s/ma", "h/s/mb", "h/mc", "h/md")}
     names = sorted(at, key=lambda path: (path.count("/"), path))
     owners = [i for i, name in enumerate(names) if name[-1] not in "e3" and name[-3:-1] != "/m"]
     helped = limbs.skeleton_rig(names, np.array([at[name] for name in names]), owners)
-    assert {(path[-2:], kind) for path, kind in kinds_of(helped)} == {
-        (path[-2:], kind) for path, kind in kinds_of(body)
-    }
+    assert {(path[-2:], kind) for path, kind in kinds_of(helped)} == {(path[-2:], kind) for path, kind in kinds_of(rig)}
 
 
 @pytest.mark.parametrize("made", [HAND, limbs.body_rig()], ids=["hand", "body"])
