@@ -15,7 +15,7 @@ from usdrigui.overlap import element_distance, pair_costs, total_cost
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import label_geometry
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.label_geometry import LabelGeometry, LabelSet, all_labels, pair_bounds
+from usdrigui.solve.label_geometry import LabelGeometry, LabelSet, all_labels, meeting, pair_bounds
 from usdrigui.solve.pair_costs import near_blocks, refined
 from usdrigui.solve.partition import Blocks, bisect, block_set, blocks_of_variables, cheapest, thinned
 
@@ -89,15 +89,15 @@ def test_blocks_cost_no_more_than_members_and_none_that_meet_are_passed_over(tim
     assert sum(pairs_wrong(each, times) for each in problems()) == 0
 
 
-@pytest.mark.parametrize(("name", "share"), [("extent", 0.2), ("slack", 0.5)])
+@pytest.mark.parametrize(("name", "share"), [("reach", 0.2), ("slack", 0.5)])
 def test_too_small_a_size_is_caught(name: str, share: float, monkeypatch: pytest.MonkeyPatch) -> None:
     geometry = label_geometry.LabelGeometry
-    honest = geometry.slack if name == "slack" else geometry.extent.func
+    honest = getattr(geometry, name)
 
     def small(*given: object) -> object:
         return share * honest(*given)
 
-    monkeypatch.setattr(geometry, name, small if name == "slack" else property(small))
+    monkeypatch.setattr(geometry, name, small)
     assert any(pairs_wrong(each, times) for each in problems() for times in (0, 1))
 
 
@@ -229,3 +229,14 @@ def test_members_handles_may_be_nearer_than_their_centres_by_what_both_are_off(
     at = np.array([0])
     (cost,), (meets,) = pair_bounds(geometry(0.0), at, geometry(between), at, problem)
     assert (np.isinf(cost), meets) == (excluded, near)
+
+
+@pytest.mark.parametrize(("between", "meet"), [(0.95, True), (1.05, False)])
+def test_elements_end_to_end_meet_by_their_mean_distance(between: float, meet: bool) -> None:
+    """The ends of two lines of length .8 are near, their samples in the mean are not."""
+    samples = np.zeros((5, 3, 2))
+    samples[:, 0] = np.linspace(-0.4, 0.4, 5)[:, None] + [0.0, between]
+    none = np.zeros(2)
+    lines = LabelGeometry(np.arange(2), samples, np.zeros((5, 2)), samples[2], none)
+    problem = LayoutProblem((), Overlap(5.0, 0.2, 20.0, 0.6, 0.15), 0.1, 0.85)
+    assert meeting(lines, np.array([0]), lines, np.array([1]), problem).tolist() == [meet]

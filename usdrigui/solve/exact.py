@@ -12,13 +12,13 @@ from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import LabelSet, all_labels
 from usdrigui.solve.local_search import LazyRows, LocalSearch
 from usdrigui.solve.milp import solve_milp
-from usdrigui.solve.partition import affordable_at_once, bisect, blocks_of_variables, cheapest
+from usdrigui.solve.partition import affordable_at_once
 from usdrigui.solve.reduce import Reduction, reduce
 from usdrigui.solve.reduced_problem import Solution
 from usdrigui.solve.toulbar2 import check_installed, solve_by_toulbar2
 
-HALVINGS = 6
-"""The first layout is one of the cheapest labels of 2 ** HALVINGS places of every variable."""
+DEARER = 0.18
+"""The first layout is one of labels that cost no more than this above their variable's cheapest."""
 TRIES = 4
 """Of local search per variable, and again as long as they help."""
 HIGHS_SHARE = 0.01
@@ -75,7 +75,7 @@ def _first_layout(
     """A good layout, and the labels that a better one may use.
 
     What a label costs against all others is dear to work out where there are many, so a layout of
-    few labels, far apart, comes first: it rules out most of the others by their linear costs alone.
+    labels nearly as cheap as the cheapest comes first: good layouts have hardly any others.
     """
     penalty = infeasible_penalty(problem, labels)
 
@@ -87,7 +87,7 @@ def _first_layout(
         incumbent = search_among(labels)
         incumbent.construct()
     else:
-        few = _cheapest_places(labels)
+        few = np.flatnonzero(labels.cost - labels.best[labels.variable] <= DEARER)
         rough = search_among(labels.of(few))
         rough.construct()
         rough.search(TRIES)
@@ -99,14 +99,6 @@ def _first_layout(
         incumbent.improve_from(chosen)
     incumbent.search(TRIES, budget.settings.work_limit / 2)
     return labels, incumbent
-
-
-def _cheapest_places(labels: LabelSet) -> np.ndarray:
-    """The cheapest labels of some places of every variable, ascending."""
-    blocks = blocks_of_variables(labels)
-    for _ in range(HALVINGS):
-        blocks, _parent = bisect(labels, blocks, np.ones(len(blocks.variable), dtype=bool))
-    return np.sort(cheapest(labels, blocks))
 
 
 # --- what is left ---------------------------------------------------------------------------------

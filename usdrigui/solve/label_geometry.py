@@ -69,13 +69,20 @@ class LabelGeometry(Record):
         no more than the sum of the amounts, and each of the other's nearest distances by no more
         than the largest.
         """
-        total, most = self._slack[:, at]
+        total, most = self._slack.take(at, axis=1)
         return np.asarray((total + samples * most) / max(len(self.samples) + samples, 1))
+
+    def reach(self, at: Indices | slice, samples: int) -> Floats:
+        """How far the middles of an element of so many samples and of members of geometries `at`
+        may be apart beyond the distance of the two, for this side's part: the other's nearest
+        samples here lie in a ball, so their mean does."""
+        total = samples * self.extent[at] + self._slack[0, at]
+        return np.asarray(total / max(len(self.samples) + samples, 1))
 
     def of(self, kept: Indices, owner: Indices) -> LabelGeometry:
         """Some of the geometries, of other owners."""
         every = (self.samples, self.apart, self.handle, self.handle_apart)
-        samples, apart, handle, handle_apart = (each[..., kept] for each in every)
+        samples, apart, handle, handle_apart = (each.take(kept, axis=-1) for each in every)
         return LabelGeometry(owner, samples, apart, handle, handle_apart)
 
     def places(self, labels: int) -> Indices:
@@ -212,9 +219,10 @@ def meeting(
     one: LabelGeometry, i: Indices, other: LabelGeometry, j: Indices | slice, problem: LayoutProblem
 ) -> Flags:
     """Whether members of geometries ``i`` of `one` and ``j`` of `other`, broadcast, may interact:
-    have samples or handles within the cutoff distance of the overlap cost or of the separation."""
-    cutoff = max(problem.overlap.cutoff_distance, problem.separation)
-    limit = one.extent[i] + other.extent[j] + cutoff
+    are within the cutoff distance of the overlap cost or have handles within the separation."""
+    reach = one.reach(i, len(other.samples)) + other.reach(j, len(one.samples))
+    handles = one.extent[i] + other.extent[j] + problem.separation
+    limit = np.maximum(reach + problem.overlap.cutoff_distance, handles)
     return np.asarray(squared(one.middle[:, i], other.middle[:, j]) < np.square(limit))
 
 
@@ -229,7 +237,7 @@ def pair_bounds(
     overlap, separation = problem.overlap, problem.separation
     distance = sample_distance(one.samples, i, other.samples, j)
     slack = one.slack(i, len(other.samples)) + other.slack(j, len(one.samples))
-    between = np.sqrt(squared(one.handle[:, i], other.handle[:, j]))
+    between = np.sqrt(squared(one.handle.take(i, axis=1), other.handle.take(j, axis=1)))
     handle_slack = one.handle_apart[i] + other.handle_apart[j]
     cost = overlap.weight * overlap_cost(distance + slack, overlap)
     # Members at the separation exactly, as on a grid, are allowed: a bound must not fall short of
@@ -251,13 +259,14 @@ def squared(a: Floats, b: Floats) -> Floats:
 
 
 def sample_distance(a: Floats, p: Indices, b: Floats, q: Indices) -> Floats:
-    """`overlap.element_distance` of pairs of elements stored as (u, 3, n) and (v, 3, m) arrays."""
-    found = np.empty(len(p))
+    """`overlap.element_distance` of pairs of elements stored as (u, 3, n) and (v, 3, m) arrays;
+    `p` (q,) or (1,) for one against all."""
+    found = np.empty(len(q))
     at_once = max(1, CHUNK // max(1, len(a) * len(b)))
-    for at in range(0, len(p), at_once):
+    for at in range(0, len(q), at_once):
         part = slice(at, at + at_once)
-        apart = np.subtract(a[:, None, :, p[part]], b[None, :, :, q[part]], order="C")
-        square = np.square(apart, out=apart).sum(axis=2)
+        one = a.take(p if len(p) == 1 else p[part], axis=2)
+        square = squared(one.swapaxes(0, 1)[:, :, None], b.take(q[part], axis=2).swapaxes(0, 1))
         nearest = np.sqrt(square.min(axis=0)).sum(axis=0) + np.sqrt(square.min(axis=1)).sum(axis=0)
         found[part] = nearest / (len(a) + len(b))
     return found

@@ -19,7 +19,7 @@ from usdrigui.solve.pair_costs import pair_costs
 
 SAME = 1e-9
 """Costs that differ by no more are of the same layout."""
-WORSE = 0.02
+WORSE = 0.01
 """How much worse than the best a layout may be for the search to go on from it, and, in the mean, a
 label put back than the cheapest."""
 
@@ -187,13 +187,13 @@ class LazyRows:
         together = self._problem.together[mine] & (np.arange(labels.variables) != mine)
         cost = np.zeros(len(labels.cost))
         for one in labels.geometries:
-            place = np.flatnonzero(one.owner == label)
+            place = np.arange(*np.searchsorted(one.owner, (label, label + 1)))
             for other in labels.geometries if len(place) else ():
                 at = np.flatnonzero(meeting(one, place, other, slice(None), self._problem))
                 at = at[together[labels.variable[other.owner[at]]]]
                 if len(at):
                     self._budget.spend(len(at))
-                    piece, _ = pair_bounds(one, place.repeat(len(at)), other, at, self._problem)
+                    piece, _ = pair_bounds(one, place, other, at, self._problem)
                     cost[other.owner[at]] += piece
         others, costs = self._explicit.of(label)
         cost[others] += costs
