@@ -77,7 +77,7 @@ WRONG_NAMES = [
 @pytest.mark.parametrize("command", ["process", "inspect", "check"])
 def test_everything_that_is_wrong_in_a_configuration_is_reported_at_once(command, texts, wrong, layer, capsys):
     asset = layer.with_name("char.usda")
-    (mesh, *_) = read_rigs(asset, load())[0].meshes
+    (mesh, *_) = read_rigs(asset, load())[0].body.meshes
     files = [layer.with_name(f"{i}.toml") for i in range(len(texts))]
     for file, text in zip(files, texts, strict=True):
         file.write_text(text.replace("MESH", mesh.path))
