@@ -111,7 +111,7 @@ def _usd_error(folder: Path, patch: Any) -> Found:
 def _thinned(folder: Path, patch: Any) -> Found:
     patch.setattr(skeleton, "_CLIP_BYTES", 600)
     path = minimal_assets.character(folder, "CLIP_THINNED")
-    return 0, [asdict(each) for each in rig.read_rigs(path, Settings())[0].issues]
+    return 0, [asdict(each) for each in rig.read_rigs(path, Settings())[0].findings.issues]
 
 
 def _trajectories(code: str) -> Trigger:
