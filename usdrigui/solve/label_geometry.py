@@ -158,13 +158,15 @@ def all_labels(problem: LayoutProblem) -> LabelSet:
 def _kept(variable: Variable, first_of_equals: bool) -> Indices:
     """The candidates of a variable that may be in a best layout, the board last."""
     kept = np.flatnonzero(variable.cost < variable.off_face_cost)
-    if first_of_equals and len(kept):
+    _, which, times = np.unique(variable.cost[kept], return_inverse=True, return_counts=True)
+    alike = kept[times[which] > 1]  # few, and rows are dear to compare
+    if first_of_equals and len(alike):
         columns = [
-            each[kept].reshape(len(kept), -1)
+            each[alike].reshape(len(alike), -1)
             for each in (variable.cost, variable.samples, variable.handles)
         ]
         first = np.unique(np.concatenate(columns, axis=1), axis=0, return_index=True)[1]
-        kept = kept[np.sort(first)]
+        kept = np.setdiff1d(kept, np.delete(alike, first))
     return np.append(kept, -1) if np.isfinite(variable.off_face_cost) else kept
 
 

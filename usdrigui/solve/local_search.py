@@ -110,7 +110,7 @@ class LocalSearch:
         self._moves()
         self._budget.spend(1 + len(self._costs) // 32)
         if self._value() < self.cost - SAME:
-            self._set(self._now.copy())
+            self._set(self._now)
             if self._value() < self.cost - SAME:
                 self.chosen, self.cost = self._now.copy(), self._value()
                 if self._tell and self.cost < self._budget.ceiling:
@@ -135,10 +135,11 @@ class LocalSearch:
 
     def _set(self, chosen: Indices) -> None:
         """Choose a whole layout anew: sums that grow and shrink leave their rounding behind."""
-        self._now[:] = -1
-        self._costs[:] = self._linear
-        for variable, label in enumerate(chosen):
-            self._place(variable, int(label))
+        at, costs = zip(*(self._rows.of(int(label)) for label in chosen), strict=True)
+        every = np.concatenate([np.arange(len(self._linear)), *at])
+        pairs = np.minimum(np.concatenate(costs), self.penalty)
+        self._costs = np.bincount(every, np.append(self._linear, pairs)).astype(np.float64)
+        self._now = chosen.copy()
 
     def _place(self, variable: int, label: int) -> None:
         """Choose a label of a variable, or none with -1."""

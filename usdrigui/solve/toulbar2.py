@@ -6,8 +6,8 @@ It runs in a process of its own: it answers no request to stop, so the process i
 
 from __future__ import annotations
 
+import io
 import itertools
-import pickle
 import subprocess
 import sys
 import tempfile
@@ -67,19 +67,20 @@ def _asked(network: Network, budget: Budget) -> Answer | None:
     """The answer of toulbar2 in a process that ends when the run is to stop; None then."""
     command, pipe = [sys.executable, "-m", __name__], subprocess.PIPE
     with tempfile.TemporaryFile() as question:
-        pickle.dump(network, question)
+        np.savez(question, *network)
         question.seek(0)
         with subprocess.Popen(command, stdin=question, stdout=pipe, start_new_session=True) as run:
             while not budget.stopped():
                 with suppress(subprocess.TimeoutExpired):
-                    found: Answer = pickle.loads(run.communicate(timeout=0.1)[0])
-                    return found
+                    answer = np.load(io.BytesIO(run.communicate(timeout=0.1)[0]))
+                    bound, chosen, rounding = (answer[name] for name in answer.files)
+                    return float(bound), chosen if len(chosen) else None, float(rounding)
             run.kill()
     return None
 
 
-def _solved(network: Network) -> Answer:
-    """The same by toulbar2 in this process."""
+def _solved(network: Network) -> tuple[float, Indices, float]:
+    """The same by toulbar2 in this process; no labels where no layout is found."""
     import pytoulbar2
 
     start, linear, pairs, spare = network
@@ -99,9 +100,11 @@ def _solved(network: Network) -> Answer:
     model.Option.verbose = -1
     model.Option.showSolutions = 0
     found = model.Solve()
-    chosen = None if found is None else np.array(found[0][: len(slices)], dtype=np.int64)
+    chosen = np.array([] if found is None else found[0][: len(slices)], dtype=np.int64)
     return float(model.GetDDualBound()), chosen, (len(slices) + tables) * 10.0**-digits
 
 
 if __name__ == "__main__":
-    sys.stdout.buffer.write(pickle.dumps(_solved(pickle.load(sys.stdin.buffer))))
+    asked = np.load(sys.stdin.buffer)
+    *tables, limit = (asked[name] for name in asked.files)
+    np.savez(sys.stdout.buffer, *_solved((*tables, float(limit))))
