@@ -16,7 +16,9 @@ import pytest
 from viewer_layouts import peak_layout
 
 from usdrigui.errors import RigUIError
+from usdrigui.layout.board.board import CATEGORIES
 from usdrigui.view.page import page_html
+from usdrigui.view.headings import heading
 from usdrigui.view.scene import pack
 
 KINDS = {"u1": "<u1", "u2": "<u2", "i2": "<i2", "u4": "<u4", "i4": "<i4", "f4": "<f4", "f8": "<f8"}
@@ -153,3 +155,16 @@ def test_no_character_is_refused():
     with pytest.raises(RigUIError) as caught:
         page_html([], "nothing")
     assert caught.value.issue.code == "VIEW_MISMATCH"
+
+
+def test_headings_of_the_board_come_in_the_order_of_the_layout(face):
+    rig, layout = face
+    words = ("theirs", *reversed(CATEGORIES))
+    elements = [
+        replace(layout.elements[0], name=word, placement=replace(layout.elements[0].placement, category=word))
+        for word in words
+    ]
+    header, _ = unpacked(pack([(rig, replace(layout, elements=tuple(elements)))], "face"))
+    packed = sorted(header["characters"][0]["layout"]["elements"], key=lambda each: each["rank"])
+    assert [each["category"] for each in packed] == [*CATEGORIES, "theirs"]
+    assert len({heading(word, "") for word in words}) == len(words)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from usdrigui.layout.board.board import CATEGORIES
+
 _HEADINGS = {
     "global": "whole character",
     "hidden": "hidden",
@@ -20,3 +22,9 @@ def heading(category: str, part: str) -> str:
     """What stands over the elements of a category on the board of a part of the character; a word
     that another tool wrote as it is."""
     return _HEADINGS.get(category, category).replace("face", part or "face")
+
+
+def rank(category: str) -> int:
+    """Place of a category on the board from top to bottom; a word that another tool wrote comes
+    last."""
+    return CATEGORIES.index(category) if category in CATEGORIES else len(CATEGORIES)

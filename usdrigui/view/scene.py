@@ -45,7 +45,7 @@ from usdrigui.skinning import carrying_joint
 from usdrigui.surface import triangles
 from usdrigui.view.clip import Reading, reading
 from usdrigui.view.complexion import complexion
-from usdrigui.view.headings import heading
+from usdrigui.view.headings import heading, rank
 from usdrigui.view.sections import main_layout, sections
 from usdrigui.view.shading import EYE, IRIS, PUPIL, Complexion, encoded
 
@@ -389,6 +389,7 @@ def _element(
         "reversed": list(element.manipulator.reversed),
         "inner": list(element.look.inner),
         "category": element.placement.category,
+        "rank": rank(element.placement.category),
         "heading": _capitalised(heading(element.placement.category, element.placement.part)),
         "reason": element.placement.reason,
         "glyph": _glyph(element.look.glyph),

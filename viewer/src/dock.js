@@ -64,7 +64,7 @@ export class Dock {
       return { left: rect.left + (at.column * rect.width) / columns + PAD, top: rect.top + at.top - height - this.scroll };
     };
     let category = null;
-    for (const element of [...this.elements].sort(byCategory)) {
+    for (const element of [...this.elements].sort(inRows)) {
       if (element.category !== category || !this.cells.size) this.headings.push({ ...step(HEAD), text: headingOf(element) });
       category = element.category;
       const height = heightOf(element);
@@ -158,7 +158,8 @@ export const headingOf = (element) => (element.category && element.heading) || '
 
 const FINGERS = globalThis.matchMedia?.('(pointer: coarse)').matches ?? false;
 const heightOf = (element) => (element.axes.length > 1 ? SQUARE : FINGERS ? FINGER : ROW);
-const byCategory = (a, b) => (a.category < b.category ? -1 : a.category > b.category ? 1 : a.index - b.index);
+/** Rows in the order of the layer's board; words of other tools come last, each by itself. */
+export const inRows = (a, b) => a.rank - b.rank || Number(a.category > b.category) - Number(a.category < b.category) || a.index - b.index;
 
 /** From scene units to the pixels of a cell: the tracks' box in its middle, as large as it goes. */
 function mapInto({ left, top, height, points, origin, flat }) {

@@ -1,5 +1,5 @@
 // Two levels of a layout: coarse elements first, and in place of an opened one its members; mirrors
-// usdrigui/levels.py.  Opening an element opens the one on the other side with it.
+// usdrigui/visible.py.  Opening an element opens the one on the other side with it.
 
 export class Levels {
   constructor(elements) {
