@@ -145,7 +145,7 @@ def followed(
         return references, rigs
     was = f"was {before.character.root} in the previous layout"
     renamed = issue("PREVIOUS_RENAMED", rig.skel_root.path, was)
-    told = (*rig.findings.issues, *of_character(rig.skel_root.character, (renamed,)))
+    told = (*rig.findings.issues, *of_character(rig.skel_root.path_in_variants, (renamed,)))
     return replace(references, previous={rig.skel_root.path: layout}), (
         replace(rig, findings=replace(rig.findings, issues=told)),
     )

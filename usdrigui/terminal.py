@@ -252,7 +252,7 @@ class Screen:
         summary = f"{len(elements)} elements" + (
             f", {existing} of which are in another layer" if existing else ""
         )
-        self._say(f"{character.layout.character.path}: {summary}")
+        self._say(f"{character.layout.character.path_in_variants}: {summary}")
         placed = [row for row in character.rows if not existing or row.element in character.added]
         if placed and (self._verbose or existing):
             self._table(_rows_table(placed, _places(elements)))

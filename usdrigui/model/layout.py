@@ -57,7 +57,7 @@ class LayoutCharacter(Record):
     without."""
 
     @property
-    def path(self) -> str:
+    def path_in_variants(self) -> str:
         """Of the SkelRoot, with the variants that hold the layout, if any."""
         return self.variant_path or self.root
 
@@ -155,12 +155,12 @@ class Look(Record):
 
     label: str
     side: Side
-    """Tells its colour."""
+    """Determines its colour."""
     adapt: Literal["deform", "static"] = "deform"
     glyph: Glyph | None = None
     """Drawn as its handle; None for the usual shape."""
     inner: tuple[str, ...] = ()
-    """Names of its members: the elements that are shown in its place when it is opened.  None
+    """Names of its members: the elements that are shown in its place when it is opened.  Empty
     unless it is coarse."""
 
 

@@ -24,7 +24,7 @@ class Rig(Record):
     body: Body
     controls: tuple[Control, ...]
     findings: Findings
-    """Controls that the source has but the rig does not, and what there is to say of the source."""
+    """Controls that the source has but the rig does not, and the issues of the source."""
     configured: Configured
 
     @cached_property
@@ -48,9 +48,9 @@ class SkelRoot(Record):
     """The animation of what is bound under it."""
 
     @property
-    def character(self) -> str:
-        """What findings call the character: its SkelRoot, with the variants in which the layout
-        stands."""
+    def path_in_variants(self) -> str:
+        """Of the SkelRoot, with the variants that are to hold the layout, if any: what findings
+        call the character."""
         return self.variant_path or self.path
 
 
@@ -96,7 +96,7 @@ class Configured(Record):
     """What the configuration adds to a rig."""
 
     excluded: tuple[Control, ...] = ()
-    """Controls that it leaves out; what they move still tells how large the face is."""
+    """Controls that it leaves out; what they move still counts for the size of the face."""
     glyphs: Mapping[str, Glyph] = field(default_factory=dict)
     """Shapes that it wants drawn as handles, by the name that it gives them."""
 

@@ -43,7 +43,7 @@ def convert(layer: Path, target: Path, settings: Settings) -> State:
         raise refuse("SOURCE_MISSING", str(layer), "does not sublayer any asset")
     source = Path(layouts[0].source)
     reads = [read_rigs_isolated(source, each) for each in chosen]
-    laid = {pair[1].character.path: pair for pair in _pairs(layouts, reads, source)}
+    laid = {pair[1].character.path_in_variants: pair for pair in _pairs(layouts, reads, source)}
     check_target(source, target)
     check_replaceable(target, opening)
     from usdrigui.usd.layer import write_layout

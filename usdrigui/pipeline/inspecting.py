@@ -68,7 +68,7 @@ def inspect(
                 clips,
             )
             facts = replace(facts, animation=uses)
-            issues += of_character(rig.skel_root.character, odd)
+            issues += of_character(rig.skel_root.path_in_variants, odd)
         characters.append(facts)
     return Inspection(str(asset), tuple(characters), tuple(issues), clock.seconds)
 

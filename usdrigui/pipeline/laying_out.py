@@ -454,7 +454,9 @@ def _account(
         ),
         issues=(
             *issues_of(parts),
-            *of_character(rig.skel_root.character, (*dict.fromkeys(short), *unexplained, *nothing)),
+            *of_character(
+                rig.skel_root.path_in_variants, (*dict.fromkeys(short), *unexplained, *nothing)
+            ),
         ),
         difference=changes,
         added=added,

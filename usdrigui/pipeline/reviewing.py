@@ -262,8 +262,10 @@ def _review_of(
             for e in loaded.contradictions
             if e.character == rig.skel_root.path
         ]
-        own = replace(found, issues=of_character(rig.skel_root.character, [*wrong, *found.issues]))
-        reviews.append((rig.skel_root.character, own))
+        own = replace(
+            found, issues=of_character(rig.skel_root.path_in_variants, [*wrong, *found.issues])
+        )
+        reviews.append((rig.skel_root.path_in_variants, own))
     return LayerReview(name, tuple(reviews), clock.seconds, (*stale, *loaded.without_layout))
 
 
@@ -398,7 +400,7 @@ def _difference(before: Path, after: Path, opening: Opening) -> LayerDifference:
     found = tuple(
         replace(
             difference_stage.difference(first, second),
-            root=second.character.path,
+            root=second.character.path_in_variants,
         )
         for first, second in shared
     )

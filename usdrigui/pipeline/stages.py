@@ -128,7 +128,7 @@ class ProblemInputs:
         )
         rig, odd = self.face.rig, self.face.trajectories.findings.issues
         own = of_character(
-            rig.skel_root.character, (*odd, *unexplained, *renamed, *self.pins.issues)
+            rig.skel_root.path_in_variants, (*odd, *unexplained, *renamed, *self.pins.issues)
         )
         return (*rig.findings.issues, *own)
 

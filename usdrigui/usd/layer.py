@@ -82,7 +82,7 @@ def write_layout(
     reference = "" if settings.bare else relative_asset_path(source, target)
     layer = layer_for(laid, reference, settings, metadata)
     content = layer_bytes(layer, target.suffix, str(target))
-    roots = [layout.character.path for _, layout in laid]
+    roots = [layout.character.path_in_variants for _, layout in laid]
     return write(content, target, verify=functools.partial(holds_layouts, roots))
 
 
@@ -234,7 +234,7 @@ def author_metadata(layer: Sdf.Layer, metadata: Mapping[str, Any], laid: Laid) -
 
 def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
     """The Scope of one character with all its elements."""
-    root = author_variant(layer, layout.character.path)
+    root = author_variant(layer, layout.character.path_in_variants)
     scope = author.prim(root, schema.SCOPE, "Scope", (schema.LAYOUT,))
     scope.SetInfo("documentation", _ABOUT)
     author.put(scope, "purpose", "token", "guide", uniform=True)

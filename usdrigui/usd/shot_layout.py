@@ -86,9 +86,7 @@ def write_shot_layouts(
                 _author(layer, each)
                 author_limits(layer, each.rig)
     content = layer_bytes(layer, target.suffix, str(target))
-    roots = [
-        each.rig.skel_root.variant_path or each.rig.skel_root.path for each in shots if each.added
-    ]
+    roots = [each.rig.skel_root.path_in_variants for each in shots if each.added]
     return write(content, target, verify=functools.partial(holds_layouts, roots))
 
 
@@ -96,7 +94,7 @@ def _author(layer: Sdf.Layer, shot: ShotLayout) -> None:
     rig, layout = shot.rig, shot.layout
     as_variant = all(prim.in_variant for prim in shot.prims)
     root = (
-        author_variant(layer, rig.skel_root.variant_path or rig.skel_root.path)
+        author_variant(layer, rig.skel_root.path_in_variants)
         if as_variant
         else Sdf.CreatePrimInLayer(layer, rig.skel_root.path)
     )

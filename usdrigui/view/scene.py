@@ -65,17 +65,17 @@ def pack(rig_layouts: Sequence[tuple[Rig, Layout]], title: str) -> bytes:
     refer to arrays in the body.  Raises RigUIError VIEW_MISMATCH when a layout names a mesh or a
     control that its rig does not have.
     """
-    body = _Body()
+    arrays = _Arrays()
     header = {
         "title": title,
-        "characters": [_character(body, rig, layout) for rig, layout in rig_layouts],
+        "characters": [_character(arrays, rig, layout) for rig, layout in rig_layouts],
     }
     text = json.dumps(header, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 4)
-    return zlib.compress(len(text).to_bytes(4, "little") + text + bytes(body.content), 9)
+    return zlib.compress(len(text).to_bytes(4, "little") + text + bytes(arrays.content), 9)
 
 
-class _Body:
+class _Arrays:
     """Growing store of arrays, each entered as its byte planes."""
 
     def __init__(self) -> None:
@@ -115,37 +115,32 @@ class _Body:
 # --- the rig --------------------------------------------------------------------------------------
 
 
-def _character(body: _Body, rig: Rig, layout: Layout) -> Json:
+def _character(arrays: _Arrays, rig: Rig, layout: Layout) -> Json:
+    body = rig.body
+    joints = body.joints
     return {
         "root": rig.skel_root.path,
         "identity": _identity(rig),
         "up": _list(rig.skel_root.up),
         "metresPerUnit": rig.skel_root.metres_per_unit,
-        "meshes": _meshes(
-            body, rig.body.meshes, rig.body.starts, complexion(rig, main_layout(layout))
-        ),
+        "meshes": _meshes(arrays, body.meshes, body.starts, complexion(rig, main_layout(layout))),
         "eye": {**{name: _srgb(colour) for name, colour in EYE.items()}, "radii": [PUPIL, IRIS]},
         "skeletons": [
             {"path": each.path, "animation": each.animation, "toRoot": _list(each.to_root)}
-            for each in rig.body.skeletons
+            for each in body.skeletons
         ],
         "joints": [
-            {"path": each.path, "skeleton": each.skeleton, "parent": each.parent}
-            for each in rig.body.joints
+            {"path": each.path, "skeleton": each.skeleton, "parent": each.parent} for each in joints
         ],
-        "bind": body.reals(
-            np.array([each.bind for each in rig.body.joints]).reshape(-1, 4, 4), "f8"
-        ),
-        "base": body.reals(
-            np.array([each.base for each in rig.body.joints]).reshape(-1, 4, 4), "f8"
-        ),
+        "bind": arrays.reals(np.array([each.bind for each in joints]).reshape(-1, 4, 4), "f8"),
+        "base": arrays.reals(np.array([each.base for each in joints]).reshape(-1, 4, 4), "f8"),
         "channels": [
             {"token": each.token, "animation": each.animation, "index": each.index}
-            for each in rig.body.channels
+            for each in body.channels
         ],
-        "baseWeights": _list(rig.body.base_weights),
+        "baseWeights": _list(body.base_weights),
         "controls": [_control(each) for each in rig.controls],
-        "clip": _clip(body, rig.skel_root.clip, rig.findings.issues),
+        "clip": _clip(arrays, rig.skel_root.clip, rig.findings.issues),
         "layout": _layout(rig, layout),
     }
 
@@ -162,14 +157,14 @@ def _identity(rig: Rig) -> str:
 
 
 def _meshes(
-    body: _Body, meshes: tuple[RigMesh, ...], starts: Indices, look: Complexion
+    arrays: _Arrays, meshes: tuple[RigMesh, ...], starts: Indices, look: Complexion
 ) -> list[Json]:
     spans = [slice(a, b) for a, b in itertools.pairwise(starts.tolist())]
     looks = [Complexion(look.colours[span], look.gaze[span], look.clear[span]) for span in spans]
-    return [_mesh(body, mesh, own) for mesh, own in zip(meshes, looks, strict=True)]
+    return [_mesh(arrays, mesh, own) for mesh, own in zip(meshes, looks, strict=True)]
 
 
-def _mesh(body: _Body, mesh: RigMesh, look: Complexion) -> Json:
+def _mesh(arrays: _Arrays, mesh: RigMesh, look: Complexion) -> Json:
     low, step, grid = _quantised_positions(mesh.points)
     corners = triangles(
         mesh.points,
@@ -184,14 +179,14 @@ def _mesh(body: _Body, mesh: RigMesh, look: Complexion) -> Json:
         "visible": mesh.display.visible,
         "low": _list(low),
         "step": _list(step),
-        "points": body.integers(grid, "u2"),
-        "triangles": body.wandering(corners),
+        "points": arrays.integers(grid, "u2"),
+        "triangles": arrays.wandering(corners),
         "toRoot": _list(mesh.binding.to_root),
-        "skin": None if mesh.binding.skin is None else _skin(body, mesh.binding.skin),
-        "shapes": [_shape(body, shape) for shape in mesh.binding.shapes],
-        "colours": body.integers(np.rint(255.0 * encoded(look.colours)), "u1"),
+        "skin": None if mesh.binding.skin is None else _skin(arrays, mesh.binding.skin),
+        "shapes": [_shape(arrays, shape) for shape in mesh.binding.shapes],
+        "colours": arrays.integers(np.rint(255.0 * encoded(look.colours)), "u1"),
         "gaze": (
-            body.integers(np.rint(look.gaze / _GAZE_STEP).clip(-32767, 32767), "i2")
+            arrays.integers(np.rint(look.gaze / _GAZE_STEP).clip(-32767, 32767), "i2")
             if on_eye
             else None
         ),
@@ -211,7 +206,7 @@ def _quantised_positions(points: Floats) -> tuple[Floats, Floats, NDArray[np.int
     return low, step, np.rint((points - low) / step).astype(np.int64)
 
 
-def _shape(body: _Body, shape: Shape) -> Json:
+def _shape(arrays: _Arrays, shape: Shape) -> Json:
     """Offsets in steps of the largest; points that round to no offset at all are left out."""
     largest = float(np.abs(shape.offsets).max(initial=0.0))
     step = largest / _OFFSET_STEPS if largest > 0.0 else 1.0
@@ -221,12 +216,12 @@ def _shape(body: _Body, shape: Shape) -> Json:
         "channel": shape.channel,
         "weights": _list(shape.weights),
         "step": step,
-        "points": body.ascending(shape.points[kept]),
-        "offsets": body.integers(grid[:, kept], "i2"),
+        "points": arrays.ascending(shape.points[kept]),
+        "offsets": arrays.integers(grid[:, kept], "i2"),
     }
 
 
-def _skin(body: _Body, skin: Skin) -> Json:
+def _skin(arrays: _Arrays, skin: Skin) -> Json:
     """Influences; a rigid skin stores one row, and columns without any weight are left out."""
     rows = slice(0, 1) if skin.rigid else slice(None)
     joints, weights = skin.joints[rows], skin.weights[rows]
@@ -234,8 +229,8 @@ def _skin(body: _Body, skin: Skin) -> Json:
         np.flatnonzero((weights > 0.0).any(axis=0)) if len(weights) else np.arange(weights.shape[1])
     )
     return {
-        "joints": body.integers(joints[:, used], "u2"),
-        "weights": body.integers(np.rint(weights[:, used] * _WEIGHT_STEPS), "u2"),
+        "joints": arrays.integers(joints[:, used], "u2"),
+        "weights": arrays.integers(np.rint(weights[:, used] * _WEIGHT_STEPS), "u2"),
         "dualQuaternion": skin.method == "dualQuaternion",
         "geomBind": _list(skin.geom_bind),
     }
@@ -276,15 +271,15 @@ def _drive(drive: Drive) -> Json:
     }
 
 
-def _clip(body: _Body, clip: Clip | None, issues: tuple[Issue, ...]) -> Json | None:
+def _clip(arrays: _Arrays, clip: Clip | None, issues: tuple[Issue, ...]) -> Json | None:
     if clip is None or not len(clip.times):
         return None
     return {
         "times": _list(clip.times),
         "framesPerSecond": clip.frames_per_second,
         "thinned": any(each.code == "CLIP_THINNED" for each in issues),
-        "weights": body.reals(clip.weights),
-        "locals": body.reals(clip.locals),
+        "weights": arrays.reals(clip.weights),
+        "locals": arrays.reals(clip.locals),
     }
 
 

@@ -135,7 +135,7 @@ def refuse_stale(
     """Raise every error for which a layout does not fit the rig any more (LAYOUT_...), by cause."""
     faults = Faults()
     stale = of_character(
-        rig.skel_root.character, _stale(rig, trajectories, layout, settings, layout)
+        rig.skel_root.path_in_variants, _stale(rig, trajectories, layout, settings, layout)
     )
     for found in by_cause(stale):
         with faults.collected():
