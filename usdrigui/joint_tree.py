@@ -105,10 +105,11 @@ def _bound_skin(meshes: Sequence[RigMesh]) -> Iterator[tuple[int, Floats, Floats
     """Of each mesh, each joint that acts on it, the points (p, 3) on which it does, bound, and its
     weights (p,)."""
     for mesh in meshes:
-        if mesh.binding.skin is None:
+        skin = mesh.binding.skin
+        if skin is None:
             continue
-        bound = bound_points(mesh.points, mesh.binding.skin)[:, :3]
-        points, weights, present, starts = mesh.binding.skin.by_joint
+        bound = bound_points(mesh.points, skin)[:, :3]
+        points, weights, present, starts = skin.by_joint
         for row, joint in enumerate(present.tolist()):
             part = slice(starts[row], starts[row + 1])
             yield joint, bound[points[part]], weights[part]

@@ -114,14 +114,11 @@ def as_sibling(references: ReferenceLayouts, rig: Rig, first: Layout) -> Referen
     what both have stands at the same places.  As they are where a layout is given for it already,
     or the two have no control in common.
     """
-    given = (
-        bool(references.like)
-        or rig.skel_root.path in references.fixed
-        or rig.skel_root.path in references.previous
-    )
+    root = rig.skel_root.path
+    given = bool(references.like) or root in references.fixed or root in references.previous
     if given or not _shares_controls(first.controls, rig):
         return references
-    return replace(references, previous={**references.previous, rig.skel_root.path: first})
+    return replace(references, previous={**references.previous, root: first})
 
 
 def followed(
@@ -227,15 +224,16 @@ def own_references(
     Raises CONFIG_UNKNOWN_CONTROL for names of `like` that nobody bears, CONFIG_VALUE when the fixed
     layer has no such character, or none of several characters to imitate has the path of this one.
     """
-    if references.fixed and rig.skel_root.path not in references.fixed:
+    root = rig.skel_root.path
+    if references.fixed and root not in references.fixed:
         raise refuse(
             "CONFIG_VALUE",
             "--fixed",
-            f"has layouts of {', '.join(references.fixed)}, not of {rig.skel_root.path}",
+            f"has layouts of {', '.join(references.fixed)}, not of {root}",
         )
     earlier = {
-        "fixed": references.fixed.get(rig.skel_root.path),
-        "previous": references.previous.get(rig.skel_root.path),
+        "fixed": references.fixed.get(root),
+        "previous": references.previous.get(root),
     }
     found = {
         which: match_layout(each, rig, trajectories)

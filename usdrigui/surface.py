@@ -31,10 +31,8 @@ def triangles(
     fan, or ears where a fan would leave a concave face.  `left_handed` faces are turned round, so
     that the normals computed from the result always point outward.
     """
-    counts, indices = (
-        np.asarray(face_counts, dtype=np.int64),
-        np.asarray(face_indices, dtype=np.int64),
-    )
+    counts = np.asarray(face_counts, dtype=np.int64)
+    indices = np.asarray(face_indices, dtype=np.int64)
     faces = triangle_faces(counts)
     if not len(faces):
         return np.zeros((0, 3), dtype=np.int64)

@@ -258,10 +258,8 @@ def _flat_picker(arguments: argparse.Namespace) -> Exit:
         content = picker.to_svg(made).encode()
         say(f"{pipeline.write_file(content, arguments.svg, read)} {arguments.svg}", arguments)
     if arguments.dwpicker is not None:
-        name, place = (
-            arguments.layer.name.partition(".")[0],
-            f"$DWPICKER_PROJECT_DIRECTORY/{behind.name}",
-        )
+        name = arguments.layer.name.partition(".")[0]
+        place = f"$DWPICKER_PROJECT_DIRECTORY/{behind.name}"
         content = picker.to_dwpicker(made, name, place).encode()
         say(f"{pipeline.write_file(picker.background_png(made), behind, read)} {behind}", arguments)
         say(

@@ -271,16 +271,17 @@ Panel = tuple[Backdrop, list[Spot]]
 
 def _panels(rig: Rig, layout: Layout, labels: bool) -> list[Panel]:
     """One panel a part of a character."""
+    up = rig.skel_root.up
     posed = evaluate(prepare(rig, layout))
     colours = complexion(rig, main_layout(layout))
     whole = shading.subject_of(rig.body.meshes, posed.points, colours)
     if len(layout.frame.parts) < 2:
-        return [_panel(rig.skel_root.up, layout, posed, whole, "", labels)]
+        return [_panel(up, layout, posed, whole, "", labels)]
     panels = []
-    for each in sections(layout, posed, rig.skel_root.up):
+    for each in sections(layout, posed, up):
         own = cut_away(rig, each.layout, colours)
         seen = whole if own is colours else shading.subject_of(rig.body.meshes, posed.points, own)
-        panels.append(_panel(rig.skel_root.up, each.layout, each.posed, seen, each.title, labels))
+        panels.append(_panel(up, each.layout, each.posed, seen, each.title, labels))
     return panels
 
 
@@ -489,20 +490,21 @@ def _png(image: Image.Image) -> bytes:
 
 def _group(spot: Spot) -> list[str]:
     element, anchor = spot.element, spot.element.anchor
-    controls = [member.control for member in element.manipulator.members]
+    manipulator, label = element.manipulator, markup(element.look.label)
+    controls = [member.control for member in manipulator.members]
     facts = {
         "id": element.name,
         "data-controls": json.dumps(controls, ensure_ascii=False),
-        "data-kind": element.manipulator.kind,
+        "data-kind": manipulator.kind,
         "data-side": element.look.side,
-        "data-mirror": element.manipulator.mirror,
+        "data-mirror": manipulator.mirror,
         "data-anchor": f"{anchor.mesh}#{anchor.point}",
         "data-board": str(anchor.on_board).lower(),
     }
     attributes = " ".join(f'{name}="{markup(value)}"' for name, value in facts.items())
     lines = [f"<g {attributes}>"]
-    lines.append(f"<title>{markup(element.look.label)}: {markup(', '.join(controls))}</title>")
-    for member, track in zip(element.manipulator.members, spot.tracks, strict=True):
+    lines.append(f"<title>{label}: {markup(', '.join(controls))}</title>")
+    for member, track in zip(manipulator.members, spot.tracks, strict=True):
         lines.append(
             f'<polyline data-control="{markup(member.control)}" points="{_points(track)}"'
             f' fill="none" stroke="{_hex(element)}" stroke-width="4" stroke-linecap="round"'
@@ -514,13 +516,11 @@ def _group(spot: Spot) -> list[str]:
         x += 4.0 if side == "start" else -4.0
         lines.append(
             f'<text x="{x:.2f}" y="{y + 5.0:.2f}" font-size="14"'
-            f' text-anchor="{side}">{markup(element.look.label)}</text>'
+            f' text-anchor="{side}">{label}</text>'
         )
     if anchor.on_board:
         x, y = _label_place(spot)
-        lines.append(
-            f'<text x="{x:.2f}" y="{y:.2f}" font-size="14">{markup(element.look.label)}</text>'
-        )
+        lines.append(f'<text x="{x:.2f}" y="{y:.2f}" font-size="14">{label}</text>')
     return [*lines, "</g>"]
 
 

@@ -102,25 +102,22 @@ def find_views(
     point of a visible mesh counts as seen.  Raises CONFIG_VALUE for a view that cannot be
     understood.
     """
-    ahead = front_of(rig.skel_root.up, trajectories, plane.normal)
-    directions = _directions(view, ahead, rig.skel_root.up, camera)
+    up, surface = rig.skel_root.up, trajectories.surface
+    ahead = front_of(up, trajectories, plane.normal)
+    directions = _directions(view, ahead, up, camera)
     drawn = np.concatenate(
         [np.full(len(mesh.points), mesh.display.visible) for mesh in rig.body.meshes]
     )
-    frame = _frame(trajectories.surface, plane, ahead, rig.skel_root.up)
+    frame = _frame(surface, plane, ahead, up)
     if not occlusion:
-        return Views(
-            ahead, rig.skel_root.up, directions, np.tile(drawn, (len(directions), 1)), None, frame
-        )
-    points, normals = (
-        frame.points(trajectories.surface.points),
-        frame.directions(trajectories.surface.normals),
-    )
+        return Views(ahead, up, directions, np.tile(drawn, (len(directions), 1)), None, frame)
+    points = frame.points(surface.points)
+    normals = frame.directions(surface.normals)
     caster = make_caster(points[mesh_triangles(rig.body.meshes, visible_only=True)])
     seen = [
         visible_from(caster, points, normals, frame.directions(toward)) for toward in directions
     ]
-    return Views(ahead, rig.skel_root.up, directions, np.stack(seen) & drawn, caster, frame)
+    return Views(ahead, up, directions, np.stack(seen) & drawn, caster, frame)
 
 
 def _frame(surface: BaseSurface, plane: MirrorPlane, ahead: Floats, up: Floats) -> Frame:
@@ -143,10 +140,8 @@ def mostly_hidden(
     if views.caster is not None:
         for direction in views.directions:
             ask = np.flatnonzero(hidden)
-            lifted, outward = (
-                views.frame.points(tracks[ask] + depth * direction),
-                views.frame.directions(normals[ask]),
-            )
+            lifted = views.frame.points(tracks[ask] + depth * direction)
+            outward = views.frame.directions(normals[ask])
             hidden[ask] = (
                 hidden_share(views.caster, lifted, outward, views.frame.directions(direction))
                 > share

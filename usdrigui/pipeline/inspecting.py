@@ -132,11 +132,9 @@ def _control(
 ) -> ControlFacts:
     """One control; without a motion it belongs to no part, and the `first` one lists it."""
     control, source = controls[index], own or first
-    chosen, motion, symmetry = (
-        source.sets.get(index),
-        source.motions.get(index),
-        source.part.face.symmetry,
-    )
+    chosen = source.sets.get(index)
+    motion = source.motions.get(index)
+    symmetry = source.part.face.symmetry
     flags = list(flags)
     if chosen is not None and chosen.category:
         flags.append(

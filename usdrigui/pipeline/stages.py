@@ -199,8 +199,8 @@ def divided(
     with clock.stage("trajectories"):
         found = trajectories(rig, settings.character.trajectories, base_values)
     _refuse_motionless(rig.skel_root.path, found.motions)
-    asked, whole = settings, settings.character
-    own = own_references(references, rig, found, whole.like, whole.trajectories)
+    asked, sampling = settings, settings.character.trajectories
+    own = own_references(references, rig, found, settings.character.like, sampling)
     settings = with_sections(asked, controls=with_fixed(own, rig, asked.rig.controls))
     pins = decisions(own, rig, found, settings.layout.objective.keep_penalty)
     existing = references.existing(rig)
@@ -214,9 +214,9 @@ def divided(
                 rig,
                 found,
                 displacement_fields(found),
-                whole.symmetry,
+                settings.character.symmetry,
                 configured_twins(rig, settings.rig.controls),
-                whole.trajectories,
+                sampling,
                 base_values,
             )
     return Divided(
@@ -241,15 +241,15 @@ def part_problem(
     """The layout problem of one part; `neighbours` are the elements of the parts that are laid out
     already."""
     rig, settings, found = character.rig, character.settings, character.trajectories
-    layout = settings.layout
+    own = settings.layout
     if len(character.parts) > 1:
         found = of_controls(
             rig, found, part.controls, part.excluded, settings.character.trajectories
         )
-        layout = of_part(layout, rig, part)
+        own = of_part(own, rig, part)
     if character.existing is not None:
-        layout = with_drawn_handles(character.existing, part.name, found.surface, layout)
-    settings = replace(settings, layout=layout)
+        own = with_drawn_handles(character.existing, part.name, found.surface, own)
+    settings = replace(settings, layout=own)
     prior = prior_layout_of(
         character.references,
         rig,
@@ -373,6 +373,8 @@ def measure(
 ) -> Measured:
     """The stages before placing; parameters as of `problem_at`."""
     _refuse_motionless(rig.skel_root.path, found.motions)
+    candidates, objective = settings.layout.candidates, settings.layout.objective
+    twin_similarity = settings.character.symmetry.twin_similarity
     with clock.stage("symmetry"):
         fields, twins = displacement_fields(found), configured_twins(rig, settings.rig.controls)
         if whole is not None and whole.plane.normal.any() and part != FACE:
@@ -382,7 +384,7 @@ def measure(
                 found.motions,
                 fields,
                 whole,
-                settings.character.symmetry.twin_similarity,
+                twin_similarity,
                 twins,
             )
         else:
@@ -401,7 +403,7 @@ def measure(
                     found.motions,
                     fields,
                     whole,
-                    settings.character.symmetry.twin_similarity,
+                    twin_similarity,
                     twins,
                 )
     with clock.stage("candidates"):
@@ -409,21 +411,19 @@ def measure(
             rig,
             found,
             symmetry.plane,
-            settings.layout.candidates.view,
-            settings.layout.candidates.occlusion,
+            candidates.view,
+            candidates.occlusion,
             camera,
         )
         requests = _requests(rig, found, symmetry, settings, references)
         expected = expectations(found, symmetry, views, requests.names.meanings)
         requests = replace(requests, names=replace(requests.names, expected=expected))
         alike = similarity(fields)
-        classification = classify(
-            rig, found, symmetry, views, alike, requests, settings.layout.candidates
-        )
-        toward = views.flat_direction(settings.layout.candidates.space)
+        classification = classify(rig, found, symmetry, views, alike, requests, candidates)
+        toward = views.flat_direction(candidates.space)
         placed = on_face(found.motions, classification, requests.overrides)
-        width = handle_width(found, views, placed, toward, settings.layout.objective)
-        if settings.layout.objective.distinctive_weight > 0.0:
+        width = handle_width(found, views, placed, toward, objective)
+        if objective.distinctive_weight > 0.0:
             found = with_common_motion(found, alike, placed, views.anywhere)
     return Measured(Face(rig, found, symmetry, views, width), alike, requests, classification)
 

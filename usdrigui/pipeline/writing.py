@@ -83,12 +83,12 @@ def check_base(
         )
     composed = _composes(source, layer)
     for rig in rigs:
-        root = root_in_base(base.layouts, rig)
-        if root != rig.skel_root.path and not composed and base.source and not bare:
-            raise refuse("BASE_APART", rig.skel_root.path, f"is {root} in {layer.name}")
-        if composed and rig.skel_root.path not in source.composed_from:
+        own, root = rig.skel_root.path, root_in_base(base.layouts, rig)
+        if root != own and not composed and base.source and not bare:
+            raise refuse("BASE_APART", own, f"is {root} in {layer.name}")
+        if composed and own not in source.composed_from:
             message = f"does not compose the layout of {layer.name} with the variants selected"
-            raise refuse("BASE_APART", rig.skel_root.path, message)
+            raise refuse("BASE_APART", own, message)
 
 
 def _composes(source: ReadResult, layer: Path) -> bool:

@@ -264,10 +264,8 @@ def _cells(u: Axis, v: Axis, start: Floats, goal: Floats) -> tuple[Floats, Float
     a, b = _steps(u, 0)[:, None], _steps(v, 1)[None]
     r = np.empty((a.shape[0], b.shape[1], 4))
     r[..., :2] = u.points[:-1, None] + v.points[None, :-1] - goal
-    r[..., 2], r[..., 3] = (
-        _STAY * (u.at[:-1, None] - start[0]),
-        _STAY * (v.at[None, :-1] - start[1]),
-    )
+    r[..., 2] = _STAY * (u.at[:-1, None] - start[0])
+    r[..., 3] = _STAY * (v.at[None, :-1] - start[1])
     aa, bb, ab, ra, rb = ((p * q).sum(axis=-1) for p, q in ((a, a), (b, b), (a, b), (r, a), (r, b)))
     aa, bb = np.broadcast_to(aa, ab.shape), np.broadcast_to(bb, ab.shape)
     area = np.maximum(aa * bb - ab**2, 1e-300)

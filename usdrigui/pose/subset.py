@@ -32,25 +32,28 @@ def subset(rig: Rig, points: Indices) -> tuple[Rig, Indices]:
 def _with_drives(rig: Rig) -> Rig:
     """The rig with only the joints that its meshes' points hang on, and what its controls do to
     these points."""
-    kept = np.zeros(len(rig.body.joints), dtype=bool)
-    for mesh in rig.body.meshes:
-        if mesh.binding.skin is not None:
+    body = rig.body
+    kept = np.zeros(len(body.joints), dtype=bool)
+    for mesh in body.meshes:
+        skin = mesh.binding.skin
+        if skin is not None:
             # Weightless influences name joints too, and so the skeleton that the skin is on.
-            kept[np.unique(mesh.binding.skin.joints)] = True
-    for i in range(len(rig.body.joints) - 1, -1, -1):
-        if kept[i] and rig.body.joints[i].parent >= 0:
-            kept[rig.body.joints[i].parent] = True
+            kept[np.unique(skin.joints)] = True
+    for i in range(len(body.joints) - 1, -1, -1):
+        if kept[i] and body.joints[i].parent >= 0:
+            kept[body.joints[i].parent] = True
     place = np.where(kept, np.cumsum(kept) - 1, -1)
     joints = tuple(
         replace(joint, parent=int(place[joint.parent]) if joint.parent >= 0 else -1)
-        for joint, stays in zip(rig.body.joints, kept.tolist(), strict=True)
+        for joint, stays in zip(body.joints, kept.tolist(), strict=True)
         if stays
     )
-    meshes = tuple(_renumbered(mesh, place) for mesh in rig.body.meshes)
-    acting = np.zeros(len(rig.body.channels), dtype=bool)
+    meshes = tuple(_renumbered(mesh, place) for mesh in body.meshes)
+    acting = np.zeros(len(body.channels), dtype=bool)
     acting[[shape.channel for mesh in meshes for shape in mesh.binding.shapes]] = True
     controls = tuple(_acting(control, acting, place) for control in rig.controls)
-    return replace(rig, body=replace(rig.body, joints=joints, meshes=meshes), controls=controls)
+    body = replace(body, joints=joints, meshes=meshes)
+    return replace(rig, body=body, controls=controls)
 
 
 def _renumbered(mesh: RigMesh, place: Indices) -> RigMesh:

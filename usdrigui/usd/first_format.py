@@ -155,10 +155,8 @@ def _left_off(scope: Usd.Prim) -> tuple[LeftOff, ...]:
 
 
 def _weights(scope: Usd.Prim) -> tuple[tuple[str, float], ...]:
-    names, values = (
-        strings(_value(scope, "solution:weightNames")),
-        array_of(_value(scope, "solution:weightValues")),
-    )
+    names = strings(_value(scope, "solution:weightNames"))
+    values = array_of(_value(scope, "solution:weightValues"))
     check_equal(scope, "rigUI:solution:weightValues", names, values)
     return tuple(zip(names, values.tolist(), strict=True))
 

@@ -155,10 +155,8 @@ def _integers(attribute: Any, path: str) -> Indices:
 
 def _mesh(mesh: UsdGeom.Mesh, path: str) -> tuple[Floats, Indices, Indices]:
     points = _points(mesh, path)
-    counts, indices = (
-        _integers(mesh.GetFaceVertexCountsAttr(), path),
-        _integers(mesh.GetFaceVertexIndicesAttr(), path),
-    )
+    counts = _integers(mesh.GetFaceVertexCountsAttr(), path)
+    indices = _integers(mesh.GetFaceVertexIndicesAttr(), path)
     if not len(counts) or counts.min() < 3 or counts.sum() != len(indices):
         raise refuse("TOPOLOGY_INVALID", path, f"{len(counts)} faces with {len(indices)} corners")
     check_range(indices, len(points), path, "faceVertexIndices")

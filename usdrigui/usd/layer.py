@@ -198,10 +198,8 @@ def _author_asset_variants(layer: Sdf.Layer, root: Sdf.Path) -> Sdf.PrimSpec:
     reference or payload."""
     for each in root.GetPrefixes():
         if each.IsPrimVariantSelectionPath():
-            owner, (name, variant) = (
-                Sdf.CreatePrimInLayer(layer, each.GetParentPath()),
-                each.GetVariantSelection(),
-            )
+            owner = Sdf.CreatePrimInLayer(layer, each.GetParentPath())
+            name, variant = each.GetVariantSelection()
             if name not in owner.variantSets:
                 owner.variantSetNameList.Prepend(name)
                 Sdf.VariantSetSpec(owner, name)

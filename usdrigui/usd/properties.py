@@ -242,10 +242,8 @@ def _check_unique(scope: Usd.Prim, names: list[str]) -> None:
 
 
 def _check_levels(scope: Usd.Prim, elements: tuple[Element, ...]) -> None:
-    known, coarse = (
-        {element.name for element in elements},
-        {element.name for element in elements if element.look.inner},
-    )
+    known = {element.name for element in elements}
+    coarse = {element.name for element in elements if element.look.inner}
     for element in elements:
         for name in element.look.inner:
             if name not in known or name in coarse:

@@ -176,11 +176,12 @@ def _composed(path: Path, settings: Settings) -> Response:
     from usdrigui.usd.rig import read_characters, without_layout
     from usdrigui.usd.stage import open_stage
 
+    read = settings.rig.read
     with (
-        _hashed_before(path, settings.rig.read.variants) as (before, diagnostics),
+        _hashed_before(path, read.variants) as (before, diagnostics),
         _kept_stages() as stages,
     ):
-        open_stage(path, settings.rig.read.variants)  # kept, so that what opens it next finds it so
+        open_stage(path, read.variants)  # kept, so that what opens it next finds it so
         found = _layouts_in(path, stages, before)
         laid_out = {each.character.root for each in found.layouts}
         some = read_characters(path, settings.rig, laid_out)
@@ -188,7 +189,7 @@ def _composed(path: Path, settings: Settings) -> Response:
         stage = _stage_of(path, stages)
         cameras = cameras_toward(stage, rigs, settings.layout.candidates.view)
         sources = _sources(path, stages.GetAllStages(), before)
-        bare = without_layout(stage, laid_out, settings.rig.read.skel_root)
+        bare = without_layout(stage, laid_out, read.skel_root)
         result = ReadResult(
             rigs,
             {},

@@ -117,10 +117,8 @@ def legible_tokens(prim: Usd.Prim) -> tuple[str, ...]:
 
 def _names_and_targets(prim: Usd.Prim) -> tuple[tuple[str, ...], Sequence[Sdf.Path]]:
     """As many targets as names; raises ARRAY_TYPE and TARGETS_LENGTH."""
-    names, targets = (
-        shape_tokens(prim),
-        UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets(),
-    )
+    names = shape_tokens(prim)
+    targets = UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets()
     if len(names) != len(targets):
         counts = f"{len(names)} skel:blendShapes but {len(targets)} skel:blendShapeTargets"
         raise refuse("TARGETS_LENGTH", str(prim.GetPath()), counts)

@@ -148,6 +148,7 @@ class SkinBinding:
 
     def at_anchor(self, element: Element) -> AnchorBinding:
         """What carries one element."""
+        body = self.rig.body
         mesh, point = self._anchored(element)
         follows = following(
             self._own(element),
@@ -158,19 +159,19 @@ class SkinBinding:
         )
         held = [self.rig.controls[each] for each in follows.held.tolist()]
         deforms = follows.deforms
-        skeleton = _skeleton_of(self.rig.body, mesh)
-        influences = _influences(mesh.binding.skin, point)
+        skeleton, skin = _skeleton_of(body, mesh), mesh.binding.skin
+        influences = _influences(skin, point)
         if follows.joint >= 0:
             influences = np.array([follows.joint]), np.ones(1)
-        fixed = _without(self.rig.body, influences, _own_joints(held, self.size))
+        fixed = _without(body, influences, _own_joints(held, self.size))
         turning = fixed is not influences
-        to_rest = _to_rest(self.rig.body, mesh)
+        to_rest = _to_rest(body, mesh)
         rest = np.append(mesh.points[point], 1.0) @ to_rest
-        track = self._joint_binding(mesh, skeleton, fixed)
+        track = self._joint_binding(skin, skeleton, fixed)
         return AnchorBinding(
             rest=rest,
             handle=(
-                self._joint_binding(mesh, skeleton, influences) if deforms and turning else track
+                self._joint_binding(skin, skeleton, influences) if deforms and turning else track
             ),
             track=track,
             shapes=self._shapes[mesh.path, point] if deforms else (),
@@ -211,12 +212,10 @@ class SkinBinding:
         return mesh, element.anchor.point
 
     def _joint_binding(
-        self, mesh: RigMesh, skeleton: int, influences: tuple[Indices, Floats]
+        self, skin: Skin | None, skeleton: int, influences: tuple[Indices, Floats]
     ) -> JointBinding:
         joints, weights = influences
-        method: Method = (
-            mesh.binding.skin.method if mesh.binding.skin is not None else "classicLinear"
-        )
+        method: Method = skin.method if skin is not None else "classicLinear"
         return JointBinding(
             skeleton,
             joints,
@@ -272,12 +271,13 @@ def _size(body: Body) -> float:
 
 def _to_rest(body: Body, mesh: RigMesh) -> Floats:
     """(4, 3) map from mesh space to the bind pose."""
-    if mesh.binding.skin is None:
+    skin = mesh.binding.skin
+    if skin is None:
         return mesh.binding.to_root[:, :3]
     skeleton = body.skeletons[_skeleton_of(body, mesh)]
     if abs(np.linalg.det(skeleton.to_root[:3, :3])) < 1e-30:
         raise refuse("SKELETON_INVALID", skeleton.path, "its transform collapses space")
-    return np.asarray((mesh.binding.skin.geom_bind @ skeleton.to_root)[:, :3], dtype=np.float64)
+    return np.asarray((skin.geom_bind @ skeleton.to_root)[:, :3], dtype=np.float64)
 
 
 def _skeleton_of(body: Body, mesh: RigMesh) -> int:

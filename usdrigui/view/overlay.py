@@ -256,10 +256,8 @@ def _arms(line: Floats) -> list[Floats]:
     square = np.maximum((steps**2).sum(axis=1), 1e-300)
     share = np.clip(-(line[:-1] * steps).sum(axis=1) / square, 0.0, 1.0)
     nearest = line[:-1] + share[:, None] * steps
-    away, size = (
-        np.linalg.norm(nearest, axis=1),
-        float(np.linalg.norm(line, axis=1).max(initial=0.0)),
-    )
+    away = np.linalg.norm(nearest, axis=1)
+    size = float(np.linalg.norm(line, axis=1).max(initial=0.0))
     if not len(away) or not size > 0.0:
         return []
     # A loop that comes back to the rest is cut where it first passes, whatever rounding makes of

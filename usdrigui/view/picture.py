@@ -147,23 +147,19 @@ def _set_up(
     ``colours`` are by default those that the layout's own main part shows.
     """
     colours = colours or complexion(rig, main_layout(layout))
-    skin, ahead = (
-        _skin(rig.body.meshes, posed, colours),
-        directions.ahead_of(rig, layout.frame.plane.normal, layout.character.base_values),
-    )
+    up, own_view = rig.skel_root.up, layout.frame.view
+    skin = _skin(rig.body.meshes, posed, colours)
+    ahead = directions.ahead_of(rig, layout.frame.plane.normal, layout.character.base_values)
     if views is None:
         shown = [
-            (layout.frame.view, True),
-            *(
-                (each, False)
-                for each in directions.companions(layout.frame.view, ahead, rig.skel_root.up)
-            ),
+            (own_view, True),
+            *((each, False) for each in directions.companions(own_view, ahead, up)),
         ]
     else:
         azimuths = [VIEWS[view] if isinstance(view, str) else None for view in views]
         shown = [
             (
-                (directions.turned(layout.frame.view, rig.skel_root.up, at), at == 0.0)
+                (directions.turned(own_view, up, at), at == 0.0)
                 if at is not None
                 else (np.asarray(view), i == 0)
             )
@@ -172,14 +168,14 @@ def _set_up(
     panels: list[_Framed] = []
     boards: list[_Framed] = []
     for at, own in shown:
-        rows = shading.look(at, rig.skel_root.up)
+        rows = shading.look(at, up)
         panels.append(
             _framed(
                 layout,
                 posed,
                 skin,
                 rows,
-                directions.caption(at, ahead, rig.skel_root.up),
+                directions.caption(at, ahead, up),
                 own,
                 own and labels,
             )
@@ -366,10 +362,8 @@ def _around_head(
     level = across[(across[:, 1] >= elements[0][1]) & (across[:, 1] <= elements[1][1])]
     inner = across[(across[:, 0] >= elements[0][0]) & (across[:, 0] <= elements[1][0])]
     for axis, points in ((0, level), (1, inner)):
-        first, last = (
-            points[:, axis].min(initial=elements[0][axis]),
-            points[:, axis].max(initial=elements[1][axis]),
-        )
+        first = points[:, axis].min(initial=elements[0][axis])
+        last = points[:, axis].max(initial=elements[1][axis])
         if first - pad < low[axis] and first > low[axis] - reach:
             wide_low[axis] = first - pad
         if last + pad > high[axis] and last < high[axis] + reach:

@@ -86,10 +86,8 @@ def classify(
     """
     visible_areas = np.where(views.anywhere, trajectories.surface.areas, 0.0)
     every = (*trajectories.motions, *trajectories.excluded)
-    covered, shares = (
-        coverage_of_smaller(every, visible_areas),
-        shares_of_face(every, visible_areas),
-    )
+    covered = coverage_of_smaller(every, visible_areas)
+    shares = shares_of_face(every, visible_areas)
     meanings = [requests.names.meanings[motion.control] for motion in trajectories.motions]
     controls = [rig.controls[motion.control] for motion in trajectories.motions]
     covered = _of_sets(covered[: len(meanings)], controls, meanings)
@@ -98,26 +96,24 @@ def classify(
     repeated = composites(
         rig, trajectories, symmetry, similarity, shares_of_own, requests.names.meanings
     )
-    names = [rig.controls[motion.control].name for motion in trajectories.motions]
+    names = [control.name for control in controls]
     kept = _kept(trajectories.motions, symmetry, views.anywhere)
     # The joints of a chain explain each other; only shapes and poses show what
     # repeats a shape or a pose.
-    joints_alone = all(
-        rig.controls[motion.control].kind == "joint" for motion in trajectories.motions
-    )
+    joints_alone = all(control.kind == "joint" for control in controls)
     found = []
     for index, motion in enumerate(trajectories.motions):
         evidence = _Evidence(
             coverage_of_smaller=float(covered[index]),
             moves_everything=_moves_everything(trajectories.surface, motion.on_own_skin()),
-            named_local=_named_local(requests.names.meanings[motion.control]),
+            named_local=_named_local(meanings[index]),
             vanishes=bool(vanish[index]),
             visible_share=_visible_share(
                 trajectories.surface, views.anywhere, motion.on_own_skin()
             ),
             kept=float(kept[index]),
             essential=_essential(
-                requests.names.meanings[motion.control],
+                meanings[index],
                 kept[index] * motion.peak,
                 trajectories.typical_length,
             ),

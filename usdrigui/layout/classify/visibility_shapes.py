@@ -76,10 +76,8 @@ def _moves_inside(
     end = surface.points.copy()
     end[motion.points] += motion.polylines.offsets[-1]
     corners = mesh_triangles(meshes, visible_only=True)
-    caster, normals = (
-        make_caster(end[corners]),
-        vertex_normals(end, corners, surface.places),
-    )
+    caster = make_caster(end[corners])
+    normals = vertex_normals(end, corners, surface.places)
     still = [
         visible_from(caster, end[points[seen]], normals[points[seen]], toward)
         for toward in views.directions

@@ -602,10 +602,8 @@ class _Grouping:
 
     def _has_two_lobes(self, index: int) -> bool:
         face, motion = self.face, self.face.trajectories.motions[index]
-        expected, meaning = (
-            self.requests.expectation(motion.control),
-            self.requests.meaning(motion.control),
-        )
+        expected = self.requests.expectation(motion.control)
+        meaning = self.requests.meaning(motion.control)
         override = self.requests.overrides[motion.control]
         placed = bool(override.anchor or override.near) or motion.shares.owned is not None
         if not placed and all_aside(

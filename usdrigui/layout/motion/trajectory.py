@@ -376,10 +376,8 @@ def _same_up_to_scale(motion: Motion, other: Motion) -> float:
         other.polylines.values
     ):
         return 0.0
-    a, b = (
-        motion.polylines.offsets.astype(np.float64).ravel(),
-        other.polylines.offsets.astype(np.float64).ravel(),
-    )
+    a = motion.polylines.offsets.astype(np.float64).ravel()
+    b = other.polylines.offsets.astype(np.float64).ravel()
     factor = float(a @ b) / float(b @ b)
     return (
         factor

@@ -45,29 +45,28 @@ class JointRegions:
 
 def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     """The regions of a rig's joints; None for a rig that is not skinned to several joints."""
-    tree = Tree(rig.body.joints, rig.body.meshes)
+    body = rig.body
+    tree = Tree(body.joints, body.meshes)
     if len(tree.owners) < 2:
         return None
     heads = _heads(rig, tree, found)
     spine = _spine(tree, heads)
-    of_joint, of_skin = [BODY] * len(rig.body.joints), [BODY] * len(rig.body.joints)
+    of_joint, of_skin = [BODY] * len(body.joints), [BODY] * len(body.joints)
     ends = [
         fan
         for fan in fans(tree)
         if _carries_on(tree, fan) and not heads & {fan.joint, *tree.above(fan.joint)}
     ]
     for fan in ends:
-        name, fingers = (
-            _end(rig.skel_root.up, tree, fan, spine),
-            tree.below([chain[0] for chain in fan.chains]),
-        )
+        name = _end(rig.skel_root.up, tree, fan, spine)
+        fingers = tree.below([chain[0] for chain in fan.chains])
         for joint in fingers:
             of_joint[joint] = of_skin[joint] = name
         of_skin[fan.joint] = name
     for joint in tree.below(heads):
         of_joint[joint] = BODY if joint in heads else FACE
         of_skin[joint] = FACE
-    own = pieces_of(rig.body, tree, found.surface.places, owner_of_points(rig.body.meshes))
+    own = pieces_of(body, tree, found.surface.places, owner_of_points(body.meshes))
     eyeballs = eyes(own, tree.below(heads) - heads)
     for name, roots in ((EYES, eyeballs), (PROPS, props(own, heads, eyeballs))):
         for joint in tree.below(roots):
@@ -84,13 +83,12 @@ def owner_of_points(meshes: tuple[RigMesh, ...]) -> Indices:
     skinned."""
     parts = []
     for mesh in meshes:
-        if mesh.binding.skin is None or not mesh.binding.skin.joints.shape[1]:
+        skin = mesh.binding.skin
+        if skin is None or not skin.joints.shape[1]:
             parts.append(np.full(len(mesh.points), -1, dtype=np.int64))
             continue
-        strongest = np.argmax(mesh.binding.skin.weights, axis=1)
-        parts.append(
-            mesh.binding.skin.joints[np.arange(len(mesh.points)), strongest].astype(np.int64)
-        )
+        strongest = np.argmax(skin.weights, axis=1)
+        parts.append(skin.joints[np.arange(len(mesh.points)), strongest].astype(np.int64))
     return np.concatenate(parts)
 
 

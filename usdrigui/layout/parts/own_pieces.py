@@ -73,12 +73,11 @@ def pieces_of(body: Body, tree: Tree, places: Indices, owners: Indices) -> Piece
     bound = np.zeros((len(of_point), 3))
     held = np.zeros((len(body.joints), int(of_point.max(initial=-1)) + 1))
     for start, mesh in zip(body.starts, body.meshes, strict=False):
-        if mesh.binding.skin is None:
+        skin = mesh.binding.skin
+        if skin is None:
             continue
-        bound[start : start + len(mesh.points)] = bound_points(mesh.points, mesh.binding.skin)[
-            :, :3
-        ]
-        local, weights, present, starts = mesh.binding.skin.by_joint
+        bound[start : start + len(mesh.points)] = bound_points(mesh.points, skin)[:, :3]
+        local, weights, present, starts = skin.by_joint
         joints = np.repeat(present, np.diff(starts))
         np.add.at(held, (joints, of_point[start + local]), weights)
     of_piece, of_joint = (

@@ -65,10 +65,8 @@ def fitting_width(
     `frame` (3, 3) are the character's axes, `face` its size; units of `face` and the width are
     those of `points`.
     """
-    most, least = (
-        settings.handle_size * face,
-        min(settings.handle_size_min, settings.handle_size) * face,
-    )
+    most = settings.handle_size * face
+    least = min(settings.handle_size_min, settings.handle_size) * face
     if settings.max_neighbours <= 0.0 or least >= most or not len(points):
         return most
     if len(points) > _MANY:

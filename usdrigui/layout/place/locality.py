@@ -55,21 +55,21 @@ def check_near(rig: Rig, where: str, near: str) -> None:
 def proxies(face: Face, point: int) -> Indices:
     """Visible places nearest to a hidden `point`, ascending: where a hidden control can stand on
     the face."""
-    places = face.trajectories.surface.places
+    surface = face.trajectories.surface
+    places = surface.places
     seen = np.flatnonzero(face.views.anywhere & (places == np.arange(len(places))))
     if not len(seen):
         return seen
     count = min(_PROXIES, len(seen))
-    _, nearest = cKDTree(face.trajectories.surface.points[seen]).query(
-        face.trajectories.surface.points[point], k=count
-    )
+    _, nearest = cKDTree(surface.points[seen]).query(surface.points[point], k=count)
     return np.sort(seen[np.atleast_1d(nearest)])
 
 
 def _distances(face: Face, where: str, near: str) -> Floats:
     """(n,) how far every point is from what `near` names: along the surface, so that a lip is not
     near the other, and straight where no surface leads there (another mesh, a joint)."""
-    base, name = face.trajectories.surface.points, near.removeprefix(MIRROR)
+    surface = face.trajectories.surface
+    base, name = surface.points, near.removeprefix(MIRROR)
     joint = name.startswith("joint:")
     if joint:
         centres = _joint_position(face.rig, where, name.removeprefix("joint:"))[None]
@@ -84,24 +84,25 @@ def _distances(face: Face, where: str, near: str) -> Floats:
     along = surface_distances(
         base,
         mesh_triangles(face.rig.body.meshes),
-        face.trajectories.surface.places,
+        surface.places,
         np.asarray(sources),
     )
     return np.where(np.isfinite(along), along, straight)
 
 
 def _named_points(rig: Rig, where: str, near: str) -> Indices:
+    body = rig.body
     if match := re.fullmatch(r"(.+)\.point\[(\d+)\]", near):
         return np.array([point_index(rig, where, match[1], int(match[2]))])
-    for start, mesh in zip(rig.body.starts, rig.body.meshes, strict=False):
+    for start, mesh in zip(body.starts, body.meshes, strict=False):
         if mesh.path == near:
             return np.arange(start, start + len(mesh.points))
         for subset in mesh.topology.subsets:
             if subset.path == near:
                 return np.asarray(start + subset.points)
-    meshes = [mesh.path for mesh in rig.body.meshes]
-    subsets = [subset.path for mesh in rig.body.meshes for subset in mesh.topology.subsets]
-    joints = [f"joint:{name}" for name in _joint_names(rig.body.joints)]
+    meshes = [mesh.path for mesh in body.meshes]
+    subsets = [subset.path for mesh in body.meshes for subset in mesh.topology.subsets]
+    joints = [f"joint:{name}" for name in _joint_names(body.joints)]
     like = meant(near, (*meshes, *subsets, *joints)) or f"; its meshes are {listed(meshes)}"
     raise refuse(
         "CONFIG_VALUE",
@@ -114,16 +115,17 @@ def _named_points(rig: Rig, where: str, near: str) -> Indices:
 def _joint_position(rig: Rig, where: str, name: str) -> Floats:
     """(3,) position of a joint in root space at the base pose; `name` is its path or the path's
     last part."""
-    for index, joint in enumerate(rig.body.joints):
+    body = rig.body
+    for index, joint in enumerate(body.joints):
         if name in (joint.path, joint.path.rpartition("/")[2]):
             matrix, at = np.eye(4), index
             while at >= 0:
-                matrix = matrix @ rig.body.joints[at].base
-                at = rig.body.joints[at].parent
+                matrix = matrix @ body.joints[at].base
+                at = body.joints[at].parent
             return np.asarray(
-                (matrix @ rig.body.skeletons[joint.skeleton].to_root)[3, :3], dtype=np.float64
+                (matrix @ body.skeletons[joint.skeleton].to_root)[3, :3], dtype=np.float64
             )
-    names = _joint_names(rig.body.joints)
+    names = _joint_names(body.joints)
     like = meant(name, names) or (f"; its joints are {listed(names)}" if names else "")
     raise refuse("CONFIG_VALUE", where, f"{rig.skel_root.path} has no joint {name!r}{like}")
 

@@ -260,10 +260,8 @@ def _assigned(evidence: Floats) -> list[tuple[int, int, float]]:
     _, part = connected_components(graph, directed=False)
     found = []
     for number in np.unique(part[np.unique(where[0])]):
-        rows, columns = (
-            np.flatnonzero(part[:count] == number),
-            np.flatnonzero(part[count:] == number),
-        )
+        rows = np.flatnonzero(part[:count] == number)
+        columns = np.flatnonzero(part[count:] == number)
         found += _assigned_part(evidence[np.ix_(rows, columns)], rows, columns)
     return sorted(found)
 

@@ -100,10 +100,8 @@ class Agreement:
         if len(pairs) < _ENOUGH:
             return _OFF, _UNEVEN
         rows, columns = np.array(pairs).T
-        off, uneven = (
-            1.0 - np.median(self.cosine[rows, columns]),
-            np.median(self.length[rows, columns]),
-        )
+        off = 1.0 - np.median(self.cosine[rows, columns])
+        uneven = np.median(self.length[rows, columns])
         return float(np.clip(off, _OFF_LEAST, _OFF)), float(np.clip(uneven, _UNEVEN_LEAST, _UNEVEN))
 
 

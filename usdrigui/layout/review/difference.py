@@ -105,10 +105,8 @@ def difference(
     matching = matching or match_layouts(before, after)
     names = matching.renamed
     then = with_names(before, names)
-    old, new = (
-        _memberships(then.elements, then.frame.plane.normal),
-        _memberships(after.elements, after.frame.plane.normal),
-    )
+    old = _memberships(then.elements, then.frame.plane.normal)
+    new = _memberships(after.elements, after.frame.plane.normal)
     was = {now: earlier for earlier, now in names.items()}
     changes = [
         *(_added(new[name, 0]) for name in sorted(after.controls - then.controls)),
@@ -214,17 +212,18 @@ def _compared(
 
 def _kind(before: Layout, after: Layout, old: _Membership, new: _Membership) -> ChangeKind | None:
     then, now = before.controls, after.controls
+    one, other = old.element.anchor, new.element.anchor
     # A partner that is gone or new is not a regrouping of those who stay.
     if old.partners & now != new.partners & then:
         return "regrouped"
-    if old.element.anchor.on_board != new.element.anchor.on_board:
-        return "board" if new.element.anchor.on_board else "to the face"
-    if new.element.anchor.on_board:
+    if one.on_board != other.on_board:
+        return "board" if other.on_board else "to the face"
+    if other.on_board:
         return None
     if _handles(before.elements, old.control) != _handles(after.elements, new.control):
         return "moved"
     if _same_mesh(old, new):
-        return None if old.element.anchor.point == new.element.anchor.point else "moved"
+        return None if one.point == other.point else "moved"
     return "moved" if _distance(before.frame.handle_width, old, new) > _STILL else None
 
 
@@ -250,6 +249,7 @@ def _reasons(
     improvements: Mapping[str, float],
 ) -> Iterator[str]:
     one, other = old.element.anchor, new.element.anchor
+    was, now = old.element.placement, new.element.placement
     joined, left = sorted(new.partners - old.partners), sorted(old.partners - new.partners)
     if joined:
         yield f"shares its element with {', '.join(joined)}"
@@ -258,15 +258,15 @@ def _reasons(
     change = one.mesh_change(other.topology_hash, other.point_count)
     if not one.on_board and one.mesh == other.mesh and change:
         yield change
-    decided = "anchor" in new.element.placement.pinned
+    decided = "anchor" in now.pinned
     if kind in ("moved", "board", "regrouped") and not (one.on_board or decided):
         yield from _crowd(after.elements, after.frame.handle_width, old, new)
-    if kind == "board" and new.element.placement.reason:
-        yield new.element.placement.reason
-    newly = decided and "anchor" not in old.element.placement.pinned
+    if kind == "board" and now.reason:
+        yield now.reason
+    newly = decided and "anchor" not in was.pinned
     if newly or (decided and one.topology_hash == other.topology_hash and one.place != other.place):
         yield "its anchor, or its twin's, was decided by a person"
-    if "anchor" in set(old.element.placement.pinned) - set(new.element.placement.pinned):
+    if "anchor" in set(was.pinned) - set(now.pinned):
         yield "its anchor is no longer the one that a person had decided"
     handles = [_handles(layout.elements, new.control) for layout in (before, after)]
     if handles[0] != handles[1]:

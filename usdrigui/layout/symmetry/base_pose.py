@@ -74,23 +74,20 @@ def _or_at_bind_pose(
 
 def _bound(rig: Rig) -> Rig | None:
     """The rig in its bind pose; None where that is its base pose, or has no inverse."""
+    joints = rig.body.joints
     try:
         local = [
             (
-                joint.bind @ np.linalg.inv(rig.body.joints[joint.parent].bind)
+                joint.bind @ np.linalg.inv(joints[joint.parent].bind)
                 if joint.parent >= 0
                 else joint.bind
             )
-            for joint in rig.body.joints
+            for joint in joints
         ]
     except np.linalg.LinAlgError:
         return None
-    if all(
-        np.allclose(at, joint.base, atol=1e-4)
-        for at, joint in zip(local, rig.body.joints, strict=True)
-    ):
+    if all(np.allclose(at, joint.base, atol=1e-4) for at, joint in zip(local, joints, strict=True)):
         return None
-    joints = rig.body.joints
     turned = tuple(replace(joint, base=at) for at, joint in zip(local, joints, strict=True))
     return replace(rig, body=replace(rig.body, joints=turned))
 

@@ -104,10 +104,8 @@ def find_symmetry(
         plane = _towards_left(plane, named, rig, trajectories)
         partner = _partners(plane, trajectories, tolerance)
         middle = trajectories.surface.points.mean(axis=0)
-        normal, origin = (
-            plane.normal,
-            middle - (middle @ plane.normal - plane.offset) * plane.normal,
-        )
+        normal = plane.normal
+        origin = middle - (middle @ plane.normal - plane.offset) * plane.normal
     twins, sources, turned = find_twins(
         rig, trajectories.motions, fields, (partner, normal), configured, settings.twin_similarity
     )
@@ -343,10 +341,8 @@ def _named_instead(
     region, weights = _moving_region(trajectories)
     if len(region) < 4:
         return found
-    tree, sample = (
-        cKDTree(trajectories.surface.points[np.unique(trajectories.surface.places)]),
-        _thinned(region, weights),
-    )
+    tree = cKDTree(trajectories.surface.points[np.unique(trajectories.surface.places)])
+    sample = _thinned(region, weights)
     fitted = _refined(plane, tree, sample, 60)
     return fitted if abs(float(fitted.normal @ plane.normal)) >= _HARDLY_TURNED else plane
 
@@ -360,14 +356,15 @@ def _towards_left(
     joints alone are controls, the names of the joints decide, and then the face on the head, which
     hair hangs behind and a muzzle reaches beyond.
     """
+    up = rig.skel_root.up
     left = None
     if all(rig.controls[motion.control].kind == "joint" for motion in trajectories.motions):
         if named is not None and abs(float(named[0] @ plane.normal)) >= _AGREES:
             left = named[0]
         elif (ahead := ahead_of_head(rig, trajectories)) is not None:
-            left = np.cross(rig.skel_root.up, ahead)
+            left = np.cross(up, ahead)
     if left is None:
-        left = np.cross(rig.skel_root.up, front(rig.skel_root.up, trajectories, plane.normal))
+        left = np.cross(up, front(up, trajectories, plane.normal))
     normal = towards(plane.normal, left)
     return _Plane(normal, float(np.copysign(1.0, normal @ plane.normal)) * plane.offset)
 
