@@ -1,7 +1,7 @@
 """What carries an element, and which controls it ignores.
 
-Said once, as a record.  `usdrigui.pose` and the page evaluate it; the layer's gprims have it as
-influences and blend shapes, as far as UsdSkel can express it (docs/decisions/093).
+Decided once, as a record.  `usdrigui.pose` and the page evaluate it; the layer's gprims have it as
+influences and blend shapes, as far as UsdSkel can express it (docs/decisions/151).
 """
 
 from __future__ import annotations

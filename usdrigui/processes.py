@@ -41,7 +41,7 @@ class Reading:
 
 
 @dataclass(frozen=True, slots=True)
-class End:
+class ProcessEnd:
     """How a process ended that left no answer."""
 
     code: int
@@ -72,7 +72,7 @@ def not_started(error: Exception, code: str, path: str, what: str) -> RigUIError
     return refuse(code, path, f"{what} cannot be started: {error}")
 
 
-def reading_failed(end: End, reading: Reading) -> RigUIError:
+def reading_failed(end: ProcessEnd, reading: Reading) -> RigUIError:
     """What it means that a process ended while it read a foreign file."""
     path = reading.path
     if end.late or end.code == -getattr(signal, "SIGALRM", 0):

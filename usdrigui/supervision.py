@@ -24,8 +24,8 @@ from typing import IO, Any
 
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.processes import (
-    End,
     Printed,
+    ProcessEnd,
     Reading,
     environment,
     kill,
@@ -111,7 +111,7 @@ def supervise(
         assert process.stdin is not None
         with contextlib.suppress(OSError):
             process.stdin.close()
-    return watch.outcome(End(code, watch.late, peak, printed.text))
+    return watch.outcome(ProcessEnd(code, watch.late, peak, printed.text))
 
 
 def _started(
@@ -281,7 +281,7 @@ class _Supervision:
     def _on_end(self, message: dict[str, Any]) -> None:
         self.closing = message
 
-    def outcome(self, end: End) -> Outcome:
+    def outcome(self, end: ProcessEnd) -> Outcome:
         """What became of the command, from the closing message or from the worker's end."""
         if self.closing is not None:
             return Outcome(
@@ -290,11 +290,10 @@ class _Supervision:
                 self.closing["err"],
                 written=tuple(self.written),
             )
-        return _dead(
-            self._cause(End(end.code, end.late, max(0, end.peak - self.base), end.text)), self
-        )
+        own = ProcessEnd(end.code, end.late, max(0, end.peak - self.base), end.text)
+        return _dead(self._cause(own), self)
 
-    def _cause(self, end: End) -> RigUIError:
+    def _cause(self, end: ProcessEnd) -> RigUIError:
         if self.death is not None:
             return self.death
         if self.reading is not None:

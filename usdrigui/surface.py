@@ -179,9 +179,8 @@ def surface_distances(
     corners = places[corners]
     sides = np.sort(corners[:, [[1, 2], [2, 0], [0, 1]]], axis=2).reshape(-1, 2)
     order = np.lexsort((sides[:, 1], sides[:, 0]))
-    twins = np.flatnonzero(
-        (sides[order[1:]] == sides[order[:-1]]).all(axis=1)
-    )  # two triangles at one edge
+    # Two triangles at one edge.
+    twins = np.flatnonzero((sides[order[1:]] == sides[order[:-1]]).all(axis=1))
     opposite = corners.reshape(-1)
     across = np.stack([opposite[order[twins]], opposite[order[twins + 1]]], axis=1)
     pairs = np.unique(

@@ -111,9 +111,8 @@ def _process(arguments: argparse.Namespace) -> Exit:
         animations=tuple(arguments.animation),
         base=arguments.base,
     )
-    pipeline.check_outputs(
-        (arguments.report, arguments.preview), files_read(arguments)
-    )  # before the work, not after
+    # Before the work, not after.
+    pipeline.check_outputs((arguments.report, arguments.preview), files_read(arguments))
     if arguments.preview is not None and arguments.preview.suffix.lower() != ".png":
         raise refuse(
             "CONFIG_VALUE",

@@ -32,7 +32,7 @@ _RIM_SEEN = 3
 
 
 @dataclass(frozen=True, eq=False)
-class Frame(Record):
+class FaceFrame(Record):
     """The face's own frame: what is cast in it does not depend on where and how large the character
     is.
 
@@ -69,7 +69,7 @@ class Views(Record):
     caster: Caster | None
     """Casts rays at the visible meshes, in the face's own frame; None when occlusion is switched
     off."""
-    frame: Frame
+    frame: FaceFrame
 
     @property
     def anywhere(self) -> Flags:
@@ -120,11 +120,11 @@ def find_views(
     return Views(ahead, up, directions, np.stack(seen) & drawn, caster, frame)
 
 
-def _frame(surface: BaseSurface, plane: MirrorPlane, ahead: Floats, up: Floats) -> Frame:
+def _frame(surface: BaseSurface, plane: MirrorPlane, ahead: Floats, up: Floats) -> FaceFrame:
     """The face's frame at the middle of the character."""
     middle = surface.points.mean(axis=0) if len(surface.points) else np.zeros(3)
     axes = np.stack([np.cross(up, ahead), up, ahead])
-    return Frame(projected(middle, plane), axes, surface.face_size)
+    return FaceFrame(projected(middle, plane), axes, surface.face_size)
 
 
 def mostly_hidden(

@@ -42,7 +42,7 @@ class Topology(Record):
 
 @dataclass(frozen=True, eq=False)
 class MeshBinding(Record):
-    """How a mesh follows joints and weights: what SkelBindingAPI holds."""
+    """How a mesh follows joints and weights: what SkelBindingAPI holds, and its transform."""
 
     to_root: Floats
     """(4, 4) mesh space to root space; used where there is no skin."""

@@ -156,19 +156,19 @@ def process_stage(
     )
 
 
-def _read_open(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Reading:
+def _read_open(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> AssetReading:
     from usdrigui.usd import in_memory
 
     source = in_memory.read_open_rigs(stage, settings)
     refuse_unsound(source, settings)
-    return Reading(settings, source, ReferenceLayouts())
+    return AssetReading(settings, source, ReferenceLayouts())
 
 
 # --- what is read ---------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, eq=False)
-class Reading:
+class AssetReading:
     """An asset and the layouts to use, with the variants that the settings select."""
 
     settings: Settings
@@ -178,7 +178,7 @@ class Reading:
 
 def _readings(
     asset: Path, settings: Settings, layers: ReferenceLayers
-) -> tuple[list[Reading], tuple[Issue, ...]]:
+) -> tuple[list[AssetReading], tuple[Issue, ...]]:
     """The asset in each of the variants that are to be laid out; and what says of the others that
     they are left off."""
     if layers.base is not None:
@@ -195,21 +195,23 @@ def _readings(
 
 
 def _read_each(
-    settings: Settings, sets: Mapping[str, tuple[str, ...]], read: Callable[[Settings], Reading]
-) -> tuple[list[Reading], tuple[Issue, ...]]:
+    settings: Settings,
+    sets: Mapping[str, tuple[str, ...]],
+    read: Callable[[Settings], AssetReading],
+) -> tuple[list[AssetReading], tuple[Issue, ...]]:
     readings, plain = variants.in_each_variant(settings, sets, read)
     _check_above(readings)
     return readings, plain
 
 
-def _read(asset: Path, layers: ReferenceLayers, settings: Settings) -> Reading:
+def _read(asset: Path, layers: ReferenceLayers, settings: Settings) -> AssetReading:
     source = read_rigs_isolated(asset, settings)
     references = read_references(layers, Opening.of(settings.rig.read))
     refuse_unsound(source, settings, references)
-    return Reading(settings, source, references)
+    return AssetReading(settings, source, references)
 
 
-def _read_over(shot: Path, settings: Settings, layers: ReferenceLayers) -> list[Reading]:
+def _read_over(shot: Path, settings: Settings, layers: ReferenceLayers) -> list[AssetReading]:
     """A shot and its base; where that has a layout for each variant, once for the characters of
     each selection."""
     found = _read(shot, layers, settings)
@@ -229,16 +231,16 @@ def _read_over(shot: Path, settings: Settings, layers: ReferenceLayers) -> list[
 
 
 def _of_variant(
-    found: Reading, layers: ReferenceLayers, chosen: Mapping[str, str], rigs: Sequence[Rig]
-) -> Reading:
+    found: AssetReading, layers: ReferenceLayers, chosen: Mapping[str, str], rigs: Sequence[Rig]
+) -> AssetReading:
     """Some characters of a shot, over the layout that the base has for the variants that they
     select."""
     source = replace(found.source, rigs=tuple(rigs))
     opening = Opening.of(variants.selecting(found.settings, chosen).rig.read)
-    return Reading(found.settings, source, read_references(layers, opening))
+    return AssetReading(found.settings, source, read_references(layers, opening))
 
 
-def _check_above(readings: Sequence[Reading]) -> None:
+def _check_above(readings: Sequence[AssetReading]) -> None:
     """Raise VARIANT_BELOW where a layout would be composed for every variant of a set."""
     for name in readings[0].settings.rig.read.variants:
         rigs = [rig for each in readings for rig in each.source.rigs]
@@ -250,7 +252,7 @@ def _check_above(readings: Sequence[Reading]) -> None:
             )
 
 
-def _sources(readings: Sequence[Reading]) -> tuple[SourceFile, ...]:
+def _sources(readings: Sequence[AssetReading]) -> tuple[SourceFile, ...]:
     """Every file that composed the asset in some variant, the asset first."""
     return tuple(
         {each.path: each for reading in readings for each in reading.source.sources}.values()
@@ -261,10 +263,10 @@ def _sources(readings: Sequence[Reading]) -> tuple[SourceFile, ...]:
 
 
 def _laid_out(
-    readings: Sequence[Reading], clock: Clock, stop: Callable[[], bool] | None
-) -> list[tuple[Reading, CharacterReport]]:
+    readings: Sequence[AssetReading], clock: Clock, stop: Callable[[], bool] | None
+) -> list[tuple[AssetReading, CharacterReport]]:
     """The characters of all variants, the later ones as the first unless configured otherwise."""
-    reports: list[tuple[Reading, CharacterReport]] = []
+    reports: list[tuple[AssetReading, CharacterReport]] = []
     for each in readings:
         references, characters = followed(each.references, each.source.rigs)
         for rig in rigs_over(references, characters, each.settings.character.trajectories):
@@ -312,7 +314,7 @@ def _report(
 def _never_replaced(
     target: Path,
     settings: OutputSettings,
-    readings: Sequence[Reading],
+    readings: Sequence[AssetReading],
     layers: ReferenceLayers,
     more: Sequence[Path],
 ) -> tuple[Path, ...]:
@@ -359,7 +361,7 @@ def _check_character(
             )
 
 
-def _check_base(reading: Reading, target: Path) -> None:
+def _check_base(reading: AssetReading, target: Path) -> None:
     base = reading.references.base
     if base is not None:
         rigs = [rig for rig in reading.source.rigs if reading.references.existing(rig) is not None]

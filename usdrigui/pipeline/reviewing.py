@@ -278,10 +278,8 @@ def _reviewed(
     cameras: Mapping[str, Floats],
 ) -> review_stage.Review:
     """Every part of a layout rated by the problem of that part."""
-    front = settings.layout.candidates.view in (
-        "",
-        "front",
-    )  # others are named by the up of the stage
+    # Other views are named by the up of the stage.
+    front = settings.layout.candidates.view in ("", "front")
     character = divided(_upright(rig, layout) if front else rig, settings, clock, cameras)
     found = []
     for part in character.parts:

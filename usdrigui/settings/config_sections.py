@@ -10,7 +10,7 @@ from typing import Any
 
 from usdrigui.settings.parts import Settings
 
-_GROUPS: Mapping[str, str] = types.MappingProxyType(
+_HOLDERS: Mapping[str, str] = types.MappingProxyType(
     {
         "run": "",
         "read": "rig",
@@ -37,15 +37,15 @@ where `Settings` itself does."""
 def section_types() -> dict[str, Any]:
     """By the name of each section, its type."""
     own = typing.get_type_hints(Settings)
-    inner = {group: typing.get_type_hints(own[group]) for group in {*_GROUPS.values()} - {""}}
-    return {name: (inner[group] if group else own)[name] for name, group in _GROUPS.items()}
+    inner = {group: typing.get_type_hints(own[group]) for group in {*_HOLDERS.values()} - {""}}
+    return {name: (inner[group] if group else own)[name] for name, group in _HOLDERS.items()}
 
 
 def sections(settings: Settings) -> dict[str, Any]:
     """By the name of each section, what it holds."""
     return {
         name: getattr(getattr(settings, group) if group else settings, name)
-        for name, group in _GROUPS.items()
+        for name, group in _HOLDERS.items()
     }
 
 
@@ -53,7 +53,7 @@ def with_sections(settings: Settings, **changed: Any) -> Settings:
     """The settings with other sections of these names."""
     fields: dict[str, Any] = {}
     for name, section in changed.items():
-        if group := _GROUPS[name]:
+        if group := _HOLDERS[name]:
             held = fields.get(group, getattr(settings, group))
             fields[group] = replace(held, **{name: section})
         else:

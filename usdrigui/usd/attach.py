@@ -207,9 +207,8 @@ def _controls_gone(layouts: Sequence[Layout], rigs: Sequence[Rig]) -> Iterator[I
 
 def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:
     before = check_source(asset, settings.rig.read.size_limit)
-    read_layer_isolated(
-        asset, Opening.of(settings.rig.read)
-    )  # What survives that may be opened here.
+    # What survives that may be opened here.
+    read_layer_isolated(asset, Opening.of(settings.rig.read))
     source = open_layer(asset)
     sublayers, inside = _entries(asset, source, layer)
     if not (sublayers or inside):

@@ -60,9 +60,8 @@ def drawings(elements: Sequence[DrawnElement]) -> tuple[Drawing, ...]:
     for position, each in enumerate(elements):
         for part in each.parts:
             bound = part.joint_binding
-            skinned = bool(
-                len(bound.joints)
-            )  # UsdSkel takes a point without influences to the origin
+            # UsdSkel takes a point without influences to the origin.
+            skinned = bool(len(bound.joints))
             key = (
                 each.element.placement.part,
                 each.inner,

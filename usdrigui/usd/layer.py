@@ -128,9 +128,8 @@ def relative_asset_path(source: Path, target: Path) -> str:
 
     Raises SOURCE_UNREFERABLE for names that USD cannot refer to.
     """
-    here = (
-        source.parent.resolve() / source.name
-    )  # a link keeps its name: what it refers to lies beside it
+    # A link keeps its name: what it refers to lies beside it.
+    here = source.parent.resolve() / source.name
     path = os.path.relpath(here, target.parent.resolve()).replace(os.sep, "/")
     if ":SDF_FORMAT_ARGS:" in path or "@@@" in path or any(ord(char) < 32 for char in path):
         raise refuse("SOURCE_UNREFERABLE", str(source), "its name is reserved by USD")

@@ -22,8 +22,8 @@ from usdrigui import worker
 from usdrigui.errors import Exit, RigUIError, refuse
 from usdrigui.model import Performance
 from usdrigui.processes import (
-    End,
     Printed,
+    ProcessEnd,
     Reading,
     environment,
     kill,
@@ -176,7 +176,9 @@ def _from_reader(request: Request, path: Path) -> Response:
 # --- the process ----------------------------------------------------------------------------------
 
 
-def _run(request_file: IO[bytes], response_file: IO[bytes], path: Path, seconds: float) -> End:
+def _run(
+    request_file: IO[bytes], response_file: IO[bytes], path: Path, seconds: float
+) -> ProcessEnd:
     """Start the reader, wait for its end, and be sure that it is gone whatever happens here."""
     deadline = time.monotonic() + seconds
     process, late = None, False
@@ -196,7 +198,7 @@ def _run(request_file: IO[bytes], response_file: IO[bytes], path: Path, seconds:
             kill(process, group=True)
             code, peak = reaped(process)
             printed.close()
-    return End(code, late, peak, printed.text)
+    return ProcessEnd(code, late, peak, printed.text)
 
 
 def _started(request_file: IO[bytes], response_file: IO[bytes]) -> subprocess.Popen[bytes]:

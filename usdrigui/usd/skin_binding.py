@@ -123,9 +123,8 @@ class SkinBinding:
         self.size = _size(rig.body)
         self._positions = {control.name: i for i, control in enumerate(rig.controls)}
         on_face = [self._anchored(each) for each in layout.elements if not each.anchor.on_board]
-        starts = dict(
-            zip(self._meshes, rig.body.starts.tolist(), strict=False)
-        )  # one more start than meshes
+        # There is one more start than meshes.
+        starts = dict(zip(self._meshes, rig.body.starts.tolist(), strict=False))
         rows = [starts[mesh.path] + point for mesh, point in on_face]
         self._rigid = carrying_joint(rig.body, np.array(rows, dtype=np.int64))
         self._shapes = _shapes_of(rig.body, on_face, self.size)

@@ -34,7 +34,7 @@ def clip_values(rig: Rig, count: int = 0) -> Floats:
 
 
 @dataclass(frozen=True, eq=False)
-class Reading(Record):
+class ClipReading(Record):
     """Where the value of a control is read in a clip, for films and for pages: in the weight of the
     first of `rises`, else in the rotation of a joint."""
 
@@ -46,17 +46,17 @@ class Reading(Record):
     """(3,) rotation vector per unit of the control."""
 
 
-def reading(control: Control) -> Reading | None:
+def reading(control: Control) -> ClipReading | None:
     """Where a control is read; None for one that a clip does not determine."""
     drive = control.drive
     per_unit = 1.0 / float(drive.values[-1] - drive.values[0])
     rises = (drive.weights[-1] - drive.weights[0]) * per_unit
     if control.kind == "blendShape" and len(rises) and rises[0]:
         pairs = zip(drive.channels.tolist(), rises.tolist(), strict=True)
-        return Reading(tuple(pairs), -1, np.zeros(3))
+        return ClipReading(tuple(pairs), -1, np.zeros(3))
     if control.kind == "joint" and len(drive.joints) == 1:
         turn = (drive.rotations[-1, 0] - drive.rotations[0, 0]) * per_unit
-        return Reading((), int(drive.joints[0]), turn) if turn.any() else None
+        return ClipReading((), int(drive.joints[0]), turn) if turn.any() else None
     return None
 
 

@@ -294,15 +294,16 @@ def _headings(
     for column in _columns(shown, boxes, rows, pitch):
         family, above = "", -np.inf
         for index in sorted(column, key=lambda each: float(rows[each])):
-            if shown[index][0].placement.category not in ("", family):
-                family = shown[index][0].placement.category
+            own = shown[index][0].placement
+            if own.category not in ("", family):
+                family = own.category
                 top = float(boxes[index, 1])
                 line = max(0.5 * (top - above), 0.0) if np.isfinite(above) else np.inf
                 place = (
                     float(boxes[column, 0].min()) - 4.0,
                     top - min(line, max(0.5 * pitch + 4.0, _CLEAR)),
                 )
-                found.append((heading(family, shown[index][0].placement.part), *place))
+                found.append((heading(family, own.part), *place))
             above = float(boxes[index, 3])
     return found
 
@@ -316,9 +317,8 @@ def _columns(shown: Named, boxes: Floats, rows: Floats, pitch: float) -> list[li
         row = np.flatnonzero(
             (np.abs(rows - rows[index]) < 0.4 * pitch) & (boxes[:, 0] < boxes[index, 0] - 1.0)
         )
-        if any(
-            shown[other][0].name == shown[index][0].manipulator.mirror for other in row.tolist()
-        ):
+        mirror = shown[index][0].manipulator.mirror
+        if any(shown[other][0].name == mirror for other in row.tolist()):
             continue
         if boxes[index, 0] > last + 3.0 * pitch:
             columns.append([])

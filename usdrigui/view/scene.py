@@ -43,7 +43,7 @@ from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.settings import OutputSettings
 from usdrigui.skinning import carrying_joint
 from usdrigui.surface import triangles
-from usdrigui.view.clip import Reading, reading
+from usdrigui.view.clip import ClipReading, reading
 from usdrigui.view.complexion import complexion
 from usdrigui.view.headings import heading, rank
 from usdrigui.view.sections import main_layout, sections
@@ -250,7 +250,7 @@ def _control(control: Control) -> Json:
     }
 
 
-def _reading(found: Reading | None) -> Json | None:
+def _reading(found: ClipReading | None) -> Json | None:
     """Where a clip has the value of a control."""
     if found is None:
         return None

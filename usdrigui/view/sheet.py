@@ -41,9 +41,8 @@ def sheet_png(
         }
         values = values_of(rig, own, layout.character.base_values) if own else None
         images.append(render(rig, layout, values, labels=labels))
-    page = (
-        images[0] if len(images) == 1 else contact_sheet(images)
-    )  # each names its character itself
+    # Each names its character itself.
+    page = images[0] if len(images) == 1 else contact_sheet(images)
     buffer = io.BytesIO()
     page.save(buffer, format="PNG")
     return buffer.getvalue()
