@@ -91,7 +91,7 @@ def animation_facts(
         )
 
     sets = [
-        _suggestion(rig, controls, agreement, twins, one_place)
+        _suggestion(rig.controls, controls, agreement, twins, one_place)
         for controls, agreement in together(done, twins, settings.character.animation.together)
     ]
     text = "\n".join(
@@ -121,7 +121,7 @@ def _sides(controls: Sequence[str], twins: Mapping[str, str]) -> list[tuple[str,
 
 
 def _suggestion(
-    rig: Rig,
+    every: tuple[Control, ...],
     controls: tuple[str, ...],
     agreement: float,
     twins: Mapping[str, str],
@@ -130,7 +130,7 @@ def _suggestion(
     sides = _sides(controls, twins)
     if all(len(side) > 1 and one_place(side) for side in sides):
         return TogetherFacts(controls, agreement, "group")
-    shapes = [each for each in rig.controls if each.name in controls and each.kind == "blendShape"]
+    shapes = [each for each in every if each.name in controls and each.kind == "blendShape"]
     return TogetherFacts(controls, agreement, "pose" if len(shapes) > 1 else "")
 
 

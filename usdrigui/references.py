@@ -196,7 +196,7 @@ def _can_be_of(layout: Layout | None, rig: Rig, sampling: TrajectorySettings) ->
 
 
 def _shares_controls(controls: frozenset[str], rig: Rig) -> bool:
-    return not {control.name for control in rig.controls}.isdisjoint(controls)
+    return not rig.control_names.isdisjoint(controls)
 
 
 @dataclass(frozen=True, eq=False)

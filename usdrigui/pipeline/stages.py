@@ -246,7 +246,7 @@ def part_problem(
         found = of_controls(
             rig, found, part.controls, part.excluded, settings.character.trajectories
         )
-        own = of_part(own, rig, part)
+        own = of_part(own, rig.controls, part)
     if character.existing is not None:
         own = with_drawn_handles(character.existing, part.name, found.surface, own)
     settings = replace(settings, layout=own)
@@ -380,7 +380,7 @@ def measure(
         if whole is not None and whole.plane.normal.any() and part != FACE:
             # A hand by itself is nearly symmetric about its middle finger.
             symmetry = about_plane_of(
-                rig,
+                rig.controls,
                 found.motions,
                 fields,
                 whole,
@@ -399,7 +399,7 @@ def measure(
             )
             if whole is not None and not symmetry.plane.normal.any():
                 symmetry = about_plane_of(
-                    rig,
+                    rig.controls,
                     found.motions,
                     fields,
                     whole,

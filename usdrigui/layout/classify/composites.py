@@ -124,7 +124,7 @@ def composites(
     }
     off_face = [i for family in families if not family.on_face for i in family.members]
     shown = basis.atoms & ~np.isin(np.arange(len(names)), off_face)
-    spread = _Spreads(rig, trajectories, similarity)
+    spread = _Spreads(rig.skel_root.up, trajectories, similarity)
     for i in np.flatnonzero(basis.atoms & (twins == np.arange(len(names)))).tolist():
         if meaning[i] is None and (pair := spread.distant_pair(i, basis.atoms)):
             found[i] = Composite("composite", "spread", pair)
@@ -226,12 +226,12 @@ def _amounts(
 class _Spreads:
     """What marks a control that moves distant parts of the face at once."""
 
-    def __init__(self, rig: Rig, trajectories: Trajectories, similarity: Similarity) -> None:
+    def __init__(self, up: Floats, trajectories: Trajectories, similarity: Similarity) -> None:
         regions = notable_points(trajectories.motions, len(trajectories.surface.points))
         self.size = regions @ trajectories.surface.areas
         self.cosine = similarity.cosine
         self.contains = _contained(similarity.fields, regions[:, similarity.fields.places])
-        self.far = _distant(trajectories.surface, similarity, rig.skel_root.up)
+        self.far = _distant(trajectories.surface, similarity, up)
 
     def distant_pair(self, index: int, atoms: Flags) -> tuple[int, ...]:
         """Two distant atoms as which the motion moves the face at once; empty where it does not."""

@@ -119,9 +119,11 @@ def _parts(rig: Rig, group: Group) -> Iterator[Group]:
 def _of_poses(rig: Rig, groups: tuple[Group, ...]) -> dict[str, set[str]]:
     """Members of every pose: the groups of the other controls that set what it sets."""
     found: dict[str, set[str]] = {}
-    driven = {group.name: _driven(rig, group.all_controls, poses=False) for group in groups}
+    driven = {
+        group.name: _driven(rig.controls, group.all_controls, poses=False) for group in groups
+    }
     for group in groups:
-        posed = _driven(rig, frozenset(group.controls), poses=True)
+        posed = _driven(rig.controls, frozenset(group.controls), poses=True)
         members = {
             other.name for other in groups if other is not group and posed & driven[other.name]
         }
@@ -130,10 +132,12 @@ def _of_poses(rig: Rig, groups: tuple[Group, ...]) -> dict[str, set[str]]:
     return found
 
 
-def _driven(rig: Rig, members: frozenset[int], *, poses: bool) -> frozenset[tuple[str, int]]:
+def _driven(
+    controls: tuple[Control, ...], members: frozenset[int], *, poses: bool
+) -> frozenset[tuple[str, int]]:
     """Channels and joints that the poses among some controls set, or that the others set."""
-    controls = [rig.controls[i] for i in sorted(members)]
-    drives = [control.drive for control in controls if (control.kind == "pose") == poses]
+    some = [controls[i] for i in sorted(members)]
+    drives = [control.drive for control in some if (control.kind == "pose") == poses]
     channels = {("weight", int(channel)) for drive in drives for channel in drive.channels}
     return frozenset(
         channels | {("joint", int(joint)) for drive in drives for joint in drive.joints}

@@ -121,13 +121,13 @@ def _rank(name: str) -> tuple[int, str]:
     return (len(ORDER) + 1 if name == BODY else order.get(name, len(ORDER))), name
 
 
-def of_part(settings: LayoutSettings, rig: Rig, part: Part) -> LayoutSettings:
+def of_part(settings: LayoutSettings, controls: tuple[Control, ...], part: Part) -> LayoutSettings:
     """The settings without the groups and levels that only controls of other parts have."""
-    index = {control.name: i for i, control in enumerate(rig.controls)}
+    index = {control.name: i for i, control in enumerate(controls)}
 
     def concerns(names: Iterable[str]) -> bool:
-        controls = _controls(names, settings.groups.groups, index)
-        return not controls or not part.controls.isdisjoint(controls)
+        named = _controls(names, settings.groups.groups, index)
+        return not named or not part.controls.isdisjoint(named)
 
     groups = {name: each for name, each in settings.groups.groups.items() if concerns(each)}
     members = {

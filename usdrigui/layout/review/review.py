@@ -27,6 +27,7 @@ from usdrigui.model import (
     Candidates,
     CandidateSet,
     Choice,
+    Control,
     Element,
     Floats,
     Group,
@@ -103,7 +104,9 @@ def review(
     sound = _sound(face, layout.elements)
     pinned = {element.name for element in layout.elements if "anchor" in element.placement.pinned}
     issues = [*faults, *_hidden(face, tuple(each for each in sound if each.name not in pinned))]
-    problem, choices, labels = _as_problem(face, candidates, layout, sound, requests, settings)
+    problem, choices, labels = _as_problem(
+        face, candidates, layout.elements, sound, requests, settings
+    )
     mates = _mates(face, layout.elements, problem, choices, labels)
     rated = tuple(
         _rated(face, problem, choices, labels, index, mates[index]) for index in range(len(choices))
@@ -269,13 +272,14 @@ def _sound(face: Face, elements: tuple[Element, ...]) -> tuple[Element, ...]:
 def _as_problem(
     face: Face,
     candidates: Candidates,
-    layout: Layout,
+    every: tuple[Element, ...],
     elements: tuple[Element, ...],
     requests: Requests,
     settings: Settings,
 ) -> tuple[LayoutProblem, tuple[Choice, ...], Indices]:
-    """The problem in which every element is one variable, its own anchor among the candidates."""
-    groups = _as_groups(face.rig, layout.elements, elements)
+    """The problem in which each of the `elements` is one variable, its own anchor among the
+    candidates; `every` element of the layout defines of what they are states and parts."""
+    groups = _as_groups(face.rig.controls, every, elements)
     points = [
         face.rig.body.point_of(element.anchor.mesh, element.anchor.point) for element in elements
     ]
@@ -298,11 +302,11 @@ def _as_problem(
 
 
 def _as_groups(
-    rig: Rig, elements: tuple[Element, ...], sound: tuple[Element, ...]
+    controls: tuple[Control, ...], elements: tuple[Element, ...], sound: tuple[Element, ...]
 ) -> tuple[Group, ...]:
-    index = {control.name: number for number, control in enumerate(rig.controls)}
+    index = {control.name: number for number, control in enumerate(controls)}
     seen, parts = states(elements), _parts(elements)
-    controls = {
+    owned = {
         each.name: tuple(index[member.control] for member in each.manipulator.members)
         for each in sound
     }
@@ -310,10 +314,10 @@ def _as_groups(
         Group(
             element.name,
             element.manipulator.kind,
-            controls[element.name],
+            owned[element.name],
             element.manipulator.opposed,
             # A copy of a doubled element is not held to the mirror plane; that of a pair never is.
-            controls.get(element.manipulator.mirror, ()),
+            owned.get(element.manipulator.mirror, ()),
             "",
             part=element.name in parts,
             states=seen[element.name],

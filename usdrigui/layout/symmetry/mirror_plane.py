@@ -19,6 +19,7 @@ from usdrigui.layout.symmetry.front import front
 from usdrigui.layout.symmetry.sides_of_joints import ahead_of_head, plane_of_names
 from usdrigui.layout.symmetry.twins import agreements, find_twins, pairable
 from usdrigui.model import (
+    Control,
     Flags,
     Floats,
     Indices,
@@ -107,13 +108,18 @@ def find_symmetry(
         normal = plane.normal
         origin = middle - (middle @ plane.normal - plane.offset) * plane.normal
     twins, sources, turned = find_twins(
-        rig, trajectories.motions, fields, (partner, normal), configured, settings.twin_similarity
+        rig.controls,
+        trajectories.motions,
+        fields,
+        (partner, normal),
+        configured,
+        settings.twin_similarity,
     )
     return Symmetry(MirrorPlane(origin, normal), partner, twins, sources, turned)
 
 
 def about_plane_of(
-    rig: Rig,
+    controls: tuple[Control, ...],
     motions: tuple[Motion, ...],
     fields: DisplacementFields,
     whole: Symmetry,
@@ -123,7 +129,9 @@ def about_plane_of(
     """The symmetry of a part of a character about the plane of the `whole`; parameters as of
     `find_symmetry`."""
     mirror = whole.partner, whole.plane.normal
-    twins, sources, turned = find_twins(rig, motions, fields, mirror, configured, twin_similarity)
+    twins, sources, turned = find_twins(
+        controls, motions, fields, mirror, configured, twin_similarity
+    )
     return replace(whole, twins=twins, sources=sources, reversed=turned)
 
 

@@ -8,7 +8,7 @@ only where the motions leave room; the configuration has the last word.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import networkx as nx
 import numpy as np
@@ -17,7 +17,7 @@ from usdrigui.conventions.sides import has_side, hints_at_twin
 from usdrigui.errors import Faults, meant, refuse
 from usdrigui.layout.control_overrides import control_index, control_overrides
 from usdrigui.layout.motion.similarity import DisplacementFields, bidirectional
-from usdrigui.model import Flags, Floats, Indices, Motion, Rig, Singles
+from usdrigui.model import Control, Flags, Floats, Indices, Motion, Rig, Singles
 from usdrigui.settings import ControlSettings
 
 _NAME_BONUS = 0.15
@@ -29,7 +29,7 @@ _DIGITS = 6
 
 
 def find_twins(
-    rig: Rig,
+    controls: tuple[Control, ...],
     motions: tuple[Motion, ...],
     fields: DisplacementFields,
     mirror: tuple[Indices, Floats],
@@ -43,7 +43,7 @@ def find_twins(
     `configured` as of `configured_twins`; motions agree by `least` to be twins.
     """
     partner, normal = mirror
-    count = len(rig.controls)
+    count = len(controls)
     twins, sources = np.full(count, -1, dtype=np.int64), [""] * count
     reversed_twins = np.zeros(count, dtype=bool)
     for own, other in configured.items():
@@ -52,7 +52,8 @@ def find_twins(
         raw = agreements(fields, partner, normal)
         raw = 0.5 * (raw + raw.T)
         free = [i for i, motion in enumerate(motions) if motion.control not in configured]
-        for a, b, source in _matched(rig, motions, raw, free, least):
+        names = [controls[motion.control].name for motion in motions]
+        for a, b, source in _matched(names, motions, raw, free, least):
             twins[a], twins[b] = b, a
             sources[a] = sources[b] = source
         reversed_twins = _reversed(motions, twins, raw)
@@ -140,7 +141,7 @@ def _named_twin(own: int, name: str, twin: str, index: dict[str, int]) -> int:
 
 
 def _matched(
-    rig: Rig, motions: tuple[Motion, ...], raw: Floats, free: list[int], least: float
+    names: Sequence[str], motions: tuple[Motion, ...], raw: Floats, free: list[int], least: float
 ) -> list[tuple[int, int, str]]:
     """Disjoint pairs of controls (a control with itself: self-symmetric) that agree best, all at
     once.
@@ -150,7 +151,6 @@ def _matched(
     Where weights tie, the pair whose names come first is matched.
     """
     raw = pairable(raw, motions)
-    names = [rig.controls[motion.control].name for motion in motions]
     found = {}
     for i in free:
         for j in free:
