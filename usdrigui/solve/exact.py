@@ -63,9 +63,8 @@ def infeasible_penalty(problem: LayoutProblem, labels: LabelSet) -> float:
     copies = np.array([each.samples.shape[1] for each in problem.variables], dtype=np.float64)
     together = (copies.sum() ** 2 - np.square(copies).sum()) / 2
     overlaps = problem.overlap.weight * problem.overlap.maximum * together
-    explicit = sum(
-        each.costs.max(initial=0.0, where=np.isfinite(each.costs)) for each in problem.extra
-    )
+    allowed = [each.costs[np.isfinite(each.costs)] for each in problem.extra]
+    explicit = sum(each.max(initial=0.0) for each in allowed)
     return float(1.0 + spread.sum() + overlaps + explicit)
 
 

@@ -61,6 +61,11 @@ class LabelGeometry(Record):
         """(2, n) sum and maximum of `apart` over the samples."""
         return np.stack([self.apart.sum(axis=0), self.apart.max(axis=0, initial=0.0)])
 
+    @cached_property
+    def exact(self) -> bool:
+        """Whether no member is elsewhere than the centre."""
+        return not (self.apart.any() or self.handle_apart.any())
+
     def slack(self, at: Indices, samples: int) -> Floats:
         """(q,) largest change of the distance to an element of so many samples when a member
         replaces the centre of geometries `at`.
@@ -161,11 +166,9 @@ def _kept(variable: Variable, first_of_equals: bool) -> Indices:
     _, which, times = np.unique(variable.cost[kept], return_inverse=True, return_counts=True)
     alike = kept[times[which] > 1]  # few, and rows are dear to compare
     if first_of_equals and len(alike):
-        columns = [
-            each[alike].reshape(len(alike), -1)
-            for each in (variable.cost, variable.samples, variable.handles)
-        ]
-        first = np.unique(np.concatenate(columns, axis=1), axis=0, return_index=True)[1]
+        fields = (variable.cost, variable.samples, variable.handles)
+        rows = np.hstack([each[alike].reshape(len(alike), -1) for each in fields])
+        first = np.unique(rows, axis=0, return_index=True)[1]
         kept = np.setdiff1d(kept, np.delete(alike, first))
     return np.append(kept, -1) if np.isfinite(variable.off_face_cost) else kept
 
@@ -238,18 +241,18 @@ def pair_bounds(
     """
     overlap, separation = problem.overlap, problem.separation
     distance = sample_distance(one.samples, i, other.samples, j)
-    slack = one.slack(i, len(other.samples)) + other.slack(j, len(one.samples))
     between = np.sqrt(squared(one.handle.take(i, axis=1), other.handle.take(j, axis=1)))
-    handle_slack = one.handle_apart[i] + other.handle_apart[j]
+    slack = handle_slack = np.zeros(1)
+    if not (one.exact and other.exact):
+        slack = one.slack(i, len(other.samples)) + other.slack(j, len(one.samples))
+        handle_slack = one.handle_apart[i] + other.handle_apart[j]
     cost = overlap.weight * overlap_cost(distance + slack, overlap)
     # Members at the separation exactly, as on a grid, are allowed: a bound must not fall short of
     # it by rounding.
     off = np.where(handle_slack > 0, ROUNDING * (between + handle_slack), 0.0)
     cost[between + handle_slack + off < separation] = np.inf
-    near = (distance - slack < overlap.cutoff_distance) | (
-        between - handle_slack - off < separation
-    )
-    return cost, near
+    close = between - handle_slack - off < separation
+    return cost, close | (distance - slack < overlap.cutoff_distance)
 
 
 def squared(a: Floats, b: Floats) -> Floats:

@@ -168,6 +168,7 @@ class LazyRows:
     def __init__(self, problem: LayoutProblem, labels: LabelSet, budget: Budget) -> None:
         self._problem, self._labels, self._budget = problem, labels, budget
         self._explicit = KnownRows(pair_costs(problem, labels))
+        self._together = problem.together & ~np.eye(labels.variables, dtype=bool)
         self._known: dict[int, tuple[Indices, Floats]] = {}
         self._room = self._most = budget.settings.memory_limit * 2**20 // 80
         """Entries of 16 bytes that a fifth of the memory holds."""
@@ -184,9 +185,8 @@ class LazyRows:
         return self._known[label]
 
     def _evaluated(self, label: int) -> tuple[Indices, Floats]:
-        labels, mine = self._labels, self._labels.variable[label]
-        together = self._problem.together[mine] & (np.arange(labels.variables) != mine)
-        cost = np.zeros(len(labels.cost))
+        labels, cost = self._labels, np.zeros(len(self._labels.cost))
+        together = self._together[labels.variable[label]]
         for one in labels.geometries:
             place = np.arange(*np.searchsorted(one.owner, (label, label + 1)))
             for other in labels.geometries if len(place) else ():

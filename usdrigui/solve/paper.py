@@ -45,10 +45,8 @@ def solve_by_clusters(
         mine = budget.part(len(cluster) / (len(problem.variables) - len(placed)))
         solution = solve_cluster(part, mine)
         budget.spend(mine.work)
-        count = sum(map(len, kept))
-        budget.note(
-            "cluster", elements=len(cluster), labels=count, cost=solution.cost, work=mine.work
-        )
+        count, cost = sum(map(len, kept)), solution.cost
+        budget.note("cluster", elements=len(cluster), labels=count, cost=cost, work=mine.work)
         chosen[cluster] = solution.labels[cluster]
         placed += cluster
     everything = all_labels(problem)
