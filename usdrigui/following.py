@@ -6,12 +6,14 @@ influences and blend shapes, as far as UsdSkel can express it (docs/decisions/15
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import compress
 
 import numpy as np
 
-from usdrigui.model import Control, Indices, Record
+from usdrigui.model import Flags, Indices, Record, Rig
+from usdrigui.skinning import carrying_joint
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,19 +30,27 @@ class Following(Record):
     """Index into `Body.joints` of the one that alone carries it, or -1: those of its anchor do."""
 
 
-def following(
-    own: Indices, board: Indices, carrier: int, *, on_board: bool, static: bool
-) -> Following:
-    """How an element with the controls `own` goes with the character.
+@dataclass(frozen=True, eq=False)
+class Shared(Record):
+    """What all elements of a layout have in common in how they go with the character."""
 
-    `board` are `board_controls`, `carrier` is the joint that carries the face.
-    """
-    held = board if on_board else own
-    return Following(held, not on_board and not static, carrier if static else -1)
-
-
-def board_controls(controls: Sequence[Control], on_board: Iterable[Indices]) -> Indices:
-    """Those of the controls of the elements `on_board` that drive joints: they leave all of the
+    board: Indices
+    """Those of the controls of the elements on the board that drive joints: they leave all of the
     board where it is, so that it stays in one piece."""
-    found = sorted({control for own in on_board for control in own.tolist()})
-    return np.array([each for each in found if len(controls[each].drive.joints)], dtype=np.int64)
+    carrier: int
+    """Index into `Body.joints` of the joint that carries the face, by the anchors on it; -1 where
+    there is none."""
+
+
+def shared(rig: Rig, owned: Sequence[Indices], points: Indices, on_board: Flags) -> Shared:
+    """The same for elements with the controls `owned`, anchored at `points` (elements,) of the rig;
+    `on_board` (elements,)."""
+    found = sorted({each for own in compress(owned, on_board) for each in own.tolist()})
+    board = [each for each in found if len(rig.controls[each].drive.joints)]
+    return Shared(np.array(board, dtype=np.int64), carrying_joint(rig.body, points[~on_board]))
+
+
+def following(own: Indices, all_of: Shared, *, on_board: bool, static: bool) -> Following:
+    """How an element with the controls `own` goes with the character."""
+    held = all_of.board if on_board else own
+    return Following(held, not on_board and not static, all_of.carrier if static else -1)

@@ -9,8 +9,7 @@ only.
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -18,10 +17,9 @@ from numpy.typing import ArrayLike
 
 from usdrigui.deform import Posed, channel_state, deform, posed, sweep
 from usdrigui.errors import meant, refuse
-from usdrigui.following import Following, board_controls, following
+from usdrigui.following import Following, following, shared
 from usdrigui.model import (
     Body,
-    Control,
     Element,
     Floats,
     Indices,
@@ -33,7 +31,6 @@ from usdrigui.model import (
 )
 from usdrigui.pose.handle_track import carried, facing, slid
 from usdrigui.pose.subset import subset
-from usdrigui.skinning import carrying_joint
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,13 +100,11 @@ def prepare(rig: Rig, layout: Layout) -> Poser:
             "the base pose has another number of controls than the character",
         )
     base, still, still_base = posed(anchors, layout.character.base_values), anchors, None
-    carrier = -1
-    if any(element.look.adapt == "static" for element in layout.elements):
-        carrier = carrying_joint(
-            rig.body, points[[not each.anchor.on_board for each in layout.elements]]
-        )
-    if carrier >= 0:
-        still, _ = subset(on_one_joint(rig, carrier), points)
+    on_board = np.array([each.anchor.on_board for each in layout.elements], dtype=bool)
+    static = [each.look.adapt == "static" for each in layout.elements]
+    all_of = shared(rig, owned, points, on_board)
+    if any(static) and all_of.carrier >= 0:
+        still, _ = subset(on_one_joint(rig, all_of.carrier), points)
         still_base = posed(still, layout.character.base_values)
     return Poser(
         rig,
@@ -117,7 +112,10 @@ def prepare(rig: Rig, layout: Layout) -> Poser:
         anchors,
         rows,
         owned,
-        _followings(rig.controls, layout.elements, owned, carrier),
+        tuple(
+            following(own, all_of, on_board=bool(board), static=stays)
+            for own, board, stays in zip(owned, on_board, static, strict=True)
+        ),
         base,
         still,
         still_base or base,
@@ -296,20 +294,6 @@ def _anchor_point(meshes: tuple[RigMesh, ...], starts: Indices, element: Element
             return int(start) + anchor.point
     raise refuse(
         "LAYOUT_STALE", anchor.mesh, f"the mesh that {element.name} is anchored to does not exist"
-    )
-
-
-def _followings(
-    controls: tuple[Control, ...],
-    elements: tuple[Element, ...],
-    owned: Sequence[Indices],
-    carrier: int,
-) -> tuple[Following, ...]:
-    stands = [element.anchor.on_board for element in elements]
-    board = board_controls(controls, itertools.compress(owned, stands))
-    return tuple(
-        following(own, board, carrier, on_board=on_board, static=element.look.adapt == "static")
-        for element, own, on_board in zip(elements, owned, stands, strict=True)
     )
 
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from usdrigui.deform import channel_state, posed
 from usdrigui.errors import refuse
-from usdrigui.following import board_controls, following
+from usdrigui.following import following, shared
 from usdrigui.model import (
     Body,
     Control,
@@ -33,7 +33,6 @@ from usdrigui.model import (
     Skin,
     Topology,
 )
-from usdrigui.skinning import carrying_joint
 
 Method = Literal["classicLinear", "dualQuaternion"]
 
@@ -125,11 +124,11 @@ class SkinBinding:
         on_face = [self._anchored(each) for each in layout.elements if not each.anchor.on_board]
         # There is one more start than meshes.
         starts = dict(zip(self._meshes, rig.body.starts.tolist(), strict=False))
-        rows = [starts[mesh.path] + point for mesh, point in on_face]
-        self._rigid = carrying_joint(rig.body, np.array(rows, dtype=np.int64))
+        anchored = map(self._anchored, layout.elements)
+        rows = np.array([starts[mesh.path] + point for mesh, point in anchored], dtype=np.int64)
+        on_board = np.array([each.anchor.on_board for each in layout.elements], dtype=bool)
+        self._all_of = shared(rig, [*map(self._own, layout.elements)], rows, on_board)
         self._shapes = _shapes_of(rig.body, on_face, self.size)
-        on_board = [self._own(each) for each in layout.elements if each.anchor.on_board]
-        self._board = board_controls(rig.controls, on_board)
 
     def control(self, name: str) -> Control:
         """The rig's control of that name."""
@@ -151,8 +150,7 @@ class SkinBinding:
         mesh, point = self._anchored(element)
         follows = following(
             self._own(element),
-            self._board,
-            self._rigid,
+            self._all_of,
             on_board=element.anchor.on_board,
             static=element.look.adapt == "static",
         )

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from usdrigui.errors import Issue, refuse
-from usdrigui.following import Following, board_controls, following
+from usdrigui.following import Following, following, shared
 from usdrigui.model import (
     Body,
     Clip,
@@ -41,7 +41,6 @@ from usdrigui.model import (
 from usdrigui.palette import SIDES
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.settings import OutputSettings
-from usdrigui.skinning import carrying_joint
 from usdrigui.surface import triangles
 from usdrigui.view.clip import ClipReading, reading
 from usdrigui.view.complexion import complexion
@@ -327,22 +326,12 @@ def _elements(
 ) -> list[Json]:
     found = [_element(rig.body, meshes, controls, each) for each in layout.elements]
     own = [np.array([each["control"] for each in packed["members"]]) for packed in found]
-    board = board_controls(
-        rig.controls, itertools.compress(own, (packed["onBoard"] for packed in found))
-    )
-    rows = [
-        rig.body.starts[packed["mesh"]] + packed["point"]
-        for packed in found
-        if not packed["onBoard"]
-    ]
-    carrier = carrying_joint(rig.body, np.array(rows, dtype=np.int64))
+    rows = [rig.body.starts[packed["mesh"]] + packed["point"] for packed in found]
+    on_board = np.array([packed["onBoard"] for packed in found], dtype=bool)
+    all_of = shared(rig, own, np.array(rows, dtype=np.int64), on_board)
     for packed, mine, element in zip(found, own, layout.elements, strict=True):
-        places = [
-            following(
-                mine, board, carrier, on_board=on_board, static=element.look.adapt == "static"
-            )
-            for on_board in (False, True)
-        ]
+        static = element.look.adapt == "static"
+        places = [following(mine, all_of, on_board=board, static=static) for board in (False, True)]
         packed["follows"] = {"character": _follows(places[0]), "board": _follows(places[1])}
     return found
 
