@@ -75,6 +75,12 @@ def test_single_linkage_does_not_count_candidates_and_sums_do() -> None:
     assert clusters(problem_of(many, near, lone), 2, "sum") == [[1, 2], [0]]
 
 
+@pytest.mark.parametrize("linkage", ["single", "sum"])
+def test_an_element_without_a_place_on_the_face_goes_with_the_first_cluster(linkage) -> None:
+    few = (element("a", [0.0], [1.0]), element("b", [], []), element("c", [1.0], [1.0]), element("d", [9.0], [1.0]))
+    assert clusters(problem_of(*few), 2, linkage) == [[0, 1, 2], [3]]
+
+
 @pytest.mark.parametrize("seed", range(5))
 def test_single_linkage_by_its_definition(seed) -> None:
     """Clusters are connected by distances smaller than any that leads out of them."""
