@@ -43,6 +43,8 @@ the real rigs (decision 034)."""
 CROWDED = 1.0
 """Nearly three times as closely as on any rig we know: harder problems than a layout of a face
 poses."""
+MIXED = 5
+"""Motions of the mouth that visemes are mixtures of: jaw, funnel, pucker, stretch, lower lip."""
 
 
 def face_like(points: int, controls: int, seed: int = 0, scatter: float = SCATTER) -> LayoutProblem:
@@ -62,6 +64,23 @@ def face_like(points: int, controls: int, seed: int = 0, scatter: float = SCATTE
         _motion(generator, positions, normals, scatter, mirrored=at >= middle)
         for at in range((controls + middle) // 2)
     ]
+    return _problem(positions, motions)
+
+
+def viseme_like(points: int, controls: int, seed: int = 0) -> LayoutProblem:
+    """A problem of a head that has visemes alone: `controls` mixtures of a few motions of the
+    mouth, which all want the same places.  Lengths in head half-heights."""
+    generator = np.random.default_rng(seed)
+    positions, normals = _head(points)
+    mouth = np.stack(
+        [_motion(generator, positions, normals, CROWDED, mirrored=False)[0] for _ in range(MIXED)]
+    )
+    shares = generator.dirichlet(np.ones(MIXED), controls)
+    return _problem(positions, [(np.tensordot(each, mouth, 1), False) for each in shares])
+
+
+def _problem(positions: Floats, motions: list[tuple[Floats, bool]]) -> LayoutProblem:
+    """The problem of a head whose controls make these motions; of mirrored ones one of two."""
     settings = ObjectiveSettings()
     width = _handle_width(positions, motions, settings)
     overlap = Overlap(

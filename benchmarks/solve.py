@@ -8,13 +8,13 @@ CPLEX.
 processor seconds after which a layout within a thousandth of the final cost was there (``.1 %
 at``).
 
-Cases: the sample and the real rigs, folded (symmetric pairs once) and, of some, unfolded; a head of
-100 K points made from ict_face57 by subdivision; face-like problems at the sizes of the paper's
-Table 1, crowded ones, and such of 300 and 500 controls.  Methods: ``ours``; the paper's pipeline at
-20, 5 and 1 % of the candidates; HiGHS on the program of the whole problem; toulbar2 on what our
-reduction leaves; CPLEX's integer quadratic program, as far as its free size goes.  The paper's
-pipeline solves its clusters by our solver or, as ``paper 5% cplex`` and as the paper did, by
-CPLEX's integer quadratic program.
+Cases: the sample and the real rigs, folded (symmetric pairs once), unfolded and with other
+settings; a head of 100 K points made from ict_face57 by subdivision; face-like problems at the
+sizes of the paper's Table 1, crowded ones, such of 300 and 500 controls, and heads that have
+visemes alone. Methods: ``ours``; the paper's pipeline at 20, 5 and 1 % of the candidates; HiGHS on
+the program of the whole problem; toulbar2 on what our reduction leaves; CPLEX's integer quadratic
+program, as far as its free size goes. The paper's pipeline solves its clusters by our solver or, as
+``paper 5% cplex`` and as the paper did, by CPLEX's integer quadratic program.
 
 Every run is a process of its own: wall and processor seconds of the solve alone, peak memory of the
 process.  Every method first solves a small problem, so that loading its packages does not count.
@@ -37,13 +37,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from instances import CROWDED, TABLE_1, face_like, subdivided
+from instances import CROWDED, TABLE_1, face_like, subdivided, viseme_like
 from problem_file import load_problem, save_problem
 
 from usdrigui.errors import RigUIError
 from usdrigui.model import Assignment, Element, Floats, LayoutProblem
 from usdrigui.overlap import total_cost
-from usdrigui.settings import SolveSettings, load
+from usdrigui.settings import Settings, SolveSettings, load
 from usdrigui.solve import solve
 from usdrigui.solve.assignment import assignment
 from usdrigui.solve.budget import Budget
@@ -56,10 +56,20 @@ from usdrigui.solve.reduced_problem import ReducedProblem
 
 ASSETS = Path(__file__).resolve().parents[2] / "shared" / "assets"
 SAMPLE = Path(__file__).resolve().parents[1] / "sample_assets" / "char.usda"
-UNFOLDED = ("ict_face57", "mh_expr34", "godette", "openusd_blendshapes", "vitruvian")
-"""Real rigs that are solved without folding symmetric pairs, too."""
+WAYS: dict[str, dict[str, Any]] = {
+    "folded": {"symmetry": {"fold": True}},
+    "unfolded": {"symmetry": {"fold": False}},
+    "ungrouped": {"groups": {"opposed": False}},
+    "ungrouped unfolded": {"groups": {"opposed": False}, "symmetry": {"fold": False}},
+    "wide": {"objective": {"handle_size": 0.03}},
+    "soft": {"objective": {"overlap_sharpness": 3.0, "separation": False}},
+    "flat": {"objective": {"displacement_weight": 0.7}},
+}
+"""Settings that real rigs are solved with: the default, and some that leave more to the solver."""
 MANY = (300, 500)
 """Controls of made problems on 20 000 points."""
+VISEMES = ((5_000, 6), (5_000, 10), (5_000, 14), (20_000, 14))
+"""Points and controls of heads that have visemes alone."""
 METHODS = (
     "ours",
     "paper 20%",
@@ -130,10 +140,10 @@ def cases(folder: Path, assets: Path, words: list[str]) -> Any:
     """Names of the cases wanted and the files of their problems, made one at a time; a rig has a
     problem for each of its parts."""
     for rig in (SAMPLE, *sorted(assets.glob("*.usd?"))):
-        for fold in (True, False):
-            name = f"{rig.stem} {'folded' if fold else 'unfolded'}"
-            if _wanted(name, words) and (fold or rig.stem in UNFOLDED):
-                for part, problem in _part_problems(rig, fold=fold):
+        for way, settings in WAYS.items():
+            name = f"{rig.stem} {way}"
+            if _wanted(name, words):
+                for part, problem in _part_problems(rig, load(settings)):
                     yield f"{name} {part}", _saved(folder, problem)
     name, head = "ict_face57 100K", assets / "ict_face57.usdc"
     if _wanted(name, words) and head.exists():
@@ -150,19 +160,22 @@ def cases(folder: Path, assets: Path, words: list[str]) -> Any:
         name = f"made 20000/{controls}"
         if _wanted(name, words):
             yield name, _saved(folder, face_like(20_000, controls))
+    for points, controls in VISEMES:
+        name = f"visemes {points}/{controls}"
+        if _wanted(name, words):
+            yield name, _saved(folder, viseme_like(points, controls))
 
 
 def _wanted(name: str, words: list[str]) -> bool:
     return not words or any(word in name for word in words)
 
 
-def _part_problems(asset: Path, *, fold: bool) -> Iterator[tuple[str, LayoutProblem]]:
+def _part_problems(asset: Path, settings: Settings) -> Iterator[tuple[str, LayoutProblem]]:
     """Names and problems of a rig's parts as a layout of the rig has them: each among the elements
     of those before."""
     from usdrigui.pipeline.stages import divided, layout_of, part_problem
     from usdrigui.usd.reader_process import read_rigs_isolated
 
-    settings = load({"symmetry": {"fold": fold}})
     character = divided(read_rigs_isolated(asset, settings).rigs[0], settings)
     elements: tuple[Element, ...] = ()
     for part in character.parts:

@@ -96,7 +96,8 @@ def test_optimal_proofs_come_back(char, tmp_path):
             layout.proof, cost=-15.165123456789, bound=-15.17, status="optimal", above_unary_bound=1e-9, method="highs"
         ),
     )
-    layout = replace(layout, proof=replace(layout.proof, closed_by="work limit"))
+    program = (("columns", 703.0), ("lp_bound", -15.25))
+    layout = replace(layout, proof=replace(layout.proof, closed_by="work limit", figures=program))
     target = tmp_path / "a.usda"
     write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
     (back,) = read_layout(target)
@@ -104,6 +105,7 @@ def test_optimal_proofs_come_back(char, tmp_path):
         (layout.proof.cost, layout.proof.bound, 1e-9), rel=5e-7
     )
     assert (back.proof.method, back.proof.status, back.proof.closed_by) == ("highs", "optimal", "work limit")
+    assert back.proof.figures == program
 
 
 def test_the_same_input_gives_the_same_bytes_everywhere(char, tmp_path):

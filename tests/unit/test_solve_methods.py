@@ -28,6 +28,9 @@ from usdrigui.solve.pair_costs import near_blocks, pair_costs
 from usdrigui.solve.reduced_problem import ReducedProblem
 from usdrigui.solve.toulbar2 import _solved, solve_by_toulbar2
 
+FEW = 3_000_000
+"""Work that is enough for a crowd of five, of which branch and bound closes what HiGHS leaves open."""
+
 
 def best_or_none(problem: LayoutProblem, method: str) -> float | None:
     try:
@@ -80,7 +83,7 @@ def test_paper_with_one_cluster_and_all_candidates_is_the_optimum() -> None:
 def test_paper_never_beats_the_optimum_and_is_seeded() -> None:
     for seed in range(3):
         problem = crowd(seed, variables=5, candidates=30)
-        optimum = solve(problem, SolveSettings()).cost
+        optimum = solve(problem, SolveSettings(work_limit=FEW)).cost
         one = SolveSettings(method="paper", clusters=2, sample=0.2, seed=seed)
         first, second = solve(problem, one), solve(problem, one)
         assert first.cost >= optimum - 1e-4 * abs(optimum)
@@ -117,7 +120,7 @@ def test_toulbar2_agrees_on_whole_problems() -> None:
     for seed in range(2):
         problem = crowd(seed, variables=5, candidates=40)
         theirs = solve(problem, SolveSettings(method="toulbar2"))
-        ours = solve(problem, SolveSettings())
+        ours = solve(problem, SolveSettings(work_limit=FEW))
         assert theirs.status == ours.status == "optimal"
         assert ours.cost == pytest.approx(theirs.cost, rel=1e-4)
         assert ours.bound <= theirs.cost + 1e-6

@@ -13,6 +13,9 @@ GAP_FLOOR = 1e-3
 """Cost below which gaps are no longer relative: a thousandth of what one element's place is worth.
 Without it the gap of a problem whose best cost is zero could never close."""
 
+PROGRAM = ("labels", "columns", "rows", "lp_bound", "nodes", "cutoff")
+"""Figures of a solver's step that tell of its program."""
+
 
 @dataclass(frozen=True, eq=False)
 class Assignment(Record):
@@ -35,6 +38,14 @@ class Assignment(Record):
     limit``, ``memory limit`` or ``interrupt``.  Empty where the method ended without a proof, as
     the paper's does."""
     steps: tuple[Step, ...] = ()
+
+    @property
+    def figures(self) -> tuple[tuple[str, float], ...]:
+        """How large the program of the last step was, and how far it came: of HiGHS the labels,
+        columns, rows, bound of the linear program, nodes and cutoff; of others as many of these as
+        they have."""
+        last = self.steps[-1].figures if self.steps else ()
+        return tuple(each for each in last if each[0] in PROGRAM)
 
     @property
     def gap(self) -> float:

@@ -95,6 +95,8 @@ class Proof(Record):
     """Settings of the objective that the cost depends on, by name."""
     closed_by: str = ""
     """What proved the gap or kept it from that, as `Assignment.closed_by`."""
+    figures: tuple[tuple[str, float], ...] = ()
+    """How large the program of the last step was and how far it came, as `Assignment.figures`."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -480,6 +480,7 @@ def joined(laid: Sequence[LaidPart]) -> Layout:
             main.proof,
             method=last[-1].proof.method,
             closed_by=last[-1].proof.closed_by,
+            figures=last[-1].proof.figures,
             status=last[-1].proof.status,
             cost=sum(each.cost for each in parts),
             bound=sum(each.bound for each in parts),

@@ -515,7 +515,7 @@ class SolveSettings:
 
     method: Literal["highs", "paper", "toulbar2"] = setting(
         "highs",
-        "Solver of the rest that dual bounds and tests leave: ``highs``, followed by branch and"
+        "Solver of the rest that dual bounds and tests leave: ``highs``, in turn with branch and"
         " bound where the problem stays open, or ``toulbar2``; ``paper`` is the paper's pipeline.",
         level="expert",
     )

@@ -1,5 +1,4 @@
-"""An exact search of our own for what HiGHS does not close with its share of the work: dense
-crowds.
+"""An exact search of our own for what HiGHS does not close in its first turn: dense crowds.
 
 Depth first.  A node is a smaller problem of the same kind.  Dual ascent and the tests of labels and
 pairs make it smaller still; variables with one label left are folded into the costs of the others.
@@ -35,19 +34,19 @@ class _Branch(NamedTuple):
 
 
 def branch_and_bound(
-    problem: ReducedProblem, linear: Floats, pairs: Floats, cutoff: float, budget: Budget
+    problem: ReducedProblem, linear: Floats, pairs: Floats, cutoff: float, budget: Budget, most: int
 ) -> Solution:
     """Best layout of a reduced problem that costs less than the cutoff, or the proof that there is
     none.
 
     `linear` (n,) and `pairs` (n, n) are the costs of its labels without messages, +inf for pairs
-    that are excluded.  The bound of a search that `budget` stops holds.
+    that are excluded.  The bound of a search that ends after `most` work in all holds.
     """
     root = ReducedProblem(problem.owner, np.arange(len(linear)), linear, pairs)
     whole = _Node(root, np.arange(problem.count), np.empty(0, dtype=np.int64))
     open_ = [_Branch(problem.bound(), whole, np.ones(len(linear), dtype=bool))]
     failures, least, best, nodes = np.ones(problem.count), cutoff, None, 0
-    while open_ and not budget.stopped():
+    while open_ and budget.work < most and not budget.stopped():
         branch = open_.pop()
         if branch.bound >= least:
             continue
@@ -69,7 +68,7 @@ def branch_and_bound(
 
 def _tested(problem: ReducedProblem, cutoff: float, budget: Budget) -> ReducedProblem | None:
     """A node's problem after ascent and tests; None when no layout below the cutoff is left."""
-    budget.spend(50 + len(problem.costs) ** 2 // 16 + len(problem.costs) ** 3 // 1024)
+    budget.spend(2000 + len(problem.costs) ** 2 // 16 + len(problem.costs) ** 3 // 1024)
     if not problem.count:
         return problem if problem.constant < cutoff else None
     problem.normalize()

@@ -14,15 +14,16 @@ from usdrigui.solve.local_search import LazyRows, LocalSearch
 from usdrigui.solve.milp import solve_milp
 from usdrigui.solve.partition import affordable_at_once
 from usdrigui.solve.reduce import Reduction, reduce
-from usdrigui.solve.reduced_problem import Solution
 from usdrigui.solve.toulbar2 import check_installed, solve_by_toulbar2
 
 DEARER = 0.18
 """The first layout is one of labels that cost no more than this above their variable's cheapest."""
 TRIES = 4
 """Of local search per variable, and again as long as they help."""
-HIGHS_SHARE = 0.01
-"""Of the work allowed, before what it has not closed goes to branch and bound (decision 030)."""
+CROWD = 16, 0.1
+"""First tries where labels are few, and how much worse they may get: a crowd has many traps."""
+TURNS = (("highs", 0.1), ("branch and bound", 1 / 3), ("highs", 1.0))
+"""Who searches what bounds leave, each with a share of the work that is left (decision 030)."""
 
 
 def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
@@ -50,7 +51,8 @@ def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
     budget.note("local search", cost=incumbent.cost, labels=count, work=budget.work)
     left = reduce(problem, labels, budget, incumbent)
     figures = {"labels": 0} if left is None else left.figures()
-    budget.note("reduce", **figures, cost=incumbent.cost, bound=budget.bound, work=budget.work)
+    found = {"cutoff": budget.cutoff, "cost": incumbent.cost, "bound": budget.bound}
+    budget.note("reduce", **figures, **found, work=budget.work)
     if left is not None and left.exact and not budget.closed() and not budget.stopped():
         method = _solve_reduced(left, incumbent, budget)
     return assignment(problem, labels, labels.candidate[incumbent.chosen], budget, method)
@@ -85,6 +87,7 @@ def _first_layout(
     if affordable_at_once(labels, budget):
         incumbent = search_among(labels)
         incumbent.construct()
+        incumbent.search(*CROWD)
     else:
         few = np.flatnonzero(labels.cost - labels.best[labels.variable] <= DEARER)
         rough = search_among(labels.of(few))
@@ -96,7 +99,7 @@ def _first_layout(
         labels = labels.of(np.flatnonzero(wanted))
         incumbent = search_among(labels)
         incumbent.improve_from(chosen)
-    incumbent.search(TRIES, budget.settings.work_limit / 2)
+    incumbent.search(TRIES, most=budget.settings.work_limit / 2)
     return labels, incumbent
 
 
@@ -104,25 +107,21 @@ def _first_layout(
 
 
 def _solve_reduced(left: Reduction, incumbent: LocalSearch, budget: Budget) -> str:
-    """Give what is left to the solver that the settings name, and to branch and bound what HiGHS
-    does not close with its share of the work; the name of the last."""
-
-    def noted(method: str, found: Solution) -> str:
-        """Keep what a solver found and note its figures; its name."""
+    """Give what is left to the solver that the settings name, HiGHS and branch and bound in turn;
+    the name of the last."""
+    named = budget.settings.method
+    for method, share in TURNS if named == "highs" else ((named, 1.0),):
+        most, cutoff = budget.work + int(share * budget.work_left), budget.cutoff
+        if method == "highs":
+            found = solve_milp(left.problem, cutoff, budget, most)
+        elif method == "toulbar2":
+            found = solve_by_toulbar2(left.problem, *left.plain_costs(), cutoff, budget)
+        else:
+            found = branch_and_bound(left.problem, *left.plain_costs(), cutoff, budget, most)
         if found.chosen is not None:
             incumbent.improve_from(left.representatives(found.chosen))
         budget.found(method, bound=found.bound)
         budget.note(method, **found.figures, bound=found.bound, work=budget.work)
-        return method
-
-    linear, excluded = left.block_set.cost[left.problem.labels], np.isinf(left.problem.both_ways())
-    pairs = np.where(excluded, np.inf, left.pairs.toarray())
-    if budget.settings.method == "toulbar2":
-        found = solve_by_toulbar2(left.problem, linear, pairs, budget.cutoff, budget)
-        return noted("toulbar2", found)
-    share = int(HIGHS_SHARE * budget.settings.work_limit)
-    method = noted("highs", solve_milp(left.problem, budget.cutoff, budget, share))
-    if budget.closed() or budget.stopped():
-        return method
-    found = branch_and_bound(left.problem, linear, pairs, budget.cutoff, budget)
-    return noted("branch and bound", found)
+        if budget.closed() or budget.stopped():
+            break
+    return budget.steps[-1].name

@@ -65,10 +65,10 @@ class LocalSearch:
             self._set(chosen)
             self._descend()
 
-    def search(self, tries: int, most: float = np.inf) -> None:
+    def search(self, tries: int, worse: float = WORSE, most: float = np.inf) -> None:
         """Iterated local search: so many tries per variable from the best layout on, and again as
         long as they help and no more than `most` work is done in all: take a few rivals out, put
-        them back in another order, descend."""
+        them back in another order, descend; go on from there unless it is `worse` by more."""
         cost = np.inf
         while self.cost < cost:
             cost = self.cost
@@ -80,8 +80,8 @@ class LocalSearch:
                 group = self._rivals()
                 for variable in group:
                     self._place(variable, -1)
-                self._insert(self._generator.permutation(group), WORSE)
-                if self._descend() > self.cost + WORSE:
+                self._insert(self._generator.permutation(group), worse)
+                if self._descend() > self.cost + worse:
                     for variable in np.flatnonzero(self._now != self.chosen):
                         self._place(int(variable), int(self.chosen[variable]))
 
@@ -118,8 +118,7 @@ class LocalSearch:
         return self._value()
 
     def _moves(self) -> None:
-        """Of single variables, each the one that gains most; as many as there are labels at most,
-        for gains below the rounding of large costs."""
+        """Of single variables, each the one that gains most; so many that rounding ends them."""
         for _ in range(len(self._costs)):
             least = np.minimum.reduceat(self._costs, self._start[:-1])
             gains = self._costs[self._now] - least

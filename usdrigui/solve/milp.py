@@ -30,20 +30,20 @@ if TYPE_CHECKING:
 
 VIOLATED = 1e-6
 """Least violation of a row that is added."""
-CALL = 8
+CALL = 3
 """Work of HiGHS between two calls, for every row."""
 
 Row = tuple[Indices, Floats]
 
 
-def solve_milp(problem: ReducedProblem, cutoff: float, budget: Budget, work: int) -> Solution:
+def solve_milp(problem: ReducedProblem, cutoff: float, budget: Budget, most: int) -> Solution:
     """Best layout of a reduced problem that costs less than the cutoff, or the proof that there is
     none.
 
-    Complete unless `budget` stops it, or so much `work` is done; the bound of a run that is stopped
-    holds.
+    Complete unless `budget` stops it, or `most` work is done in all; the bound of a run that is
+    stopped holds.
     """
-    return _Program(problem, cutoff, budget, budget.work + work).solved()
+    return _Program(problem, cutoff, budget, most).solved()
 
 
 class _Program:
@@ -138,8 +138,8 @@ class _Program:
             event.interrupt()
 
     def _interrupt(self, event: highspy.HighsCallbackEvent) -> None:
-        """End a run at a limit.  HiGHS asks as often on every machine: its iterations are not told,
-        so each call counts as some.  The dual bound that it tells here may be above the optimum."""
+        """End a run at a limit.  HiGHS asks as often on every machine, so each call counts as some
+        work.  The dual bound that it tells here may be above the optimum."""
         self._budget.spend(CALL * self._rows)
         if self._stopped():
             event.interrupt()

@@ -28,8 +28,7 @@ looked for."""
 NEAR = 0.02
 """Share of the way to the cutoff in which blocks are split while the bound rises well."""
 SLOW = 0.1
-"""Share of the labels, or of what the bound misses, by which a step must reduce them to be worth
-another one."""
+"""Share of the labels, or of what the bound misses, that a step must take to be worth another."""
 TRIES = 20
 """Of local search per variable where all pair costs are at hand: thousands take a second."""
 
@@ -78,6 +77,12 @@ class Reduction:
     def representatives(self, chosen: Indices) -> Indices:
         """(variables,) the labels of least linear cost of the blocks that a solution chooses."""
         return cheapest(self._labels, self.blocks)[self.problem.labels[chosen]]
+
+    def plain_costs(self) -> tuple[Floats, Floats]:
+        """(n,) and (n, n) costs of the labels left without messages, +inf for excluded pairs."""
+        excluded = np.isinf(self.problem.both_ways())
+        pairs = np.where(excluded, np.inf, self.pairs.toarray())
+        return self.block_set.cost[self.problem.labels], pairs
 
     def figures(self) -> dict[str, int]:
         """How much is left, for the report."""

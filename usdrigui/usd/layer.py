@@ -283,6 +283,8 @@ def books(layout: Layout) -> dict[str, Any]:
             "solver": proof.method,
             "status": proof.status,
             "closedBy": proof.closed_by,
+            "figureNames": [name for name, _ in proof.figures],
+            "figureValues": np.array([value for _, value in proof.figures], dtype=np.float64),
             "cost": proof.cost,
             "bound": proof.bound,
             "aboveUnaryBound": proof.above_unary_bound,

@@ -318,17 +318,23 @@ def _proof(scope: Usd.Prim) -> Proof:
     status = _noted(scope, "solution", "status", "stopped")
     if status not in get_args(Status):
         raise _misnoted(scope, "solution", "status", f"{status!r} is none")
-    names, values = (_noted(scope, "solution", f"weight{each}", ()) for each in ("Names", "Values"))
-    check_equal(scope, "solution weights", names, values)
     return Proof(
         method=_noted(scope, "solution", "solver", ""),
         status=status,
         cost=_noted(scope, "solution", "cost", 0.0),
         bound=_noted(scope, "solution", "bound", -np.inf),
         above_unary_bound=_noted(scope, "solution", "aboveUnaryBound", 0.0),
-        weights=tuple(zip(strings(names), array_of(values).tolist(), strict=True)),
+        weights=_figures(scope, "weight"),
         closed_by=_noted(scope, "solution", "closedBy", ""),
+        figures=_figures(scope, "figure"),
     )
+
+
+def _figures(scope: Usd.Prim, kind: str) -> tuple[tuple[str, float], ...]:
+    """Names and numbers of a kind in our books of the solution."""
+    names, values = (_noted(scope, "solution", f"{kind}{each}", ()) for each in ("Names", "Values"))
+    check_equal(scope, f"solution {kind}s", names, values)
+    return tuple(zip(strings(names), array_of(values).tolist(), strict=True))
 
 
 def _left_off(scope: Usd.Prim) -> tuple[LeftOff, ...]:

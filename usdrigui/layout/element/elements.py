@@ -117,6 +117,7 @@ def _proof(assignment: Assignment, weights: tuple[tuple[str, float], ...]) -> Pr
         assignment.above_unary_bound,
         weights,
         assignment.closed_by,
+        assignment.figures,
     )
 
 
