@@ -19,7 +19,7 @@ from usdrigui.errors import RigUIError
 from usdrigui.model import LayoutProblem
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import partition, solve, toulbar2
+from usdrigui.solve import exact, partition, solve, toulbar2
 from usdrigui.solve.branch_and_bound import _folded, _Node
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.exact import infeasible_penalty
@@ -89,6 +89,14 @@ def test_paper_never_beats_the_optimum_and_is_seeded() -> None:
         assert first.cost >= optimum - 1e-4 * abs(optimum)
         assert (first.labels == second.labels).all()
         assert first.bound <= optimum
+
+
+def test_paper_solves_its_clusters_by_the_solvers_of_the_default(monkeypatch: pytest.MonkeyPatch) -> None:
+    honest, asked = exact.solve_milp, []
+    monkeypatch.setattr(exact, "solve_milp", lambda *given: (asked.append(given), honest(*given))[1])
+    paper = SolveSettings(method="paper", clusters=1, sample=1.0, work_limit=FEW)
+    solve(crowd(1, variables=5, candidates=30), paper)
+    assert asked
 
 
 def test_paper_counts_explicit_costs_across_clusters() -> None:

@@ -109,8 +109,8 @@ def _first_layout(
 def _solve_reduced(left: Reduction, incumbent: LocalSearch, budget: Budget) -> str:
     """Give what is left to the solver that the settings name, HiGHS and branch and bound in turn;
     the name of the last."""
-    named = budget.settings.method
-    for method, share in TURNS if named == "highs" else ((named, 1.0),):
+    by_toulbar2 = budget.settings.method == "toulbar2"
+    for method, share in (("toulbar2", 1.0),) if by_toulbar2 else TURNS:
         most, cutoff = budget.work + int(share * budget.work_left), budget.cutoff
         if method == "highs":
             found = solve_milp(left.problem, cutoff, budget, most)
