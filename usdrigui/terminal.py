@@ -499,14 +499,16 @@ def _where(characters: Sequence[CharacterReport]) -> str:
 
 
 def _ending(solution: Assignment) -> str:
-    """What closed the problem, the limit that came first, or that neither did."""
+    """What closed the problem, with the size of its program, the limit that came first, or that
+    neither did."""
+    program = f" ({_figures(solution.figures)})" if len(solution.figures) > 2 else ""
     if solution.status == "optimal":
-        return f"proved by {solution.closed_by}"
+        return f"proved by {solution.closed_by}{program}"
     if not solution.closed_by:
         return "not proved"
     if solution.closed_by == "interrupt":
         return "the search was interrupted; its best layout is kept"
-    return f"stopped by the {solution.closed_by}"
+    return f"stopped by the {solution.closed_by}{program}"
 
 
 def _percent(share: float) -> str:

@@ -43,9 +43,11 @@ class Assignment(Record):
     def figures(self) -> tuple[tuple[str, float], ...]:
         """How large the program of the last step was, and how far it came: of HiGHS the labels,
         columns, rows, bound of the linear program, nodes and cutoff; of others as many of these as
-        they have."""
-        last = self.steps[-1].figures if self.steps else ()
-        return tuple(each for each in last if each[0] in PROGRAM)
+        they have; none where several parts have steps of their own."""
+        last = self.steps[-1] if self.steps else None
+        if last is None or last.name not in (self.method, "reduce"):
+            return ()
+        return tuple(each for each in last.figures if each[0] in PROGRAM)
 
     @property
     def gap(self) -> float:
