@@ -501,7 +501,8 @@ def _where(characters: Sequence[CharacterReport]) -> str:
 def _ending(solution: Assignment) -> str:
     """What closed the problem, with the size of its program, the limit that came first, or that
     neither did."""
-    program = f" ({_figures(solution.figures)})" if len(solution.figures) > 2 else ""
+    of_one = [each for each in solution.figures if ": " not in each[0]]  # parts have a line each
+    program = f" ({_figures(of_one)})" if of_one and solution.method != "bounds" else ""
     if solution.status == "optimal":
         return f"proved by {solution.closed_by}{program}"
     if not solution.closed_by:

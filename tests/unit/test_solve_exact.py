@@ -199,6 +199,15 @@ def test_highs_has_the_last_turn(monkeypatch: pytest.MonkeyPatch) -> None:
     assert (found.method, found.closed_by) == ("highs", "work limit")
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_what_branch_and_bound_has_proved_is_not_given_back(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """At a gap of 0 its bound may be a last bit below the cost."""
+    by_program(monkeypatch)
+    monkeypatch.setattr(exact, "TURNS", (("branch and bound", 1.0), ("highs", 1.0)))
+    found = solve(crowd(seed, variables=4, candidates=12), replace(HIGHS, gap=0.0))
+    assert (found.status, found.closed_by) == ("optimal", "branch and bound")
+
+
 def test_of_triplets_that_raise_the_bound_those_that_take_little_work_come_first(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -507,6 +516,11 @@ def test_a_linear_program_ends_when_it_is_asked_to(monkeypatch: pytest.MonkeyPat
 def test_a_method_without_a_proof_names_no_limit() -> None:
     found = solve(crowd(5, variables=5, candidates=10), SolveSettings(method="paper", clusters=2))
     assert (found.status, found.closed_by) == ("stopped", "")
+
+
+def test_a_method_without_a_proof_names_the_limit_that_a_cluster_came_to() -> None:
+    few = SolveSettings(method="paper", clusters=2, work_limit=3_000)
+    assert solve(crowd(5, variables=5, candidates=30), few).closed_by == "work limit"
 
 
 def test_stopping_at_once_returns_an_honest_layout() -> None:

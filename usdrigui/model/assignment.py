@@ -14,7 +14,7 @@ GAP_FLOOR = 1e-3
 Without it the gap of a problem whose best cost is zero could never close."""
 
 PROGRAM = ("labels", "columns", "rows", "lp_bound", "nodes", "cutoff")
-"""Figures of a solver's step that tell of its program."""
+"""Figures of a solver's steps that tell of its program."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +32,8 @@ class Assignment(Record):
     """cost minus the sum over variables of their least linear cost: what the choice can change (>=
     0)."""
     method: str
-    """What ran last: ``bounds`` where nothing was left for a solver, or the solver's name."""
+    """What ran last: a solver's name, or ``bounds`` where nothing was left for one, or a limit came
+    first."""
     closed_by: str
     """The method that proved the gap, or the limit that kept it from that: ``time limit``, ``work
     limit``, ``memory limit`` or ``interrupt``.  Empty where the method ended without a proof, as
@@ -41,13 +42,14 @@ class Assignment(Record):
 
     @property
     def figures(self) -> tuple[tuple[str, float], ...]:
-        """How large the program of the last step was, and how far it came: of HiGHS the labels,
-        columns, rows, bound of the linear program, nodes and cutoff; of others as many of these as
-        they have; none where several parts have steps of their own."""
-        last = self.steps[-1] if self.steps else None
-        if last is None or last.name not in (self.method, "reduce"):
-            return ()
-        return tuple(each for each in last.figures if each[0] in PROGRAM)
+        """How large the program was and how far it came, by the last step that tells: labels,
+        columns, rows, bound of the linear program, nodes and cutoff; of several parts with the
+        part's name, ``face: rows``."""
+        found: dict[str, float] = {}
+        for step in self.steps:
+            part = step.name[: step.name.find(": ") + 2] if ": " in step.name else ""
+            found |= {part + name: value for name, value in step.figures if name in PROGRAM}
+        return tuple(found.items())
 
     @property
     def gap(self) -> float:

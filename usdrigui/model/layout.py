@@ -96,7 +96,7 @@ class Proof(Record):
     closed_by: str = ""
     """What proved the gap or kept it from that, as `Assignment.closed_by`."""
     figures: tuple[tuple[str, float], ...] = ()
-    """How large the program of the last step was and how far it came, as `Assignment.figures`."""
+    """How large the solver's program was and how far it came, as `Assignment.figures`."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import TypeVar
 
 import numpy as np
 
@@ -53,6 +54,7 @@ from usdrigui.model import (
     LeftOff,
     Motion,
     Performance,
+    Proof,
     Rig,
     Symmetry,
     Trajectories,
@@ -470,7 +472,12 @@ def joined(laid: Sequence[LaidPart]) -> Layout:
         )
         for name, each in layouts.items()
     ]
-    last = [each for each in layouts.values() if each.proof.status != "optimal"] or [main]
+    decisive = _decisive([each.proof for each in layouts.values()])
+    figures = [
+        (f"{part}: {name}", value)
+        for part, each in layouts.items()
+        for name, value in each.proof.figures
+    ]
     return replace(
         main,
         elements=tuple(element for each in layouts.values() for element in each.elements),
@@ -478,10 +485,10 @@ def joined(laid: Sequence[LaidPart]) -> Layout:
         frame=replace(main.frame, parts=tuple(parts)),
         proof=replace(
             main.proof,
-            method=last[-1].proof.method,
-            closed_by=last[-1].proof.closed_by,
-            figures=last[-1].proof.figures,
-            status=last[-1].proof.status,
+            method=decisive.method,
+            closed_by=decisive.closed_by,
+            figures=tuple(figures),
+            status=decisive.status,
             cost=sum(each.cost for each in parts),
             bound=sum(each.bound for each in parts),
             above_unary_bound=sum(each.proof.above_unary_bound for each in layouts.values()),
@@ -493,10 +500,8 @@ def joined_assignment(assignments: Sequence[Assignment], names: Sequence[str]) -
     """The solutions of all parts, whose `names` are given, as one: costs and bounds are sums."""
     if len(assignments) == 1:
         return assignments[0]
-    unproved = [each for each in assignments if each.status != "optimal"]
-    last = (unproved or assignments)[-1]
     return replace(
-        last,
+        _decisive(assignments),
         labels=np.concatenate([each.labels for each in assignments]),
         cost=sum(each.cost for each in assignments),
         bound=sum(each.bound for each in assignments),
@@ -507,6 +512,14 @@ def joined_assignment(assignments: Sequence[Assignment], names: Sequence[str]) -
             for step in each.steps
         ),
     )
+
+
+_P = TypeVar("_P", Proof, Assignment)
+
+
+def _decisive(proofs: Sequence[_P]) -> _P:
+    """The part whose proof tells how the whole ended: one that is open, or that took a solver."""
+    return max(proofs, key=lambda each: (each.status != "optimal", each.method != "bounds"))
 
 
 def issues_of(laid: Sequence[ProblemInputs]) -> tuple[Issue, ...]:

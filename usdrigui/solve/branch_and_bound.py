@@ -14,7 +14,7 @@ import numpy as np
 
 from usdrigui.model import Flags, Floats, Indices
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.reduced_problem import ReducedProblem, Solution, reduced
+from usdrigui.solve.reduced_problem import LARGEST_TESTED, ReducedProblem, Solution, reduced
 
 
 class _Node(NamedTuple):
@@ -62,8 +62,7 @@ def branch_and_bound(
             if root.value(chosen) < least:
                 least, best = root.value(chosen), chosen
     bound = max(problem.bound(), min((branch.bound for branch in open_), default=cutoff))
-    figures = {"labels": len(linear), "nodes": nodes, "cutoff": cutoff}
-    return Solution(min(bound, least), best, figures)
+    return Solution(min(bound, least), best, {"nodes": nodes})
 
 
 def _tested(problem: ReducedProblem, cutoff: float, budget: Budget) -> ReducedProblem | None:
@@ -77,7 +76,8 @@ def _tested(problem: ReducedProblem, cutoff: float, budget: Budget) -> ReducedPr
     left = reduced(problem, cutoff)
     if left is None:
         return None
-    left.exclude_pairs(cutoff)
+    if len(left.costs) <= LARGEST_TESTED:
+        left.exclude_pairs(cutoff)
     return reduced(left, cutoff)
 
 

@@ -37,7 +37,7 @@ class Progress:
 class Budget:
     """Counts the work of one run and decides when to stop; a solver's only object that changes.
 
-    Work is counted in pair evaluations (and, for searches, in table entries read), so that a run
+    Work is counted in pair evaluations, table entries, nodes and calls of HiGHS, so that a run
     stopped by `SolveSettings.work_limit` is the same on every machine.  The clock is read only for
     a time limit and for the seconds of the report.
     """
@@ -112,7 +112,8 @@ class Budget:
         """Whether the gap is within the setting, or it is proved that no layout is allowed."""
         if not np.isfinite(self.cost):
             return self.bound >= self.ceiling
-        return self.cost - self.bound <= self.allowed
+        rounding = 1e-11 * max(abs(self.cost), GAP_FLOOR)  # of a proof with no gap allowed
+        return self.cost - self.bound <= self.allowed + rounding
 
     @property
     def allowed(self) -> float:

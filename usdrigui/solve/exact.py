@@ -22,7 +22,7 @@ TRIES = 4
 """Of local search per variable, and again as long as they help."""
 CROWD = 16, 0.1
 """First tries where labels are few, and how much worse they may get: a crowd has many traps."""
-TURNS = (("highs", 0.1), ("branch and bound", 1 / 3), ("highs", 1.0))
+TURNS = (("highs", 0.05), ("branch and bound", 1 / 3), ("highs", 1.0))
 """Who searches what bounds leave, each with a share of the work that is left (decision 030)."""
 
 
@@ -121,7 +121,8 @@ def _solve_reduced(left: Reduction, incumbent: LocalSearch, budget: Budget) -> s
         if found.chosen is not None:
             incumbent.improve_from(left.representatives(found.chosen))
         budget.found(method, bound=found.bound)
-        budget.note(method, **found.figures, bound=found.bound, work=budget.work)
+        figures = {"labels": len(left.problem.costs), **found.figures, "cutoff": cutoff}
+        budget.note(method, **figures, bound=found.bound, work=budget.work)
         if budget.closed() or budget.stopped():
             break
     return budget.steps[-1].name

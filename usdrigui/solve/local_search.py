@@ -20,8 +20,8 @@ from usdrigui.solve.pair_costs import pair_costs
 SAME = 1e-9
 """Costs that differ by no more are of the same layout."""
 WORSE = 0.01
-"""How much worse than the best a layout may be for the search to go on from it, and, in the mean, a
-label put back than the cheapest."""
+"""How much more than the best a layout may cost for the search to go on from it, and, in the mean,
+a label put back than the cheapest."""
 
 
 class LocalSearch:
@@ -68,7 +68,7 @@ class LocalSearch:
     def search(self, tries: int, worse: float = WORSE, most: float = np.inf) -> None:
         """Iterated local search: so many tries per variable from the best layout on, and again as
         long as they help and no more than `most` work is done in all: take a few rivals out, put
-        them back in another order, descend; go on from there unless it is `worse` by more."""
+        them back in another order, descend; go on from a layout `worse` than the best at most."""
         cost = np.inf
         while self.cost < cost:
             cost = self.cost
@@ -118,7 +118,7 @@ class LocalSearch:
         return self._value()
 
     def _moves(self) -> None:
-        """Of single variables, each the one that gains most; so many that rounding ends them."""
+        """Of single variables, the one that gains most first, until rounding feigns gains."""
         for _ in range(len(self._costs)):
             least = np.minimum.reduceat(self._costs, self._start[:-1])
             gains = self._costs[self._now] - least

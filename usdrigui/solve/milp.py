@@ -30,8 +30,8 @@ if TYPE_CHECKING:
 
 VIOLATED = 1e-6
 """Least violation of a row that is added."""
-CALL = 3
-"""Work of HiGHS between two calls, for every row."""
+CALL = 8
+"""Entries of the program that are a unit of work for each of HiGHS's calls."""
 
 Row = tuple[Indices, Floats]
 
@@ -71,6 +71,7 @@ class _Program:
     def _state(self) -> None:
         """Columns, one label per variable, cliques of excluded pairs."""
         problem, count = self._problem, len(self._problem.costs)
+        self._budget.spend(count**2 // 16)
         for name, value in _OPTIONS.items():
             self._highs.setOptionValue(name, value)
         self._highs.setOptionValue("random_seed", self._budget.settings.seed % 2**31)
@@ -93,14 +94,9 @@ class _Program:
             kinds = np.full(labels, highspy.HighsVarType.kInteger)
             self._highs.changeColsIntegrality(labels, np.arange(labels, dtype=np.int32), kinds)
             self._refined(whole=True)
-        figures = {
-            "labels": labels,
-            "columns": labels + len(self._tables),
-            "rows": self._rows,
-            "lp_bound": lp_bound,
-            "nodes": self._nodes,
-            "cutoff": self._cutoff,
-        }
+        columns = labels + len(self._tables)
+        figures = {"columns": columns, "rows": self._rows, "lp_bound": lp_bound}
+        figures["nodes"] = self._nodes
         return Solution(min(self._bound, self._limit), self._best[1], figures)
 
     def _refined(self, *, whole: bool) -> bool:
@@ -138,9 +134,9 @@ class _Program:
             event.interrupt()
 
     def _interrupt(self, event: highspy.HighsCallbackEvent) -> None:
-        """End a run at a limit.  HiGHS asks as often on every machine, so each call counts as some
-        work.  The dual bound that it tells here may be above the optimum."""
-        self._budget.spend(CALL * self._rows)
+        """End a run at a limit.  HiGHS asks as often on every machine and tells no iterations, so
+        each call counts as some.  The dual bound that it tells may be above the optimum."""
+        self._budget.spend(self._highs.getNumNz() // CALL)
         if self._stopped():
             event.interrupt()
 
@@ -258,8 +254,7 @@ _OPTIONS: dict[str, bool | int | float | str] = {
     "parallel": "off",
     "mip_rel_gap": 0.0,
     "mip_abs_gap": 1e-9,
-    # Local search has done what HiGHS's heuristics could; without them it is two to three times as
-    # quick.
+    # Without HiGHS's own heuristics it is two to three times as quick.
     "mip_heuristic_effort": 0.0,
     "mip_heuristic_run_feasibility_jump": False,
     "mip_heuristic_run_rins": False,

@@ -36,6 +36,7 @@ def solve_by_clusters(
     generator = np.random.default_rng(settings.seed)
     chosen = np.full(len(problem.variables), -1, dtype=np.int64)
     placed: list[int] = []
+    limits = {budget.limit}
     for cluster in clusters(problem, settings.clusters, settings.linkage):
         allowed = [_allowed(problem, at, placed, chosen) for at in cluster]
         weights = [problem.variables[at].displacement for at in cluster]
@@ -45,10 +46,12 @@ def solve_by_clusters(
         mine = budget.part(len(cluster) / (len(problem.variables) - len(placed)))
         solution = solve_cluster(part, mine)
         budget.spend(mine.work)
+        limits.add(mine.limit)
         count, cost = sum(map(len, kept)), solution.cost
         budget.note("cluster", elements=len(cluster), labels=count, cost=cost, work=mine.work)
         chosen[cluster] = solution.labels[cluster]
         placed += cluster
+    budget.limit = max(limits)
     everything = all_labels(problem)
     budget.found("paper", bound=float(everything.best.sum()))
     budget.note("paper", clusters=settings.clusters, sample=settings.sample, work=budget.work)

@@ -28,7 +28,7 @@ looked for."""
 NEAR = 0.02
 """Share of the way to the cutoff in which blocks are split while the bound rises well."""
 SLOW = 0.1
-"""Share of the labels, or of what the bound misses, that a step must take to be worth another."""
+"""Share of the labels, or of what the bound misses, that a step must take for another to pay."""
 TRIES = 20
 """Of local search per variable where all pair costs are at hand: thousands take a second."""
 

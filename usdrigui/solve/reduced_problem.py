@@ -297,23 +297,22 @@ class ReducedProblem:
                 least[strip.mine] += np.minimum.reduceat(costs, strip.first, axis=1).sum(axis=1)
         return np.asarray(self.bound() + excess + least)
 
-    def exclude_pairs(self, cutoff: float) -> int:
-        """Exclude the pairs of labels that no layout below the cutoff uses; how many.
+    def exclude_pairs(self, cutoff: float) -> None:
+        """Exclude the pairs of labels that no layout below the cutoff uses.
 
         For every third variable the label counts that costs least with both.
         """
         gap, excess, pairs = cutoff - self.bound(), self.excess(), self.both_ways()
-        found = 0
+        found = False
         for variable, mine in enumerate(self.slices[:-1]):
             later = slice(mine.stop, None)
             total = self._pair_lower_bounds(variable, excess, pairs)
             bad = (total >= gap + EPSILON) & np.isfinite(pairs[mine, later])
-            found += int(bad.sum())
+            found |= bool(bad.any())
             pairs[mine, later][bad] = np.inf
             pairs[later, mine][bad.T] = np.inf
         if found:  # between variables that do not interact, too
             self.tables = tables_of(self.owner, pairs)
-        return found
 
     def _pair_lower_bounds(self, variable: int, excess: Floats, pairs: Floats) -> Floats:
         """(labels, later labels) what layouts that use both cost above the bound."""

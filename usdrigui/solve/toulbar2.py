@@ -46,15 +46,12 @@ def solve_by_toulbar2(
     least = np.minimum.reduceat(linear, problem.start[:-1])
     spare = cutoff - float(least.sum())
     above = np.minimum(linear - least[problem.owner], spare)
-    figures = {"labels": len(linear)}
     answer = _asked((problem.start, above, np.minimum(pairs, spare), spare), budget)
     if answer is None:
-        return Solution(problem.bound(), None, figures)
+        return Solution(problem.bound(), None, {})
     bound, chosen, rounding = answer
     bound += float(least.sum()) - max(ROUNDED, rounding)
-    return Solution(
-        min(bound, cutoff), None if chosen is None else problem.start[:-1] + chosen, figures
-    )
+    return Solution(min(bound, cutoff), None if chosen is None else problem.start[:-1] + chosen, {})
 
 
 Network = tuple[Indices, Floats, Floats, float]
