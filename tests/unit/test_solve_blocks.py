@@ -10,13 +10,14 @@ import numpy as np
 import pytest
 from layout_problems import crowd, random_problem
 
-from usdrigui.model import LayoutProblem, Overlap, Variable
+from usdrigui.model import ExtraPairs, LayoutProblem, Overlap, Variable
 from usdrigui.overlap import element_distance, pair_costs, total_cost
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import label_geometry
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import LabelGeometry, LabelSet, all_labels, meeting, pair_bounds
 from usdrigui.solve.pair_costs import near_blocks, refined
+from usdrigui.solve.pair_costs import pair_costs as costs_of_pairs
 from usdrigui.solve.partition import Blocks, bisect, block_set, blocks_of_variables, cheapest, thinned
 
 
@@ -50,6 +51,26 @@ def test_a_block_is_cut_between_the_halves_of_its_widest_direction() -> None:
     labels = all_labels(LayoutProblem((one,), Overlap(5.0, 1.0, 4.0, 3.0, 0.15), 1.0, 0.85))
     halves = parts(labels, 1)
     assert [set(each) for each in np.split(halves.members, halves.start[1:-1])] == [{1, 2}, {0, 3}]
+
+
+@pytest.mark.parametrize("part", ["samples", "handle"])
+def test_one_block_whose_members_stand_apart_makes_a_set_of_blocks_inexact(part: str) -> None:
+    """Even where the others are single labels: its pair costs are bounds, with room for its members."""
+    apart = {"samples": np.zeros((2, 3)), "handle": np.zeros(3)}
+    apart[part][..., 1] = 0.5
+    places = np.zeros((2, 3, 3))
+    blocks = LabelGeometry(np.arange(3), places, apart["samples"], places[0], apart["handle"])
+    assert not blocks.exact
+    assert LabelGeometry(np.arange(3), places, np.zeros((2, 3)), places[0], np.zeros(3)).exact
+
+
+def test_an_explicit_cost_of_the_very_first_label_counts() -> None:
+    problem = replace(
+        crowd(0, variables=2, candidates=3), extra=(ExtraPairs(0, 1, *np.array([[0], [2]]), np.array([7.0])),)
+    )
+    labels = all_labels(problem)
+    (other,) = np.flatnonzero((labels.variable == 1) & (labels.candidate == 2))
+    assert costs_of_pairs(problem, labels)[0, other] == 7.0
 
 
 @pytest.mark.parametrize("at_once", [1, 50, 32768])
