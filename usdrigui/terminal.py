@@ -267,16 +267,17 @@ class Screen:
             f" {_where([character])} have {_percent(character.kept)} of their controls' peak"
             f" displacement{_weakest(placed)}"
         )
+        several = len(character.parts) > 1
         self._say(
             f"  cost {solution.cost:.4f}, proven bound {solution.bound:.4f}, {_gap([solution])},"
-            f" {_ending(solution)}"
+            f" {_ending(solution)}{'' if several else _program(solution)}"
         )
-        if len(character.parts) > 1:
+        if several:
             for part in character.parts:
                 proof = part.assignment
                 self._say(
                     f"  {part.name}: {part.on_it} of {len(part.controls)} controls on it, cost"
-                    f" {proof.cost:.4f}, {_gap([proof])}, {_ending(proof)}"
+                    f" {proof.cost:.4f}, {_gap([proof])}, {_ending(proof)}{_program(proof)}"
                 )
         for step in solution.steps if self._verbose else ():
             self._say(f"  {step.name}: {_figures(step.figures)}")
@@ -499,17 +500,21 @@ def _where(characters: Sequence[CharacterReport]) -> str:
 
 
 def _ending(solution: Assignment) -> str:
-    """What closed the problem, with the size of its program, the limit that came first, or that
-    neither did."""
-    of_one = [each for each in solution.figures if ": " not in each[0]]  # parts have a line each
-    program = f" ({_figures(of_one)})" if of_one and solution.method != "bounds" else ""
+    """What closed the problem, the limit that came first, or that neither did."""
     if solution.status == "optimal":
-        return f"proved by {solution.closed_by}{program}"
+        return f"proved by {solution.closed_by}"
     if not solution.closed_by:
         return "not proved"
     if solution.closed_by == "interrupt":
         return "the search was interrupted; its best layout is kept"
-    return f"stopped by the {solution.closed_by}{program}"
+    return f"stopped by the {solution.closed_by}"
+
+
+def _program(solution: Assignment) -> str:
+    """The size of the program that a solver had, in brackets."""
+    if solution.method == "bounds" or not solution.figures:
+        return ""
+    return f" ({_figures(solution.figures)})"
 
 
 def _percent(share: float) -> str:

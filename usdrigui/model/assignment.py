@@ -47,7 +47,7 @@ class Assignment(Record):
         part's name, ``face: rows``."""
         found: dict[str, float] = {}
         for step in self.steps:
-            part = step.name[: step.name.find(": ") + 2] if ": " in step.name else ""
+            part = "".join(step.name.rpartition(": ")[:2])
             found |= {part + name: value for name, value in step.figures if name in PROGRAM}
         return tuple(found.items())
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TypeVar
 
 import numpy as np
 
@@ -22,7 +21,7 @@ from usdrigui.layout.canonical_face import expectations
 from usdrigui.layout.classify.classification import Classification, classify
 from usdrigui.layout.classify.common_motion import with_common_motion
 from usdrigui.layout.control_overrides import control_overrides
-from usdrigui.layout.element.elements import layout
+from usdrigui.layout.element.elements import layout, proof_of
 from usdrigui.layout.face import Face
 from usdrigui.layout.group.coarse_groups import with_levels
 from usdrigui.layout.group.grouping import find_groups
@@ -54,7 +53,6 @@ from usdrigui.model import (
     LeftOff,
     Motion,
     Performance,
-    Proof,
     Rig,
     Symmetry,
     Trajectories,
@@ -379,17 +377,9 @@ def measure(
     twin_similarity = settings.character.symmetry.twin_similarity
     with clock.stage("symmetry"):
         fields, twins = displacement_fields(found), configured_twins(rig, settings.rig.controls)
-        if whole is not None and whole.plane.normal.any() and part != FACE:
-            # A hand by itself is nearly symmetric about its middle finger.
-            symmetry = about_plane_of(
-                rig.controls,
-                found.motions,
-                fields,
-                whole,
-                twin_similarity,
-                twins,
-            )
-        else:
+        # A hand by itself is nearly symmetric about its middle finger.
+        about = whole if whole is not None and whole.plane.normal.any() and part != FACE else None
+        if about is None:
             symmetry = symmetry_at_pose(
                 rig,
                 found,
@@ -399,15 +389,11 @@ def measure(
                 settings.character.trajectories,
                 base_values,
             )
-            if whole is not None and not symmetry.plane.normal.any():
-                symmetry = about_plane_of(
-                    rig.controls,
-                    found.motions,
-                    fields,
-                    whole,
-                    twin_similarity,
-                    twins,
-                )
+            about = None if symmetry.plane.normal.any() else whole
+        if about is not None:
+            symmetry = about_plane_of(
+                rig.controls, found.motions, fields, about, twin_similarity, twins
+            )
     with clock.stage("candidates"):
         views = find_views(
             rig,
@@ -461,6 +447,7 @@ def joined(laid: Sequence[LaidPart]) -> Layout:
     main = layouts[main_part(layouts)]
     if len(laid) == 1:
         return main
+    whole = joined_assignment([each.assignment for each in laid], list(layouts))
     parts = [
         LayoutPart(
             name,
@@ -472,36 +459,25 @@ def joined(laid: Sequence[LaidPart]) -> Layout:
         )
         for name, each in layouts.items()
     ]
-    decisive = _decisive([each.proof for each in layouts.values()])
-    figures = [
-        (f"{part}: {name}", value)
-        for part, each in layouts.items()
-        for name, value in each.proof.figures
-    ]
     return replace(
         main,
         elements=tuple(element for each in layouts.values() for element in each.elements),
         left_off=tuple(dict.fromkeys(left for each in layouts.values() for left in each.left_off)),
         frame=replace(main.frame, parts=tuple(parts)),
-        proof=replace(
-            main.proof,
-            method=decisive.method,
-            closed_by=decisive.closed_by,
-            figures=tuple(figures),
-            status=decisive.status,
-            cost=sum(each.cost for each in parts),
-            bound=sum(each.bound for each in parts),
-            above_unary_bound=sum(each.proof.above_unary_bound for each in layouts.values()),
-        ),
+        proof=proof_of(whole, main.proof.weights),
     )
 
 
 def joined_assignment(assignments: Sequence[Assignment], names: Sequence[str]) -> Assignment:
-    """The solutions of all parts, whose `names` are given, as one: costs and bounds are sums."""
+    """The solutions of all parts, whose `names` are given, as one: costs and bounds are sums.
+
+    How the whole ended is told by the first part that is open, else by the first that took a
+    solver.
+    """
     if len(assignments) == 1:
         return assignments[0]
     return replace(
-        _decisive(assignments),
+        max(assignments, key=lambda each: (each.status != "optimal", each.method != "bounds")),
         labels=np.concatenate([each.labels for each in assignments]),
         cost=sum(each.cost for each in assignments),
         bound=sum(each.bound for each in assignments),
@@ -512,14 +488,6 @@ def joined_assignment(assignments: Sequence[Assignment], names: Sequence[str]) -
             for step in each.steps
         ),
     )
-
-
-_P = TypeVar("_P", Proof, Assignment)
-
-
-def _decisive(proofs: Sequence[_P]) -> _P:
-    """The part whose proof tells how the whole ended: one that is open, or that took a solver."""
-    return max(proofs, key=lambda each: (each.status != "optimal", each.method != "bounds"))
 
 
 def issues_of(laid: Sequence[ProblemInputs]) -> tuple[Issue, ...]:

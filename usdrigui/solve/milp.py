@@ -94,9 +94,12 @@ class _Program:
             kinds = np.full(labels, highspy.HighsVarType.kInteger)
             self._highs.changeColsIntegrality(labels, np.arange(labels, dtype=np.int32), kinds)
             self._refined(whole=True)
-        columns = labels + len(self._tables)
-        figures = {"columns": columns, "rows": self._rows, "lp_bound": lp_bound}
-        figures["nodes"] = self._nodes
+        figures: dict[str, float] = {
+            "columns": labels + len(self._tables),
+            "rows": self._rows,
+            "lp_bound": lp_bound,
+            "nodes": self._nodes,
+        }
         return Solution(min(self._bound, self._limit), self._best[1], figures)
 
     def _refined(self, *, whole: bool) -> bool:

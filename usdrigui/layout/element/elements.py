@@ -97,7 +97,7 @@ def layout(
             plane=face.symmetry.plane,
             handle_width=face.handle_width,
         ),
-        proof=_proof(
+        proof=proof_of(
             assignment,
             _weights(
                 placement.problem,
@@ -108,7 +108,8 @@ def layout(
     )
 
 
-def _proof(assignment: Assignment, weights: tuple[tuple[str, float], ...]) -> Proof:
+def proof_of(assignment: Assignment, weights: tuple[tuple[str, float], ...]) -> Proof:
+    """What a layout keeps of how it was found; `weights` as of `Proof.weights`."""
     return Proof(
         assignment.method,
         assignment.status,
