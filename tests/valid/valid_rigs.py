@@ -1,11 +1,12 @@
 """Valid rigs from a seed: everything that USD allows of a character and that a layout must live with.
 
-`make_rig` writes one stage.  What is drawn: 1 to 500 controls; copies of a control, exact and nearly; sums, halves and
-opposites of others; mirrored pairs with and without names; whole-head, single-point, huge and tiny shapes and shapes
-without offsets; in-betweens within and beyond 0 and 1; signed ranges by metadata, limits or animation; sizes of the
-character from 1e-4 to 1e6 units, anywhere in the scene; masks, spheres, flat sheets, single faces, loose points and
-degenerate faces; several meshes, hidden ones, left-handed ones; skins and joints, animated or not; Y up and Z up; no
-animation, one that lists only some shapes, one without keys; two characters on one stage.
+`make_rig` writes one stage.  What is drawn: 1 to 500 controls; copies of a control, exact and nearly; sums, halves
+and opposites of others; mirrored pairs with and without names; whole-head, single-point, huge and tiny shapes and
+shapes without offsets; in-betweens within and beyond 0 and 1; signed ranges by metadata, limits or animation; sizes
+of the character from 1e-4 to 1e6 units, anywhere in the scene; masks, spheres, flat sheets, single faces, loose
+points and degenerate faces; meshes that are a point, a line, or far from all else; several meshes, hidden ones, left-
+handed ones; skins and joints, animated or not; Y up and Z up; no animation, one that lists only some shapes, one
+without keys; two characters on one stage.
 """
 
 from __future__ import annotations
@@ -123,10 +124,11 @@ def _mesh(
     """One mesh with its skin and shapes; returns the shapes' names."""
     rng = plan.rng
     count = plan.count if index == 0 else int(rng.integers(0, min(plan.count, 12) + 1))
-    kind = rng.choice(["mask", "mask", "sphere", "sheet", "triangle", "quad", "loose", "seams"])
+    kind = rng.choice(["mask", "mask", "sphere", "sheet", "triangle", "quad", "loose", "seams", "point", "line"])
     points, counts, indices = _surface(kind, rng, 9 if count > 100 else 15)
     mesh = UsdGeom.Mesh.Define(stage, path)
-    placed = (_upright(points, plan.z_up) + 1.5 * index * np.eye(3)[0]) * plan.scale
+    far = float(rng.choice([0.0, 1e3, 1e6], p=[0.9, 0.05, 0.05]))
+    placed = (_upright(points, plan.z_up) + (1.5 * index + far) * np.eye(3)[0]) * plan.scale
     mesh.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(placed.astype(np.float32)))
     mesh.CreateFaceVertexCountsAttr(Vt.IntArray(counts))
     mesh.CreateFaceVertexIndicesAttr(Vt.IntArray(indices))
@@ -171,6 +173,10 @@ def _surface(kind: str, rng: np.random.Generator, side: int) -> tuple[np.ndarray
     corner = np.arange(side * side).reshape(side, side)[:-1, :-1].ravel()
     quads = np.stack([corner, corner + 1, corner + side + 1, corner + side], axis=1)
     points = points.reshape(-1, 3)
+    if kind == "point":
+        points = np.zeros_like(points)
+    if kind == "line":
+        points = points * [0.0, 1.0, 0.0]
     if kind == "loose":
         # Points of no face, a face of one line, and points that fall together.
         points = np.concatenate([points, rng.normal(size=(5, 3)), points[:3]])

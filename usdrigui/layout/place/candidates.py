@@ -44,7 +44,7 @@ def find_candidates(
     terms: LinearTerms,
     samples: int,
 ) -> Candidates:
-    """The candidates of every control that moves something.
+    """The candidates of every control that moves something; a control without any is left off.
 
     Points are pruned below the mean arc length of the control and below a share of its visible
     peak, where no view sees them and where the trajectory runs inside or behind the model.  Where
@@ -63,6 +63,10 @@ def find_candidates(
             )
             continue
         points, sources = _places(face, motion, found, requests, settings, samples)
+        if not len(points):
+            reason = "moves only points that coincide with points it leaves at rest"
+            left_off.append(LeftOff(face.control_name(motion.control), STAGE, reason))
+            continue
         sets.append(
             CandidateSet(
                 motion=index,
@@ -273,7 +277,11 @@ def _pruned(
 
 
 def _unseen(motion: Motion, some: Flags, prune_at: float, peak_share: float) -> Indices:
-    """Candidates of a control that no view sees but that is to stand on the face all the same."""
+    """Candidates of a control that no view sees but that is to stand on the face all the same; none
+    where it stands nowhere, as on a mesh that is smaller than the distance at which points are
+    welded."""
+    if not some.any():
+        return np.zeros(0, dtype=np.int64)
     arc = motion.arc_length
     peak = float(arc[some].max())
     least = max(prune_at * float(arc[some].mean()), peak_share * peak)
