@@ -86,7 +86,7 @@ _CODES: dict[str, Code] = {
     ),
     "SOURCE_CRASHES_USD": Code(
         "error",
-        "USD crashed, or returned invalid data, while it read the asset.",
+        "USD crashed while it read the asset.",
         "Export the asset again; if usdchecker passes on the file, please file an OpenUSD issue.",
     ),
     "SOURCE_TIME_LIMIT": Code(

@@ -91,7 +91,12 @@ def reading_failed(end: ProcessEnd, reading: Reading) -> RigUIError:
             path,
             f"the reading process ended with code {end.code}: {end.last_line}",
         )
-    return refuse("SOURCE_CRASHES_USD", path, "the answer of the reading process is invalid")
+    return answer_invalid(path)
+
+
+def answer_invalid(path: str) -> RigUIError:
+    """A reader that ended well gave no answer of ours: that is no fault of the asset."""
+    return refuse("BUG", path, "the answer of the process that reads is invalid")
 
 
 def signal_name(number: int) -> str:

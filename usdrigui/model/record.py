@@ -13,6 +13,14 @@ Floats = NDArray[np.float64]
 Singles = NDArray[np.float32]
 Indices = NDArray[np.int64]
 Flags = NDArray[np.bool_]
+ARRAY_TYPES: dict[Any, type[np.generic]] = {
+    Floats: np.float64,
+    Singles: np.float32,
+    Indices: np.int64,
+    Flags: np.bool_,
+}
+"""What the arrays of a field hold, by its annotation: what NDArray is differs between releases of
+numpy."""
 
 
 class Record:
@@ -22,19 +30,13 @@ class Record:
 
     def __post_init__(self) -> None:
         kind: Any = type(self)
-        for name in _array_fields(kind):
+        for name in _names(kind):
             freeze(getattr(self, name))
 
 
 @cache
-def _array_fields(record: Any) -> tuple[str, ...]:
-    """Names of the fields that may hold arrays: all but those annotated as a single plain value."""
-    plain = {"str", "int", "float", "bool", "Drive", "ControlKind", "ElementKind", "Side"}
-    return tuple(
-        each.name
-        for each in fields(record)
-        if each.type not in plain and not str(each.type).startswith("Literal")
-    )
+def _names(record: Any) -> tuple[str, ...]:
+    return tuple(field.name for field in fields(record))
 
 
 def freeze(value: Any) -> Any:

@@ -25,6 +25,7 @@ from usdrigui.processes import (
     Printed,
     ProcessEnd,
     Reading,
+    answer_invalid,
     environment,
     kill,
     not_started,
@@ -124,12 +125,8 @@ def read_variants_isolated(path: Path, opening: Opening) -> Mapping[str, tuple[s
 def _understood(part: _Part | None, path: Path) -> _Part:
     """The part of a response that was asked for, which a sound response has."""
     if part is None:
-        raise _garbled(path)
+        raise answer_invalid(str(path))
     return part
-
-
-def _garbled(path: Path) -> RigUIError:
-    return refuse("SOURCE_CRASHES_USD", str(path), "the answer of the reading process is invalid")
 
 
 def _asked(task: Task, path: Path, opening: Opening) -> Response:
@@ -158,7 +155,7 @@ def _from_here(request: Request, path: Path) -> Response:
     try:
         return serialization.decode(b"".join(serialization.encode(response)), Response)
     except serialization.SerializationError as error:
-        raise _garbled(path) from error
+        raise answer_invalid(str(path)) from error
 
 
 def _from_reader(request: Request, path: Path) -> Response:

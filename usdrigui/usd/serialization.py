@@ -25,6 +25,8 @@ from typing import Any, Literal, TypeVar
 
 import numpy as np
 
+from usdrigui.model.record import ARRAY_TYPES
+
 MAGIC = b"RIGUIREC"
 _PREAMBLE = struct.Struct("<8sQQI4x")
 _ALIGNMENT = 64
@@ -138,6 +140,8 @@ def _incoming(hint: Any, value: Any, arrays: list[Any]) -> Any:
         return value
     if is_dataclass(hint):
         return _record(hint, value, arrays)
+    if hint in ARRAY_TYPES:
+        return _array(hint, value, arrays)
     origin, arguments = typing.get_origin(hint), typing.get_args(hint)
     if origin is None:
         return _plain(hint, value)
@@ -146,8 +150,6 @@ def _incoming(hint: Any, value: Any, arrays: list[Any]) -> Any:
         return None if value is None else _incoming(some, value, arrays)
     if origin is Literal:
         return _checked(value in arguments, value)
-    if origin is np.ndarray:
-        return _array(arguments, value, arrays)
     if origin is tuple:
         return _tuple(arguments, value, arrays)
     _checked(origin is Mapping and isinstance(value, dict), value)
@@ -162,10 +164,9 @@ def _plain(hint: Any, value: Any) -> Any:
     return _checked(type(value) is hint, value)
 
 
-def _array(arguments: tuple[Any, ...], value: Any, arrays: list[Any]) -> Any:
+def _array(hint: Any, value: Any, arrays: list[Any]) -> Any:
     _checked(type(value) is int and 0 <= value < len(arrays), value)
-    (scalar,) = typing.get_args(arguments[1])
-    _checked(arrays[value].dtype == np.dtype(scalar), arrays[value].dtype)
+    _checked(arrays[value].dtype == np.dtype(ARRAY_TYPES[hint]), arrays[value].dtype)
     return arrays[value]
 
 
