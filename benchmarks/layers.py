@@ -6,8 +6,7 @@ bake the skinning of made frames (``--frames 120``, five seconds), alone and for
 characters; without the layout (the variant ``rigUI = none``) and with it, and what both together
 cost more than the same shot of the source, for one character and for several.  ``p none`` and
 ``p ui`` are the same of the layout as ``usdrigui attach --payload`` puts it into the asset.
-``--against`` names a folder with layers of the same names, for example of the first format, that
-get a row of their own.
+``--against`` names a folder with layers of the same names that get a row of their own.
 
 Layers are opened as crates, as shots have them (as text they take 1 to 17 ms more to open).
 Processor seconds of one thread; medians.  All stages of a row take turns, in another order each

@@ -251,7 +251,6 @@ def _row(key: str, each: dataclasses.Field[Any], about: About) -> str:
     default = "{}" if each.default is dataclasses.MISSING else repr(each.default)
     bounds = f"{about.bounds[0]:g}, {about.bounds[1]:g}" if about.bounds else ""
     kind, doc = (_flat(str(text)) for text in (each.type, about.doc))
-    doc += f" Formerly `{about.was}`." if about.was else ""
     return f"| `{key}` | `{kind}` | `{default}` | {about.unit} | {bounds} | {doc} |\n"
 
 

@@ -721,11 +721,6 @@ _CODES: dict[str, Code] = {
         "The layout was made for another version of the character.",
         "Run `usdrigui process` on the character again.",
     ),
-    "CONVERT_COMPOSED": Code(
-        "error",
-        "The layout, or a part of it, comes from another layer.",
-        "Convert the layer that defines the layout, then process the shot over it again.",
-    ),
     "POSE_CONTROL": Code(
         "error",
         "A pose names a control that the character does not have.",

@@ -1,5 +1,4 @@
-"""The tracks and the handle of an element, and where its mesh hangs: in the format that
-is written today."""
+"""The tracks and the handle of an element, and where its mesh hangs."""
 
 from __future__ import annotations
 
@@ -15,14 +14,14 @@ _INSET = 0.05
 """Of the way from a corner of an area to its middle: so far areas stay away from the tracks."""
 
 
-def track(prim, instance, _count):
+def track(prim, instance):
     """Points and values along the track of one control, in the base pose."""
     control = f"rigUI:control:{instance}"
     points = tuple(floats(point) for point in get(prim, f"{control}:trackPoints", ()))
     return points, floats(get(prim, f"{control}:trackValues", ()))
 
 
-def carriers(prim, _instances):
+def carriers(prim):
     """Joints and weights that carry the element, and their skeleton."""
     corners = _corners(prim)
     return carriers_of(prim.GetParent(), corners[0][0]) if corners else ((), "")

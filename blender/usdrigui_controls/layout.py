@@ -8,7 +8,7 @@ row-vector convention, as nested tuples.  Nothing here knows Blender or USD.
 from __future__ import annotations
 
 import json
-from dataclasses import MISSING, asdict, dataclass, fields
+from dataclasses import asdict, dataclass, fields
 from typing import Any, NamedTuple
 
 Matrix = tuple[tuple[float, float, float, float], ...]
@@ -205,7 +205,6 @@ def to_json(layout: Layout) -> str:
 
 def from_json(text: str) -> Layout:
     """The layout that `to_json` wrote.  Raises LayoutError when it is none."""
-    text = text.replace('"gain":', '"magnification":')  # as in files of earlier versions
     try:
         return _record(Layout, json.loads(text))
     except (ValueError, TypeError, KeyError, AttributeError) as error:
@@ -222,7 +221,6 @@ def _record(kind: Any, values: dict[str, Any]) -> Any:
                 else _frozen(values[field.name])
             )
             for field in fields(kind)
-            if field.name in values or field.default is MISSING
         }
     )
 

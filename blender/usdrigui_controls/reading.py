@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from pxr import Usd, UsdGeom, UsdSkel
 
-from . import drawn, first_format
+from . import drawn
 from .layout import (
     Area,
     Control,
@@ -25,8 +25,7 @@ from .layout import (
 from .properties import applied, floats, get, targets
 
 LAYOUT = "RigUILayoutAPI_1"
-"""The mark of a layout, with the version of it that is understood; the first format has no
-number."""
+"""The mark of a layout, with the version of it that is understood."""
 
 
 def read_layouts(stage):
@@ -51,7 +50,7 @@ def _mark(prim):
 
 def _layout(scope):
     mark = _mark(scope)
-    if mark not in (LAYOUT, "RigUILayoutAPI") or get(scope, "rigUI:layout:version", 1) > 1:
+    if mark != LAYOUT:
         raise LayoutError(f"{scope.GetPath()} keeps a later version of the contract than {LAYOUT}")
     names, values = (
         get(scope, f"rigUI:layout:{name}", ()) for name in ("baseControls", "baseValues")
@@ -63,21 +62,20 @@ def _layout(scope):
         )
     base = dict(zip((str(name) for name in names), values or [0.0] * len(names), strict=True))
     root = scope.GetParent()
-    parts = first_format if mark != LAYOUT else drawn
     widths = _part_widths(scope)
     controls, elements = {}, []
     for prim in _elements(scope):
         instances = _instances(prim)
         for instance in instances:
-            control = _control(prim, instance, base, parts)
+            control = _control(prim, instance, base)
             controls[control.name] = control
-        elements.append(_element(prim, instances, parts, widths.get(parts.part_of(prim), 0.0)))
+        elements.append(_element(prim, instances, widths.get(drawn.part_of(prim), 0.0)))
     skeletons = [
         _skeleton(prim, root) for prim in Usd.PrimRange(root) if prim.IsA(UsdSkel.Skeleton)
     ]
     return Layout(
         root=str(root.GetPath()),
-        handle_width=get(scope, "rigUI:layout:handleWidth", 0.0) or parts.drawn_width(scope),
+        handle_width=get(scope, "rigUI:layout:handleWidth", 0.0) or drawn.drawn_width(scope),
         controls=tuple(controls.values()),
         elements=tuple(elements),
         meshes=_meshes(root, scope),
@@ -107,7 +105,7 @@ def _elements(scope):
 # --- controls -------------------------------------------------------------------------------------
 
 
-def _control(prim, instance, base, parts):
+def _control(prim, instance, base):
     def of(name, fallback):
         return get(prim, f"rigUI:control:{instance}:{name}", fallback)
 
@@ -124,7 +122,7 @@ def _control(prim, instance, base, parts):
         base=float(base.get(name, default)),
         keys=keys,
         shapes=_shapes(of, keys, name),
-        joints=_joints(prim, instance, of, keys, parts),
+        joints=_joints(prim, instance, of, keys),
     )
 
 
@@ -137,12 +135,12 @@ def _shapes(of, keys, name):
     return tuple(ShapeDrive(token, column) for token, column in zip(tokens, columns, strict=True))
 
 
-def _joints(prim, instance, of, keys, parts):
+def _joints(prim, instance, of, keys):
     joints = [str(joint) for joint in of("joints", ())]
     skeletons = [str(path) for path in targets(prim, f"rigUI:control:{instance}:skeleton")]
     which = list(of("jointSkeletons", ())) or [0] * len(joints)
     tables = [
-        _table(parts.joint_table(of, name), len(keys), len(joints))
+        _table(drawn.joint_table(of, name), len(keys), len(joints))
         for name in ("Rotation", "Translation", "Scale")
     ]
     return tuple(
@@ -162,11 +160,11 @@ def _table(rows, keys, joints):
 # --- elements -------------------------------------------------------------------------------------
 
 
-def _element(prim, instances, parts, width):
+def _element(prim, instances, width):
     on_face = targets(prim, "rigUI:anchor:prim")
     mirror = targets(prim, "rigUI:element:mirror")
-    tracks = [parts.track(prim, instance, len(instances)) for instance in instances]
-    carriers, skeleton = parts.carriers(prim, instances)
+    tracks = [drawn.track(prim, instance) for instance in instances]
+    carriers, skeleton = drawn.carriers(prim)
     members = [
         _member(prim, instance, *track) for instance, track in zip(instances, tracks, strict=True)
     ]
@@ -176,24 +174,24 @@ def _element(prim, instances, parts, width):
         label=prim.GetMetadata("displayName") or prim.GetName(),
         kind=str(get(prim, "rigUI:element:elementType", "slider")),
         members=tuple(members),
-        areas=tuple(Area(*area) for area in parts.areas(prim, [points for points, _ in tracks])),
+        areas=tuple(Area(*area) for area in drawn.areas(prim, [points for points, _ in tracks])),
         mesh=str(on_face[0]) if on_face else "",
         point=get(prim, "rigUI:anchor:pointIndex", -1),
         position=floats(get(prim, "rigUI:anchor:position", (0.0, 0.0, 0.0))),
         normal=floats(get(prim, "rigUI:anchor:normal", (0.0, 0.0, 0.0))),
-        follows=bool(on_face) and parts.adapt(prim) != "static",
+        follows=bool(on_face) and drawn.adapt(prim) != "static",
         carriers=carriers,
         skeleton=skeleton,
         side=str(get(prim, "rigUI:element:side", "none")),
         mirror=_name(prim.GetStage().GetPrimAtPath(mirror[0])) if mirror else "",
-        reversed=parts.reversed_members(prim, instances),
+        reversed=drawn.reversed_members(prim, instances),
         inner=tuple(
             _name(prim.GetStage().GetPrimAtPath(path))
             for path in targets(prim, "rigUI:element:members")
         ),
-        family=parts.category(prim),
-        reason=parts.reason(prim),
-        axes=_axes(prim, parts.opposed(prim, instances), len(instances)),
+        family=drawn.category(prim),
+        reason=drawn.reason(prim),
+        axes=_axes(prim, drawn.opposed(prim, instances), len(instances)),
         width=width,
     )
 
@@ -228,8 +226,7 @@ def _member(prim, instance, points, values):
             f"{prim.GetPath()} has {len(points)} points and {len(values)} values on a track"
         )
     name = str(get(prim, f"{control}:name", "")) or instance
-    enlarged = get(prim, f"{control}:magnification", 1.0) * get(prim, f"{control}:gain", 1.0)
-    return Member(name, values, points, enlarged)
+    return Member(name, values, points, get(prim, f"{control}:magnification", 1.0))
 
 
 # --- the character --------------------------------------------------------------------------------

@@ -655,7 +655,6 @@ TRIGGERS: Mapping[str, Trigger] = {
     "LAYOUT_VERSION": _checked(_edited(("RigUILayoutAPI_1", "RigUILayoutAPI_99"))),
     "SOURCE_MISSING": _viewed(_bare),
     "LAYOUT_STALE": _viewed(_renamed),
-    "CONVERT_COMPOSED": lambda folder, _: command("convert", _shot_over(_laid_out(folder))),
     "CONTROL_RENAMED": _laid_out_again(_OTHER_NAMES),
     "CONTROL_UNSURE": _laid_out_again(_OTHER_NAMES, (r"\(0,0,1\), \(0,0,0.5\)", "(0,0.1,1), (0,0,0.5)")),
     "PIN_CARRIED": _laid_out_again(_TURNED, over=_CORRECTED + "uniform point3f rigUI:anchor:position = (9, 9, 9)\n"),

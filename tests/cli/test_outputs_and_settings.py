@@ -166,7 +166,6 @@ def test_a_picture_that_cannot_be_written_leaves_layer_and_report_as_they_were(c
         (["--view", "frnt"], "did you mean 'front'?"),
         (["--set", "objective.handle_sise=3"], "there is no setting of this name; did you mean 'handle_size'?"),
         (["--set", "objective.nonsense=3"], "known here: displacement_weight, "),
-        (["--set", 'poses."a.b".label=A'], 'write controls."a.b".label instead of poses."a.b".label'),
         (["--preset", "papr"], "there are default and paper; did you mean 'paper'?"),
         (["--view", "nan,0"], "CONFIG_VALUE"),
         (["--set", "candidates.view=1,2,3"], "CONFIG_VALUE"),

@@ -43,7 +43,7 @@ OLD = b"""#usda 1.0
 over "Char"
 {
     def Scope "RigUI" (
-        prepend apiSchemas = ["RigUILayoutAPI"]
+        prepend apiSchemas = ["RigUILayoutAPI_1"]
     )
     {
     }

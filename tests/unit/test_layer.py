@@ -400,38 +400,6 @@ def test_several_characters_in_one_asset(tmp_path):
 
 # --- layers by other hands ---------------------------------------------------------------------------
 
-FIRST_FORMAT = """#usda 1.0
-over "Char"
-{
-    def Scope "MyControls" (
-        prepend apiSchemas = ["RigUILayoutAPI"]
-    )
-    {
-        def Xform "smile" (
-            prepend apiSchemas = ["RigUIElementAPI", "RigUIAnchorAPI", "RigUIControlAPI:smile"]
-        )
-        {
-            rel rigUI:anchor:prim = </Char/face>
-            int rigUI:anchor:pointIndex = 7
-            def BasisCurves "line" (
-                prepend apiSchemas = ["RigUITrackAPI"]
-            )
-            {
-                int[] curveVertexCounts = [2]
-                point3f[] points = [(0, 0, 0), (0, 1, 0)]
-            }
-            def Mesh "knob" (
-                prepend apiSchemas = ["RigUIHandleAPI"]
-            )
-            {
-                float3[] extent = [(-1, -1, -1), (1, 1, 1)]
-            }
-        }
-    }
-}
-"""
-
-
 HAND_MADE = """#usda 1.0
 over "Char"
 {
@@ -468,9 +436,8 @@ def hand_made(text=HAND_MADE):
     return layer
 
 
-@pytest.mark.parametrize("text", [HAND_MADE, FIRST_FORMAT])
-def test_a_layer_written_by_hand_takes_the_fallbacks(text):
-    (layout,) = read_layout(hand_made(text))
+def test_a_layer_written_by_hand_takes_the_fallbacks():
+    (layout,) = read_layout(hand_made())
     (element,) = layout.elements
     (member,) = element.manipulator.members
     assert (layout.character.root, layout.frame.space, layout.proof.status, layout.frame.handle_width) == (
@@ -490,7 +457,7 @@ def test_a_layer_written_by_hand_takes_the_fallbacks(text):
     assert member.values.tolist() == [0.0, 1.0]
     assert member.track.tolist() == [[0, 0, 0], [0, 1, 0]]
     assert (element.anchor.mesh, element.anchor.point, element.anchor.on_board) == ("/Char/face", 7, False)
-    stage = Usd.Stage.Open(hand_made(text))
+    stage = Usd.Stage.Open(hand_made())
     assert base_controls(next(layout_scopes(stage))) == ()
 
 
@@ -528,59 +495,6 @@ def test_layers_that_contradict_themselves_are_refused(old, new, code, told):
     assert told in f"{caught.value.issue.path} {caught.value.issue.message}"
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "code", "told"),
-    [
-        ('"RigUILayoutAPI"', '"SomeAPI"', "LAYOUT_MISSING", "RigUILayoutAPI"),
-        ("int rigUI:anchor:pointIndex = 7", "", "LAYOUT_INVALID", "pointIndex"),
-        (", (0, 1, 0)", "", "LAYOUT_INVALID", "two points"),
-        ("point3f[] points = [(0, 0, 0), (0, 1, 0)]", "", "LAYOUT_INVALID", "two points"),
-        ("(0, 1, 0)", "(0, nan, 0)", "LAYOUT_INVALID", "NaN"),
-        (
-            'def Xform "smile"',
-            'def Xform "b" (\napiSchemas = ["RigUIElementAPI"]\n) {}\ndef Xform "smile"',
-            "LAYOUT_INVALID",
-            "no control",
-        ),
-        ('"RigUITrackAPI"', '"SomeAPI"', "LAYOUT_INVALID", "no track"),
-        ("int rigUI:anchor:pointIndex", "double rigUI:anchor:pointIndex", "LAYOUT_INVALID", "double, not int"),
-        ("rel rigUI:anchor:prim", 'token rigUI:element:side = "up"\nrel rigUI:anchor:prim', "LAYOUT_INVALID", "'up'"),
-        (
-            "rel rigUI:anchor:prim",
-            'token[] rigUI:element:controls = ["smile", "frown"]\nrel rigUI:anchor:prim',
-            "LAYOUT_INVALID",
-            "frown",
-        ),
-        (
-            "rel rigUI:anchor:prim",
-            "int2[] rigUI:element:opposed = [(0, 1)]\nrel rigUI:anchor:prim",
-            "LAYOUT_INVALID",
-            "opposed",
-        ),
-        ("int[] curveV", "double[] rigUI:track:weights = [0, 1, 2]\nint[] curveV", "LAYOUT_INVALID", "weights"),
-        ("int[] curveV", "double[] rigUI:track:weights = [0, nan]\nint[] curveV", "LAYOUT_INVALID", "NaN"),
-        ('def Xform "smile"', 'int rigUI:layout:version = 99\ndef Xform "smile"', "LAYOUT_VERSION", "99"),
-        (
-            'def Xform "smile"',
-            'double[] rigUI:layout:baseValues = [1]\ndef Xform "smile"',
-            "LAYOUT_INVALID",
-            "baseValues",
-        ),
-    ],
-)
-def test_layers_of_the_first_format_that_contradict_themselves_are_refused(old, new, code, told):
-    assert old in FIRST_FORMAT
-    with pytest.raises(RigUIError) as caught:
-        read_layout(hand_made(FIRST_FORMAT.replace(old, new, 1)))
-    assert caught.value.issue.code == code
-    assert told in f"{caught.value.issue.path} {caught.value.issue.message}"
-
-
-def test_a_member_of_the_first_format_is_as_long_as_its_motion_where_it_says_nothing():
-    (element,) = read_layout(hand_made(FIRST_FORMAT))[0].elements
-    assert [member.magnification for member in element.manipulator.members] == [1.0]
-
-
 def test_two_elements_of_one_name_are_refused():
     layer, mesh = hand_made(), "/Char/MyControls/knobs"
     Sdf.CopySpec(layer, f"{mesh}/smile", layer, f"{mesh}/grin")
@@ -589,11 +503,6 @@ def test_two_elements_of_one_name_are_refused():
     name.default = "smile"
     with pytest.raises(RigUIError, match="two elements are called 'smile'"):
         read_layout(layer)
-
-
-def test_points_that_have_only_samples_are_read_at_the_earliest():
-    text = FIRST_FORMAT.replace("points = [(0, 0, 0), (0, 1, 0)]", "points.timeSamples = { 5: [(0, 0, 0), (0, 2, 0)] }")
-    assert read_layout(hand_made(text))[0].elements[0].manipulator.members[0].track[1].tolist() == [0, 2, 0]
 
 
 def test_stronger_layers_change_a_layout(tmp_path):

@@ -42,14 +42,6 @@ def test_every_setting_is_documented_once_and_few_are_for_everybody():
     assert len(user) + len(tables) <= 60
 
 
-@pytest.mark.parametrize(
-    ("old", "new"), [("objective.keep_price", "keep_penalty"), ("symmetry.plane_price", "plane_weight")]
-)
-def test_earlier_names_are_read(old, new):
-    part, name = old.split(".")
-    assert getattr(sections(load({part: {name: 0.5}}))[part], new) == 0.5
-
-
 @pytest.mark.parametrize("key", sorted(BOUNDS))
 def test_numbers_beyond_their_bounds_are_refused(key):
     part, name = key.split(".")

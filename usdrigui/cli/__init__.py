@@ -20,7 +20,7 @@ from usdrigui.cli.attaching import add_attach, add_detach
 from usdrigui.cli.laying_out import add_inspect, add_process
 from usdrigui.cli.many import add_batch, add_openjd
 from usdrigui.cli.outcomes import broken, prepare_streams, refused
-from usdrigui.cli.reviewing import add_check, add_convert, add_diff
+from usdrigui.cli.reviewing import add_check, add_diff
 from usdrigui.cli.showing import add_flat_picker, add_picture, add_study, add_view
 from usdrigui.cli.unknown_options import hint, options_of
 from usdrigui.errors import Exit, RigUIError, meant, refuse, sentences
@@ -124,7 +124,6 @@ def parser() -> CommandLine:
     add_inspect(commands)
     add_check(commands)
     add_diff(commands)
-    add_convert(commands)
     add_view(commands)
     add_picture(commands)
     add_flat_picker(commands)

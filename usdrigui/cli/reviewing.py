@@ -1,16 +1,13 @@
-"""`check`, `diff` and `convert`: what became of a layout, how two differ, and one in the format of
-today."""
+"""`check` and `diff`: what became of a layout, and how two differ."""
 
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from pathlib import Path
 from typing import Any
 
 from usdrigui.cli.options import (
-    add_configuration,
     add_each_variant,
     add_settings,
     add_variant,
@@ -18,7 +15,7 @@ from usdrigui.cli.options import (
     settings_of,
     settings_of_command_line,
 )
-from usdrigui.cli.outcomes import say, screen_of, strict
+from usdrigui.cli.outcomes import screen_of, strict
 from usdrigui.errors import Exit
 
 
@@ -58,23 +55,6 @@ def add_diff(commands: Any) -> None:
     add_each_variant(parser, "compare every variant of this set")
 
 
-def add_convert(commands: Any) -> None:
-    """Add ``convert`` to the commands."""
-    parser = command(
-        commands,
-        "convert",
-        _convert,
-        "write a layout layer of an earlier format in the current one",
-    )
-    parser.add_argument(
-        "layer", type=Path, metavar="LAYER", help="a layer that an earlier usdrigui wrote"
-    )
-    parser.add_argument(
-        "-o", "--output", type=Path, metavar="FILE", help="default: the layer itself"
-    )
-    add_configuration(parser)
-
-
 def _check(arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline, report
 
@@ -103,20 +83,3 @@ def _diff(arguments: argparse.Namespace) -> Exit:
             found.before, found.after, found.characters, found.only_in_one
         )
     return Exit.REFUSED if arguments.strict and not found.empty else Exit.OK
-
-
-def _convert(arguments: argparse.Namespace) -> Exit:
-    from usdrigui import pipeline
-
-    target = arguments.output or arguments.layer
-    state = pipeline.convert(arguments.layer, target, settings_of(arguments))
-    if arguments.json:
-        document = {
-            "layer": str(arguments.layer),
-            "output": str(target),
-            "outcome": state,
-            "exit": 0,
-        }
-        print(json.dumps({"format": "usdrigui.convert", "version": 1, **document}, indent=2))
-    say(f"usdrigui: {state} {target}", arguments)
-    return Exit.OK

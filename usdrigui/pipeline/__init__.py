@@ -4,14 +4,13 @@
     Sdf.Layer
 
 `process` lays out and writes, `inspect` stops before the search, `load_layer` reads a written layer
-back, `check` and `diff` review layers, `convert` writes one of an earlier format anew.  Nothing
-here prints; the record that it returns holds all results.
+back, `check` and `diff` review layers.  Nothing here prints; the record that it returns holds all
+results.
 """
 
 from __future__ import annotations
 
 from usdrigui.pipeline.configuration import with_faults_of_asset
-from usdrigui.pipeline.converting import convert
 from usdrigui.pipeline.inspecting import inspect
 from usdrigui.pipeline.laying_out import process, process_stage
 from usdrigui.pipeline.progress import Event, ProgressCallback
@@ -38,7 +37,6 @@ __all__ = [
     "build_problem",
     "check",
     "check_outputs",
-    "convert",
     "default_output",
     "diff",
     "inspect",

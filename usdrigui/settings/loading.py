@@ -15,15 +15,9 @@ from typing import Any, Literal
 from usdrigui.errors import Faults, RigUIError, meant, refuse
 from usdrigui.settings.bounds import bounded
 from usdrigui.settings.config_sections import section_types, sections, with_sections
-from usdrigui.settings.parts import PoseSettings, Settings
+from usdrigui.settings.parts import Settings
 from usdrigui.settings.presets import PRESETS
 from usdrigui.settings.sources import environment_settings, from_environment, read_toml
-from usdrigui.settings.table import current_name
-
-_EARLIER_VALUES = {"beside": "board"}
-"""What values were called in configurations of before (`place`)."""
-_MOVED: dict[tuple[type, str], str] = {(PoseSettings, "label"): "controls"}
-"""The part that has an earlier setting of another part now."""
 
 
 class UnsoundSettingsError(RigUIError):
@@ -48,7 +42,7 @@ def load(
     settings, faults = Settings(), Faults()
     weakest = (_preset(preset, faults), from_environment(environment or {}, faults))
     for source in (*weakest, *sources):
-        changed = _changed(Settings, sections(settings), section_types(), source, "", faults)
+        changed = _changed(sections(settings), section_types(), source, "", faults)
         settings = with_sections(settings, **changed)
     settings = bounded(settings, faults)
     try:
@@ -72,11 +66,10 @@ def _merged(base: Any, source: Mapping[str, Any], where: str, faults: Faults) ->
     annotations."""
     hints = typing.get_type_hints(type(base))
     current = {name: getattr(base, name) for name in hints}
-    return replace(base, **_changed(type(base), current, hints, source, where, faults))
+    return replace(base, **_changed(current, hints, source, where, faults))
 
 
 def _changed(
-    part: type,
     current: Mapping[str, Any],
     hints: Mapping[str, Any],
     source: Mapping[str, Any],
@@ -86,21 +79,17 @@ def _changed(
     """The sound keys of `source`, each with its `current` value changed; of a part, or of the
     sections of all `Settings`."""
     changed: dict[str, Any] = {}
-    for given, value in source.items():
-        key = current_name(part, given)
+    for key, value in source.items():
         path = f"{where}.{key}" if where else key
         with faults.collected():
             if key not in hints:
-                raise refuse("CONFIG_UNKNOWN_KEY", path, _unknown(part, key, where, hints))
+                raise refuse("CONFIG_UNKNOWN_KEY", path, _unknown(key, hints))
             changed[key] = _converted(current[key], hints[key], value, path, faults)
     return changed
 
 
-def _unknown(part: type, key: str, where: str, known: Mapping[str, Any]) -> str:
+def _unknown(key: str, known: Mapping[str, Any]) -> str:
     """What a key that is no setting of a part should be."""
-    if (part, key) in _MOVED:
-        table, _, name = where.partition(".")
-        return f"write {_MOVED[part, key]}.{name}.{key} instead of {table}.{name}.{key}"
     hint = meant(key, known)
     return f"there is no setting of this name{hint}" if hint else f"known here: {', '.join(known)}"
 
@@ -119,7 +108,6 @@ def _converted(current: Any, hint: Any, value: Any, path: str, faults: Faults) -
             for i, item in enumerate(value)
         )
     if origin is Literal:
-        value = _EARLIER_VALUES.get(value, value) if isinstance(value, str) else value
         if value not in arguments:
             raise refuse(
                 "CONFIG_VALUE",

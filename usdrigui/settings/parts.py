@@ -255,7 +255,6 @@ class SymmetrySettings:
         unit="cost per handle width",
         bounds=(0.0, 1000000.0),
         level="expert",
-        was="plane_price",
     )
     double_middle: Literal["evidence", "always", "never"] = setting(
         "evidence",
@@ -307,7 +306,6 @@ class CandidateSettings:
         unit="cost",
         bounds=(0.0, 1000000.0),
         level="expert",
-        was="occlusion_price",
     )
     view: str = setting(
         "",
@@ -335,19 +333,16 @@ class CandidateSettings:
         True,
         "Send controls that move the face as a whole to the board.",
         level="expert",
-        was="beside_global",
     )
     board_hidden: bool = setting(
         True,
         "Send controls that only affect geometry hidden in all views to the board.",
         level="expert",
-        was="beside_hidden",
     )
     board_composite: bool = setting(
         True,
         "Send controls that repeat the motion of others to the board.",
         level="expert",
-        was="beside_composite",
     )
     near_radius: float = setting(
         0.15, "Default for `within`.", unit="face sizes", bounds=(1e-06, 1000000.0), level="expert"
@@ -430,7 +425,6 @@ class ObjectiveSettings:
         unit="radii",
         bounds=(0.0, 1000000.0),
         level="expert",
-        was="overlap_reach",
     )
     samples: int = setting(
         5,
@@ -450,7 +444,6 @@ class ObjectiveSettings:
         unit="face sizes",
         bounds=(0.0001, 1.0),
         level="expert",
-        was="handle_least",
     )
     max_neighbours: float = setting(
         8.0,
@@ -460,7 +453,6 @@ class ObjectiveSettings:
         unit="controls",
         bounds=(0.0, 1000000.0),
         level="expert",
-        was="handle_crowd",
     )
     separation: bool = setting(
         True, "No two handles nearer than a handle's width, as a hard constraint.", level="expert"
@@ -478,13 +470,11 @@ class ObjectiveSettings:
         "Cost of sending a control to the board, per copy; 0 or less than 0 is allowed.",
         unit="cost",
         bounds=(-1000000.0, 1000000.0),
-        was="beside_price",
     )
     off_face_allowed: bool = setting(
         True,
         "Whether elements may leave the face for lack of room.",
         level="expert",
-        was="beside_allowed",
     )
     keep_penalty: float = setting(
         0.2,
@@ -493,7 +483,6 @@ class ObjectiveSettings:
         " afresh.",
         unit="cost",
         bounds=(0.0, 1000000.0),
-        was="keep_price",
     )
     terms: tuple[str, ...] = setting(
         (),
@@ -619,7 +608,6 @@ class LikeSettings:
         unit="cost",
         bounds=(0.0, 1000000.0),
         level="expert",
-        was="price",
     )
 
 

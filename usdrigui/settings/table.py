@@ -21,8 +21,6 @@ class About:
     """Least and largest value of a number; what lies outside has no meaning and would only fail
     later."""
     level: Level
-    was: str
-    """An earlier name, still read; empty if it has none."""
 
 
 def setting(
@@ -32,10 +30,9 @@ def setting(
     unit: str = "",
     bounds: tuple[float, float] | None = None,
     level: Level = "user",
-    was: str = "",
 ) -> Any:
     """A field of a settings dataclass; a dict as default stands for an empty table."""
-    known = {"about": About(" ".join(doc.split()), unit, bounds, level, was)}
+    known = {"about": About(" ".join(doc.split()), unit, bounds, level)}
     if isinstance(default, dict):
         return field(default_factory=dict, metadata=known)
     return field(default=default, metadata=known)
@@ -46,8 +43,3 @@ def settings_in(part: Any) -> Iterator[tuple[Field[Any], About]]:
     for each in fields(part):
         if "about" in each.metadata:
             yield each, each.metadata["about"]
-
-
-def current_name(part: Any, name: str) -> str:
-    """The name of a setting by that name or by its earlier one."""
-    return next((each.name for each, about in settings_in(part) if about.was == name), name)

@@ -5,11 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel
 
-from usdrigui.usd import first_format, schema
-from usdrigui.usd.arrays import vector_count
+from usdrigui.usd import schema
 from usdrigui.usd.properties import element_name, has
 from usdrigui.usd.read_layout import element_prims, layout_scopes, points_of_subset
 from usdrigui.usd.reader_records import ExistingPrim, ExistingSpan
@@ -19,27 +17,17 @@ from usdrigui.usd.shapes import shape_tokens
 def existing_prims(stage: Usd.Stage) -> tuple[ExistingPrim, ...]:
     """What is drawn of every layout on the stage, and how it is shaped; in stage order.
 
-    Raises ARRAY_TYPE and LAYOUT_INVALID.
+    Raises LAYOUT_INVALID.
     """
     return tuple(prim for scope in layout_scopes(stage) for prim in _of_scope(scope))
 
 
 def _of_scope(scope: Usd.Prim) -> Iterator[ExistingPrim]:
-    root, elements = str(scope.GetPath().GetParentPath()), element_prims(scope)
-    for element in elements:
-        for prim, role in first_format.drawn_prims(element):
-            points = np.arange(_point_count(prim), dtype=np.int64)
-            yield _existing(
-                root,
-                prim,
-                (ExistingSpan(element_name(element), role, points),),
-                (element.GetName(),),
-            )
-    names = {element.GetName(): element_name(element) for element in elements}
+    root = str(scope.GetPath().GetParentPath())
+    names = {element.GetName(): element_name(element) for element in element_prims(scope)}
     for mesh in Usd.PrimRange(scope, Usd.TraverseInstanceProxies(Usd.PrimAllPrimsPredicate)):
         if has(mesh, schema.DRAWING):
-            children = tuple(child.GetName() for child in mesh.GetAllChildren())
-            yield _existing(root, mesh, tuple(_spans(mesh, names)), children)
+            yield _existing(root, mesh, tuple(_spans(mesh, names)))
 
 
 def _spans(mesh: Usd.Prim, names: dict[str, str]) -> Iterator[ExistingSpan]:
@@ -50,14 +38,12 @@ def _spans(mesh: Usd.Prim, names: dict[str, str]) -> Iterator[ExistingSpan]:
             yield ExistingSpan(names[child.GetName()], "track", track)
 
 
-def _existing(
-    root: str, prim: Usd.Prim, spans: tuple[ExistingSpan, ...], names: tuple[str, ...]
-) -> ExistingPrim:
+def _existing(root: str, prim: Usd.Prim, spans: tuple[ExistingSpan, ...]) -> ExistingPrim:
     return ExistingPrim(
         root=root,
         path=str(prim.GetPath()),
         in_variant=any(spec.path.ContainsPrimVariantSelection() for spec in prim.GetPrimStack()),
-        names=names,
+        names=tuple(child.GetName() for child in prim.GetAllChildren()),
         spans=spans,
         shapes=shape_tokens(prim),
         targets=tuple(
@@ -65,8 +51,3 @@ def _existing(
             for target in UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets()
         ),
     )
-
-
-def _point_count(prim: Usd.Prim) -> int:
-    points = UsdGeom.PointBased(prim).GetPointsAttr()
-    return vector_count(points.Get(), str(prim.GetPath()), "points") if points else 0

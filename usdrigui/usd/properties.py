@@ -1,5 +1,4 @@
-"""Properties of a layout's prims in our schemas: values or fallbacks, and the records that both
-formats have.
+"""Properties of a layout's prims in our schemas: values or fallbacks, and records made of them.
 
 The schema plug-in need not be registered.
 """
@@ -40,11 +39,7 @@ def value_of(prim: Usd.Prim, api: str, name: str, instance: str = "") -> Any:
 
     Raises LAYOUT_INVALID for a value of another type or outside the allowed ones.
     """
-    return declared_value(prim, author.properties(api)[name], instance)
-
-
-def declared_value(prim: Usd.Prim, declared: author.Property, instance: str = "") -> Any:
-    """The same for a property that is declared elsewhere."""
+    declared = author.properties(api)[name]
     attribute = prim.GetAttribute(declared.name.replace("__INSTANCE_NAME__", instance))
     value = attribute.Get() if attribute else None
     if value is None:
@@ -124,7 +119,7 @@ def array_of(values: Any) -> Floats:
 
 
 def read_anchor(prim: Usd.Prim) -> Anchor:
-    """Where an element holds on, in either format; raises LAYOUT_INVALID."""
+    """Where an element holds on; raises LAYOUT_INVALID."""
 
     def get(name: str) -> Any:
         return value_of(prim, schema.ANCHOR, name)

@@ -1,5 +1,4 @@
-"""From a layer back to layouts, whoever wrote it; `usdrigui.usd.first_format` reads those of the
-first format.
+"""From a layer back to layouts, whoever wrote it.
 
 Reads through composition, so that a layout in a sublayer of the asset, or one that stronger layers
 have changed, is found as USD sees it.  The schema plug-in need not be registered: fallback values
@@ -34,7 +33,7 @@ from usdrigui.model import (
     Proof,
     Status,
 )
-from usdrigui.usd import first_format, schema
+from usdrigui.usd import schema
 from usdrigui.usd.properties import (
     applied,
     array_of,
@@ -241,8 +240,6 @@ def _stage(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Usd.Stage, str]:
 
 def _layout(scope: Usd.Prim) -> Layout:
     mark = next(filter(schema.is_layout, applied(scope)))
-    if mark == schema.LAYOUT_FAMILY:
-        return first_format.layout(scope)
     if mark != schema.LAYOUT:
         raise refuse("LAYOUT_VERSION", str(scope.GetPath()), f"{mark}; known: {schema.LAYOUT}")
 

@@ -20,8 +20,7 @@ WITH, WITHOUT = "ui", "none"
 
 LAYOUT_FAMILY = "RigUILayoutAPI"
 LAYOUT = "RigUILayoutAPI_1"
-"""The version of the family that written layouts keep (schemas/CONTRACT.md); the first format is
-without a number."""
+"""The version of the family that written layouts keep (schemas/CONTRACT.md)."""
 DRAWING = "RigUIDrawingAPI"
 ELEMENT = "RigUIElementAPI"
 ANCHOR = "RigUIAnchorAPI"
@@ -35,7 +34,7 @@ NOTES = "usdrigui"
 def is_layout(applied: str) -> bool:
     """Whether an applied schema marks a layout, of whichever version."""
     family, _, version = applied.partition("_")
-    return family == LAYOUT_FAMILY and (not version or version.isdigit())
+    return family == LAYOUT_FAMILY and version.isdigit()
 
 
 def schema_path() -> Path:

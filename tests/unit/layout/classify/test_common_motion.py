@@ -25,13 +25,13 @@ def wing(lift):
 
 @pytest.mark.parametrize(("weight", "low"), [(0.0, 0.4), (0.3, -0.2)])
 def test_a_control_that_lifts_the_brow_more_than_the_nose_stands_by_the_nose(weight, low):
-    settings = chain.settings(objective={"distinctive_weight": weight}, candidates={"beside_composite": False})
+    settings = chain.settings(objective={"distinctive_weight": weight}, candidates={"board_composite": False})
     stands = height_of("one", chain.solved(chain.problem_of(wing(0.95), settings), settings.layout.solve))
     assert low <= stands <= low + 0.4
 
 
 def test_a_motion_of_which_nothing_or_everything_is_common_costs_nothing_more():
-    settings = chain.settings(candidates={"beside_composite": False})
+    settings = chain.settings(candidates={"board_composite": False})
     face = chain.face_of(makers.face_with(one=0.5 * SHAPES["brow_L"]), settings)
     index = {control.name: i for i, control in enumerate(face.rig.controls)}
     for name in ("one", "brow_L", "chin"):
@@ -43,7 +43,7 @@ def test_a_motion_of_which_nothing_or_everything_is_common_costs_nothing_more():
 
 
 def test_no_control_explains_another_by_going_far_beyond_its_own_range():
-    settings = chain.settings(candidates={"beside_composite": False})
+    settings = chain.settings(candidates={"board_composite": False})
     face = chain.face_of(makers.face_with(tiny=0.1 * SHAPES["smile_L"]), settings)
     index = [control.name for control in face.rig.controls].index("smile_L")
     assert face.trajectories.motion_of(index).shares.common.max() < 0.25

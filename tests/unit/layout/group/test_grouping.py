@@ -124,7 +124,7 @@ AT = (0.0, -0.55)
 
 def test_axes_of_two_joints_are_no_opposites_by_convention():
     ends = {name: makers.bump(POINTS, AT, (0, 1, 0), 0.3, 0.1) for name in ("mouthDown", "mouthUp")}
-    line = chain.problem_of(makers.rig(POINTS, QUADS, ends), chain.settings(candidates={"beside_composite": False}))
+    line = chain.problem_of(makers.rig(POINTS, QUADS, ends), chain.settings(candidates={"board_composite": False}))
     face = turning(line.face, ({0: 1.0}, {1: 1.0}))
     assert [group.reason for group in find_groups(face, *line.grouping[1:], {})] == ["", ""]
 
@@ -157,7 +157,7 @@ def test_the_report_says_why_opposites_by_convention_stayed_apart():
     ends = {
         name: makers.bump(POINTS, AT, (0, 1, 0), 0.3, size) for name, size in (("mouthDown", 0.1), ("mouthUp", 0.06))
     }
-    groups, _ = groups_of(makers.rig(POINTS, QUADS, ends), candidates={"beside_composite": False})
+    groups, _ = groups_of(makers.rig(POINTS, QUADS, ends), candidates={"board_composite": False})
     assert groups["mouthUp",].reason.startswith(
         "apart from mouthDown, its opposite by convention (their directions are 0 degrees apart, their regions share"
     )
