@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from usdrigui.pipeline.references import ReferenceLayouts
 from usdrigui.pipeline.stages import build_problem, layout_of
-from usdrigui.references import ReferenceLayouts
 from usdrigui.settings import load
 from usdrigui.solve import solve
 from usdrigui.usd.reader_process import read_rigs_isolated
@@ -25,7 +25,7 @@ def read(name):
 
 
 def lay_out(rig, settings=SETTINGS, **references):
-    """The problem, its solution and the layout; `references` as of `usdrigui.references.ReferenceLayouts`."""
+    """The problem, its solution and the layout; `references` as of `usdrigui.pipeline.references.ReferenceLayouts`."""
     inputs = build_problem(rig, settings, references=ReferenceLayouts(**references))
     found = solve(inputs.placement.problem, settings.layout.solve)
     return inputs, found, layout_of(inputs, found)

@@ -20,8 +20,8 @@ from usdrigui.inspection import Inspection
 from usdrigui.markup import markup
 from usdrigui.model import Control, Element, Layout, Rig
 from usdrigui.pipeline import LayerDifference, LayerReview, Loaded, ProgressCallback
+from usdrigui.pipeline.references import ReferenceLayers
 from usdrigui.pose.evaluate import PosedLayout, evaluate, prepare, values_of
-from usdrigui.references import ReferenceLayers
 from usdrigui.report import Report
 from usdrigui.settings import Settings
 from usdrigui.settings.loading import load_beside
@@ -227,7 +227,7 @@ class OpenLayout:
     def picture(self, *, labels: bool = False, pose: Mapping[str, float] | None = None) -> Image:
         """What `usdrigui picture` draws; `pose` as of `pose`, for all characters that have its
         controls."""
-        from usdrigui.levels import shown
+        from usdrigui.model.levels import shown
         from usdrigui.view.sheet import sheet_png
 
         characters = [(rig, shown(layout)) for rig, layout in self.characters]

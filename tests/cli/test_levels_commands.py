@@ -10,7 +10,7 @@ from PIL import Image
 from pxr import Sdf, Usd, UsdGeom
 
 from usdrigui.cli import main
-from usdrigui.levels import inner_names
+from usdrigui.model.levels import inner_names
 from usdrigui.usd.read_layout import read_layout
 
 LEVELS = """

@@ -22,7 +22,7 @@ import skinned_stages
 from page_in_node import placed_by_the_page
 from pxr import Sdf, Usd, UsdSkel
 
-from usdrigui.levels import states
+from usdrigui.model.levels import states
 from usdrigui.settings import OutputSettings, Settings
 from usdrigui.usd.layer import layer_for, stage_metadata
 from usdrigui.usd.rig import read_rigs

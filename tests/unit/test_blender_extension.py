@@ -84,7 +84,9 @@ def test_it_brings_nothing_of_ours_and_says_one_version():
     assert version == usdrigui.__version__
 
 
-@pytest.mark.parametrize("name", ["pose/drag.py", "pose/handle_track.py", "palette.py", "rotation.py", "visible.py"])
+@pytest.mark.parametrize(
+    "name", ["pose/drag.py", "pose/handle_track.py", "palette.py", "rotation.py", "model/visible.py"]
+)
 def test_the_rules_it_shares_are_our_own_files(name):
     shared = blender_extension.extension_files()[f"maths/{Path(name).name}"]
     assert shared == (Path(usdrigui.__file__).parent / name).read_bytes()

@@ -101,7 +101,7 @@ def _add_animation(parser: Any, summary: str) -> None:
 
 def _process(arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline, report
-    from usdrigui.references import ReferenceLayers
+    from usdrigui.pipeline.references import ReferenceLayers
 
     settings = settings_of(arguments)
     references = ReferenceLayers(
@@ -178,7 +178,8 @@ def _stage_extras(
 ) -> None:
     """Stage the report and the picture that were asked for with the layer; one line in `written`
     for each."""
-    from usdrigui import levels, pipeline, report
+    from usdrigui import pipeline, report
+    from usdrigui.model import levels
 
     if arguments.report is not None:
         content = report.to_json(result).encode()

@@ -153,7 +153,7 @@ def _visible(
     characters: Sequence[tuple[Rig, Layout]], arguments: argparse.Namespace
 ) -> list[tuple[Rig, Layout]]:
     """The characters with the elements that the options show."""
-    from usdrigui import levels
+    from usdrigui.model import levels
 
     layouts = [layout for _, layout in characters]
     seen = levels.shown_of_all(layouts, arguments.open, everything=arguments.level == 2)

@@ -11,7 +11,6 @@ in the order of `Body.meshes`; *local* point means an index into one mesh.
 
 from __future__ import annotations
 
-from usdrigui.model.animation import Clip, Performance
 from usdrigui.model.assignment import GAP_FLOOR, Assignment, Status, Step
 from usdrigui.model.candidates import Candidates, CandidateSet, Category, ElementKind, Group
 from usdrigui.model.controls import Channel, Control, ControlKind, Drive, Joint, Skeleton
@@ -42,7 +41,17 @@ from usdrigui.model.motion import (
 )
 from usdrigui.model.problem import Choice, ExtraPairs, LayoutProblem, Overlap, Variable
 from usdrigui.model.record import Flags, Floats, Indices, Record, Singles, freeze
-from usdrigui.model.rig import Body, Configured, Findings, Glyph, LeftOff, Rig, SkelRoot
+from usdrigui.model.rig import (
+    Body,
+    Clip,
+    Configured,
+    Findings,
+    Glyph,
+    LeftOff,
+    Performance,
+    Rig,
+    SkelRoot,
+)
 
 __all__ = [
     "GAP_FLOOR",

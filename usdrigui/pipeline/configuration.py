@@ -16,7 +16,7 @@ from usdrigui.layout.reuse.partial_layout import anchored_point
 from usdrigui.layout.symmetry.orbits import check_orbits
 from usdrigui.layout.symmetry.twins import configured_twins
 from usdrigui.model import Control, Floats, Layout, Rig
-from usdrigui.references import ReferenceLayouts, check_like
+from usdrigui.pipeline.references import ReferenceLayouts, check_like
 from usdrigui.settings import Settings
 from usdrigui.settings.loading import UnsoundSettingsError
 from usdrigui.settings.parts import ControlSettings, PartSettings

@@ -6,14 +6,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from usdrigui import animation
 from usdrigui.errors import Issue, of_character
 from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection, Likeness, PartFacts
 from usdrigui.layout.group.grouping import suggested_groups
 from usdrigui.layout.reuse.identity import names_draft
 from usdrigui.model import CandidateSet, Control, Motion
+from usdrigui.pipeline import animation
 from usdrigui.pipeline.configuration import refuse_unsound
 from usdrigui.pipeline.progress import Clock, ProgressCallback
+from usdrigui.pipeline.references import ReferenceLayers, read_references
 from usdrigui.pipeline.stages import (
     Divided,
     ProblemInputs,
@@ -22,7 +23,6 @@ from usdrigui.pipeline.stages import (
     issues_of,
     part_problem,
 )
-from usdrigui.references import ReferenceLayers, read_references
 from usdrigui.settings import Settings
 from usdrigui.usd.reader_process import read_rigs_isolated
 from usdrigui.usd.reader_records import Opening

@@ -22,6 +22,14 @@ from usdrigui.model import Element, Floats, Layout, Rig
 from usdrigui.pipeline import variants
 from usdrigui.pipeline.configuration import refuse_unsound
 from usdrigui.pipeline.progress import Clock, ProgressCallback
+from usdrigui.pipeline.references import (
+    ReferenceLayers,
+    ReferenceLayouts,
+    as_sibling,
+    followed,
+    read_references,
+    rigs_over,
+)
 from usdrigui.pipeline.stages import (
     LaidPart,
     divided,
@@ -33,14 +41,6 @@ from usdrigui.pipeline.stages import (
 )
 from usdrigui.pipeline.targets import check_replaceable, check_target, default_output
 from usdrigui.pipeline.writing import check_base, stage_layer
-from usdrigui.references import (
-    ReferenceLayers,
-    ReferenceLayouts,
-    as_sibling,
-    followed,
-    read_references,
-    rigs_over,
-)
 from usdrigui.report import CharacterReport, Outcome, PartRow, Report, SourceRow, rows_of
 from usdrigui.settings import Settings
 from usdrigui.settings import document as settings_document

@@ -13,7 +13,6 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from usdrigui import animation
 from usdrigui.conventions import meanings
 from usdrigui.deform import posed
 from usdrigui.errors import Issue, RigUIError, of_character, refuse
@@ -57,9 +56,10 @@ from usdrigui.model import (
     Symmetry,
     Trajectories,
 )
+from usdrigui.pipeline import animation
 from usdrigui.pipeline.configuration import base_values_of, camera_of
 from usdrigui.pipeline.progress import Clock
-from usdrigui.references import (
+from usdrigui.pipeline.references import (
     OwnReferenceLayouts,
     ReferenceLayouts,
     decisions,

@@ -18,7 +18,6 @@ import numpy as np
 from pxr import Sdf, Tf, UsdGeom
 
 from usdrigui.errors import refuse
-from usdrigui.levels import inner_names
 from usdrigui.model import (
     Anchor,
     Body,
@@ -32,6 +31,7 @@ from usdrigui.model import (
     Rig,
     Skeleton,
 )
+from usdrigui.model.levels import inner_names
 from usdrigui.settings import OutputSettings
 from usdrigui.usd import author, schema
 from usdrigui.usd.control_api import author_control_api, author_limits

@@ -1,7 +1,8 @@
 """Two levels: which groups are coarse, which are their members, and which of them are visible
 together.
 
-A coarse group is shown first, and its members in its place when it is opened (`usdrigui.levels`).
+A coarse group is shown first, and its members in its place when it is opened
+(`usdrigui.model.levels`).
 A level configured for one side of the character holds for the other, since a group represents both.
 """
 

@@ -23,8 +23,8 @@ from usdrigui.conventions import spellings
 from usdrigui.errors import Issue, issue
 from usdrigui.layout.reuse.motion_evidence import at_anchors, between_anchors, over_faces
 from usdrigui.layout.reuse.name_evidence import name_evidence, same_meaning
-from usdrigui.levels import outer_first
 from usdrigui.model import Element, Floats, Indices, Layout, Rig, Trajectories
+from usdrigui.model.levels import outer_first
 from usdrigui.ties import rounded
 
 SURE = 0.9

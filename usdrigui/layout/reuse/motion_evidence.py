@@ -17,7 +17,6 @@ from scipy.spatial import cKDTree
 
 from usdrigui.layout.reuse.prior_layout import points_of_meshes, same_point
 from usdrigui.layout.reuse.retargeting import face_map
-from usdrigui.levels import outer_first
 from usdrigui.model import (
     BaseSurface,
     Body,
@@ -31,6 +30,7 @@ from usdrigui.model import (
     Rig,
     Trajectories,
 )
+from usdrigui.model.levels import outer_first
 
 _SAMPLES = 1.0 / 30.0
 """Distance of the sample points, as a share of the face."""

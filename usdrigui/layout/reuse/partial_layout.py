@@ -14,8 +14,8 @@ import numpy as np
 from usdrigui.errors import meant, refuse
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.mirror_plane import plane_distance, reflected
-from usdrigui.levels import outer_first
 from usdrigui.model import Body, Element, Floats, Indices, Layout, Rig, RigMesh, Symmetry
+from usdrigui.model.levels import outer_first
 from usdrigui.settings import ControlSettings
 
 MIRROR = "mirror:"

@@ -17,7 +17,6 @@ from usdrigui.errors import Issue, RigUIError, issue
 from usdrigui.layout.reuse.partial_layout import MIRROR, fixed_anchor, place_of
 from usdrigui.layout.reuse.prior_layout import points_of_meshes, same_point
 from usdrigui.layout.symmetry.mirror_plane import reflected
-from usdrigui.levels import outer_first
 from usdrigui.model import (
     Body,
     Decision,
@@ -30,6 +29,7 @@ from usdrigui.model import (
     Symmetry,
     Trajectories,
 )
+from usdrigui.model.levels import outer_first
 from usdrigui.settings import ControlSettings
 from usdrigui.ties import first_smallest
 

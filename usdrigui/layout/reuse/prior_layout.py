@@ -12,8 +12,8 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from usdrigui.levels import inner_names, outer_first
 from usdrigui.model import Anchor, Element, Floats, Indices, Record, Rig, RigMesh
+from usdrigui.model.levels import inner_names, outer_first
 from usdrigui.ties import first_smallest
 
 

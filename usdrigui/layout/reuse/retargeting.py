@@ -15,8 +15,8 @@ import numpy as np
 
 from usdrigui.layout.reuse.prior_layout import Place, PriorLayout, kept_groups
 from usdrigui.layout.reuse.renaming import with_names
-from usdrigui.levels import inner_names
 from usdrigui.model import BaseSurface, Floats, Layout, Motion, Rig, Trajectories
+from usdrigui.model.levels import inner_names
 from usdrigui.ties import axis_across
 
 CUTOFF_DISTANCE = 4.0

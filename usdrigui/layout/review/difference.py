@@ -20,8 +20,8 @@ from usdrigui.layout.reuse.identity import Matching, match_layouts
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.review.review import cost_given_others
-from usdrigui.levels import inner_names, outer_first
 from usdrigui.model import Element, Floats, Indices, Layout
+from usdrigui.model.levels import inner_names, outer_first
 
 ChangeKind = Literal["added", "removed", "renamed", "moved", "to the face", "board", "regrouped"]
 

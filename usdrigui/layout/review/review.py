@@ -19,7 +19,6 @@ from usdrigui.layout.place.terms import LinearTerms, linear_cost
 from usdrigui.layout.reuse.identity import match_layout
 from usdrigui.layout.reuse.partial_layout import place_of
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.levels import inner_names, states
 from usdrigui.model import (
     Anchor,
     BaseSurface,
@@ -38,6 +37,7 @@ from usdrigui.model import (
     RigMesh,
     Trajectories,
 )
+from usdrigui.model.levels import inner_names, states
 from usdrigui.overlap import pair_costs, total_cost
 from usdrigui.settings import ReadSettings, Settings
 

@@ -13,8 +13,8 @@ from usdrigui.layout.reuse.partial_layout import fixed_by
 from usdrigui.layout.reuse.prior_layout import PriorLayout, kept_groups, prior_of_previous
 from usdrigui.layout.review.difference import difference
 from usdrigui.layout.review.review import _crowded, review
-from usdrigui.levels import inner_names, outer_first, shown, states
 from usdrigui.model import Control
+from usdrigui.model.levels import inner_names, outer_first, shown, states
 from usdrigui.settings import with_sections
 
 FACE = makers.face()

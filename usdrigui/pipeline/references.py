@@ -11,7 +11,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from usdrigui.animation import performances
 from usdrigui.deform import posed
 from usdrigui.errors import Faults, issue, meant, of_character, refuse
 from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
@@ -29,6 +28,7 @@ from usdrigui.layout.reuse.prior_layout import (
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.layout.reuse.retargeting import of_another
 from usdrigui.model import Layout, Performance, Rig, Trajectories
+from usdrigui.pipeline.animation import performances
 from usdrigui.settings import (
     ControlSettings,
     LikeSettings,

@@ -1,0 +1,77 @@
+"""Which elements of a layout are visible together: coarse ones first, their members on demand, by
+the rule of `usdrigui.model.visible`."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import replace
+
+from usdrigui.errors import refuse
+from usdrigui.model.layout import Element, Layout
+from usdrigui.model.visible import is_visible, opened_with
+
+
+def inner_names(elements: Iterable[Element]) -> frozenset[str]:
+    """Names of the elements that are members of a coarse one, and so on the second level."""
+    return frozenset(name for element in elements for name in element.look.inner)
+
+
+def outer_first(elements: Sequence[Element]) -> tuple[Element, ...]:
+    """The elements of the first level, then those of the second, each in their order."""
+    inner = inner_names(elements)
+    return tuple(sorted(elements, key=lambda element: element.name in inner))
+
+
+def states(elements: Sequence[Element]) -> Mapping[str, frozenset[int]]:
+    """By name, the states in which an element is visible: 0 with nothing opened, k with the k-th
+    coarse one opened, and the last with all of them."""
+    members = _members(elements)
+    opened = [_opened([element], members) for element in elements if element.look.inner]
+    opened = [frozenset(), *opened, frozenset().union(*opened)]
+    return {
+        element.name: frozenset(
+            state for state, names in enumerate(opened) if is_visible(element.name, members, names)
+        )
+        for element in elements
+    }
+
+
+def shown(layout: Layout, opened: Iterable[str] = (), *, everything: bool = False) -> Layout:
+    """`shown_of_all` of one layout."""
+    return shown_of_all((layout,), opened, everything=everything)[0]
+
+
+def shown_of_all(
+    layouts: Sequence[Layout], opened: Iterable[str], *, everything: bool = False
+) -> tuple[Layout, ...]:
+    """The layouts with their visible elements only, when the coarse elements named are opened, or
+    all of them.
+
+    Raises CONFIG_VALUE for a name that no coarse element of any bears.
+    """
+    coarse = {e.name for layout in layouts for e in layout.elements if e.look.inner}
+    names = coarse if everything else set(opened)
+    for name in sorted(names - coarse):
+        known = ", ".join(sorted(coarse)) or "none"
+        raise refuse(
+            "CONFIG_VALUE", "--open", f"{name!r} is not a coarse element; there are {known}"
+        )
+    return tuple(_visible(layout, names) for layout in layouts)
+
+
+def _visible(layout: Layout, names: Collection[str]) -> Layout:
+    members = _members(layout.elements)
+    opened = _opened([e for e in layout.elements if e.look.inner and e.name in names], members)
+    seen = tuple(e for e in layout.elements if is_visible(e.name, members, opened))
+    return replace(layout, elements=seen)
+
+
+def _members(elements: Iterable[Element]) -> Mapping[str, tuple[str, ...]]:
+    """Names of the members of each coarse element."""
+    return {element.name: element.look.inner for element in elements if element.look.inner}
+
+
+def _opened(coarse: Iterable[Element], members: Mapping[str, tuple[str, ...]]) -> frozenset[str]:
+    """What opens with some coarse elements: they and their mirrors."""
+    pairs = (opened_with(each.name, each.manipulator.mirror, members) for each in coarse)
+    return frozenset().union(*pairs)
