@@ -14,7 +14,7 @@ from usdrigui.errors import RigUIError
 from usdrigui.settings import Settings
 from usdrigui.usd import attach as edit
 from usdrigui.usd.attach import attach, detach, write_bare
-from usdrigui.usd.payloads import PayloadOf, with_payloads
+from usdrigui.usd.layer_text import PayloadOf, with_payloads, with_sublayer
 
 
 @pytest.fixture(scope="module")
@@ -163,7 +163,7 @@ def test_the_time_of_an_edit_grows_with_the_text_alone():
     def seconds(lines):
         text = f'#usda 1.0\n(\n{chr(10) * lines}    defaultPrim = "Char"\n)\n{chr(10) * lines}'
         before = time.process_time()
-        assert "@./ui.usda@" in edit._with_entry(text, "./ui.usda")
+        assert "@./ui.usda@" in with_sublayer(text, "./ui.usda")
         assert "@./ui.usda@" in with_payloads(text, [PayloadOf("/Char", "./ui.usda")])
         return time.process_time() - before
 

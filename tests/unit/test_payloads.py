@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 from pxr import Sdf
 
-from usdrigui.usd.payloads import PayloadOf, _find, payloads_of, with_payloads, without_payloads
+from usdrigui.usd.layer_text import PayloadOf, with_payloads, without_payloads
 from usdrigui.usd.payloads import add as add_to_specs
+from usdrigui.usd.payloads import payloads_of
 from usdrigui.usd.payloads import remove as remove_from_specs
 
 HEAD = PayloadOf("/Char/Head", "./head.rigui.usda")
@@ -44,28 +45,6 @@ def test_the_text_gets_what_the_specs_get_and_loses_it_again(name, payloads):
     assert without_payloads(edited, payloads[::-1]) == text
     remove_from_specs(specs, payloads)
     assert specs.ExportToString() == layer(text).ExportToString()
-
-
-def test_a_prim_is_found_with_its_name_its_metadata_and_its_body():
-    text = '#usda 1.0\ndef Xform "A" (\n    kind = "group"\n)\n{\n    over "B"\n    {\n    }\n}\n'
-    (outer, inner), end = _find(text, ["A", "B"])
-    assert end == -1
-    assert text[: outer.name_end].endswith('Xform "A"')
-    assert text[: outer.metadata].endswith('"A" (')
-    assert text[: outer.body].endswith('"group"\n)\n{')
-    assert text[: inner.name_end].endswith('over "B"')
-    assert inner.metadata is None
-    assert text[: inner.body].endswith('over "B"\n    {')
-
-
-@pytest.mark.parametrize(
-    ("names", "known", "rest"), [(["A", "C"], 1, "}\n"), (["C"], 0, ""), (["A", "B", "C"], 2, "}\n}\n")]
-)
-def test_of_a_prim_that_is_not_there_the_place_is_found(names, known, rest):
-    text = '#usda 1.0\ndef "A"\n{\n    def "B"\n    {\n}\n}\n'
-    found, end = _find(text, names)
-    assert len(found) == known
-    assert text[end:] == rest
 
 
 def test_what_else_stands_in_the_variants_stays():

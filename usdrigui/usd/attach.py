@@ -12,18 +12,17 @@ from __future__ import annotations
 
 import functools
 import os
-import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
 
-from pxr import Sdf, Tf
+from pxr import Sdf
 
 from usdrigui.errors import Issue, RigUIError, issue, listed, refuse
 from usdrigui.model import Layout, Rig
 from usdrigui.settings import Settings, with_sections
-from usdrigui.usd import payloads
+from usdrigui.usd import layer_text, payloads
 from usdrigui.usd.layer import layer_bytes, relative_asset_path
 from usdrigui.usd.reader_process import (
     read_layer_isolated,
@@ -38,13 +37,6 @@ from usdrigui.usd.stage import open_layer
 from usdrigui.usd.variant_paths import asset_selections
 
 Outcome = Literal["written", "unchanged"]
-
-_BLOCK = "(\n    subLayers = [\n        @{path}@\n    ]\n)\n"
-"""What a text layer without any metadata gets after its first line."""
-_FIELD = "\n    subLayers = [\n        @{path}@\n    ]"
-"""What one with metadata but without sublayers gets after the opening bracket."""
-_ENTRY = "\n        @{path}@,"
-"""What one with sublayers gets before the first of them."""
 
 
 @dataclass(frozen=True)
@@ -138,7 +130,7 @@ def _sublayer(asset: Path, layer: Path) -> _Edit:
     entry = relative_asset_path(layer, asset)
     return _Edit(
         functools.partial(_edit, added=entry, removed=()),
-        functools.partial(_with_entry, path=entry),
+        functools.partial(layer_text.with_sublayer, path=entry),
     )
 
 
@@ -148,12 +140,12 @@ def _payloads(asset: Path, layer: Path, layouts: Sequence[Layout]) -> _Edit:
         own = layout.character
         payloads.check_reachable(layer, opened, own.variant_path, own.root)
     wanted = tuple(
-        payloads.PayloadOf(root, entry)
+        layer_text.PayloadOf(root, entry)
         for root in dict.fromkeys(each.character.root for each in layouts)
     )
     return _Edit(
         functools.partial(payloads.add, payloads=wanted),
-        functools.partial(payloads.with_payloads, payloads=wanted),
+        functools.partial(layer_text.with_payloads, payloads=wanted),
     )
 
 
@@ -219,7 +211,7 @@ def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:
         payloads.remove(edited, inside)
 
     def of_text(text: str) -> str:
-        return payloads.without_payloads(_without_entries(text, sublayers), inside)
+        return layer_text.without_payloads(layer_text.without_sublayers(text, sublayers), inside)
 
     verify = functools.partial(_readable, settings)
     return _replaced(asset, source, before, verify, _Edit(of_layer, of_text))
@@ -227,7 +219,7 @@ def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:
 
 def _entries(
     asset: Path, source: Sdf.Layer, layer: Path
-) -> tuple[Sequence[str], Sequence[payloads.PayloadOf]]:
+) -> tuple[Sequence[str], Sequence[layer_text.PayloadOf]]:
     """The sublayers and the payloads of a root layer that are `layer`."""
     leads = functools.partial(_leads_to, asset, layer=layer)
     return [each for each in source.subLayerPaths if leads(each)], payloads.payloads_of(
@@ -278,7 +270,7 @@ def _replaced(
     edit.of_layer(source)
     if original.startswith(b"#usda"):
         edited = edit.of_text(original.decode(errors="surrogateescape"))
-        kept = _means(edited, source)
+        kept = layer_text.means(edited, source)
         content = edited.encode(errors="surrogateescape") if kept else layer_bytes(source, ".usda")
     else:
         content = layer_bytes(source, ".usdc")
@@ -302,56 +294,6 @@ def _edit(layer: Sdf.Layer, added: str, removed: Sequence[str]) -> None:
     layer.subLayerPaths = [path for path, _ in pairs]
     for index, (_, offset) in enumerate(pairs):
         layer.subLayerOffsets[index] = offset
-
-
-def _with_entry(text: str, path: str) -> str:
-    """The text of a layer with one sublayer before all others."""
-    start = len(text.partition("\n")[0]) + 1  # after the line that names the format
-    found = payloads.tokens(text)
-    first = next(found, None)
-    if first is None or first[0] != "(":
-        return text[:start] + _BLOCK.format(path=path) + text[start:]
-    place = _list_of_sublayers(found)
-    if place is None:
-        return text[: first.end()] + _FIELD.format(path=path) + text[first.end() :]
-    return text[:place] + _ENTRY.format(path=path) + text[place:]
-
-
-def _list_of_sublayers(tokens: Iterator[re.Match[str]]) -> int | None:
-    """Where the list of sublayers begins in the metadata of a layer, whose opening bracket has been
-    read."""
-    depth, before = 1, ("", "")
-    for found in tokens:
-        if (depth, *before, found[0]) == (1, "subLayers", "=", "["):
-            return found.end()
-        depth += (found[0] in "([{") - (found[0] in ")]}")
-        if not depth:
-            break
-        before = before[1], found[0]
-    return None
-
-
-def _without_entries(text: str, paths: Sequence[str]) -> str:
-    """The text without those sublayers, and without what held nothing but them."""
-    for path in paths:
-        for form in (_BLOCK, _FIELD, _ENTRY):
-            piece = form.format(path=path)
-            if piece in text:
-                text = text.replace(piece, "", 1)
-                break
-    return text
-
-
-def _means(text: str, layer: Sdf.Layer) -> bool:
-    """Whether the text holds exactly what the layer holds."""
-    parsed = Sdf.Layer.CreateAnonymous(".usda")
-    try:
-        return (
-            bool(parsed.ImportFromString(text))
-            and parsed.ExportToString() == layer.ExportToString()
-        )
-    except (Tf.ErrorException, RuntimeError, UnicodeError):
-        return False
 
 
 def _holds_layouts(roots: Sequence[str], opening: Opening, path: Path) -> bool:

@@ -184,10 +184,8 @@ def author_variant(layer: Sdf.Layer, root: str) -> Sdf.PrimSpec:
     """
     spec = _author_asset_variants(layer, Sdf.Path(root))
     if schema.VARIANTS not in spec.variantSets:
-        spec.variantSetNameList.Prepend(schema.VARIANTS)
-        variants = Sdf.VariantSetSpec(spec, schema.VARIANTS)
         for name in (schema.WITHOUT, schema.WITH):
-            Sdf.VariantSpec(variants, name)
+            _author_variant(spec, schema.VARIANTS, name)
         spec.variantSelections[schema.VARIANTS] = schema.WITH
     return layer.GetPrimAtPath(_inside(spec.path))
 
@@ -195,16 +193,20 @@ def author_variant(layer: Sdf.Layer, root: str) -> Sdf.PrimSpec:
 def _author_asset_variants(layer: Sdf.Layer, root: Sdf.Path) -> Sdf.PrimSpec:
     """The prim at a path, with the variant sets that the path names: these may stand behind a
     reference or payload."""
-    for each in root.GetPrefixes():
-        if each.IsPrimVariantSelectionPath():
-            owner = Sdf.CreatePrimInLayer(layer, each.GetParentPath())
-            name, variant = each.GetVariantSelection()
-            if name not in owner.variantSets:
-                owner.variantSetNameList.Prepend(name)
-                Sdf.VariantSetSpec(owner, name)
-            if variant not in owner.variantSets[name].variants:
-                Sdf.VariantSpec(owner.variantSets[name], variant)
+    for path in root.GetPrefixes():
+        if path.IsPrimVariantSelectionPath():
+            owner = Sdf.CreatePrimInLayer(layer, path.GetParentPath())
+            _author_variant(owner, *path.GetVariantSelection())
     return Sdf.CreatePrimInLayer(layer, root)
+
+
+def _author_variant(prim: Sdf.PrimSpec, name: str, variant: str) -> None:
+    """A variant of a set, and the set, unless they are there."""
+    if name not in prim.variantSets:
+        prim.variantSetNameList.Prepend(name)
+        Sdf.VariantSetSpec(prim, name)
+    if variant not in prim.variantSets[name].variants:
+        Sdf.VariantSpec(prim.variantSets[name], variant)
 
 
 def _inside(root: Sdf.Path) -> Sdf.Path:
