@@ -844,7 +844,7 @@ _CODES: dict[str, Code] = {
     "SOLVE_EXTRA": Code(
         "error",
         "The method needs a package that is not installed.",
-        "Install usdrigui-core[toulbar2], or use the method highs.",
+        "Install pytoulbar2, or use the method highs.",
         Exit.USAGE,
     ),
     "EXPLANATION_FAILED": Code(

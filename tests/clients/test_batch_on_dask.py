@@ -14,7 +14,7 @@ from usdrigui.clients.batch import run
 from usdrigui.clients.batch.job import Job, JobOptions
 from usdrigui.errors import RigUIError
 
-pytest.importorskip("distributed", reason="usdrigui-core[dask] is not installed")
+pytest.importorskip("distributed", reason="distributed is not installed")
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(os.name != "posix", reason="kills processes")]
 
 

@@ -10,7 +10,7 @@ from pxr import Sdf, Usd
 
 from usdrigui.cli import main
 
-pyblish_api = pytest.importorskip("pyblish.api", reason="usdrigui-core[pyblish] is not installed")
+pyblish_api = pytest.importorskip("pyblish.api", reason="pyblish-base is not installed")
 import ayon_plugins  # noqa: E402
 import pyblish.util  # noqa: E402
 

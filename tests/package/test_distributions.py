@@ -15,30 +15,28 @@ from usdrigui.cli import main
 from usdrigui.errors import Exit
 
 ROOT = Path(__file__).resolve().parents[2]
-OWN_PXR = ("usd-core", "usd-exchange", "bpy")
-FOR_DEVELOPERS = {"usd", "test", "clients", "dev"}
 
 
-def project(folder=""):
-    return tomllib.loads((ROOT / folder / "pyproject.toml").read_text())["project"]
+def pyproject(folder=""):
+    return tomllib.loads((ROOT / folder / "pyproject.toml").read_text())
 
 
-def test_the_core_never_installs_a_usd_unless_it_is_asked_to():
-    core = project()
-    extras = {name: needs for name, needs in core["optional-dependencies"].items() if name not in FOR_DEVELOPERS}
-    needed = [*core["dependencies"], *(need for needs in extras.values() for need in needs)]
-    assert not [need for need in needed if need.startswith(OWN_PXR)]
-    assert [need.partition(">")[0] for need in core["optional-dependencies"]["usd"]] == ["usd-core"]
+def test_what_everyone_installs_brings_usd():
+    assert [need for need in pyproject()["project"]["dependencies"] if need.startswith("usd-core>=")]
 
 
-def test_the_plain_distribution_is_the_core_of_its_version_with_usd():
-    core, plain = project(), project("meta")
-    version = usdrigui.__version__
-    assert plain["version"] == version
-    assert plain["dependencies"] == [f"usdrigui-core[usd]=={version}"]
-    users = set(core["optional-dependencies"]) - FOR_DEVELOPERS
-    assert plain["optional-dependencies"] == {name: [f"usdrigui-core[{name}]=={version}"] for name in users}
-    assert plain["requires-python"] == core["requires-python"]
+def test_the_variant_for_pythons_with_their_own_usd_differs_in_that_need_only():
+    plain, variant = pyproject(), pyproject("meta")
+    needs = [need for need in plain["project"]["dependencies"] if not need.startswith("usd-core")]
+    assert variant["project"]["dependencies"] == needs
+    for name in ("requires-python", "scripts", "entry-points", "license"):
+        assert variant["project"][name] == plain["project"][name]
+
+
+def test_the_variant_holds_the_same_files():
+    plain, variant = (each["tool"]["hatch"]["build"]["targets"]["wheel"] for each in (pyproject(), pyproject("meta")))
+    included = {**{name: name for name in plain["packages"]}, **plain["force-include"]}
+    assert variant["force-include"] == {f"../{source}": target for source, target in included.items()}
 
 
 def test_without_usd_a_command_ends_in_one_refusal(tmp_path):
@@ -79,8 +77,8 @@ def test_one_package_that_holds_pxr_is_fine():
     assert distributions.colliding() == ()
 
 
-def test_the_schema_distribution_needs_nothing_and_serves_beside_the_core(tmp_path):
-    schemas = project("schemas")
+def test_the_schema_distribution_needs_nothing_and_serves_beside_the_package(tmp_path):
+    schemas = pyproject("schemas")["project"]
     assert schemas["version"] == usdrigui.__version__
     assert not schemas.get("dependencies")
     built = tomllib.loads((ROOT / "schemas" / "pyproject.toml").read_text())["tool"]["hatch"]["build"]

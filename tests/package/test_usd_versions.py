@@ -34,7 +34,7 @@ def test_layers_open_without_a_word_and_handles_follow(samples, python, plugin):
 
 @pytest.mark.parametrize("python", OTHERS)
 def test_a_python_with_another_usd_writes_the_same_bytes(tmp_path, python):
-    """Where the packages that usdrigui-core needs are installed beside that USD, such as usd-exchange."""
+    """Where the packages that usdrigui needs are installed beside that USD, such as usd-exchange."""
     version = "from pxr import Usd; print(Usd.GetVersion() >= (0, 25, 11))"
     if subprocess.check_output([python, "-c", version], text=True).strip() != "True":
         pytest.skip("USD before 25.11 does not know the limits of weights")
@@ -46,7 +46,7 @@ def test_a_python_with_another_usd_writes_the_same_bytes(tmp_path, python):
         command = [interpreter, "-m", "usdrigui", "process", str(source), "-o", str(layers[-1]), "--quiet"]
         done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=300, check=False)
         if interpreter == python and "ModuleNotFoundError" in done.stderr:
-            pytest.skip(f"{python} lacks packages that usdrigui-core needs")
+            pytest.skip(f"{python} lacks packages that usdrigui needs")
         assert done.returncode == 0, done.stderr
     assert layers[0].read_bytes() == layers[1].read_bytes()
 

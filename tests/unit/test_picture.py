@@ -207,7 +207,7 @@ def test_a_picture_whose_names_are_spelt_out_says_how_to_draw_them(rig, layout, 
     )
     monkeypatch.setattr(lettering, "_fallbacks", tuple)
     (line,) = sheet.spelt_out([(rig, named)])
-    assert "usdrigui-core[fonts]" in line
+    assert "pip install weblate-fonts" in line
     assert "まばたき" in line
     assert sheet.spelt_out([(rig, layout)]) == ()
     monkeypatch.setattr(lettering, "_fallbacks", lambda: ("one.ttf",))

@@ -57,7 +57,7 @@ def spelt_out(characters: Sequence[tuple[Rig, Layout]]) -> tuple[str, ...]:
         return ()
     names = " and ".join([visible(found[0]), *(["other names"] if len(found) > 1 else [])])
     return (
-        f"pip install 'usdrigui-core[fonts]' draws the letters of {names}; without it they are"
+        f"pip install weblate-fonts draws the letters of {names}; without it they are"
         " transliterated or shown as code points",
     )
 

@@ -134,7 +134,7 @@ def run_on_dask(jobs: Sequence[Job], address: str) -> Generator[Row, None, None]
         raise refuse(
             "EXTRA_MISSING",
             "dask",
-            "dask.distributed is not installed: `pip install usdrigui-core[dask]`",
+            "dask.distributed is not installed: `pip install distributed`",
         ) from None
     try:
         client = distributed.Client(address, timeout=10, set_as_default=False)

@@ -176,8 +176,9 @@ def _cheapest(costs: Floats, twins: Indices, known: Sequence[tuple[int, Explanat
         if len(each.parts) == 1 and int(twins[who]) != int(each.parts[0]):
             rows.append(({who: 1.0, int(each.parts[0]): 1.0}, -np.inf, 1.0))
     entries = [(r, c, value) for r, (row, _, _) in enumerate(rows) for c, value in row.items()]
-    r, c, values = (np.array(each) for each in zip(*entries, strict=True))
-    table = coo_array((values, (r, c)), shape=(len(rows), columns)).tocsr()
+    r, c, values = zip(*entries, strict=True)
+    indices = np.array([r, c], dtype=np.intc)  # the only ones that HiGHS takes from scipy 1.13
+    table = coo_array((values, tuple(indices)), shape=(len(rows), columns)).tocsr()
     limits = LinearConstraint(table, [low for _, low, _ in rows], [high for _, _, high in rows])
     answer = milp(
         np.concatenate([costs, np.full(len(known), 1e-9)]),
