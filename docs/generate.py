@@ -1,9 +1,9 @@
 """Write the reference pages that are made from the source: ``python docs/generate.py [--check]``.
 
-settings.md comes from the table of settings (usdrigui/settings/parts.py), issue-codes.md from
-usdrigui/codes.py, schema.md and the table at the end of schemas/CONTRACT.md from
-schemas/generatedSchema.usda.  With ``--check`` nothing is written
-and the exit code is 1 if a page is out of date.
+settings.md comes from usdrigui/settings (parts.py and about.toml), issue-codes.md from
+usdrigui/codes.toml, schema.md and the table at the end of schemas/CONTRACT.md from
+schemas/generatedSchema.usda.  With ``--check`` nothing is written and the exit code is 1 if a page
+is out of date.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from typing import Any
 
 from pxr import Sdf
 
-from usdrigui.codes import CODES
+from usdrigui.errors import catalogue
 from usdrigui.settings import PRESETS
 from usdrigui.settings.config_sections import section_types
-from usdrigui.settings.table import About, settings_in
+from usdrigui.settings.table import About, settings_table
 
 ROOT = Path(__file__).resolve().parents[1]
 TEN = (
@@ -127,7 +127,7 @@ def codes_page() -> str:
     rows = [
         f"| `{name}` | {code.severity} | {int(code.exit) if code.severity == 'error' else 0} "
         f"| {code.meaning} | {code.repair} |\n"
-        for name, code in sorted(CODES.items())
+        for name, code in sorted(catalogue().items())
     ]
     head = "| code | severity | exit | meaning | how to repair |\n|---|---|---|---|---|\n"
     intro = (
@@ -242,9 +242,11 @@ def _parts() -> Iterator[tuple[str, Any]]:
 def _settings_rows(level: str) -> Iterator[tuple[str, str]]:
     """Each setting's key with its row of the table of a level."""
     for name, part in _parts():
-        for each, about in settings_in(part):
-            if about.level == level:
-                yield f"{name}.{each.name}", _row(f"{name}.{each.name}", each, about)
+        known = settings_table()[name.partition(".")[0]]
+        for each in dataclasses.fields(part):
+            if known[each.name].level == level:
+                key = f"{name}.{each.name}"
+                yield key, _row(key, each, known[each.name])
 
 
 def _row(key: str, each: dataclasses.Field[Any], about: About) -> str:

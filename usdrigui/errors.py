@@ -1,42 +1,23 @@
 """Every way in which usdrigui refuses or complains, by stable code.
 
-The code's entry in the catalogue (`usdrigui.codes`) has its severity and the repair of the
-cause.  Library code raises `RigUIError` (via `refuse`) for what stops the run and collects `Issue`
-records (via `issue`) for what does not.  Only `usdrigui.cli` turns either into output or an exit
-code.
+The code's entry in the catalogue (codes.toml) has its severity and the repair of the cause.
+Library code raises `RigUIError` (via `refuse`) for what stops the run and collects `Issue` records
+(via `issue`) for what does not.  Only `usdrigui.cli` turns either into output or an exit code.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Iterator, Sequence
+import tomllib
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
 from difflib import get_close_matches
+from enum import IntEnum
+from functools import cache
+from importlib.resources import files
 from pathlib import Path
-from typing import TypeVar
-
-from usdrigui.codes import CODES, Exit, Severity
-
-__all__ = [
-    "CODES",
-    "NO_LAYOUT",
-    "Exit",
-    "Faults",
-    "Issue",
-    "RigUIError",
-    "Severity",
-    "by_cause",
-    "explained",
-    "failure_json",
-    "issue",
-    "listed",
-    "meant",
-    "of_character",
-    "refuse",
-    "sentences",
-    "visible",
-]
+from typing import Literal, TypeVar
 
 _SLIP = 0.85
 """Likeness (difflib) from which a name is another with a slip of a letter."""
@@ -45,11 +26,50 @@ _SLIP = 0.85
 NO_LAYOUT = ("LAYOUT_MISSING", "LAYOUT_OFF")
 """What a stage without a layout is refused for by all that need one."""
 
-
 REPORT_FORMAT, REPORT_VERSION = "usdrigui.report", 1
 
-
 T = TypeVar("T")
+Severity = Literal["info", "warning", "error"]
+
+
+class Exit(IntEnum):
+    """Process exit codes of every command."""
+
+    OK = 0
+    """Written or unchanged; warnings allowed."""
+    REFUSED = 1
+    """The asset was refused, or `--strict` met a warning."""
+    USAGE = 2
+    """Wrong command line or configuration."""
+    FILE = 3
+    """A file could not be read or written."""
+    LIMIT = 4
+    """A time or memory limit was hit before there was a usable result."""
+    BUG = 5
+    """A bug of usdrigui."""
+
+
+@dataclass(frozen=True, slots=True)
+class Code:
+    """Catalogue entry of one issue code."""
+
+    severity: Severity
+    meaning: str
+    """One sentence, without the facts of the case."""
+    repair: str
+    """What the user can do about it."""
+    exit: Exit
+    """Exit code when the issue ends the run."""
+
+
+@cache
+def catalogue() -> Mapping[str, Code]:
+    """Every issue code with what is known of it, in the order of codes.toml."""
+    entries = tomllib.loads((files(__package__) / "codes.toml").read_text("utf-8"))
+    return {
+        code: Code(entry["severity"], entry["meaning"], entry["repair"], Exit[entry["exit"]])
+        for code, entry in entries.items()
+    }
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,7 +126,7 @@ class Faults:
 
     def add(self, issues: Iterable[Issue]) -> None:
         """Keep errors that were collected elsewhere."""
-        self._found += [RigUIError(each, CODES[each.code].exit) for each in issues]
+        self._found += [RigUIError(each, catalogue()[each.code].exit) for each in issues]
 
     @property
     def issues(self) -> tuple[Issue, ...]:
@@ -120,8 +140,8 @@ class Faults:
 
 
 def issue(code: str, path: str, message: str, character: str = "") -> Issue:
-    """Record a finding; `code` must be in `CODES`."""
-    entry = CODES[code]
+    """Record a finding; `code` must be in the catalogue."""
+    entry = catalogue()[code]
     return Issue(code, entry.severity, path, message, entry.repair, character)
 
 
@@ -132,7 +152,7 @@ def of_character(character: str, found: Iterable[Issue]) -> tuple[Issue, ...]:
 
 def refuse(code: str, path: str, message: str) -> RigUIError:
     """Build (not raise) the error for a finding that ends the run: ``raise refuse(...)``."""
-    entry = CODES[code]
+    entry = catalogue()[code]
     return RigUIError(Issue(code, "error", path, message, entry.repair), entry.exit)
 
 

@@ -24,7 +24,7 @@ from captured import called, captured
 from pxr import Sdf
 from zygote import Zygote
 
-from usdrigui.errors import CODES, Exit
+from usdrigui.errors import Exit, catalogue
 from usdrigui.usd import reader_process
 
 SECONDS = 10.0
@@ -106,7 +106,7 @@ def _code(out: bytes, exit_code: int, faults: list[str]) -> str:
         return ""
     if exit_code not in _DOCUMENTED:
         faults.append(f"exit {exit_code}: {issues[0]['message'] if issues else ''}")
-    if document["exit"] != exit_code or any(each["code"] not in CODES for each in issues):
+    if document["exit"] != exit_code or any(each["code"] not in catalogue() for each in issues):
         faults.append("exit or issue code are not the documented ones")
     if code and not issues[0]["repair"]:
         faults.append("no word on how to repair it")

@@ -10,52 +10,42 @@ from typing import Any
 
 from usdrigui.settings.parts import Settings
 
-_HOLDERS: Mapping[str, str] = types.MappingProxyType(
+_HOLDERS: Mapping[str, tuple[str, ...]] = types.MappingProxyType(
     {
-        "run": "",
-        "read": "rig",
-        "trajectories": "character",
-        "symmetry": "character",
-        "candidates": "layout",
-        "groups": "layout",
-        "objective": "layout",
-        "solve": "layout",
-        "output": "",
-        "controls": "rig",
-        "poses": "rig",
-        "joints": "rig",
-        "like": "character",
-        "levels": "layout",
-        "animation": "character",
-        "parts": "character",
+        "": ("run", "output"),
+        "rig": ("read", "controls", "poses", "joints"),
+        "character": ("trajectories", "symmetry", "parts", "like", "animation"),
+        "layout": ("candidates", "groups", "levels", "objective", "solve"),
     }
 )
-"""The field of `Settings` that holds each section, in the order in which they are documented; empty
-where `Settings` itself does."""
+"""The sections of each field of `Settings`, in the order in which they are documented; those of
+`Settings` itself under the empty name."""
 
 
 def section_types() -> dict[str, Any]:
     """By the name of each section, its type."""
-    own = typing.get_type_hints(Settings)
-    inner = {group: typing.get_type_hints(own[group]) for group in {*_HOLDERS.values()} - {""}}
-    return {name: (inner[group] if group else own)[name] for name, group in _HOLDERS.items()}
+    whole = typing.get_type_hints(Settings)
+    found: dict[str, Any] = {}
+    for holder, names in _HOLDERS.items():
+        hints = typing.get_type_hints(whole[holder]) if holder else whole
+        found |= {name: hints[name] for name in names}
+    return found
 
 
 def sections(settings: Settings) -> dict[str, Any]:
     """By the name of each section, what it holds."""
-    return {
-        name: getattr(getattr(settings, group) if group else settings, name)
-        for name, group in _HOLDERS.items()
-    }
+    found: dict[str, Any] = {}
+    for holder, names in _HOLDERS.items():
+        held = getattr(settings, holder) if holder else settings
+        found |= {name: getattr(held, name) for name in names}
+    return found
 
 
 def with_sections(settings: Settings, **changed: Any) -> Settings:
     """The settings with other sections of these names."""
-    fields: dict[str, Any] = {}
-    for name, section in changed.items():
-        if group := _HOLDERS[name]:
-            held = fields.get(group, getattr(settings, group))
-            fields[group] = replace(held, **{name: section})
-        else:
-            fields[name] = section
-    return replace(settings, **fields)
+    for holder, names in _HOLDERS.items():
+        inner = {name: changed[name] for name in names if name in changed}
+        if inner and holder:
+            inner = {holder: replace(getattr(settings, holder), **inner)}
+        settings = replace(settings, **inner)
+    return settings

@@ -5,11 +5,11 @@ from __future__ import annotations
 import types
 import typing
 from collections.abc import Mapping
-from dataclasses import MISSING, Field, is_dataclass
+from dataclasses import MISSING, Field, fields
 from typing import Any, Literal
 
 from usdrigui.settings.config_sections import section_types
-from usdrigui.settings.table import About, settings_in
+from usdrigui.settings.table import About, settings_table
 
 _TYPES = {bool: "boolean", int: "integer", float: "number", str: "string"}
 
@@ -20,28 +20,31 @@ def editor_schema() -> dict[str, Any]:
     return {
         "$schema": "http://json-schema.org/draft-07/schema#",
         "title": "Configuration of usdrigui",
-        **_table(section_types(), {}),
+        **_table({name: _section(name, kind) for name, kind in section_types().items()}),
     }
 
 
-def _part(part: Any) -> dict[str, Any]:
-    hints = typing.get_type_hints(part)
-    known = {
-        each.name: _setting(each, about, hints[each.name]) for each, about in settings_in(part)
+def _section(name: str, kind: Any) -> dict[str, Any]:
+    if typing.get_origin(kind) is Mapping:
+        return {
+            "type": "object",
+            "additionalProperties": _section(name, typing.get_args(kind)[1]),
+        }
+    hints, known = typing.get_type_hints(kind), settings_table()[name]
+    settings = {
+        each.name: _setting(each, known[each.name], hints[each.name]) for each in fields(kind)
     }
-    return _table({name: hint for name, hint in hints.items() if name not in known}, known)
+    return {**_table(settings), "description": " ".join((kind.__doc__ or "").split())}
 
 
-def _table(inner: Mapping[str, Any], known: Mapping[str, Any]) -> dict[str, Any]:
-    """Of a table with settings of `known` schemas and with others, by their types."""
-    more = {name: _schema(hint) for name, hint in inner.items()}
-    return {"type": "object", "additionalProperties": False, "properties": {**more, **known}}
+def _table(properties: dict[str, Any]) -> dict[str, Any]:
+    return {"type": "object", "additionalProperties": False, "properties": properties}
 
 
 def _setting(each: Field[Any], about: About, hint: Any) -> dict[str, Any]:
     doc = f"{about.doc} Unit: {about.unit}." if about.unit else about.doc
     found = {**_schema(hint), "description": doc}
-    if about.bounds is not None:
+    if about.bounds:
         found |= {"minimum": about.bounds[0], "maximum": about.bounds[1]}
     if each.default is not MISSING and each.default is not None:
         found["default"] = list(each.default) if isinstance(each.default, tuple) else each.default
@@ -50,8 +53,6 @@ def _setting(each: Field[Any], about: About, hint: Any) -> dict[str, Any]:
 
 def _schema(hint: Any) -> dict[str, Any]:
     """Of a type as settings are annotated."""
-    if is_dataclass(hint):
-        return {**_part(hint), "description": " ".join((hint.__doc__ or "").split())}
     origin, arguments = typing.get_origin(hint), typing.get_args(hint)
     if origin is Mapping:
         return {"type": "object", "additionalProperties": _schema(arguments[1])}
@@ -59,6 +60,6 @@ def _schema(hint: Any) -> dict[str, Any]:
         return {"type": "array", "items": _schema(arguments[0])}
     if origin is Literal:
         return {"enum": list(arguments)}
-    if origin in (types.UnionType, typing.Union):
-        return _schema(next(each for each in arguments if each is not type(None)))
+    if origin is types.UnionType:
+        return _schema(arguments[0])
     return {"type": _TYPES[hint]}

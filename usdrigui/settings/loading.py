@@ -1,5 +1,5 @@
-"""load(): settings from nested tables, every key and type checked against the parts; document():
-the way back."""
+"""load(): settings from nested tables, every key, type and value checked; document(): the way
+back."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from usdrigui.errors import Faults, RigUIError, meant, refuse
-from usdrigui.settings.bounds import bounded
+from usdrigui.settings.bounds import check_value
 from usdrigui.settings.config_sections import section_types, sections, with_sections
 from usdrigui.settings.parts import Settings
 from usdrigui.settings.presets import PRESETS
@@ -42,14 +42,25 @@ def load(
     settings, faults = Settings(), Faults()
     weakest = (_preset(preset, faults), from_environment(environment or {}, faults))
     for source in (*weakest, *sources):
-        changed = _changed(sections(settings), section_types(), source, "", faults)
+        current = sections(settings)
+        changed = _changed(current, section_types(), source, "", faults)
         settings = with_sections(settings, **changed)
-    settings = bounded(settings, faults)
     try:
         faults.raise_all()
     except RigUIError as error:
         raise UnsoundSettingsError(error, settings) from None
     return settings
+
+
+def load_beside(path: Path) -> Settings:
+    """The settings that the commands would take for an asset or its layout: the environment, and
+    ``CHAR.rigui.toml``.
+
+    Raises RigUIError CONFIG_...
+    """
+    own = path.with_suffix(".toml" if path.stem.endswith(".rigui") else ".rigui.toml")
+    sources = [read_toml(own)] if path.name and own.is_file() else []
+    return load(*sources, environment=environment_settings())
 
 
 def _preset(name: str, faults: Faults) -> Mapping[str, Any]:
@@ -59,14 +70,6 @@ def _preset(name: str, faults: Faults) -> Mapping[str, Any]:
             what = f"no preset is called {name!r}; there are {known}{meant(name, PRESETS)}"
             raise refuse("CONFIG_VALUE", "preset", what)
     return PRESETS.get(name, {})
-
-
-def _merged(base: Any, source: Mapping[str, Any], where: str, faults: Faults) -> Any:
-    """`base` (a settings dataclass) with the sound keys of `source` replaced, checked against the
-    annotations."""
-    hints = typing.get_type_hints(type(base))
-    current = {name: getattr(base, name) for name in hints}
-    return replace(base, **_changed(current, hints, source, where, faults))
 
 
 def _changed(
@@ -83,23 +86,28 @@ def _changed(
         path = f"{where}.{key}" if where else key
         with faults.collected():
             if key not in hints:
-                raise refuse("CONFIG_UNKNOWN_KEY", path, _unknown(key, hints))
-            changed[key] = _converted(current[key], hints[key], value, path, faults)
+                hint = meant(key, hints)
+                known = hint and f"there is no setting of this name{hint}"
+                raise refuse("CONFIG_UNKNOWN_KEY", path, known or f"known here: {', '.join(hints)}")
+            converted = _converted(current[key], hints[key], value, path, faults)
+            check_value(path, converted)
+            changed[key] = converted
     return changed
 
 
-def _unknown(key: str, known: Mapping[str, Any]) -> str:
-    """What a key that is no setting of a part should be."""
-    hint = meant(key, known)
-    return f"there is no setting of this name{hint}" if hint else f"known here: {', '.join(known)}"
-
-
 def _converted(current: Any, hint: Any, value: Any, path: str, faults: Faults) -> Any:
-    if is_dataclass(hint):
-        return _merged(current, _table(value, path), path, faults)
+    """`value` as a setting of an annotated type; a table changes the `current` one."""
     origin, arguments = typing.get_origin(hint), typing.get_args(hint)
-    if origin is Mapping:
-        return _mapping(current, arguments[1], _table(value, path), path, faults)
+    if origin is types.UnionType:
+        hint = arguments[0]
+    if is_dataclass(hint) or origin is Mapping:
+        if not isinstance(value, Mapping):
+            raise refuse("CONFIG_VALUE", path, f"expected a table, got {value!r}")
+        if origin is Mapping:
+            return _mapping(current, arguments[1], value, path, faults)
+        hints = typing.get_type_hints(hint)
+        held = {name: getattr(current, name) for name in hints}
+        return replace(current, **_changed(held, hints, value, path, faults))
     if origin is tuple:
         if not isinstance(value, (list, tuple)):
             raise refuse("CONFIG_VALUE", path, f"expected a list, got {value!r}")
@@ -109,15 +117,10 @@ def _converted(current: Any, hint: Any, value: Any, path: str, faults: Faults) -
         )
     if origin is Literal:
         if value not in arguments:
-            raise refuse(
-                "CONFIG_VALUE",
-                path,
-                f"expected one of {', '.join(map(repr, arguments))}, got {value!r}"
-                f"{meant(str(value), filter(None, map(str, arguments)))}",
-            )
+            allowed = ", ".join(map(repr, arguments))
+            likely = meant(str(value), filter(None, arguments))
+            raise refuse("CONFIG_VALUE", path, f"expected one of {allowed}, got {value!r}{likely}")
         return value
-    if origin in (types.UnionType, typing.Union):
-        hint = next(each for each in arguments if each is not type(None))
     return _scalar(hint, value, path)
 
 
@@ -130,12 +133,6 @@ def _mapping(
         with faults.collected():
             merged[name] = _converted(base, hint, value, f'{path}."{name}"', faults)
     return types.MappingProxyType(merged)
-
-
-def _table(value: Any, path: str) -> Mapping[str, Any]:
-    if not isinstance(value, Mapping):
-        raise refuse("CONFIG_VALUE", path, f"expected a table, got {value!r}")
-    return value
 
 
 def _scalar(hint: Any, value: Any, path: str) -> Any:
@@ -158,17 +155,4 @@ def _plain(value: Any) -> Any:
         return {each.name: _plain(getattr(value, each.name)) for each in fields(value)}
     if isinstance(value, Mapping):
         return {str(key): _plain(item) for key, item in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_plain(item) for item in value]
-    return value
-
-
-def load_beside(path: Path) -> Settings:
-    """The settings that the commands would take for an asset or its layout: the environment, and
-    ``CHAR.rigui.toml``.
-
-    Raises RigUIError CONFIG_...
-    """
-    own = path.with_suffix(".toml" if path.stem.endswith(".rigui") else ".rigui.toml")
-    sources = [read_toml(own)] if path.name and own.is_file() else []
-    return load(*sources, environment=environment_settings())
+    return [_plain(item) for item in value] if isinstance(value, tuple) else value

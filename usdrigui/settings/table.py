@@ -1,10 +1,14 @@
-"""What is known of each setting, beside its field: documentation, unit, bounds and who needs it."""
+"""What is known of each setting beside its type and default: documentation, unit, bounds and who
+needs it."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import Field, dataclass, field, fields
-from typing import Any, Literal
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from typing import Literal
 
 Level = Literal["user", "expert", "paper"]
 """``user``: somebody sees its effect in a layout; ``expert``: limits and thresholds of the stages;
@@ -16,30 +20,18 @@ class About:
     """One setting."""
 
     doc: str
-    unit: str
-    bounds: tuple[float, float] | None
+    unit: str = ""
+    bounds: Sequence[float] = ()
     """Least and largest value of a number; what lies outside has no meaning and would only fail
     later."""
-    level: Level
+    level: Level = "user"
 
 
-def setting(
-    default: Any,
-    doc: str,
-    *,
-    unit: str = "",
-    bounds: tuple[float, float] | None = None,
-    level: Level = "user",
-) -> Any:
-    """A field of a settings dataclass; a dict as default stands for an empty table."""
-    known = {"about": About(" ".join(doc.split()), unit, bounds, level)}
-    if isinstance(default, dict):
-        return field(default_factory=dict, metadata=known)
-    return field(default=default, metadata=known)
-
-
-def settings_in(part: Any) -> Iterator[tuple[Field[Any], About]]:
-    """The settings of a settings dataclass, in order."""
-    for each in fields(part):
-        if "about" in each.metadata:
-            yield each, each.metadata["about"]
+@cache
+def settings_table() -> Mapping[str, Mapping[str, About]]:
+    """By section and name, in the order of about.toml."""
+    sections = tomllib.loads((files(__package__) / "about.toml").read_text("utf-8"))
+    return {
+        section: {name: About(**known) for name, known in settings.items()}
+        for section, settings in sections.items()
+    }

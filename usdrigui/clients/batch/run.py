@@ -19,7 +19,7 @@ from typing import Any
 from usdrigui import worker
 from usdrigui.clients.batch.job import Job
 from usdrigui.clients.batch.jobs import Row, end_all, failed, run_job
-from usdrigui.errors import CODES, Exit, refuse
+from usdrigui.errors import Exit, catalogue, refuse
 
 FORMAT = "usdrigui.batch"
 VERSION = 1
@@ -168,7 +168,7 @@ def to_json(summary: Summary) -> str:
 
 def _plain(row: Row) -> dict[str, Any]:
     gap = row.gap if math.isfinite(row.gap) else None
-    repair = CODES[row.code].repair if row.code in CODES else ""
+    repair = catalogue()[row.code].repair if row.code in catalogue() else ""
     columns = {key: value for key, value in asdict(row).items() if key != "sources"}
     return {**columns, "gap": gap, "repair": repair}
 

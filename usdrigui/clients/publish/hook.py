@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from usdrigui import pipeline
-from usdrigui.errors import CODES, Issue, RigUIError, by_cause
+from usdrigui.errors import Issue, RigUIError, by_cause, catalogue
 from usdrigui.settings import Settings
 from usdrigui.settings.loading import load_beside
 from usdrigui.usd.attach import write_bare
@@ -85,4 +85,5 @@ def described(asset: Path, found: Sequence[Issue]) -> str:
 
 
 def _issue(code: str, path: str, message: str) -> Issue:
-    return Issue(code, CODES[code].severity, path, message, CODES[code].repair)
+    entry = catalogue()[code]
+    return Issue(code, entry.severity, path, message, entry.repair)

@@ -193,7 +193,7 @@ def _allowed(
     """Those `among` (p,) the moving points where the control may stand, before any pruning: one of
     each place, near what the configuration names, on the skin that its joint owns."""
     first = among & (face.trajectories.surface.places[motion.points] == motion.points)
-    near = kept_near(face, motion.control, requests, motion.points, first, settings.near_radius)
+    near = kept_near(face, motion.control, requests, motion.points, first)
     return motion.stands_on(near) | _in_the_middle(face, motion, near, settings.least_kept)
 
 

@@ -21,14 +21,7 @@ _PROXIES = 24
 """Visible points near a hidden region among which the optimiser may choose."""
 
 
-def kept_near(
-    face: Face,
-    control: int,
-    requests: Requests,
-    points: Indices,
-    among: Flags,
-    default_radius: float,
-) -> Flags:
+def kept_near(face: Face, control: int, requests: Requests, points: Indices, among: Flags) -> Flags:
     """Those `among` (p,) the `points` (p,) that are within the radius of what ``near`` names (paper
     section 6, localizable); the nearest one where none is.  Radii are in face sizes, along the
     surface.  Raises CONFIG_VALUE when ``near`` names nothing on the character."""
@@ -36,7 +29,7 @@ def kept_near(
     if not override.near or not among.any():
         return among
     apart = _distances(face, f'controls."{face.control_name(control)}".near', override.near)[points]
-    radius = (override.within or default_radius) * face.trajectories.surface.face_size
+    radius = override.within * face.trajectories.surface.face_size
     inside: Flags = among & (apart <= radius)
     if not inside.any():
         inside[first_smallest(np.where(among, apart, np.inf))] = True

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.errors import CODES, Faults, Issue, RigUIError, by_cause, issue, of_character
+from usdrigui.errors import Faults, Issue, RigUIError, by_cause, catalogue, issue, of_character
 from usdrigui.layout.face import Face
 from usdrigui.layout.place.problem import placement_problem
 from usdrigui.layout.place.terms import LinearTerms, linear_cost
@@ -143,7 +143,7 @@ def refuse_stale(
     for found in by_cause(stale):
         with faults.collected():
             if found.severity == "error":
-                raise RigUIError(found, CODES[found.code].exit)
+                raise RigUIError(found, catalogue()[found.code].exit)
     faults.raise_all()
 
 
