@@ -23,7 +23,7 @@ from pathlib import Path
 from PIL import Image
 
 from usdrigui.pipeline import load_layer, process
-from usdrigui.report import to_json
+from usdrigui.report.run_report import to_json
 from usdrigui.settings import Settings
 from usdrigui.view.picture import contact_sheet, render
 

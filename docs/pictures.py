@@ -24,7 +24,7 @@ from PIL import Image
 from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
 
 from usdrigui.pipeline import process
-from usdrigui.report import CharacterReport
+from usdrigui.report.run_report import CharacterReport
 from usdrigui.settings import load
 from usdrigui.view.picture import render
 

@@ -20,21 +20,21 @@ if TYPE_CHECKING:
     from typing import Any
 
     from usdrigui.errors import Issue, RigUIError
-    from usdrigui.inspection import Inspection
     from usdrigui.interface import OpenLayout, check, diff, inspect, open, process  # noqa: A004
     from usdrigui.pipeline import Event, LayerDifference, LayerReview
-    from usdrigui.report import Report
+    from usdrigui.report.inspection import Inspection
+    from usdrigui.report.run_report import Report
     from usdrigui.settings import Settings
     from usdrigui.settings import load as load_settings
 
 _HOMES = {
     "Event": ("usdrigui.pipeline", "Event"),
-    "Inspection": ("usdrigui.inspection", "Inspection"),
+    "Inspection": ("usdrigui.report.inspection", "Inspection"),
     "Issue": ("usdrigui.errors", "Issue"),
     "LayerDifference": ("usdrigui.pipeline", "LayerDifference"),
     "LayerReview": ("usdrigui.pipeline", "LayerReview"),
     "OpenLayout": ("usdrigui.interface", "OpenLayout"),
-    "Report": ("usdrigui.report", "Report"),
+    "Report": ("usdrigui.report.run_report", "Report"),
     "RigUIError": ("usdrigui.errors", "RigUIError"),
     "Settings": ("usdrigui.settings", "Settings"),
     "check": ("usdrigui.interface", "check"),

@@ -16,13 +16,13 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from usdrigui import pipeline
 from usdrigui.errors import meant, refuse
-from usdrigui.inspection import Inspection
-from usdrigui.markup import markup
 from usdrigui.model import Control, Element, Layout, Rig
 from usdrigui.pipeline import LayerDifference, LayerReview, Loaded, ProgressCallback
 from usdrigui.pipeline.references import ReferenceLayers
 from usdrigui.pose.evaluate import PosedLayout, evaluate, prepare, values_of
-from usdrigui.report import Report
+from usdrigui.report.inspection import Inspection
+from usdrigui.report.markup import markup
+from usdrigui.report.run_report import Report
 from usdrigui.settings import Settings
 from usdrigui.settings.loading import load_beside
 

@@ -25,8 +25,8 @@ import minimal_assets
 import numpy as np
 
 import usdrigui
-from usdrigui import distributions, pipeline, rays
-from usdrigui.cli import main, supervised
+from usdrigui import pipeline, rays, usd
+from usdrigui.cli import distributions, main, supervised
 from usdrigui.clients import blender_extension
 from usdrigui.errors import RigUIError, issue, refuse
 from usdrigui.layout.classify import classification
@@ -465,7 +465,7 @@ def _schema_gone(folder: Path, patch: Any) -> Found:
 
 def _no_usd(_: Path, patch: Any) -> Found:
     patch.setitem(sys.modules, "pxr", None)
-    return refused(distributions.require_usd)
+    return refused(usd.require_usd)
 
 
 def _two_usds(folder: Path, patch: Any) -> Found:

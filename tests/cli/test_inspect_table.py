@@ -6,9 +6,10 @@ from types import SimpleNamespace
 import pytest
 import skinned_stages
 
-from usdrigui import errors, inspection
+from usdrigui import errors
 from usdrigui.cli import main
-from usdrigui.terminal import Screen, _facts_table, _percent, _where
+from usdrigui.cli.terminal import Screen, _facts_table, _percent, _where
+from usdrigui.report import inspection
 
 
 @pytest.mark.parametrize(

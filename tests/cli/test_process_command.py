@@ -172,7 +172,8 @@ def test_help_and_version_load_nothing_heavy(argument):
 def test_a_run_loads_nothing_that_few_layouts_need():
     parts = ("scipy.stats", "scipy.interpolate", "scipy.ndimage", "PIL", "rich.console")
     code = (
-        "import sys, usdrigui.pipeline, usdrigui.terminal; from usdrigui.usd import reader_main; reader_main.load();"
+        "import sys, usdrigui.pipeline, usdrigui.cli.terminal; from usdrigui.usd import reader_main;"
+        "reader_main.load();"
         f"print([name for name in {parts} if name in sys.modules])"
     )
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "[]\n"

@@ -10,8 +10,7 @@ import tomllib
 from pathlib import Path
 
 import usdrigui
-from usdrigui import distributions
-from usdrigui.cli import main
+from usdrigui.cli import distributions, main
 from usdrigui.errors import Exit
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -15,16 +15,17 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import NoReturn
 
-from usdrigui import distributions, worker
+from usdrigui import worker
+from usdrigui.cli import distributions
 from usdrigui.cli.attaching import add_attach, add_detach
 from usdrigui.cli.laying_out import add_inspect, add_process
 from usdrigui.cli.many import add_batch, add_openjd
 from usdrigui.cli.outcomes import broken, prepare_streams, refused
 from usdrigui.cli.reviewing import add_check, add_diff
 from usdrigui.cli.showing import add_flat_picker, add_picture, add_study, add_view
+from usdrigui.cli.tables import columns, wrapped
 from usdrigui.cli.unknown_options import hint, options_of
 from usdrigui.errors import Exit, RigUIError, meant, refuse, sentences
-from usdrigui.text_lines import columns, wrapped
 from usdrigui.version import __version__
 
 

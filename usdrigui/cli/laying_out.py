@@ -15,7 +15,8 @@ from usdrigui.cli.outcomes import screen_of, strict
 from usdrigui.errors import Exit, refuse
 
 if TYPE_CHECKING:
-    from usdrigui import report, terminal
+    from usdrigui.cli import terminal
+    from usdrigui.report import run_report
     from usdrigui.usd.safe_write import Transaction
 
 
@@ -100,7 +101,7 @@ def _add_animation(parser: Any, summary: str) -> None:
 
 
 def _process(arguments: argparse.Namespace) -> Exit:
-    from usdrigui import pipeline, report
+    from usdrigui import pipeline
     from usdrigui.pipeline.references import ReferenceLayers
 
     settings = settings_of(arguments)
@@ -140,14 +141,17 @@ def _process(arguments: argparse.Namespace) -> Exit:
         )
         arguments.written = f"the layout itself is {result.outcome} {result.output}".rstrip()
     if arguments.json:
-        sys.stdout.write(report.to_json(result))
+        from usdrigui.report import run_report
+
+        sys.stdout.write(run_report.to_json(result))
     else:
         screen.report(result, written)
     return strict(result.issues, arguments)
 
 
 def _inspect(arguments: argparse.Namespace) -> Exit:
-    from usdrigui import inspection, pipeline
+    from usdrigui import pipeline
+    from usdrigui.report import inspection
 
     settings = settings_of(arguments)
     screen = screen_of(arguments)
@@ -174,15 +178,16 @@ def _progress(
 
 
 def _stage_extras(
-    arguments: argparse.Namespace, written: list[str], result: report.Report, files: Transaction
+    arguments: argparse.Namespace, written: list[str], result: run_report.Report, files: Transaction
 ) -> None:
     """Stage the report and the picture that were asked for with the layer; one line in `written`
     for each."""
-    from usdrigui import pipeline, report
+    from usdrigui import pipeline
     from usdrigui.model import levels
+    from usdrigui.report import run_report
 
     if arguments.report is not None:
-        content = report.to_json(result).encode()
+        content = run_report.to_json(result).encode()
         written.append(
             f"{pipeline.stage_file(files, content, arguments.report)} {arguments.report}"
         )

@@ -11,16 +11,16 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from usdrigui import worker
+from usdrigui.cli.tables import columns, wrapped
 from usdrigui.errors import Exit, RigUIError, failure_json, raised_at, refuse, visible
-from usdrigui.text_lines import columns, wrapped
 
 if TYPE_CHECKING:
-    from usdrigui import terminal
+    from usdrigui.cli import terminal
 
 
 def screen_of(arguments: argparse.Namespace) -> terminal.Screen:
     """Where a command shows its progress and its outcome."""
-    from usdrigui import terminal
+    from usdrigui.cli import terminal
 
     verbose = getattr(arguments, "verbose", False)
     return terminal.Screen(quiet=arguments.quiet, machine=arguments.json, verbose=verbose)

@@ -56,13 +56,14 @@ def add_diff(commands: Any) -> None:
 
 
 def _check(arguments: argparse.Namespace) -> Exit:
-    from usdrigui import pipeline, report
+    from usdrigui import pipeline
+    from usdrigui.report import run_report
 
     screen = screen_of(arguments)
     with screen.progress() as shown:
         found = pipeline.check(arguments.layer, settings_of(arguments), progress=shown)
     if arguments.json:
-        sys.stdout.write(report.review_json(found.layer, found.characters, found.issues))
+        sys.stdout.write(run_report.review_json(found.layer, found.characters, found.issues))
     else:
         screen.review(found)
     if any(each.severity == "error" for each in found.issues):
@@ -71,12 +72,15 @@ def _check(arguments: argparse.Namespace) -> Exit:
 
 
 def _diff(arguments: argparse.Namespace) -> Exit:
-    from usdrigui import pipeline, report
+    from usdrigui import pipeline
+    from usdrigui.report import run_report
 
     found = pipeline.diff(arguments.before, arguments.layer, settings_of_command_line(arguments))
     if arguments.json:
         sys.stdout.write(
-            report.difference_json(found.before, found.after, found.characters, found.only_in_one)
+            run_report.difference_json(
+                found.before, found.after, found.characters, found.only_in_one
+            )
         )
     else:
         screen_of(arguments).difference(

@@ -17,9 +17,9 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
-from usdrigui.markup import markup
 from usdrigui.model import Element, Floats, Layout, Record, Rig
 from usdrigui.pose.evaluate import PosedLayout, evaluate, prepare
+from usdrigui.report.markup import markup
 from usdrigui.view import lettering, shading
 from usdrigui.view.complexion import complexion
 from usdrigui.view.overlay import colour_of, form_of

@@ -11,7 +11,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from usdrigui.errors import Issue
-from usdrigui.inspection import AnimationFacts, TogetherFacts, UseFacts
 from usdrigui.layout.face import Face
 from usdrigui.layout.group.grouping import share_a_place
 from usdrigui.layout.motion.activity import (
@@ -24,6 +23,7 @@ from usdrigui.layout.motion.activity import (
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import Candidates, Control, Indices, Performance, Rig
+from usdrigui.report.inspection import AnimationFacts, TogetherFacts, UseFacts
 from usdrigui.settings import ControlSettings, Settings
 from usdrigui.usd.reader_process import read_performances_isolated
 from usdrigui.usd.reader_records import Opening

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from usdrigui.errors import Issue, of_character
-from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection, Likeness, PartFacts
 from usdrigui.layout.group.grouping import suggested_groups
 from usdrigui.layout.reuse.identity import names_draft
 from usdrigui.model import CandidateSet, Control, Motion
@@ -23,6 +22,7 @@ from usdrigui.pipeline.stages import (
     issues_of,
     part_problem,
 )
+from usdrigui.report.inspection import CharacterFacts, ControlFacts, Inspection, Likeness, PartFacts
 from usdrigui.settings import Settings
 from usdrigui.usd.reader_process import read_rigs_isolated
 from usdrigui.usd.reader_records import Opening

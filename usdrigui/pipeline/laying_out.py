@@ -41,7 +41,7 @@ from usdrigui.pipeline.stages import (
 )
 from usdrigui.pipeline.targets import check_replaceable, check_target, default_output
 from usdrigui.pipeline.writing import check_base, stage_layer
-from usdrigui.report import CharacterReport, Outcome, PartRow, Report, SourceRow, rows_of
+from usdrigui.report.run_report import CharacterReport, Outcome, PartRow, Report, SourceRow, rows_of
 from usdrigui.settings import Settings
 from usdrigui.settings import document as settings_document
 from usdrigui.settings.parts import OutputSettings

@@ -15,8 +15,8 @@ from importlib.resources import files
 from pathlib import Path
 
 from usdrigui.errors import refuse
-from usdrigui.markup import markup
 from usdrigui.model import Layout, Rig
+from usdrigui.report.markup import markup
 from usdrigui.view.scene import pack
 
 _NOTE = "string note = "

@@ -93,7 +93,9 @@ def loosened(
     for elements whose copies would collide at all of their better places."""
     motion = face.trajectories.motions[found.motion]
     override = requests.overrides[motion.control]
-    seen = _allowed(face, motion, requests, settings, _seen(face, motion.points, settings.space))
+    seen = _allowed(
+        face, motion, requests, settings.least_kept, _seen(face, motion.points, settings.space)
+    )
     if override.anchor or not seen.any():
         return found
     points = motion.points[seen & (motion.arc_length >= _kept(motion, seen, least))]
@@ -175,8 +177,10 @@ def _moving_places(
     """Points that the control moves and where it may stand, ascending; near what the configuration
     names."""
     everywhere = np.ones(len(motion.points), dtype=bool)
-    some = _allowed(face, motion, requests, settings, everywhere)
-    seen = _allowed(face, motion, requests, settings, _seen(face, motion.points, settings.space))
+    some = _allowed(face, motion, requests, settings.least_kept, everywhere)
+    seen = _allowed(
+        face, motion, requests, settings.least_kept, _seen(face, motion.points, settings.space)
+    )
     seen = _with_clear_handles(face, motion, requests, settings, seen)
     # A person's decision, an earlier place and the skin that a joint owns come before the meaning
     # of a name.
@@ -188,13 +192,13 @@ def _moving_places(
 
 
 def _allowed(
-    face: Face, motion: Motion, requests: Requests, settings: CandidateSettings, among: Flags
+    face: Face, motion: Motion, requests: Requests, least_kept: float, among: Flags
 ) -> Flags:
     """Those `among` (p,) the moving points where the control may stand, before any pruning: one of
     each place, near what the configuration names, on the skin that its joint owns."""
     first = among & (face.trajectories.surface.places[motion.points] == motion.points)
     near = kept_near(face, motion.control, requests, motion.points, first)
-    return motion.stands_on(near) | _in_the_middle(face, motion, near, settings.least_kept)
+    return motion.stands_on(near) | _in_the_middle(face, motion, near, least_kept)
 
 
 def _in_the_middle(face: Face, motion: Motion, near: Flags, least_kept: float) -> Flags:
@@ -214,7 +218,7 @@ def _with_clear_handles(
 ) -> Flags:
     """(p,) those `seen` at which the handle itself is seen, if one of them keeps enough of the
     displacement."""
-    clear = _allowed(face, motion, requests, settings, seen & face.clear[motion.points])
+    clear = _allowed(face, motion, requests, settings.least_kept, seen & face.clear[motion.points])
     return (
         clear
         if motion.arc_length[clear].max(initial=0.0) >= _kept(motion, seen, settings.least_kept)

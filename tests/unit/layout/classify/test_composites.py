@@ -13,7 +13,7 @@ from usdrigui.layout.classify import classification
 from usdrigui.layout.classify.basis import Basis, Explanation
 from usdrigui.layout.classify.composites import _composite, _contained, _costs, _distant, _Spreads, composites
 from usdrigui.layout.motion.similarity import DisplacementFields
-from usdrigui.report import CharacterReport, ControlRow
+from usdrigui.report.run_report import CharacterReport, ControlRow
 
 POINTS, QUADS = makers.mask()
 

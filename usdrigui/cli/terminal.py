@@ -13,9 +13,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, TextIO
 
+from usdrigui.cli.tables import Table, columns, wrapped
 from usdrigui.errors import sentences, visible
-from usdrigui.terminal_table import Table
-from usdrigui.text_lines import columns, wrapped
 
 if TYPE_CHECKING:
     from rich.status import Status
@@ -23,13 +22,13 @@ if TYPE_CHECKING:
     from usdrigui.clients.batch.jobs import Row
     from usdrigui.clients.batch.run import Summary
     from usdrigui.errors import Issue
-    from usdrigui.inspection import AnimationFacts, ControlFacts, Inspection, UseFacts
     from usdrigui.layout.reuse.identity import Matching
     from usdrigui.layout.review.difference import Change, Difference
     from usdrigui.layout.review.review import ElementReview
     from usdrigui.model import Assignment, Element
     from usdrigui.pipeline import Event, LayerReview
-    from usdrigui.report import CharacterReport, ControlRow, Report
+    from usdrigui.report.inspection import AnimationFacts, ControlFacts, Inspection, UseFacts
+    from usdrigui.report.run_report import CharacterReport, ControlRow, Report
 
 _LOG_WIDTH = 160
 """Columns where the output is not a terminal."""

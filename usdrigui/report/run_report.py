@@ -13,9 +13,9 @@ from dataclasses import asdict, dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
 from usdrigui.errors import REPORT_FORMAT, REPORT_VERSION, Exit, Issue
-from usdrigui.markup import markup
 from usdrigui.model import Assignment, Element, Floats, Layout, LeftOff, Rig
 from usdrigui.model.levels import outer_first
+from usdrigui.report.markup import markup
 
 if TYPE_CHECKING:
     import networkx as nx

@@ -1,25 +1,17 @@
-"""Which installed packages this Python has USD from: none, one, or several that overwrite each
-other's files.
+"""Which installed packages this Python has USD from: several overwrite each other's files.
 
 Nothing here imports pxr.
 """
 
 from __future__ import annotations
 
-from importlib.machinery import ModuleSpec
 from importlib.util import find_spec
 from pathlib import Path
 
-from usdrigui.errors import Issue, issue, refuse
+from usdrigui.errors import Issue, issue
 
 _OWNED = b"\npxr/Usd/__init__.py,"
 """In the list of files of every package that installs USD; some have no ``pxr/__init__.py``."""
-
-
-def require_usd() -> None:
-    """Refuse with USD_MISSING where this Python finds no pxr."""
-    if _spec() is None:
-        raise refuse("USD_MISSING", "", "this Python has no pxr")
 
 
 def colliding() -> tuple[Issue, ...]:
@@ -50,12 +42,8 @@ def _names(owners: list[Path]) -> list[str]:
 
 def _places() -> list[Path]:
     """The folders that pxr is found in."""
-    spec = _spec()
-    return [Path(each).parent for each in spec.submodule_search_locations or ()] if spec else []
-
-
-def _spec() -> ModuleSpec | None:
     try:
-        return find_spec("pxr")
+        spec = find_spec("pxr")
     except ValueError:  # an embedding program put in a module without a spec
-        return None
+        return []
+    return [Path(each).parent for each in spec.submodule_search_locations or ()] if spec else []

@@ -1,13 +1,15 @@
-"""Tables of text as wide as the terminal: what does not fit beside goes below its row, and nothing
-is lost."""
+"""Lines and tables of text as wide as the terminal: what does not fit in a row of a table goes
+below it, and nothing is lost."""
 
 from __future__ import annotations
 
+import os
+import shutil
+import textwrap
 from collections.abc import Iterator, Sequence
+from typing import TextIO
 
 from rich.cells import cell_len
-
-from usdrigui.text_lines import wrapped
 
 _GAP = 2
 """Characters between two columns."""
@@ -15,6 +17,31 @@ _INDENT = "    "
 """Before what stands below its row."""
 _LONGEST = 40
 """Characters of the first cell after which the row goes on in the next line."""
+
+
+def columns(stream: TextIO | None) -> int | None:
+    """Characters in a line of a stream: of its terminal, or ``COLUMNS``; None in a log, whose lines
+    stay whole."""
+    if os.environ.get("COLUMNS", "").isdecimal() or (stream is not None and stream.isatty()):
+        return max(shutil.get_terminal_size().columns, 1)
+    return None
+
+
+def wrapped(text: str, width: int | None, indent: str = "  ") -> list[str]:
+    """Text in lines of at most `width` characters, broken between words alone; all but the first
+    begin with `indent` more than the text itself."""
+    if width is None:
+        return [text]
+    own = text[: len(text) - len(text.lstrip())]
+    lines = textwrap.wrap(
+        text.strip(),
+        max(width, 20),
+        initial_indent=own,
+        subsequent_indent=own + indent,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+    return lines or [""]
 
 
 class Table:
