@@ -29,10 +29,12 @@ from usdrigui import pipeline, rays, usd
 from usdrigui.cli import distributions, main, supervised
 from usdrigui.clients import blender_extension
 from usdrigui.errors import RigUIError, issue, refuse
+from usdrigui.isolation import foreign_file
 from usdrigui.layout.classify import classification
 from usdrigui.layout.motion import trajectory
+from usdrigui.replacing import transaction
 from usdrigui.settings import Settings, SolveSettings
-from usdrigui.usd import layer, reader_process, rig, safe_write, schema, skeleton, source
+from usdrigui.usd import layer, reader_process, rig, schema, skeleton
 
 Found = tuple[int, list[dict[str, Any]]]
 Trigger = Callable[[Path, Any], Found]
@@ -96,9 +98,9 @@ def _impersonated(folder: Path, patch: Any, system: Any, script: str) -> None:
 
 def _changed(folder: Path, _: Any) -> Found:
     path = minimal_assets.character(folder)
-    read = source.hashed(path)
+    read = foreign_file.hashed(path)
     path.write_text(path.read_text() + "\n")
-    return refused(lambda: source.check_unchanged([read]))
+    return refused(lambda: foreign_file.check_unchanged([read]))
 
 
 def _usd_error(folder: Path, patch: Any) -> Found:
@@ -132,7 +134,7 @@ def _failing_write(number: int) -> Trigger:
             raise OSError(number, os.strerror(number))
 
         patch.setattr(os, "write", fail)
-        return refused(lambda: safe_write.commit("text", folder / "out.usda"))
+        return refused(lambda: transaction.commit("text", folder / "out.usda"))
 
     return trigger
 
@@ -323,7 +325,7 @@ def _shared(folder: Path) -> Path:
 
 
 def _busy(folder: Path, _: Any) -> Found:
-    from usdrigui.usd.replacing import editing
+    from usdrigui.replacing.exchange import editing
 
     def twice() -> None:
         with editing(folder / "char.usda", 0.0), editing(folder / "char.usda", 0.0):
@@ -333,7 +335,7 @@ def _busy(folder: Path, _: Any) -> Found:
 
 
 def _of_another_owner(folder: Path, patch: Any) -> Found:
-    patch.setattr(safe_write, "keep_attributes", lambda *_: ["group", "owner"])
+    patch.setattr(transaction, "keep_attributes", lambda *_: ["group", "owner"])
     return _attached(_bare)(folder, patch)
 
 
@@ -634,7 +636,7 @@ TRIGGERS: Mapping[str, Trigger] = {
     "FILE_WRITE": _failing_write(errno.EIO),
     "FILE_TARGET": lambda folder, _: process(folder, "", "-o", folder / "char.usda"),
     "FILE_VERIFY": lambda folder, _: refused(
-        lambda: safe_write.commit("text", folder / "out.usda", verify=lambda _: False)
+        lambda: transaction.commit("text", folder / "out.usda", verify=lambda _: False)
     ),
     "SOURCE_UNREFERABLE": lambda folder, _: refused(
         lambda: layer.relative_asset_path(folder / "a@@@b.usda", folder / "out.usda")

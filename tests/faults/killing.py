@@ -21,7 +21,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from usdrigui.usd.safe_write import commit
+from usdrigui.replacing.transaction import commit
 
 OLD, NEW = b"old\n" * 100_000, b"new\n" * 150_000
 

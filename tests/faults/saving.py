@@ -22,8 +22,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from usdrigui.errors import RigUIError
-from usdrigui.usd.replacing import replace_source
-from usdrigui.usd.source import hashed
+from usdrigui.isolation.foreign_file import hashed
+from usdrigui.replacing.exchange import Original, replace_source
 
 OLD, EDITED, SAVED = b"old\n" * 20_000, b"edited\n" * 20_000, b"mine\n" * 16_000
 
@@ -33,7 +33,7 @@ def save_during_replacements(count: int, folder: Path, seed: int = 0) -> dict[st
     asset = folder / "char.usda"
 
     def edit() -> None:
-        replace_source(EDITED, asset, OLD, before, lambda _: True)
+        replace_source(asset, Original(before, OLD), EDITED, lambda _: True)
 
     asset.write_bytes(OLD)
     before = hashed(asset)

@@ -17,10 +17,10 @@ import pytest
 from skel_stages import head
 
 from usdrigui.cli import main
+from usdrigui.isolation.foreign_file import hashed
 from usdrigui.pipeline import laying_out
 from usdrigui.settings import Settings
 from usdrigui.usd.reader_process import read_rigs_isolated
-from usdrigui.usd.source import hashed
 
 ROOT = sys.platform == "linux" and os.geteuid() == 0
 

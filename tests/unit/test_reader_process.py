@@ -19,12 +19,12 @@ from pxr import Sdf
 from skel_stages import character, head
 
 from usdrigui.errors import Exit, RigUIError
+from usdrigui.isolation.foreign_file import check_unchanged
 from usdrigui.settings import Settings, load
 from usdrigui.usd import reader_main, reader_process, serialization
 from usdrigui.usd.reader_process import read_layouts_isolated, read_rigs_isolated
 from usdrigui.usd.reader_records import Limits, Opening, Request
 from usdrigui.usd.rig import read_characters, read_rigs
-from usdrigui.usd.source import check_unchanged
 
 pytestmark = pytest.mark.usefixtures("fresh_readers")
 

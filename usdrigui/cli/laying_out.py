@@ -16,8 +16,8 @@ from usdrigui.errors import Exit, refuse
 
 if TYPE_CHECKING:
     from usdrigui.cli import terminal
+    from usdrigui.replacing.transaction import Transaction
     from usdrigui.report import run_report
-    from usdrigui.usd.safe_write import Transaction
 
 
 def add_process(commands: Any) -> None:

@@ -119,7 +119,6 @@ def add_study(commands: Any) -> None:
         metavar="CSV",
         help="the CSV files that the page saved, one for each participant",
     )
-    parser.set_defaults(light=True)
 
 
 def _study(arguments: argparse.Namespace) -> Exit:

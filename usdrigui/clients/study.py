@@ -8,6 +8,7 @@ layout off the face.
 from __future__ import annotations
 
 import csv
+import io
 import json
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -16,6 +17,7 @@ from pathlib import Path
 from statistics import fmean, stdev
 
 from usdrigui.errors import refuse
+from usdrigui.isolation.foreign_file import whole_content
 
 INTERFACES = {"list": "slider list", "beside": "on a copy", "face": "on the face"}
 """In the order of the table; the paper's second is its layout off the face."""
@@ -144,12 +146,11 @@ _ASKED = ("question", "answer")
 def _rows(path: Path) -> list[Answers]:
     """The rows of a file, all of one participant."""
     try:
-        with path.open(newline="", encoding="utf-8") as file:
-            reader = csv.DictReader(file, restval="")
-            rows: list[Answers] = [
-                {key: row.get(key) or "" for key in (*_NEEDED, *_ASKED)} for row in reader
-            ]
-            known = set(_NEEDED) <= set(reader.fieldnames or ())
+        reader = csv.DictReader(io.StringIO(whole_content(path).decode(), newline=""), restval="")
+        rows: list[Answers] = [
+            {key: row.get(key) or "" for key in (*_NEEDED, *_ASKED)} for row in reader
+        ]
+        known = set(_NEEDED) <= set(reader.fieldnames or ())
         numbers = [float(value) for row in rows for value in _numbers(row)]
     except (OSError, ValueError, csv.Error) as error:
         raise refuse("STUDY_RESULTS", str(path), f"cannot be read as results: {error}") from error

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from usdrigui.errors import Issue, explained, issue, of_character, refuse
+from usdrigui.isolation.foreign_file import SourceFile, check_unchanged
 from usdrigui.layout.reuse import existing_layout
 from usdrigui.layout.review.difference import Difference, cost_savings, difference
 from usdrigui.layout.review.shortfalls import shortfalls
@@ -41,15 +42,14 @@ from usdrigui.pipeline.stages import (
 )
 from usdrigui.pipeline.targets import check_replaceable, check_target, default_output
 from usdrigui.pipeline.writing import check_base, stage_layer
+from usdrigui.replacing.transaction import Transaction, same_file
 from usdrigui.report.run_report import CharacterReport, Outcome, PartRow, Report, SourceRow, rows_of
 from usdrigui.settings import Settings
 from usdrigui.settings import document as settings_document
 from usdrigui.settings.parts import OutputSettings
 from usdrigui.usd.reader_process import read_rigs_isolated, read_variants_isolated
 from usdrigui.usd.reader_records import Opening, ReadResult
-from usdrigui.usd.safe_write import Transaction, same_file
 from usdrigui.usd.schema import SCOPE
-from usdrigui.usd.source import SourceFile, check_unchanged
 from usdrigui.usd.variant_paths import asset_selections, with_sets
 
 if TYPE_CHECKING:

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from usdrigui.deform import posed
 from usdrigui.errors import Faults, issue, meant, of_character, refuse
+from usdrigui.isolation.foreign_file import SourceFile
 from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
 from usdrigui.layout.reuse.existing_layout import layout_of
 from usdrigui.layout.reuse.identity import Matching, match_layout, match_rigs
@@ -37,7 +38,6 @@ from usdrigui.settings import (
 )
 from usdrigui.usd.reader_process import read_composed_isolated, read_layouts_isolated
 from usdrigui.usd.reader_records import LayoutsResult, Limits, Opening
-from usdrigui.usd.source import SourceFile
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,10 +9,10 @@ from usdrigui.errors import refuse
 from usdrigui.layout.reuse.existing_layout import root_in_base
 from usdrigui.model import Rig
 from usdrigui.pipeline.targets import make_folder
+from usdrigui.replacing.transaction import Transaction, same_file
 from usdrigui.report.run_report import CharacterReport, Outcome
 from usdrigui.settings.parts import OutputSettings
 from usdrigui.usd.reader_records import LayoutsResult, ReadResult
-from usdrigui.usd.safe_write import Transaction, same_file
 
 
 def stage_layer(

@@ -3,23 +3,20 @@
 from __future__ import annotations
 
 import os
-import stat
 import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from usdrigui.errors import Faults, refuse
+from usdrigui.isolation.foreign_file import whole_content
 from usdrigui.settings.config_sections import section_types
 
 
 def read_toml(path: Path) -> dict[str, Any]:
     """Parse a configuration file; raises FILE_NOT_FOUND or CONFIG_SYNTAX."""
     try:
-        if not stat.S_ISREG(path.stat().st_mode):
-            raise refuse("FILE_NOT_FOUND", str(path), "cannot be read: it is not a regular file")
-        with path.open("rb") as stream:
-            return tomllib.load(stream)
+        return tomllib.loads(whole_content(path).decode())
     except OSError as error:
         raise refuse(
             "FILE_NOT_FOUND", str(path), f"cannot be read: {error.strerror or error}"

@@ -3,9 +3,9 @@ sublayers or payloads.
 
 `attach` puts a bare layout layer first among the sublayers of the asset's root layer, or makes it
 a payload (`usdrigui.usd.payloads`); `detach` takes it out again.  Both write through
-`usdrigui.usd.replacing`, after the edited file has been read back in a process of its own.  A text
-layer is edited in place of one entry, so that comments and layout of the text stay; if the edited
-text does not mean exactly what the edited layer means, the layer is exported instead.
+`usdrigui.replacing.exchange`, after the edited file has been read back in a process of its own.  A
+text layer is edited in place of one entry, so that comments and layout of the text stay; if the
+edited text does not mean exactly what the edited layer means, the layer is exported instead.
 """
 
 from __future__ import annotations
@@ -20,7 +20,10 @@ from typing import Literal
 from pxr import Sdf
 
 from usdrigui.errors import Issue, RigUIError, issue, listed, refuse
+from usdrigui.isolation.foreign_file import SourceFile, check_source
 from usdrigui.model import Layout, Rig
+from usdrigui.replacing.exchange import Original, editing, replace_source
+from usdrigui.replacing.transaction import commit, same_file
 from usdrigui.settings import Settings, with_sections
 from usdrigui.usd import layer_text, payloads
 from usdrigui.usd.layer import layer_bytes, relative_asset_path
@@ -30,9 +33,6 @@ from usdrigui.usd.reader_process import (
     read_rigs_isolated,
 )
 from usdrigui.usd.reader_records import Opening
-from usdrigui.usd.replacing import check_content, editing, replace_source
-from usdrigui.usd.safe_write import commit, same_file
-from usdrigui.usd.source import SourceFile, check_source
 from usdrigui.usd.stage import open_layer
 from usdrigui.usd.variant_paths import asset_selections
 
@@ -62,9 +62,9 @@ def attach(
 
     Raises RigUIError: ATTACH_PACKAGE (a usdz), ATTACH_LINK (a symbolic link), ATTACH_NOT_BARE,
     ATTACH_CYCLE, ATTACH_MISMATCH (of another character), ATTACH_OUTSIDE (a payload cannot bring
-    it), LAYOUT_MISSING, SOURCE_HAS_LAYOUT, and all that reading and `usdrigui.usd.replacing` can
-    raise.  Then nothing has been written.  A layout in a variant is attached whichever
-    the asset selects.
+    it), LAYOUT_MISSING, SOURCE_HAS_LAYOUT, and all that reading and
+    `usdrigui.replacing.exchange` can raise.  Then nothing has been written.  A layout in a
+    variant is attached whichever the asset selects.
     """
     _check_editable(asset, settings.rig.read.size_limit)
     with editing(asset, settings.rig.read.time_limit):
@@ -76,7 +76,7 @@ def detach(asset: Path, layer: Path, settings: Settings) -> Outcome:
     layer of `asset`.
 
     The other sublayers and their offsets stay as they are.  Raises ATTACH_PACKAGE, ATTACH_LINK and
-    what reading and `usdrigui.usd.replacing` can raise.
+    what reading and `usdrigui.replacing.exchange` can raise.
     """
     _check_editable(asset, settings.rig.read.size_limit)
     with editing(asset, settings.rig.read.time_limit):
@@ -265,16 +265,15 @@ def _replaced(
     edit: _Edit,
 ) -> Outcome:
     """Write the edited root layer of the asset in the format that it has."""
-    original = asset.read_bytes()
-    check_content(original, before)
+    original = Original.of(before)
     edit.of_layer(source)
-    if original.startswith(b"#usda"):
-        edited = edit.of_text(original.decode(errors="surrogateescape"))
+    if original.content.startswith(b"#usda"):
+        edited = edit.of_text(original.content.decode(errors="surrogateescape"))
         kept = layer_text.means(edited, source)
         content = edited.encode(errors="surrogateescape") if kept else layer_bytes(source, ".usda")
     else:
         content = layer_bytes(source, ".usdc")
-    replace_source(content, asset, original, before, verify)
+    replace_source(asset, original, content, verify)
     return "written"
 
 

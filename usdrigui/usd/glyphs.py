@@ -15,11 +15,11 @@ import numpy as np
 from pxr import Sdf, Usd, UsdGeom
 
 from usdrigui.errors import Faults, RigUIError, refuse
+from usdrigui.isolation.foreign_file import check_source
 from usdrigui.model import Floats, Glyph, Indices
 from usdrigui.settings import ControlSettings
 from usdrigui.usd.arrays import check_range, integers, value_at, vectors
 from usdrigui.usd.mesh import left_handed
-from usdrigui.usd.source import check_source
 from usdrigui.usd.stage import open_stage
 
 _MOST_POINTS = 1000

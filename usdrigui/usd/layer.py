@@ -32,12 +32,12 @@ from usdrigui.model import (
     Skeleton,
 )
 from usdrigui.model.levels import inner_names
+from usdrigui.replacing.transaction import State, commit, file_error
 from usdrigui.settings import OutputSettings
 from usdrigui.usd import author, schema
 from usdrigui.usd.control_api import author_control_api, author_limits
 from usdrigui.usd.drawing import DrawnElement, author_drawing, drawing_about, drawing_name, drawings
 from usdrigui.usd.drawn import drawn_parts
-from usdrigui.usd.safe_write import State, commit, file_error
 from usdrigui.usd.skin_binding import SkinBinding
 from usdrigui.version import __version__
 
@@ -76,7 +76,7 @@ def write_layout(
     """Write the layouts of one asset to `target`, atomically, over its `source`.
 
     `metadata` is `stage_metadata` of the source's root layer.  The source is sublayered by a
-    relative path unless `settings.bare`.  `write` is `safe_write.commit`, or `stage` of a
+    relative path unless `settings.bare`.  `write` is `commit`, or `stage` of a
     transaction with other files. Raises RigUIError with a FILE_ code or SOURCE_UNREFERABLE.
     """
     reference = "" if settings.bare else relative_asset_path(source, target)

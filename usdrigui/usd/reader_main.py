@@ -18,6 +18,7 @@ from typing import Any, NoReturn
 
 from usdrigui import processes
 from usdrigui.errors import Issue, RigUIError, issue, raised_at, refuse
+from usdrigui.isolation.foreign_file import SourceFile, check_unchanged, hashed
 from usdrigui.model import Performance, Rig
 from usdrigui.settings import Settings
 from usdrigui.usd import serialization
@@ -30,7 +31,6 @@ from usdrigui.usd.reader_records import (
     Request,
     Response,
 )
-from usdrigui.usd.source import SourceFile, check_unchanged, hashed
 
 _GRACE = 1.0
 """Seconds after the limit at which the alarm ends the child, should its parent not have done so."""

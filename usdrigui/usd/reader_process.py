@@ -20,6 +20,7 @@ from typing import IO, TypeVar
 
 from usdrigui import worker
 from usdrigui.errors import Exit, RigUIError, refuse
+from usdrigui.isolation.foreign_file import check_source, check_unchanged
 from usdrigui.model import Performance
 from usdrigui.processes import (
     Printed,
@@ -46,7 +47,6 @@ from usdrigui.usd.reader_records import (
     Response,
     Task,
 )
-from usdrigui.usd.source import check_source, check_unchanged
 
 _Part = TypeVar("_Part")
 

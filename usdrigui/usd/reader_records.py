@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from usdrigui.errors import Issue
+from usdrigui.isolation.foreign_file import SourceFile
 from usdrigui.model import Floats, Indices, Layout, Performance, Record, Rig
 from usdrigui.settings import ReadSettings, Settings
-from usdrigui.usd.source import SourceFile
 
 Task = Literal["rigs", "layouts", "composed", "clips", "faults", "layer", "variants"]
 

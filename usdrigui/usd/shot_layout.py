@@ -18,6 +18,7 @@ import numpy as np
 from pxr import Sdf
 
 from usdrigui.model import Element, Indices, Layout, Rig
+from usdrigui.replacing.transaction import State
 from usdrigui.usd import author, schema
 from usdrigui.usd.control_api import author_limits
 from usdrigui.usd.drawing import author_shapes
@@ -33,7 +34,6 @@ from usdrigui.usd.layer import (
     relative_asset_path,
 )
 from usdrigui.usd.reader_records import ExistingPrim, ExistingSpan
-from usdrigui.usd.safe_write import State
 from usdrigui.usd.skin_binding import PointShape, SkinBinding
 
 

@@ -14,7 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from usdrigui.errors import refuse
-from usdrigui.usd.safe_write import check_not_read, commit, file_error
+from usdrigui.isolation.foreign_file import whole_content
+from usdrigui.replacing.transaction import check_not_read, commit, file_error
 
 ABSENT = "absent"
 """Revision of a file that is not there, or is empty."""
@@ -57,7 +58,7 @@ class LiveFile:
         """What the file holds; of none that is there, nothing.  Raises RigUIError with a FILE_
         code."""
         try:
-            text = self.path.read_bytes()
+            text = whole_content(self.path, 256)
         except FileNotFoundError:
             text = b""
         except OSError as error:

@@ -15,13 +15,13 @@ from importlib.resources import files
 from pathlib import Path
 
 from usdrigui.errors import refuse
+from usdrigui.isolation.foreign_file import whole_content
 from usdrigui.model import Layout, Rig
 from usdrigui.report.markup import markup
 from usdrigui.view.scene import pack
 
 _NOTE = "string note = "
 """Stands in every review that a page saves (docs/decisions/142)."""
-_MOST_BYTES = 1 << 24
 
 _PAGE = """<!DOCTYPE html>
 <html lang="en">
@@ -77,13 +77,9 @@ def read_review(path: Path) -> str:
     """The text of a review.  Raises RigUIError REVIEW_LAYER for a file that is none, or over 16
     MB."""
     try:
-        with path.open("rb") as file:
-            content = file.read(_MOST_BYTES + 1)
-        text = content.decode("utf-8")
+        text = whole_content(path).decode()
     except (OSError, UnicodeDecodeError) as error:
         raise refuse("REVIEW_LAYER", str(path), f"cannot be read as text: {error}") from error
-    if len(content) > _MOST_BYTES:
-        raise refuse("REVIEW_LAYER", str(path), "is larger than 16 MB")
     if not text.startswith("#usda") or _NOTE not in text:
         raise refuse(
             "REVIEW_LAYER", str(path), "is not a review that Save review in the viewer wrote"

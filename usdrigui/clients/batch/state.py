@@ -9,24 +9,20 @@ were.
 from __future__ import annotations
 
 import contextlib
-import errno
 import json
 import os
-import stat
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from usdrigui.clients.batch.job import Job
 from usdrigui.errors import RigUIError
-from usdrigui.usd.safe_write import commit
-from usdrigui.usd.source import hashed
+from usdrigui.isolation.foreign_file import hashed, whole_content
+from usdrigui.replacing.transaction import commit
 from usdrigui.version import __version__
 
 FORMAT = "usdrigui.batch.state"
 VERSION = 1
-_SIZE = 16 << 20
-"""Bytes that such a file may have."""
 
 
 def state_path(output: str) -> Path:
@@ -38,7 +34,7 @@ def recall(job: Job) -> dict[str, Any] | None:
     """The row of the last batch, if laying out again would give the same; else None, whatever the
     file holds."""
     try:
-        known = json.loads(_content(state_path(job.output)))
+        known = json.loads(whole_content(state_path(job.output)))
         about = _about(job, known["sources"])
         if not job.picture:
             about["picture"] = known["about"][
@@ -51,14 +47,6 @@ def recall(job: Job) -> dict[str, Any] | None:
         )
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return None
-
-
-def _content(path: Path) -> bytes:
-    """What a small regular file holds; raises OSError for what is none."""
-    found = path.stat()
-    if not stat.S_ISREG(found.st_mode) or found.st_size > _SIZE:
-        raise OSError(errno.EINVAL, "is not a record that a batch wrote", str(path))
-    return path.read_bytes()
 
 
 def remember(job: Job, sources: Sequence[Mapping[str, str]], row: Mapping[str, Any]) -> None:

@@ -1,4 +1,4 @@
-"""The files that a run reads: what is let in, what they were, and whether they still are.
+"""The door for every file that a run reads: what is let in, what it was, and whether it still is.
 
 No pxr here: this runs in the process that must survive whatever the files hold.
 """
@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import errno
 import hashlib
+import io
 import os
 import stat
 from collections.abc import Iterable
@@ -16,6 +17,12 @@ from pathlib import Path
 from usdrigui.errors import refuse
 
 _LFS_POINTER = b"version https://git-lfs"
+_ACCESS = os.O_RDONLY
+for _name in ("O_NONBLOCK", "O_CLOEXEC", "O_BINARY"):
+    _ACCESS |= getattr(os, _name, 0)
+_MOST = 16
+"""MiB of a file that is read into memory whole: settings, reviews, results of a study, what a batch
+remembers."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +37,32 @@ class SourceFile:
     """Hex digest."""
 
 
+def open_regular(path: Path | str) -> io.BufferedReader:
+    """A regular file, open for reading.
+
+    Raises OSError, for a folder, pipe, socket or device too: a pipe would keep us waiting, a
+    device has no end.
+    """
+    descriptor = os.open(path, _ACCESS)
+    try:
+        kind = _kind(os.fstat(descriptor).st_mode)
+        if kind:
+            raise OSError(errno.EINVAL, f"is {kind}", str(path))
+        return os.fdopen(descriptor, "rb")
+    except BaseException:
+        os.close(descriptor)
+        raise
+
+
+def whole_content(path: Path | str, most: int = _MOST) -> bytes:
+    """What a regular file of at most `most` MiB holds; raises OSError."""
+    with open_regular(path) as stream:
+        found = stream.read((most << 20) + 1)
+    if len(found) > most << 20:
+        raise OSError(errno.EFBIG, f"has more than {most} MiB", str(path))
+    return found
+
+
 def check_source(path: Path, size_limit: int) -> SourceFile:
     """Look at a file before USD does, and remember its content.
 
@@ -41,21 +74,16 @@ def check_source(path: Path, size_limit: int) -> SourceFile:
     except UnicodeEncodeError:
         raise refuse("FILE_NAME", ascii(str(path.absolute())), "the name is not UTF-8") from None
     try:
-        found = path.stat()
-        if not stat.S_ISREG(found.st_mode):
-            raise refuse("SOURCE_NOT_A_FILE", str(path), f"is {_kind(found.st_mode)}")
-        if found.st_size > size_limit << 20:
-            raise refuse(
-                "SOURCE_TOO_LARGE",
-                str(path),
-                f"has {found.st_size >> 20} MiB, more than {size_limit}",
-            )
-        with path.open("rb") as stream:
-            pointer = stream.read(len(_LFS_POINTER)) == _LFS_POINTER
-        if pointer:
-            raise refuse(
-                "SOURCE_LFS_POINTER", str(path), "holds the address of the file, not the file"
-            )
+        if kind := _kind(path.stat().st_mode):
+            raise refuse("SOURCE_NOT_A_FILE", str(path), f"is {kind}")
+        with open_regular(path) as stream:
+            size = os.fstat(stream.fileno()).st_size
+            if size > size_limit << 20:
+                message = f"has {size >> 20} MiB, more than {size_limit}"
+                raise refuse("SOURCE_TOO_LARGE", str(path), message)
+            if stream.read(len(_LFS_POINTER)) == _LFS_POINTER:
+                message = "holds the address of the file, not the file"
+                raise refuse("SOURCE_LFS_POINTER", str(path), message)
         return hashed(path)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
@@ -65,11 +93,7 @@ def check_source(path: Path, size_limit: int) -> SourceFile:
 def hashed(path: Path | str) -> SourceFile:
     """Size and digest of a regular file as it is now; raises OSError."""
     absolute = os.path.realpath(path)
-    # A pipe would keep us waiting, a device has no end.
-    if not stat.S_ISREG(os.stat(absolute).st_mode):  # noqa: PTH116
-        raise OSError(errno.EINVAL, "is not a regular file", absolute)
-    # Paths here may hold bytes that are not text.
-    with open(absolute, "rb") as stream:  # noqa: PTH123
+    with open_regular(absolute) as stream:
         digest = hashlib.file_digest(stream, "sha256")
         return SourceFile(absolute, stream.tell(), digest.hexdigest())
 
@@ -77,9 +101,9 @@ def hashed(path: Path | str) -> SourceFile:
 def check_unchanged(sources: Iterable[SourceFile]) -> None:
     """Refuse with SOURCE_CHANGED if any of the files differs from what was read; call it before a
     commit."""
-    for each in sources:
-        if not _same(each):
-            raise refuse("SOURCE_CHANGED", each.path, "is not the file that was read")
+    for source in sources:
+        if not _same(source):
+            raise refuse("SOURCE_CHANGED", source.path, "is not the file that was read")
 
 
 def _same(source: SourceFile) -> bool:
@@ -90,5 +114,8 @@ def _same(source: SourceFile) -> bool:
 
 
 def _kind(mode: int) -> str:
+    """What a file is that is no regular one; empty for a regular one."""
+    if stat.S_ISREG(mode):
+        return ""
     kinds = {stat.S_ISDIR: "a folder", stat.S_ISFIFO: "a pipe", stat.S_ISSOCK: "a socket"}
     return next((name for test, name in kinds.items() if test(mode)), "a device")

@@ -1,8 +1,10 @@
-"""usdrigui.usd.replacing: an edited source takes the place of what was read, and of nothing else."""
+"""usdrigui.replacing.exchange: an edited source takes the place of what was read, and of nothing else."""
 
 from __future__ import annotations
 
 import os
+import signal
+import subprocess
 import sys
 import threading
 from pathlib import Path
@@ -10,9 +12,9 @@ from pathlib import Path
 import pytest
 
 from usdrigui.errors import RigUIError
-from usdrigui.usd import replacing, safe_write, temporaries
-from usdrigui.usd.replacing import editing, replace_source
-from usdrigui.usd.source import hashed
+from usdrigui.isolation.foreign_file import hashed
+from usdrigui.replacing import attributes, exchange, temporaries
+from usdrigui.replacing.exchange import Original, editing, replace_source
 
 OLD, EDITED = b"#usda 1.0\n" * 100, b"#usda 1.0 edited\n" * 100
 ONE, TWO = b"somebody's save\n", b"and another save\n"
@@ -31,7 +33,7 @@ def edited(asset: Path, verify=lambda _: True) -> str:
     """The code with which the edit is refused, or nothing."""
     before = hashed(asset)
     try:
-        replace_source(EDITED, asset, OLD, before, verify)
+        replace_source(asset, Original(before, OLD), EDITED, verify)
     except RigUIError as error:
         return error.issue.code
     return ""
@@ -49,19 +51,19 @@ def alone(asset: Path) -> bool:
 
 def exchanges(monkeypatch, asset, *, before=(), after=()):
     """Saves that come just before or just after the first, second ... exchange."""
-    exchange, calls = replacing._exchange, []
+    swap, calls = exchange._exchange, []
 
     def busy(first, second):
         calls.append(second)
         number = len(calls) - 1
         if number < len(before) and before[number]:
             save(asset, before[number])
-        done = exchange(first, second)
+        done = swap(first, second)
         if number < len(after) and after[number]:
             save(asset, after[number])
         return done
 
-    monkeypatch.setattr(replacing, "_exchange", busy)
+    monkeypatch.setattr(exchange, "_exchange", busy)
     return calls
 
 
@@ -110,14 +112,14 @@ def test_a_file_that_a_program_has_open_for_writing_is_left_to_it(asset):
 
 @linux
 def test_a_program_that_opens_the_file_at_the_last_moment_keeps_it(asset, monkeypatch):
-    exchange, opened = replacing._exchange, []
+    swap, opened = exchange._exchange, []
 
     def busy(first, second):
         if not opened:
             opened.append(asset.open("r+b"))
-        return exchange(first, second)
+        return swap(first, second)
 
-    monkeypatch.setattr(replacing, "_exchange", busy)
+    monkeypatch.setattr(exchange, "_exchange", busy)
     assert edited(asset) == "ATTACH_BUSY"
     with opened[0] as stream:
         stream.write(ONE)
@@ -126,7 +128,7 @@ def test_a_program_that_opens_the_file_at_the_last_moment_keeps_it(asset, monkey
 
 @pytest.mark.parametrize("save_first", [True, False])
 def test_where_files_cannot_change_places_the_last_comparison_decides(asset, monkeypatch, save_first):
-    monkeypatch.setattr(replacing, "_exchange", lambda *_: save(asset, ONE) if save_first else None)
+    monkeypatch.setattr(exchange, "_exchange", lambda *_: save(asset, ONE) if save_first else None)
     assert edited(asset) == ("SOURCE_CHANGED" if save_first else "")
     assert asset.read_bytes() == (ONE if save_first else EDITED)
     assert alone(asset)
@@ -136,18 +138,48 @@ def test_where_files_cannot_change_places_the_last_comparison_decides(asset, mon
 def test_a_save_that_a_kill_left_under_the_name_of_a_temporary_is_not_swept(asset):
     """The kill came between the exchange and the look at what came out."""
     for content, swept in ((OLD, True), (EDITED, True), (ONE, False)):
-        path, descriptor = temporaries.create(asset.parent, ".usda", temporaries.swap_name(OLD, EDITED))
+        made, descriptor = temporaries.create(asset.parent, ".usda")
+        path = made.rename(temporaries.name_for_exchange(made, OLD, EDITED))
         path.write_bytes(content)
         os.close(descriptor)
         temporaries.sweep(asset.parent)
         assert path.exists() is not swept
 
 
+@pytest.mark.parametrize("end", ["the disk is full", "killed"])
+def test_what_is_left_of_a_new_file_that_was_not_complete_goes(asset, end):
+    """Half of it is neither the old nor the new content, and nobody's save."""
+    script = f"""
+import os, signal
+from pathlib import Path
+from usdrigui.errors import RigUIError
+from usdrigui.isolation.foreign_file import hashed
+from usdrigui.replacing.exchange import Original, replace_source
+asset, write = Path({str(asset)!r}), os.write
+def half(descriptor, content):
+    write(descriptor, content[: len(content) // 2])
+    if {end == "killed"}:
+        os.kill(os.getpid(), signal.SIGKILL)
+    raise OSError(28, "No space left on device")
+os.write = half
+try:
+    replace_source(asset, Original.of(hashed(asset)), {EDITED!r}, lambda _: True)
+except RigUIError as error:
+    print(error.issue.code)
+"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+    assert (done.stdout, done.returncode) == (("", -signal.SIGKILL) if end == "killed" else ("FILE_FULL\n", 0))
+    assert alone(asset) is (end != "killed")
+    assert asset.read_bytes() == OLD
+    temporaries.sweep(asset.parent)
+    assert alone(asset)
+
+
 def test_an_interruption_after_the_exchange_gives_the_old_file_back(asset, monkeypatch):
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(replacing, "check_content", interrupted)
+    monkeypatch.setattr(exchange, "_check_content", interrupted)
     with pytest.raises(KeyboardInterrupt):
         edited(asset)
     assert asset.read_bytes() == OLD
@@ -167,7 +199,7 @@ def test_what_cannot_be_kept_is_refused(asset, monkeypatch, call):
         raise PermissionError(1, "not permitted")
 
     if call == "fchown":
-        monkeypatch.setattr(safe_write, "_attributes", lambda _: {})
+        monkeypatch.setattr(attributes, "_attributes", lambda _: {})
         stat = Path.stat
         fields = list(asset.stat())
         fields[4] += 1
@@ -175,7 +207,7 @@ def test_what_cannot_be_kept_is_refused(asset, monkeypatch, call):
             Path, "stat", lambda path, **how: os.stat_result(fields) if path == asset else stat(path, **how)
         )
     else:
-        monkeypatch.setattr(safe_write, "_attributes", lambda file: {"user.task": b"rig"} if file == asset else {})
+        monkeypatch.setattr(attributes, "_attributes", lambda file: {"user.task": b"rig"} if file == asset else {})
     monkeypatch.setattr(os, call, denied)
     assert edited(asset) == "ATTACH_ATTRIBUTES"
     monkeypatch.undo()

@@ -1,4 +1,4 @@
-"""usdrigui.usd.safe_write: whatever fails, the old or the new file is there, complete, and nothing else."""
+"""usdrigui.replacing.transaction: whatever fails, the old or the new file is there, complete, and nothing else."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from pathlib import Path
 import pytest
 
 from usdrigui.errors import Exit, RigUIError, refuse
-from usdrigui.usd import temporaries
-from usdrigui.usd.safe_write import Transaction, commit
+from usdrigui.replacing import temporaries
+from usdrigui.replacing.transaction import Transaction, commit
 
 OLD = b"the old layer\n" * 1000
 NEW = b"the new layer\n" * 2000
@@ -140,7 +140,7 @@ def test_a_real_size_limit_leaves_the_old_file(target):
 import resource, signal
 from pathlib import Path
 from usdrigui.errors import RigUIError
-from usdrigui.usd.safe_write import commit
+from usdrigui.replacing.transaction import commit
 signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 resource.setrlimit(resource.RLIMIT_FSIZE, (10000, 10000))
 try:
@@ -296,7 +296,7 @@ def test_a_temporary_is_claimed_for_as_long_as_it_is_checked(target):
 
 
 def test_a_temporary_that_is_swept_before_it_is_claimed_is_made_again(target, monkeypatch):
-    claim, seen = temporaries.claim, []
+    claim, seen = temporaries._claimed, []
 
     def late(descriptor, path):
         seen.append(path)
@@ -304,7 +304,7 @@ def test_a_temporary_that_is_swept_before_it_is_claimed_is_made_again(target, mo
             temporaries.sweep(path.parent)
         return claim(descriptor, path)
 
-    monkeypatch.setattr(temporaries, "claim", late)
+    monkeypatch.setattr(temporaries, "_claimed", late)
     assert commit(NEW, target) == "written"
     assert len(seen) == 2
     assert target.read_bytes() == NEW
@@ -358,7 +358,7 @@ def test_a_kill_between_two_renames_leaves_the_layer_with_its_report_or_the_laye
     script = f"""
 import os, signal
 from pathlib import Path
-from usdrigui.usd.safe_write import Transaction
+from usdrigui.replacing.transaction import Transaction
 folder = Path({str(tmp_path)!r})
 replace = Path.replace
 def killed(path, other):
@@ -433,7 +433,7 @@ def test_killed_runs_leave_the_old_or_the_new_file(target):
     """A writer is killed at random moments; the next one sweeps what it left."""
     script = f"""
 from pathlib import Path
-from usdrigui.usd.safe_write import commit
+from usdrigui.replacing.transaction import commit
 target = Path({str(target)!r})
 print("ready", flush=True)
 for i in range(10**6):

@@ -3,7 +3,7 @@
 A temporary file in the target's folder is written, synced, read back and checked, and then renamed
 over the target; the rename is atomic on every file system worth the name, and the folder is synced
 after it. Whatever fails, the old file stays byte for byte and no temporary stays behind; those of
-runs that were killed are swept by the next run (`usdrigui.usd.temporaries`).
+runs that were killed are swept by the next run (`usdrigui.replacing.temporaries`).
 """
 
 from __future__ import annotations
@@ -19,7 +19,8 @@ from typing import Literal, Self
 
 from usdrigui import worker
 from usdrigui.errors import RigUIError, refuse
-from usdrigui.usd import temporaries
+from usdrigui.replacing import temporaries
+from usdrigui.replacing.attributes import keep_attributes, mode_of
 
 State = Literal["written", "unchanged"]
 Verify = Callable[[Path], bool]
@@ -70,8 +71,8 @@ class Transaction:
         return self
 
     def __exit__(self, *exc: object) -> None:
-        for each in self._staged:
-            each.discard()
+        for staged in self._staged:
+            staged.discard()
 
     def stage(self, content: str | bytes, target: Path, *, verify: Verify | None = None) -> State:
         """Prepare `target` to hold `content` (text as UTF-8); ``unchanged`` if it does already.
@@ -95,7 +96,13 @@ class Transaction:
             temporaries.sweep(place.parent)
             if _holds(place, wanted):
                 return "unchanged"
-            self._staged.append(write_beside(place, wanted, target, verify))
+            staged = Staged.beside(place, target)
+            try:
+                staged.fill(wanted, verify)
+            except BaseException:
+                staged.discard()
+                raise
+            self._staged.append(staged)
         except OSError as error:
             raise file_error(target, error) from error
         return "written"
@@ -107,17 +114,17 @@ class Transaction:
         Raises RigUIError with one of the FILE_ codes; then the files that had theirs already have
         given them back.
         """
-        targets = [str(each.target) for each in self._staged]
+        targets = [str(staged.target) for staged in self._staged]
         with worker.committing(targets), contextlib.ExitStack() as placed:
-            for each in reversed(self._staged):
-                placed.enter_context(_placed(each, undo=len(self._staged) > 1))
-        for folder in dict.fromkeys(each.place.parent for each in self._staged):
+            for staged in reversed(self._staged):
+                placed.enter_context(_placed(staged, undo=len(self._staged) > 1))
+        for folder in dict.fromkeys(staged.place.parent for staged in self._staged):
             sync_folder(folder)
 
 
 @dataclass(frozen=True, slots=True)
 class Staged:
-    """A file that is written and checked, beside the one that it is to replace."""
+    """A file beside the one that it is to replace, under the name of a temporary."""
 
     path: Path
     descriptor: int
@@ -126,6 +133,26 @@ class Staged:
     """What is replaced, behind all links."""
     target: Path
     """As it was asked for."""
+
+    @classmethod
+    def beside(cls, place: Path, target: Path) -> Staged:
+        """An empty one, to be discarded whatever comes; raises OSError."""
+        return cls(*temporaries.create(place.parent, place.suffix), place, target)
+
+    def fill(self, wanted: bytes, verify: Verify | None) -> list[str]:
+        """Write it, check it, and make it last; returns the attributes of the old file that it
+        could not be given.
+
+        Raises OSError and FILE_VERIFY.
+        """
+        mode, rest = mode_of(self.place), memoryview(wanted)
+        while rest:
+            rest = rest[os.write(self.descriptor, rest) :]
+        lost = keep_attributes(self.descriptor, self.place, mode)
+        os.fsync(self.descriptor)
+        if self.path.read_bytes() != wanted or not _accepted(verify, self.path):
+            raise refuse("FILE_VERIFY", str(self.target), "the new file does not read back")
+        return lost
 
     def discard(self) -> None:
         """Remove the file, unless it has taken its place."""
@@ -138,9 +165,9 @@ class Staged:
 def check_not_read(targets: Iterable[Path], read: Iterable[Path | str]) -> None:
     """Refuse an output that is, by whatever name or link, a file that the run reads; raises
     FILE_TARGET."""
-    known = {key: each for each in read for key in _identities(each)}
+    known = {key: path for path in read for key in _identities(path)}
     for target in targets:
-        for key in known.keys() & set(_identities(target)):
+        for key in known.keys() & _identities(target):
             raise refuse(
                 "FILE_TARGET",
                 str(target),
@@ -151,24 +178,34 @@ def check_not_read(targets: Iterable[Path], read: Iterable[Path | str]) -> None:
 def same_file(first: Path | str, second: Path | str) -> bool:
     """Whether two names lead to one file, through links, hard links and other cases too; neither
     need exist."""
-    return not set(_identities(first)).isdisjoint(_identities(second))
+    return not _identities(first).isdisjoint(_identities(second))
 
 
-def _identities(path: Path | str) -> tuple[object, ...]:
+def _identities(path: Path | str) -> set[object]:
     """What a file has in common with its other names: the place behind all links and, if it exists,
     its inode."""
     place = os.path.realpath(path)
     try:
-        found = os.stat(place)  # noqa: PTH116 (names may hold bytes that are not text)
+        status = os.stat(place)  # noqa: PTH116 (names may hold bytes that are not text)
     except (OSError, ValueError):
-        return (place,)
-    return (place, (found.st_dev, found.st_ino))
+        return {place}
+    return {place, (status.st_dev, status.st_ino)}
 
 
 def file_error(target: Path, error: OSError) -> RigUIError:
     """The refusal that an operating-system error on the way to `target` calls for."""
     reason = error.strerror or type(error).__name__
     return refuse(_CODES.get(error.errno or 0, "FILE_WRITE"), str(target), reason)
+
+
+def sync_folder(folder: Path) -> None:
+    """Make the rename last; file systems that cannot sync folders have nothing to make last."""
+    with contextlib.suppress(OSError):
+        descriptor = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
 
 
 # --- one file -------------------------------------------------------------------------------------
@@ -191,40 +228,14 @@ def _holds(place: Path, wanted: bytes) -> bool:
     return place.is_file() and place.stat().st_size == len(wanted) and place.read_bytes() == wanted
 
 
-def write_beside(
-    place: Path,
-    wanted: bytes,
-    target: Path,
-    verify: Verify | None,
-    *,
-    original: bytes | None = None,
-) -> Staged:
-    """The new file, complete and checked, under the name of a temporary.
-
-    With `original`, the content of the source that it is to be swapped with, it must have all
-    attributes of that one. Raises OSError, FILE_VERIFY and ATTACH_ATTRIBUTES.
-    """
-    mode = _mode(place)
-    digests = "" if original is None else temporaries.swap_name(original, wanted)
-    staged = Staged(*temporaries.create(place.parent, place.suffix, digests), place, target)
+def _accepted(verify: Verify | None, path: Path) -> bool:
+    """The checker's answer; a checker that raises something of its own does not accept."""
     try:
-        _write(staged.descriptor, wanted)
-        lost = keep_attributes(staged.descriptor, place, mode)
-        if lost and original is not None:
-            raise refuse(
-                "ATTACH_ATTRIBUTES",
-                str(target),
-                f"the new file cannot have the same {', '.join(lost)}",
-            )
-        os.fsync(staged.descriptor)
-        if staged.path.read_bytes() != wanted or (
-            verify is not None and not _accepted(verify, staged.path)
-        ):
-            raise refuse("FILE_VERIFY", str(target), "the new file does not read back")
-    except BaseException:
-        staged.discard()
+        return verify is None or verify(path)
+    except (RigUIError, OSError):
         raise
-    return staged
+    except Exception:
+        return False
 
 
 @contextlib.contextmanager
@@ -248,7 +259,8 @@ def _placed(staged: Staged, *, undo: bool) -> Iterator[None]:
         raise
     finally:
         if old is not None:
-            old.unlink(missing_ok=True)
+            with contextlib.suppress(OSError):
+                old.unlink()
 
 
 def _second_name(place: Path) -> Path | None:
@@ -260,92 +272,3 @@ def _second_name(place: Path) -> Path | None:
     except OSError:
         return None
     return second
-
-
-def keep_attributes(descriptor: int, place: Path, mode: int) -> list[str]:
-    """Give a new file the owner, group, extended attributes (access lists among them) and mode of
-    the one at `place`.
-
-    Returns the names of what it could not be given.  `security.` attributes are for the
-    system to decide.
-    """
-    lost = []
-    if place.exists() and hasattr(os, "fchown"):
-        old, new = place.stat(), os.fstat(descriptor)
-        for name, owner in (("owner", (old.st_uid, -1)), ("group", (-1, old.st_gid))):
-            if (new.st_uid if name == "owner" else new.st_gid) not in owner:
-                lost += _failed(name, os.fchown, descriptor, *owner)
-    if place.exists() and hasattr(os, "listxattr"):
-        theirs, ours = _attributes(place), _attributes(descriptor)
-        for name in theirs.keys() | ours.keys():
-            if name in theirs and theirs[name] != ours.get(name):
-                lost += _failed(name, os.setxattr, descriptor, name, theirs[name])
-            elif name not in theirs:
-                lost += _failed(name, os.removexattr, descriptor, name)
-    if hasattr(os, "fchmod"):
-        os.fchmod(descriptor, mode)
-    return sorted(lost)
-
-
-def _attributes(file: Path | int) -> dict[str, bytes]:
-    try:
-        return {
-            each: os.getxattr(file, each)
-            for each in os.listxattr(file)
-            if not each.startswith("security.")
-        }
-    except OSError:  # a file system without any
-        return {}
-
-
-def _failed(name: str, call: Callable[..., None], *arguments: object) -> list[str]:
-    try:
-        call(*arguments)
-    except OSError:
-        return [name]
-    return []
-
-
-def _mode(place: Path) -> int:
-    """Permission bits for the new file: those of the old one, which must be writable, or the
-    default."""
-    if not place.exists():
-        mask = os.umask(0)
-        os.umask(mask)
-        return 0o666 & ~mask
-    if not os.access(place, os.W_OK):
-        # A rename would succeed all the same, over a file that somebody has locked.
-        number = errno.EROFS if _is_read_only(place) else errno.EACCES
-        raise OSError(number, os.strerror(number), str(place))
-    return stat.S_IMODE(place.stat().st_mode)
-
-
-def _is_read_only(place: Path) -> bool:
-    """Whether it is the file system, not the file, that forbids writing."""
-    return hasattr(os, "statvfs") and bool(os.statvfs(place).f_flag & os.ST_RDONLY)
-
-
-def _write(descriptor: int, content: bytes) -> None:
-    view = memoryview(content)
-    while view:
-        view = view[os.write(descriptor, view) :]
-
-
-def _accepted(verify: Verify, path: Path) -> bool:
-    """The checker's answer; a checker that raises something of its own does not accept."""
-    try:
-        return verify(path)
-    except (RigUIError, OSError):
-        raise
-    except Exception:
-        return False
-
-
-def sync_folder(folder: Path) -> None:
-    """Make the rename last; file systems that cannot sync folders have nothing to make last."""
-    with contextlib.suppress(OSError):
-        descriptor = os.open(folder, os.O_RDONLY)
-        try:
-            os.fsync(descriptor)
-        finally:
-            os.close(descriptor)

@@ -19,13 +19,14 @@ import signal
 import sys
 import time
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from usdrigui import worker
 from usdrigui.errors import refuse
-from usdrigui.usd import temporaries
-from usdrigui.usd.safe_write import Staged, Verify, file_error, sync_folder, write_beside
-from usdrigui.usd.source import SourceFile, check_unchanged
+from usdrigui.isolation.foreign_file import SourceFile, check_unchanged, open_regular
+from usdrigui.replacing import temporaries
+from usdrigui.replacing.transaction import Staged, Verify, file_error, sync_folder
 
 _PAUSE = 0.05
 """Seconds between two attempts to take the lock."""
@@ -49,38 +50,46 @@ def editing(asset: Path, seconds: float) -> Iterator[None]:
         os.close(descriptor)
 
 
-def check_content(content: bytes, before: SourceFile) -> None:
-    """Refuse with SOURCE_CHANGED content that is not that of the file that was read."""
-    if hashlib.sha256(content).hexdigest() != before.sha256:
-        raise refuse("SOURCE_CHANGED", before.path, "is not the file that was read")
+@dataclass(frozen=True, slots=True)
+class Original:
+    """A source as it was read."""
+
+    file: SourceFile
+    content: bytes
+
+    @classmethod
+    def of(cls, file: SourceFile) -> Original:
+        """With the content that it must still have; raises SOURCE_CHANGED and OSError."""
+        with open_regular(file.path) as stream:
+            content = stream.read(file.size + 1)
+        _check_content(content, file)
+        return cls(file, content)
 
 
-def replace_source(
-    content: bytes, asset: Path, original: bytes, before: SourceFile, verify: Verify
-) -> None:
-    """Let `content` take the place of `asset`, which must still hold `original`, the content of
-    `before`.
+def replace_source(asset: Path, original: Original, content: bytes, verify: Verify) -> None:
+    """Let `content` take the place of `asset`, which must still be `original`.
 
     At every moment one of the two, or a save that came meanwhile, is there complete.  Owner,
     group, mode, access list and other attributes are kept.  Raises SOURCE_CHANGED, ATTACH_BUSY (a
     program has the file open for writing), ATTACH_HARD_LINK, ATTACH_ATTRIBUTES and the FILE_ codes;
     then the asset is as it was, or as somebody saved it.
     """
-    place = Path(before.path)
+    place = Path(original.file.path)
     try:
-        if place.stat().st_nlink > 1:
-            raise refuse(
-                "ATTACH_HARD_LINK",
-                str(asset),
-                f"is one of {place.stat().st_nlink} names of its file",
-            )
+        names = place.stat().st_nlink
+        if names > 1:
+            raise refuse("ATTACH_HARD_LINK", str(asset), f"is one of {names} names of its file")
         temporaries.sweep(place.parent)
-        staged = write_beside(place, content, asset, verify, original=original)
+        staged = Staged.beside(place, asset)
         try:
-            check_unchanged([before])
+            if lost := staged.fill(content, verify):
+                message = f"the new file cannot have the same {', '.join(lost)}"
+                raise refuse("ATTACH_ATTRIBUTES", str(asset), message)
+            staged = _ready(staged, original.content, content)
+            check_unchanged([original.file])
             _check_no_writer(place, asset)
             with worker.committing([str(asset)]):
-                _take_place(staged, before)
+                _take_place(staged, original.file)
         finally:
             staged.discard()
         sync_folder(place.parent)
@@ -102,6 +111,12 @@ def _lock(asset: Path, deadline: float) -> tuple[Path, int]:
 # --- the exchange ---------------------------------------------------------------------------------
 
 
+def _ready(staged: Staged, old: bytes, new: bytes) -> Staged:
+    """The new file, complete, under the name that it has while the two change places."""
+    path = temporaries.name_for_exchange(staged.path, old, new)
+    return replace(staged, path=staged.path.rename(path))
+
+
 def _take_place(staged: Staged, before: SourceFile) -> None:
     """Swap the new file with the one that it replaces, and swap back unless that is the one that
     was read."""
@@ -112,7 +127,7 @@ def _take_place(staged: Staged, before: SourceFile) -> None:
             staged.path.replace(staged.place)
             accepted = True
             return
-        check_content(staged.path.read_bytes(), before)
+        _check_content(staged.path.read_bytes(), before)
         _check_no_writer(staged.path, staged.target)
         accepted = True
     finally:
@@ -166,6 +181,12 @@ def _renameat2() -> Callable[..., int] | None:
     call.argtypes = (ctypes.c_int, ctypes.c_char_p, ctypes.c_int, ctypes.c_char_p, ctypes.c_uint)
     call.restype = ctypes.c_int
     return call
+
+
+def _check_content(content: bytes, file: SourceFile) -> None:
+    """Refuse with SOURCE_CHANGED content that is not that of the file that was read."""
+    if hashlib.sha256(content).hexdigest() != file.sha256:
+        raise refuse("SOURCE_CHANGED", file.path, "is not the file that was read")
 
 
 # --- writers --------------------------------------------------------------------------------------
