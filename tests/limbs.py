@@ -185,7 +185,7 @@ def as_control(draft):
         span.default,
         span.maximum,
         span.source,
-        draft.drive,
+        draft.drive_over(draft.range),
     )
 
 
@@ -225,6 +225,4 @@ def _sizes(names, owners):
 
 def with_default_controls(rig):
     """The rig with the controls that its joints have by default."""
-    return replace(
-        rig, controls=tuple(as_control(draft) for draft in default_joint_drafts(rig.body.joints, rig.body.meshes, 0))
-    )
+    return replace(rig, controls=tuple(as_control(draft) for draft in default_joint_drafts(rig.body)))

@@ -44,11 +44,11 @@ def test_of_a_long_animation_as_many_frames_are_kept_as_memory_allows_from_the_f
 ):
     """A frame of two joints and three weights takes 280 bytes."""
     monkeypatch.setattr(skeleton, "_CLIP_BYTES", 281 * most)
-    monkeypatch.setattr(skeleton, "_sampled", lambda _armatures, _joints, _channels, times, _rate: times)
-    armatures = [SimpleNamespace(times=range(0, 10, 2)), SimpleNamespace(times=range(1, 10, 2))]
-    for each in armatures:
-        each.record = SimpleNamespace(animation="/Anim")
-    times, issues = skeleton.read_clip(tuple(armatures), (None,) * 2, (None,) * 3, 24.0)
-    assert times == kept
+    monkeypatch.setattr(skeleton, "_sampled", lambda _animated, times, _rate: times)
+    record, issues = SimpleNamespace(animation="/Anim"), []
+    armatures = [SimpleNamespace(times=range(first, 10, 2), record=record) for first in (0, 1)]
+    body = SimpleNamespace(joints=(None,) * 2, channels=(None,) * 3)
+    assert skeleton.read_clip(SimpleNamespace(armatures=armatures, body=body), 24.0, issues) == kept
     assert [each.code for each in issues] == ["CLIP_THINNED"] * (most < 10)
-    assert skeleton.read_clip((SimpleNamespace(times=(5.0,)),), (), (), 24.0) == (None, ())
+    still = SimpleNamespace(armatures=[SimpleNamespace(times=(5.0,))], body=body)
+    assert skeleton.read_clip(still, 24.0, issues) is None

@@ -106,7 +106,7 @@ def test_what_a_flat_skeleton_does_under_a_control_is_what_the_hierarchy_does():
 
 def with_defaults(rig):
     """The rig with the default controls of its fingers."""
-    drafts = default_joint_drafts(rig.body.joints, rig.body.meshes, 0)
+    drafts = default_joint_drafts(rig.body)
     drafts = sorted((each for each in drafts if ":r" not in each.name), key=lambda draft: draft.name.rsplit("/", 1)[-1])
     controls = tuple(limbs.as_control(draft) for draft in drafts)
     return replace(rig, controls=controls)
@@ -147,14 +147,14 @@ def test_an_eye_turns_about_the_axes_that_lie_across_its_gaze(turned):
 
 def test_keys_of_a_flat_skeleton_are_no_more_than_ten_degrees_apart_and_no_more_than_needed():
     made = limbs.flattened(HAND)
-    for draft in default_joint_drafts(made.body.joints, made.body.meshes, 0):
-        low, high, values = draft.range.minimum, draft.range.maximum, draft.drive.values
+    for draft in default_joint_drafts(made.body):
+        low, high, values = draft.range.minimum, draft.range.maximum, draft.drive_over(draft.range).values
         assert np.diff(values).max() <= 10.0 + 1e-9
         assert set(values) == {0.0, *np.linspace(low, high, int(np.ceil((high - low) / 10.0)) + 1)}
 
 
 def test_a_wrist_turns_by_thirty_degrees_each_way():
-    ranges = {draft.name: draft.range for draft in default_joint_drafts(HAND.body.joints, HAND.body.meshes, 0)}
+    ranges = {draft.name: draft.range for draft in default_joint_drafts(HAND.body)}
     balls = [span for name, span in ranges.items() if name[-3:] in (":rx", ":ry", ":rz")]
     assert [(span.minimum, span.maximum) for span in balls] == [(-30.0, 30.0)] * 3
 

@@ -25,14 +25,12 @@ from skel_stages import (
 
 from usdrigui.deform import channel_state, deform
 from usdrigui.errors import RigUIError
-from usdrigui.model import Channel
 from usdrigui.rotation import rotations
-from usdrigui.settings import ControlSettings, JointSettings, Settings, load
+from usdrigui.settings import JointSettings, Settings, load
 from usdrigui.usd import controls as drafts
 from usdrigui.usd import ranges
 from usdrigui.usd import rig as rig_reading
-from usdrigui.usd.controls import blend_shape_drafts, joint_settings
-from usdrigui.usd.ranges import Authored
+from usdrigui.usd.controls import joint_settings
 from usdrigui.usd.rig import read_rigs, without_layout
 
 
@@ -271,9 +269,7 @@ def test_an_animation_widens_the_range_but_never_narrows_it(tmp_path):
 
 @pytest.mark.parametrize(("reached", "maximum"), [(1.0 + ranges.SNAP, 1.0), (1.02, 1.02)])
 def test_an_overshoot_of_a_hundredth_is_no_range(reached, maximum):
-    nowhere = [(np.nan, np.nan)]
-    authored = Authored(nowhere, nowhere, [(0.0, 1.0)], [(0.0, reached)])
-    assert ranges.blend_shape_range(0, authored, ControlSettings(), 0.0).maximum == maximum
+    assert ranges._widened(0.0, 1.0, "default", (0.0, reached), "animation")[1] == maximum
 
 
 @pytest.mark.parametrize("as_text", [True, False])
@@ -716,20 +712,19 @@ def test_excluding_everything_is_refused(tmp_path):
         ({"brow_R": {"maximum": 0.5}, "brow_L": {"label": "Brow"}}, [0.5, 0.5]),
     ],
 )
-def test_a_range_of_one_side_holds_for_the_other_unless_set_otherwise(said, maxima):
-    channels = tuple(Channel(token, "/anim", i) for i, token in enumerate(("brow_L", "brow_R")))
-    nothing = [[float("nan")] * 2] * 2
-    authored = Authored(nothing, nothing, [[0.0, 1.0]] * 2, [[0.0, 1.0]] * 2)
-    drafts = blend_shape_drafts(channels, {0, 1}, authored, np.zeros(2), load({"controls": said}).rig.controls)
-    assert [draft.range.maximum for draft in drafts] == maxima
+def test_a_range_of_one_side_holds_for_the_other_unless_set_otherwise(tmp_path, said, maxima):
+    rig = read(head(tmp_path / "char.usda", ("brow_L", "brow_R")), {"controls": said})
+    assert [control.maximum for control in rig.controls] == maxima
 
 
 def test_a_joint_is_configured_by_its_path_or_by_a_last_name_that_no_other_joint_has():
     joints = tuple(SimpleNamespace(path=path) for path in ("A", "A/Jaw", "A/Eye", "A/Head/Eye"))
     said = {name: JointSettings(label=name) for name in ("A/Jaw", "Jaw", "Eye", "A")}
-    found = [joint_settings(joint.path, joints, said) for joint in joints]
+    for joint in joints:
+        joint.name = joint.path.rpartition("/")[2]
+    found = joint_settings(joints, said)
     assert [each and each.label for each in found] == ["A", "A/Jaw", None, None]
-    assert joint_settings(joints[1].path, joints, {"Jaw": said["Jaw"]}) is said["Jaw"]
+    assert joint_settings(joints, {"Jaw": said["Jaw"]})[1] is said["Jaw"]
 
 
 def test_characters_without_a_layout_are_those_whose_meshes_something_moves():
@@ -755,7 +750,7 @@ def test_joints_that_an_animation_translates_or_scales_by_more_than_a_thousandth
     local[:, 0, 3, 1] = -10.0
     local[1, 1, 3, 0] = shift
     local[1, 1, 0, 0] = factor
-    joints = tuple(SimpleNamespace(path=path) for path in ("hips", "hips/jaw"))
+    joints = tuple(SimpleNamespace(name=name) for name in ("hips", "jaw"))
     found = drafts.ignored_motion("/Root", joints, SimpleNamespace(locals=local))
     assert len(found) == told
     if told:

@@ -86,6 +86,11 @@ class Joint(Record):
     """(4, 4) local transform in the base pose (the rest transform unless a time or pose was
     chosen)."""
 
+    @property
+    def name(self) -> str:
+        """The last name of its path."""
+        return self.path.rsplit("/", 1)[-1]
+
 
 @dataclass(frozen=True, eq=False)
 class Skeleton(Record):

@@ -2,29 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections import Counter
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
 from usdrigui.conventions.sides import twins_by_name
-from usdrigui.errors import Faults, Issue, issue, refuse
+from usdrigui.errors import Faults, Issue, issue, listed, refuse
 from usdrigui.joint_tree import Tree
-from usdrigui.model import (
-    Channel,
-    Clip,
-    Control,
-    ControlKind,
-    Drive,
-    Floats,
-    Joint,
-    LeftOff,
-    RigMesh,
-)
+from usdrigui.model import Body, Clip, Control, ControlKind, Drive, Floats, Joint, LeftOff
 from usdrigui.rotation import rotation_part, rotation_vectors
 from usdrigui.settings import ControlSettings, JointSettings, ReadSettings
 from usdrigui.usd.joint_defaults import Turn, default_turns, posed_locals
-from usdrigui.usd.ranges import Authored, Range, blend_shape_range
+from usdrigui.usd.ranges import Range
+from usdrigui.usd.skeleton import State
 
 _AXES = "xyz"
 _STILL = 1e-7
@@ -38,15 +31,6 @@ _KEY_DEGREES = 10.0
 _SLIGHT = 1e-3
 """Share of the greatest translation, or of scale, by which an animation may move a joint
 unmentioned."""
-
-
-@dataclass(frozen=True)
-class State:
-    """Everything a pose can set: (..., channels) weights and (..., joints, 4, 4) local
-    transforms."""
-
-    weights: Floats
-    locals: Floats
 
 
 @dataclass(frozen=True)
@@ -69,31 +53,29 @@ class Draft:
     kind: ControlKind
     source: str
     range: Range
-    drive: Drive
+    drive_over: Callable[[Range], Drive]
+    """Its drive over a range that the configuration gives it."""
 
 
-def blend_shape_drafts(
-    channels: tuple[Channel, ...],
-    used: set[int],
-    authored: Authored,
-    rest: Floats,
-    configured: Mapping[str, ControlSettings],
-) -> list[Draft]:
+def blend_shape_drafts(body: Body, ranges: Sequence[Range]) -> list[Draft]:
     """One draft per token that some mesh implements; a token of several animations drives them
-    all.  `configured` is the configuration of controls."""
+    all.  `ranges` are those of the channels."""
+    used = {shape.channel for mesh in body.meshes for shape in mesh.binding.shapes}
     by_token: dict[str, list[int]] = {}
-    for index, channel in enumerate(channels):
+    for index, channel in enumerate(body.channels):
         if index in used:
             by_token.setdefault(channel.token, []).append(index)
-    drafts = []
-    configured = _with_ranges_of_twins(by_token, configured)
-    for token, indices in by_token.items():
-        override = configured.get(token, ControlSettings())
-        span = _hull(
-            [blend_shape_range(index, authored, override, float(rest[index])) for index in indices]
+    return [
+        Draft(
+            token,
+            "",
+            "blendShape",
+            token,
+            _hull([ranges[index] for index in indices]),
+            partial(_weight_drive, indices),
         )
-        drafts.append(Draft(token, "", "blendShape", token, span, _weight_drive(indices, span)))
-    return drafts
+        for token, indices in by_token.items()
+    ]
 
 
 def joint_drafts(
@@ -108,51 +90,29 @@ def joint_drafts(
     names = joint_names(joints)
     spans = _animated_spans(joints, clip) if clip is not None else np.zeros((len(joints), 3, 2))
     drafts = []
-    for index, joint in enumerate(joints):
-        override = joint_settings(joint.path, joints, configured)
-        for axis in range(3):
+    for index, override in enumerate(joint_settings(joints, configured)):
+        for axis, letter in enumerate(_AXES):
             span = _joint_range(override, axis, spans[index, axis], named_poses, settings)
             if span is not None:
-                name = f"{names[index]}:r{_AXES[axis]}"
-                label = f"{override.label} {_AXES[axis]}" if override and override.label else ""
-                drafts.append(
-                    Draft(
-                        name, label, "joint", joint.path, span, _rotation_drive(index, axis, span)
-                    )
-                )
+                name = f"{names[index]}:r{letter}"
+                label = f"{override.label} {letter}" if override and override.label else ""
+                drive = partial(_turning_drive, [index], np.eye(3)[[axis]])
+                drafts.append(Draft(name, label, "joint", joints[index].path, span, drive))
     return drafts
 
 
-def default_joint_drafts(
-    joints: tuple[Joint, ...], meshes: tuple[RigMesh, ...], weights: int
-) -> list[Draft]:
-    """The controls of a rig that joints alone drive, in degrees from the base pose; `weights` is
-    its number of channels."""
-    names, drafts = joint_names(joints), []
-    tree = Tree(joints, meshes)
+def default_joint_drafts(body: Body) -> list[Draft]:
+    """The controls of a rig that joints alone drive, in degrees from the base pose."""
+    names, drafts = joint_names(body.joints), []
+    tree = Tree(body.joints, body.meshes)
     for turn in default_turns(tree):
         span = Range(turn.range[0], 0.0, turn.range[1], "default")
-        name, source = f"{names[turn.joints[0]]}:{turn.name}", joints[turn.home].path
-        drafts.append(Draft(name, "", "joint", source, span, _turn_drive(tree, turn, weights)))
+        name, source = f"{names[turn.joints[0]]}:{turn.name}", body.joints[turn.home].path
+        drive = partial(_turning_drive, turn.joints, turn.axes)
+        if tree.flat:
+            drive = partial(_arc_drive, tree, turn, len(body.channels))
+        drafts.append(Draft(name, "", "joint", source, span, drive))
     return drafts
-
-
-def _turn_drive(tree: Tree, turn: Turn, weights: int) -> Drive:
-    low, high = turn.range
-    if not tree.flat:
-        values = np.array([low, high])
-        turns = np.radians(values)[:, None, None] * turn.axes[None]
-        still = np.zeros_like(turns)
-        return Drive(
-            values, _NO_INDICES, np.zeros((2, 0)), np.array(turn.joints), turns, still, still
-        )
-    # Joints of a flat skeleton go round the joint that turns: keys every few degrees follow their
-    # arcs.
-    steps = int(np.ceil((high - low) / _KEY_DEGREES))
-    values = np.union1d(np.linspace(low, high, steps + 1), [0.0])
-    states = State(np.zeros((len(values), weights)), posed_locals(tree, turn, values))
-    base = State(np.zeros(weights), np.array([joint.base for joint in tree.joints]))
-    return pose_drives([NamedPose(turn.name, values, states)], base)[0]
 
 
 def ignored_motion(root: str, joints: tuple[Joint, ...], clip: Clip | None) -> tuple[Issue, ...]:
@@ -164,11 +124,10 @@ def ignored_motion(root: str, joints: tuple[Joint, ...], clip: Clip | None) -> t
     moved = (np.ptp(places, axis=0) > _SLIGHT * size).any(axis=1) | (
         np.ptp(rows, axis=0) > _SLIGHT
     ).any(axis=1)
-    names = [joints[i].path.rsplit("/", 1)[-1] for i in np.flatnonzero(moved)]
+    names = [joints[i].name for i in np.flatnonzero(moved)]
     if not names:
         return ()
-    listed = ", ".join(names[:3]) + (" and more" if len(names) > 3 else "")
-    return (issue("JOINT_MOTION_IGNORED", root, f"{len(names)} joints: {listed}"),)
+    return (issue("JOINT_MOTION_IGNORED", root, f"{len(names)} joints: {listed(names)}"),)
 
 
 def pose_drafts(
@@ -181,7 +140,7 @@ def pose_drafts(
         name = pose.name if pose.name not in taken else f"{pose.name}:pose"
         if len(drive.channels) or len(drive.joints):
             span = Range(0.0, 0.0, 1.0, "default")
-            drafts.append(Draft(name, "", "pose", pose.name, span, drive))
+            drafts.append(Draft(name, "", "pose", pose.name, span, partial(_as_posed, drive)))
         else:
             left_off.append(LeftOff(name, "read", "the pose equals the base pose"))
     return drafts, left_off
@@ -239,16 +198,37 @@ def _with_ranges_of_twins(
     ]
     twins = twins_by_name(names) if ranged else {}
     for name in ranged:
-        one, twin = configured[name], configured[name].twin or twins.get(name, "")
+        one = configured[name]
+        twin = one.twin or twins.get(name, "")
         other = configured.get(twin, plain)
-        is_explicit = (other.minimum, other.maximum) != (None, None) or "none" in (
-            one.twin,
-            other.twin,
-        )
-        is_explicit = is_explicit or not other.follow_twin
-        if twin in names and twin != name and not is_explicit:
+        is_own = twin in ranged or not other.follow_twin or "none" in (one.twin, other.twin)
+        if twin in names and not is_own:
             found[twin] = replace(other, minimum=one.minimum, maximum=one.maximum)
     return found
+
+
+def _ranged(draft: Draft, override: ControlSettings) -> Range:
+    """The draft's range after the configuration, checked."""
+    span, default = draft.range, override.default
+    if (override.minimum, default, override.maximum) != (None, None, None):
+        minimum = span.minimum if override.minimum is None else override.minimum
+        maximum = span.maximum if override.maximum is None else override.maximum
+        if draft.kind != "blendShape":
+            if default not in (None, span.default):
+                where = f'controls."{draft.name}".default'
+                raise refuse("CONFIG_VALUE", where, "joints and poses rest at 0")
+            default = span.default
+        elif default is None:
+            default = min(max(span.default, minimum), maximum)
+        span = Range(minimum, default, maximum, "config")
+    if span.source == "config" and not span.minimum <= span.default <= span.maximum:
+        raise refuse(
+            "CONFIG_VALUE",
+            f'controls."{draft.name}"',
+            f"minimum {span.minimum:g}, default {span.default:g} and maximum {span.maximum:g} must"
+            " ascend",
+        )
+    return span
 
 
 def _control(draft: Draft, name: str, label: str, span: Range) -> Control:
@@ -261,21 +241,26 @@ def _control(draft: Draft, name: str, label: str, span: Range) -> Control:
         span.default,
         span.maximum,
         span.source,
-        draft.drive if span == draft.range else _redriven(draft.drive, span),
+        draft.drive_over(span),
     )
 
 
 def joint_settings(
-    path: str, joints: tuple[Joint, ...], configured: Mapping[str, JointSettings]
-) -> JointSettings | None:
-    """The configuration of a joint by its full path or, where no other joint has it, its last
+    joints: tuple[Joint, ...], configured: Mapping[str, JointSettings]
+) -> list[JointSettings | None]:
+    """The configuration of each joint by its full path or, where no other joint has it, its last
     name."""
-    if path in configured:
-        return configured[path]
-    leaf = path.rsplit("/", 1)[-1]
-    if leaf in configured and sum(each.path.rsplit("/", 1)[-1] == leaf for each in joints) == 1:
-        return configured[leaf]
-    return None
+    names = names_in_configuration(joints)
+    by_index = {names[name]: override for name, override in configured.items() if name in names}
+    return [configured.get(joint.path) or by_index.get(i) for i, joint in enumerate(joints)]
+
+
+def names_in_configuration(joints: tuple[Joint, ...]) -> dict[str, int]:
+    """The names by which the configuration may speak of joints, and their indices: their paths, and
+    last names that no other joint has."""
+    count = Counter(joint.name for joint in joints)
+    leaves = {joint.name: i for i, joint in enumerate(joints) if count[joint.name] == 1}
+    return leaves | {joint.path: i for i, joint in enumerate(joints)}
 
 
 def pose_drives(poses: list[NamedPose], base: State) -> list[Drive]:
@@ -338,66 +323,34 @@ _NO_INDICES = np.zeros(0, dtype=np.int64)
 _NO_MOVES = np.zeros((2, 0, 3))
 
 
-def _weight_drive(channels: list[int], span: Range) -> Drive:
-    low, high = span.minimum - span.default, span.maximum - span.default
-    weights = np.array([[low] * len(channels), [high] * len(channels)])
+def _weight_drive(channels: Sequence[int], span: Range) -> Drive:
     values = np.array([span.minimum, span.maximum])
+    weights = np.repeat((values - span.default)[:, None], len(channels), axis=1)
     return Drive(values, np.array(channels), weights, _NO_INDICES, _NO_MOVES, _NO_MOVES, _NO_MOVES)
 
 
-def _rotation_drive(joint: int, axis: int, span: Range) -> Drive:
+def _turning_drive(joints: Sequence[int], axes: Floats, span: Range) -> Drive:
+    """Joints that turn about `axes` (j, 3), each in its own frame, by the value in degrees."""
     values = np.array([span.minimum, span.maximum])
-    turns = np.zeros((2, 1, 3))
-    turns[:, 0, axis] = np.radians(values - span.default)
-    still = np.zeros((2, 1, 3))
-    return Drive(
-        values,
-        np.zeros(0, dtype=np.int64),
-        np.zeros((2, 0)),
-        np.array([joint], dtype=np.int64),
-        turns,
-        still,
-        still,
-    )
+    turns = np.radians(values - span.default)[:, None, None] * axes + 0.0
+    still = np.zeros_like(turns)
+    return Drive(values, _NO_INDICES, np.zeros((2, 0)), np.array(joints), turns, still, still)
 
 
-def _redriven(drive: Drive, span: Range) -> Drive:
-    """A two-key drive over another range with the same slope; a pose's keys stay."""
-    if len(drive.values) != 2:
-        return drive
-    values = np.array([span.minimum, span.maximum])
-    step = drive.values[1] - drive.values[0]
-    tables = []
-    for table in (drive.weights, drive.rotations, drive.translations, drive.scales):
-        slope = (table[1] - table[0]) / step
-        tables.append((values - span.default).reshape(-1, *(1,) * (table.ndim - 1)) * slope)
-    weights, turns, shifts, scales = tables
-    return Drive(values, drive.channels, weights, drive.joints, turns, shifts, scales)
+def _arc_drive(tree: Tree, turn: Turn, weights: int, _: Range) -> Drive:
+    """Joints of a flat skeleton go round the joint that turns: keys every few degrees follow their
+    arcs.  `weights` is the number of channels."""
+    low, high = turn.range
+    steps = int(np.ceil((high - low) / _KEY_DEGREES))
+    values = np.union1d(np.linspace(low, high, steps + 1), [0.0])
+    states = State(np.zeros((len(values), weights)), posed_locals(tree, turn, values))
+    base = State(np.zeros(weights), np.array([joint.base for joint in tree.joints]))
+    return pose_drives([NamedPose(turn.name, values, states)], base)[0]
 
 
-def _ranged(draft: Draft, override: ControlSettings) -> Range:
-    """The draft's range after the configuration, checked."""
-    span = draft.range
-    if draft.kind != "blendShape" and (override.minimum, override.maximum, override.default) != (
-        None,
-        None,
-        None,
-    ):
-        minimum = span.minimum if override.minimum is None else override.minimum
-        maximum = span.maximum if override.maximum is None else override.maximum
-        if override.default not in (None, span.default):
-            raise refuse(
-                "CONFIG_VALUE", f'controls."{draft.name}".default', "joints and poses rest at 0"
-            )
-        span = Range(minimum, span.default, maximum, "config")
-    if span.source == "config" and not span.minimum <= span.default <= span.maximum:
-        raise refuse(
-            "CONFIG_VALUE",
-            f'controls."{draft.name}"',
-            f"minimum {span.minimum:g}, default {span.default:g} and maximum {span.maximum:g} must"
-            " ascend",
-        )
-    return span
+def _as_posed(drive: Drive, _: Range) -> Drive:
+    """The keys of a pose, whatever its range."""
+    return drive
 
 
 def _hull(ranges: list[Range]) -> Range:
@@ -417,7 +370,7 @@ def _hull(ranges: list[Range]) -> Range:
 
 def joint_names(joints: tuple[Joint, ...]) -> list[str]:
     """The last name of each joint, or its whole path where that is not unique."""
-    leaves = [joint.path.rsplit("/", 1)[-1] for joint in joints]
+    leaves = [joint.name for joint in joints]
     paths = [joint.path for joint in joints]
     names = [
         leaf if leaves.count(leaf) == 1 else path for leaf, path in zip(leaves, paths, strict=True)
@@ -462,19 +415,3 @@ def _joint_range(
     if which == "all":
         return Range(JointSettings().minimum, 0.0, JointSettings().maximum, "default")
     return None
-
-
-def unknown_joints(joints: tuple[Joint, ...], configured: Mapping[str, JointSettings]) -> set[str]:
-    """Names in ``[joints]`` that fit no joint."""
-    return {
-        name
-        for name, override in configured.items()
-        if not any(joint_settings(joint.path, joints, {name: override}) for joint in joints)
-    }
-
-
-def unknown_names(
-    drafts: list[Draft], left_off: list[LeftOff], configured: Mapping[str, ControlSettings]
-) -> set[str]:
-    """Names in ``[controls]`` that neither a draft nor something left off bears."""
-    return set(configured) - {draft.name for draft in drafts} - {each.control for each in left_off}

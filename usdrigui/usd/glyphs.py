@@ -17,7 +17,7 @@ from pxr import Sdf, Usd, UsdGeom
 from usdrigui.errors import Faults, RigUIError, refuse
 from usdrigui.isolation.foreign_file import check_source
 from usdrigui.model import Floats, Glyph, Indices
-from usdrigui.settings import ControlSettings
+from usdrigui.settings import RigSettings
 from usdrigui.usd.arrays import check_range, integers, value_at, vectors
 from usdrigui.usd.mesh import left_handed
 from usdrigui.usd.stage import open_stage
@@ -46,11 +46,7 @@ _CUBIC: Mapping[str, tuple[tuple[float, ...], ...]] = {
 
 
 def read_glyphs(
-    stage: Usd.Stage,
-    asset: Path,
-    controls: Mapping[str, ControlSettings],
-    size_limit: int,
-    faults: Faults,
+    stage: Usd.Stage, asset: Path, settings: RigSettings, faults: Faults
 ) -> dict[str, Glyph]:
     """The glyphs that ``[controls.NAME] glyph`` names, by that name; `stage` is the asset's.
 
@@ -58,33 +54,30 @@ def read_glyphs(
     to the asset's folder.  Collects RigUIError CONFIG_VALUE, GLYPH_MISSING, GLYPH_TYPE,
     GLYPH_EMPTY, the code of an array that cannot be right, and what opening FILE raises.
     """
-    found: dict[str, Glyph] = {}
-    for control, override in controls.items():
-        key = f'controls."{control}".glyph'
-        if override.glyph and override.glyph not in found:
+    glyphs: dict[str, Glyph] = {}
+    for control, override in settings.controls.items():
+        key, name = f'controls."{control}".glyph', override.glyph
+        if name and name not in glyphs:
             with faults.collected():
-                file, path = _address(key, override.glyph)
-                source = _opened(key, asset.parent / file, size_limit) if file else stage
+                file, path = _address(key, name)
+                source = stage
+                if file:
+                    source = _opened(key, asset.parent / file, settings.read.size_limit)
                 prim = source.GetPrimAtPath(path)
                 if not prim or not prim.IsActive():
-                    raise refuse(
-                        "GLYPH_MISSING", key, f"there is no prim {path} in {file or asset.name}"
-                    )
-                found[override.glyph] = _glyph(prim, override.glyph)
-    return found
+                    what = f"there is no prim {path} in {file or asset.name}"
+                    raise refuse("GLYPH_MISSING", key, what)
+                glyphs[name] = _glyph(prim, name)
+    return glyphs
 
 
 def _address(key: str, text: str) -> tuple[str, str]:
     """The file, empty for the asset itself, and the prim path that a setting names."""
-    file, bracket, path = (
-        text.removesuffix(">").partition("<") if text.endswith(">") else ("", "", text)
-    )
-    valid = (
-        Sdf.Path.IsValidPathString(path)[0]
-        and Sdf.Path(path).IsAbsolutePath()
-        and Sdf.Path(path).IsPrimPath()
-    )
-    if not valid or (bracket and not file):
+    file, bracket, path = "", "", text
+    if text.endswith(">"):
+        file, bracket, path = text.removesuffix(">").partition("<")
+    is_valid = path.startswith("/") and Sdf.Path.IsValidPathString(path)[0]
+    if not is_valid or not Sdf.Path(path).IsPrimPath() or (bracket and not file):
         raise refuse("CONFIG_VALUE", key, f"expected /PRIM or FILE</PRIM>, got {text!r}")
     return file, path
 
@@ -103,17 +96,16 @@ def _opened(key: str, path: Path, size_limit: int) -> Usd.Stage:
 
 def _glyph(prim: Usd.Prim, name: str) -> Glyph:
     path = str(prim.GetPath())
+    form: Literal["curve", "mesh"] = "mesh"
     if prim.IsA(UsdGeom.Mesh):
         points, counts, indices = _mesh(UsdGeom.Mesh(prim), path)
     elif prim.IsA(UsdGeom.BasisCurves):
-        points, counts, indices = _curves(UsdGeom.BasisCurves(prim), path)
+        form, (points, counts, indices) = "curve", _curves(UsdGeom.BasisCurves(prim), path)
     else:
         raise refuse("GLYPH_TYPE", path, f"is {prim.GetTypeName() or 'a prim without a type'}")
     if len(points) > _MOST_POINTS:
-        raise refuse(
-            "GLYPH_EMPTY", path, f"has {len(points)} points; a glyph has {_MOST_POINTS} at most"
-        )
-    form: Literal["curve", "mesh"] = "mesh" if prim.IsA(UsdGeom.Mesh) else "curve"
+        what = f"has {len(points)} points; a glyph has {_MOST_POINTS} at most"
+        raise refuse("GLYPH_EMPTY", path, what)
     return Glyph(name, form, _fitted(prim, points, path), counts, indices)
 
 

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import json
-import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
-from pxr import Sdf, Tf, Usd, UsdSkel, Vt
+from pxr import Tf, Usd, UsdSkel, Vt
 
 from usdrigui.errors import Issue, issue
-from usdrigui.model import Channel, Clip, Floats, RigMesh
-from usdrigui.settings import ControlSettings
-from usdrigui.usd.skeleton import Armature
+from usdrigui.model import Clip, Floats
+from usdrigui.usd.skeleton import Animated, Armature, weights_at
 
 Source = Literal["config", "limits", "animation", "inbetweens", "metadata", "default"]
 
@@ -32,77 +30,143 @@ class Range:
     source: Source
 
 
-Pairs = list[list[float]]
-
-
-@dataclass(frozen=True)
-class Authored:
-    """Ranges found in the asset, [minimum, maximum] per channel; NaN where nothing is authored."""
-
-    limits: Pairs
-    """`limits` metadata."""
-    metadata: Pairs
-    """``ranges`` in customData or customLayerData."""
-    inbetweens: Pairs
-    """Least and greatest weight of a shape."""
-    animation: Pairs
-    """Least and greatest animated weight."""
-
-
 def read_ranges(
-    root: Usd.Prim,
-    armatures: tuple[Armature, ...],
-    channels: tuple[Channel, ...],
-    meshes: tuple[RigMesh, ...],
-    weights: Floats,
-    clip: Clip | None,
-) -> tuple[Authored, tuple[Issue, ...]]:
-    """The ranges in the asset; `weights` (channels,) are the SkelAnimation's default
-    values."""
-    issues: list[Issue] = []
-    limits = _limits(armatures, channels, issues)
-    metadata = _metadata(root, channels, issues)
-    between = [[0.0, 1.0] for _ in channels]
-    for mesh in meshes:
+    root: Usd.Prim, animated: Animated, clip: Clip | None, issues: list[Issue]
+) -> list[Range]:
+    """The range of each channel about its weight in the base pose.
+
+    `limits` metadata win.  Everything else only ever widens [0, 1] or the range in the custom
+    data: an animation that happens to open the jaw by a third does not limit it to a third.
+    """
+    channels, base = animated.body.channels, animated.base.weights.tolist()
+    limits = {each.record.animation: _limits(each, issues) for each in animated.armatures}
+    custom = _custom_ranges(root, {channel.token for channel in channels}, issues)
+    between, reached = _inbetween_ends(animated), _animated_ends(animated, clip)
+    ranges = []
+    for index, (channel, rest) in enumerate(zip(channels, base, strict=True)):
+        low, high = custom.get(channel.token, (0.0, 1.0))
+        source: Source = "metadata" if channel.token in custom else "default"
+        low, high, source = _widened(low, high, source, between[index], "inbetweens")
+        low, high, source = _widened(low, high, source, reached[index], "animation")
+        limit = limits.get(channel.animation, {}).get(channel.token)
+        if limit is not None:
+            low, high, source = *limit, "limits"
+        ranges.append(Range(min(low, rest), rest, max(high, rest), source))
+    return ranges
+
+
+def _widened(
+    low: float, high: float, source: Source, ends: Sequence[float], evidence: Source
+) -> tuple[float, float, Source]:
+    """A range with the `ends` that something reaches outside of it."""
+    if ends[0] < low - SNAP:
+        low, source = ends[0], evidence
+    if ends[1] > high + SNAP:
+        high, source = ends[1], evidence
+    return low, high, source
+
+
+def _inbetween_ends(animated: Animated) -> list[list[float]]:
+    """Least and greatest weight of the shapes of each channel that have in-betweens."""
+    ends = [[0.0, 1.0] for _ in animated.body.channels]
+    for mesh in animated.body.meshes:
         for shape in mesh.binding.shapes:
             if len(shape.weights) > 1:
-                low, high = between[shape.channel]
-                between[shape.channel] = [
-                    min(low, float(shape.weights[0])),
-                    max(high, float(shape.weights[-1])),
-                ]
-    animated = weights[None] if clip is None else np.concatenate([weights[None], clip.weights])
-    extent = np.stack([animated.min(axis=0), animated.max(axis=0)], axis=1)
-    return Authored(limits.tolist(), metadata.tolist(), between, extent.tolist()), tuple(issues)
+                known = [*ends[shape.channel], *shape.weights.tolist()]
+                ends[shape.channel] = [min(known), max(known)]
+    return ends
 
 
-def blend_shape_range(
-    channel: int, authored: Authored, override: ControlSettings, rest: float
-) -> Range:
-    """The range of a blend-shape weight whose weight in the base pose is `rest`.
+def _animated_ends(animated: Animated, clip: Clip | None) -> list[list[float]]:
+    """Least and greatest animated weight of each channel, default values included."""
+    weights = weights_at(animated.armatures, animated.body.channels, None)[None]
+    if clip is not None:
+        weights = np.concatenate([weights, clip.weights])
+    ends: list[list[float]] = np.stack([weights.min(axis=0), weights.max(axis=0)], axis=1).tolist()
+    return ends
 
-    The first that speaks wins: configuration, `limits` metadata, then everything else together.
-    Those only ever widen [0, 1] (or the range in the custom data): an animation that happens to
-    open the jaw by a third does not limit it to a third.
+
+# --- limits metadata ------------------------------------------------------------------------------
+
+
+def limit_entries(attribute: Usd.Attribute) -> dict[str, Mapping[str, Any]]:
+    """The entries of `limits` metadata (USD 25.11) that have a minimum and a maximum, by kind:
+    ``soft`` and ``hard``."""
+    try:
+        limits = attribute.GetMetadata("limits")
+    except (Tf.ErrorException, RuntimeError):
+        return {}
+    # Before 25.11 USD does not know the field and hands it over wrapped.
+    limits = getattr(limits, "value", limits)
+    return {
+        kind: entry
+        for kind, entry in (limits.items() if isinstance(limits, Mapping) else ())
+        if isinstance(entry, Mapping) and {"minimum", "maximum"} <= set(entry)
+    }
+
+
+def limit_table(entry: Mapping[str, Any], count: int) -> Floats | None:
+    """(count, 2) minima and maxima of an entry; None where it does not hold as many numbers."""
+    try:
+        ends = [
+            np.broadcast_to(np.asarray(entry[end], dtype=np.float64), count)
+            for end in ("minimum", "maximum")
+        ]
+    except (TypeError, ValueError):
+        return None
+    return np.stack(ends, axis=1)
+
+
+def _limits(armature: Armature, issues: list[Issue]) -> dict[str, tuple[float, float]]:
+    """Limits of the weights of an animation by token, soft before hard."""
+    if armature.animation is None:
+        return {}
+    animation = UsdSkel.Animation(armature.animation.GetPrim())
+    path = str(animation.GetBlendShapeWeightsAttr().GetPath())
+    entries = limit_entries(animation.GetBlendShapeWeightsAttr())
+    entry = entries.get("soft", entries.get("hard"))
+    if entry is None:
+        return {}
+    names = _limited(entry, armature.tokens, animation.GetBlendShapesAttr())
+    table = limit_table(entry, len(names))
+    if table is None:
+        issues.append(issue("RANGE_INVALID", path, f"limits must hold {len(names)} numbers each"))
+        return {}
+    valid = np.isfinite(table).all(axis=1) & (table[:, 0] < table[:, 1])
+    if not valid.all():
+        what = f"limits of {np.count_nonzero(~valid)} blend shapes"
+        issues.append(issue("RANGE_INVALID", path, what))
+    return {
+        name: (low, high)
+        for name, (low, high), is_valid in zip(names, table.tolist(), valid, strict=True)
+        if is_valid
+    }
+
+
+def _limited(
+    entry: Mapping[str, Any], tokens: Sequence[str], attribute: Usd.Attribute
+) -> Sequence[str]:
+    """The blend shapes of which limits speak.
+
+    A shot that adds shapes makes the list longer than the limits of the asset below it, which are
+    then those of the strongest list of their length.
     """
-    found = _authored_range(channel, authored)
-    if override.minimum is None and override.maximum is None and override.default is None:
-        return Range(min(found[0], rest), rest, max(found[1], rest), found[2])
-    minimum = found[0] if override.minimum is None else override.minimum
-    maximum = found[1] if override.maximum is None else override.maximum
-    default = min(max(rest, minimum), maximum) if override.default is None else override.default
-    return Range(minimum, default, maximum, "config")
+    count = np.size(entry["minimum"])
+    if count in (1, len(tokens)):
+        return tokens
+    lists = [spec.default for spec in attribute.GetPropertyStack()]
+    known = (each for each in lists if isinstance(each, Vt.TokenArray) and len(each) == count)
+    return list(next(known, tokens))
+
+
+# --- custom data ----------------------------------------------------------------------------------
 
 
 def custom_data(root: Usd.Prim, key: str) -> Any:
     """A value from the SkelRoot's customData or else a layer's customLayerData; JSON text is
     parsed."""
-    places: Iterator[Mapping[str, Any]] = iter(
-        [
-            root.GetCustomData(),
-            *(layer.customLayerData for layer in root.GetStage().GetLayerStack(False)),
-        ]
-    )
+    layers = root.GetStage().GetLayerStack(False)
+    places = (root.GetCustomData(), *(layer.customLayerData for layer in layers))
     value = next((place[key] for place in places if key in place), None)
     if isinstance(value, str):
         try:
@@ -112,125 +176,21 @@ def custom_data(root: Usd.Prim, key: str) -> Any:
     return value
 
 
-def _authored_range(channel: int, authored: Authored) -> tuple[float, float, Source]:
-    low, high = authored.limits[channel]
-    if not math.isnan(low):
-        return low, high, "limits"
-    source: Source = "metadata"
-    low, high = authored.metadata[channel]
-    if math.isnan(low):
-        low, high, source = 0.0, 1.0, "default"
-    others: tuple[tuple[Pairs, Source], ...] = (
-        (authored.inbetweens, "inbetweens"),
-        (authored.animation, "animation"),
-    )
-    for table, name in others:
-        least, greatest = table[channel]
-        if least < low - SNAP:
-            low, source = least, name
-        if greatest > high + SNAP:
-            high, source = greatest, name
-    return low, high, source
-
-
-def _limits(
-    armatures: tuple[Armature, ...], channels: tuple[Channel, ...], issues: list[Issue]
-) -> Floats:
-    """(channels, 2) from the `limits` metadata of blendShapeWeights (USD 25.11), soft before
-    hard."""
-    found = np.full((len(channels), 2), np.nan)
-    tables: dict[str, Floats | None] = {}
-    for armature in armatures:
-        if armature.record.animation not in tables:
-            tables[armature.record.animation] = _limit_table(armature, issues)
-    for row, channel in enumerate(channels):
-        table = tables.get(channel.animation)
-        if table is not None and 0 <= channel.index < len(table):
-            found[row] = table[channel.index]
-    return found
-
-
-def _limit_table(armature: Armature, issues: list[Issue]) -> Floats | None:
-    if armature.animation is None:
-        return None
-    attribute = UsdSkel.Animation(armature.animation.GetPrim()).GetBlendShapeWeightsAttr()
-    try:
-        limits = attribute.GetMetadata("limits")
-    except (Tf.ErrorException, RuntimeError):
-        return None
-    # Before 25.11 USD does not know the field and hands it over wrapped.
-    limits = getattr(limits, "value", limits)
-    if not isinstance(limits, Mapping):
-        return None
-    for kind in ("soft", "hard"):
-        entry = limits.get(kind)
-        if isinstance(entry, Mapping) and "minimum" in entry and "maximum" in entry:
-            named = _tokens_of(entry, armature)
-            found = _checked(entry, len(named), str(attribute.GetPath()), issues)
-            if found is None or named is armature.tokens:
-                return found
-            return _by_token(found, named, armature.tokens)
-    return None
-
-
-def _tokens_of(entry: Mapping[str, Any], armature: Armature) -> Sequence[str]:
-    """The blend shapes of which limits speak.
-
-    A shot that adds shapes makes the list longer than the limits of the asset below it, which are
-    then those of the strongest list of their length.
-    """
-    assert armature.animation is not None
-    count = np.size(entry["minimum"])
-    if count in (1, len(armature.tokens)):
-        return armature.tokens
-    attribute = UsdSkel.Animation(armature.animation.GetPrim()).GetBlendShapesAttr()
-    lists = [spec.default for spec in attribute.GetPropertyStack()]
-    known = (each for each in lists if isinstance(each, Vt.TokenArray) and len(each) == count)
-    return list(next(known, armature.tokens))
-
-
-def _by_token(table: Floats, named: Sequence[str], tokens: Sequence[str]) -> Floats:
-    """(tokens, 2) the rows of `table` by their names; NaN for the others."""
-    rows = dict(zip(named, table, strict=True))
-    return np.array([rows.get(token, (np.nan, np.nan)) for token in tokens]).reshape(-1, 2)
-
-
-def _checked(entry: Mapping[str, Any], count: int, path: str, issues: list[Issue]) -> Floats | None:
-    try:
-        ends = [
-            np.broadcast_to(np.asarray(entry[end], dtype=np.float64), count)
-            for end in ("minimum", "maximum")
-        ]
-    except (TypeError, ValueError):
-        issues.append(issue("RANGE_INVALID", path, f"limits must hold {count} numbers each"))
-        return None
-    table = np.stack(ends, axis=1)
-    bad = ~(np.isfinite(table).all(axis=1) & (table[:, 0] < table[:, 1]))
-    if bad.any():
-        issues.append(
-            issue("RANGE_INVALID", path, f"limits of {np.count_nonzero(bad)} blend shapes")
-        )
-        table[bad] = np.nan
-    return table
-
-
-def _metadata(root: Usd.Prim, channels: tuple[Channel, ...], issues: list[Issue]) -> Floats:
-    """(channels, 2) from ``ranges``: a dictionary, or JSON text of one, of token to [minimum,
+def _custom_ranges(
+    root: Usd.Prim, tokens: set[str], issues: list[Issue]
+) -> dict[str, tuple[float, float]]:
+    """What ``ranges`` says of `tokens`: a dictionary, or JSON text of one, of token to [minimum,
     maximum]."""
-    found = np.full((len(channels), 2), np.nan)
     ranges = custom_data(root, "ranges")
-    if not isinstance(ranges, Mapping):
-        return found
-    for row, channel in enumerate(channels):
-        if channel.token in ranges:
-            pair = _pair(ranges[channel.token])
-            if pair is None:
-                issues.append(
-                    issue("RANGE_INVALID", str(root.GetPath()), f"ranges of {channel.token!r}")
-                )
-            else:
-                found[row] = pair
-    return found
+    named = tokens.intersection(ranges) if isinstance(ranges, Mapping) else ()
+    pairs = {token: _pair(ranges[token]) for token in sorted(named)}
+    path = str(root.GetPath())
+    issues += [
+        issue("RANGE_INVALID", path, f"ranges of {token!r}")
+        for token, pair in pairs.items()
+        if pair is None
+    ]
+    return {token: pair for token, pair in pairs.items() if pair is not None}
 
 
 def _pair(value: Any) -> tuple[float, float] | None:
@@ -239,17 +199,3 @@ def _pair(value: Any) -> tuple[float, float] | None:
     except (TypeError, ValueError, OverflowError):
         return None
     return (low, high) if np.isfinite([low, high]).all() and low < high else None
-
-
-def metres_per_unit(layer: Sdf.Layer) -> float | None:
-    """metersPerUnit of the root layer, 0.01 if unauthored, None if unusable.
-
-    Read from the layer, as the UsdGeom function raises where it was authored as float.
-    """
-    if not layer.pseudoRoot.HasInfo("metersPerUnit"):
-        return 0.01
-    try:
-        value = float(layer.pseudoRoot.GetInfo("metersPerUnit"))
-    except (TypeError, ValueError):
-        return None
-    return value if np.isfinite(value) and value > 0.0 else None

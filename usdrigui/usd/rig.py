@@ -6,12 +6,14 @@ is asked of UsdSkel, so that a rig means here what it means in any other applica
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+import math
+from collections.abc import Collection, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel
+from pxr import Gf, Tf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import Faults, Issue, RigUIError, issue, listed, meant, of_character, refuse
 from usdrigui.model import (
@@ -19,40 +21,35 @@ from usdrigui.model import (
     Channel,
     Clip,
     Configured,
-    Control,
     Findings,
     Floats,
-    Glyph,
-    Joint,
     LeftOff,
     Rig,
-    RigMesh,
     SkelRoot,
 )
-from usdrigui.settings import ControlSettings, ReadSettings, RigSettings, Settings
+from usdrigui.settings import ReadSettings, RigSettings, Settings
 from usdrigui.usd.binding import bound_in_vain
 from usdrigui.usd.controls import (
     Draft,
-    State,
     blend_shape_drafts,
     default_joint_drafts,
     ignored_motion,
     joint_drafts,
     joint_names,
+    names_in_configuration,
     pose_drafts,
     settled,
-    unknown_joints,
-    unknown_names,
 )
 from usdrigui.usd.glyphs import read_glyphs
 from usdrigui.usd.hidden import hidden_issues
 from usdrigui.usd.mesh import outside_issues, read_meshes
 from usdrigui.usd.poses import FrameNames, named_poses, read_frame_names
-from usdrigui.usd.ranges import metres_per_unit, read_ranges
+from usdrigui.usd.ranges import read_ranges
 from usdrigui.usd.read_layout import switched_off
 from usdrigui.usd.schema import SCOPE
 from usdrigui.usd.shapes import Binding, Found, left_off_tokens
 from usdrigui.usd.skeleton import (
+    Animated,
     Armature,
     Frames,
     read_armatures,
@@ -70,10 +67,6 @@ _BINDINGS = ("skel:blendShapes", "primvars:skel:jointIndices")
 """Attributes by which a mesh is moved."""
 _JOINTS_TOLD = 12
 """Names of joints in one message."""
-_REASONS_TOLD = 3
-"""Reasons in one message."""
-_ROOTS_TOLD = 3
-"""SkelRoots in one message."""
 _VARIANTS_TRIED = 64
 """Variants that are looked into for a character that the selected ones lack."""
 
@@ -130,9 +123,13 @@ def read_characters(
         if laid_out is not None:
             roots = _with_layout(roots, laid_out, path)
         instances = laid_out is not None
-        readings = [_guarded(root, settings, faults, instances=instances) for root in roots]
-        glyphs = _guarded_glyphs(stage, path, settings.controls, settings.read.size_limit, faults)
-    _check_names(readings, settings.controls, settings.joints, faults)
+        readings = []
+        for root in roots:
+            with _usd_errors(str(root.GetPath())):
+                readings.append(_read(root, settings, faults, instances=instances))
+        with _usd_errors(str(path)):
+            glyphs = read_glyphs(stage, path, settings, faults)
+    _check_names(readings, settings, faults)
     rigs = tuple(
         replace(reading.rig, configured=replace(reading.rig.configured, glyphs=glyphs))
         for reading in readings
@@ -145,7 +142,9 @@ def read_characters(
     if not rigs:
         return Characters((), faults, lost)
     spoken = tuple(issue("USD_DIAGNOSTIC", str(path), text) for text in messages)
-    first = _with_issues(rigs[0], (*issues, *_unit_issues(stage), *spoken))
+    found = rigs[0].findings
+    of_stage = (*issues, *_unit_issues(stage), *spoken, *found.issues)
+    first = replace(rigs[0], findings=replace(found, issues=of_stage))
     return Characters((first, *rigs[1:]), faults, lost)
 
 
@@ -154,14 +153,10 @@ def _without_controls(stage: Usd.Stage, readings: list[_Reading]) -> RigUIError:
     broken = [fault for reading in readings for fault in reading.faults]
     if broken:
         return broken[0]
-    lost = [each for reading in readings for each in reading.rig.findings.left_off]
-    reasons = tuple({each.reason for each in lost})
-    vain = [
-        each
-        for reading in readings
-        for each in reading.bound_in_vain
-        if not each.message.endswith(reasons)
-    ]
+    lost = [dropped for reading in readings for dropped in reading.rig.findings.left_off]
+    reasons = tuple({dropped.reason for dropped in lost})
+    bound = [finding for reading in readings for finding in reading.bound_in_vain]
+    vain = [finding for finding in bound if not finding.message.endswith(reasons)]
     off = "".join(_inactive_clause(stage, reading.rig.skel_root.path) for reading in readings)
     why = f"{_lost_clause(lost)}{_vain_clause(vain)}{off}" or _joints_clause(readings[0])
     meshes = any(reading.rig.body.meshes for reading in readings)
@@ -212,11 +207,11 @@ def _is_animated(root: Usd.Prim) -> bool:
 
 @dataclass(frozen=True)
 class _Reading:
-    """A rig and the names that the configuration may use for it."""
+    """A rig and what only refusals tell of it."""
 
     rig: Rig
-    unknown_controls: set[str]
-    unknown_joints: set[str]
+    known: frozenset[str]
+    """The names that the configuration may use for its controls."""
     bound_in_vain: tuple[Issue, ...]
     """Meshes with joint influences that no Skeleton moves although one is named."""
     faults: tuple[RigUIError, ...]
@@ -227,16 +222,9 @@ class _Reading:
 class _Scene:
     """The content of one SkelRoot, before anything is called a control."""
 
-    armatures: tuple[Armature, ...]
-    joints: tuple[Joint, ...]
-    channels: tuple[Channel, ...]
-    meshes: tuple[RigMesh, ...]
-    base_weights: Floats
-    authored_weights: Floats
+    animated: Animated
     clip: Clip | None
     """Motion, which gives ranges."""
-    still: Clip | None
-    """Where nothing moves."""
     names: FrameNames
     found: Found
     bound_in_vain: tuple[Issue, ...]
@@ -251,25 +239,13 @@ def _with_layout(
     return found
 
 
-def _guarded(root: Usd.Prim, settings: RigSettings, faults: Faults, *, instances: bool) -> _Reading:
-    """`_read`, with USD's own exceptions turned into RigUIError."""
+@contextmanager
+def _usd_errors(path: str) -> Iterator[None]:
+    """Turn USD's own exceptions into USD_ERROR."""
     try:
-        return _read(root, settings, faults, instances=instances)
+        yield
     except Tf.ErrorException as error:
-        raise refuse("USD_ERROR", str(root.GetPath()), usd_message(error)) from None
-
-
-def _guarded_glyphs(
-    stage: Usd.Stage,
-    path: Path,
-    controls: Mapping[str, ControlSettings],
-    size_limit: int,
-    faults: Faults,
-) -> dict[str, Glyph]:
-    try:
-        return read_glyphs(stage, path, controls, size_limit, faults)
-    except Tf.ErrorException as error:
-        raise refuse("USD_ERROR", str(path), usd_message(error)) from None
+        raise refuse("USD_ERROR", path, usd_message(error)) from None
 
 
 def _read(root: Usd.Prim, settings: RigSettings, faults: Faults, *, instances: bool) -> _Reading:
@@ -279,123 +255,93 @@ def _read(root: Usd.Prim, settings: RigSettings, faults: Faults, *, instances: b
         )
         raise refuse("INSTANCE", str(_instance(root).GetPath()), reason)
     scene = _scene(root, settings.read, instances=instances)
-    drafts, left_off, issues = _drafts(root, scene, settings, faults)
+    body, found, rate = scene.animated.body, scene.found, root.GetStage().GetTimeCodesPerSecond()
+    drafts, lost = _drafts(root, scene, settings, faults)
     controls, excluded, unused = settled(drafts, settings.controls, faults)
-    lost = (*left_off, *unused, *scene.names.left_off)
+    lost += [*unused, *scene.names.left_off]
+    weights = body.base_weights.copy()
+    for control in controls:
+        if control.kind == "blendShape":
+            weights[control.drive.channels] = control.default  # A part of the base pose.
     path = with_sets(variant_path(root), settings.read.variants)
-    found = (*scene.found.issues, *scene.names.issues, *issues)
     rig = Rig(
         skel_root=SkelRoot(
             path=str(root.GetPath()),
             variant_path=path,
             up=_up(root),
-            metres_per_unit=metres_per_unit(root.GetStage().GetRootLayer()) or 0.01,
-            clip=scene.clip or scene.still,
+            metres_per_unit=_metres_per_unit(root.GetStage()) or 0.01,
+            clip=scene.clip or read_still(scene.animated, rate),
         ),
-        body=Body(
-            meshes=scene.meshes,
-            skeletons=tuple(armature.record for armature in scene.armatures),
-            joints=scene.joints,
-            channels=scene.channels,
-            base_weights=_rest_weights(scene, controls),
-        ),
+        body=replace(body, base_weights=weights),
         controls=controls,
-        findings=Findings(lost, of_character(path or str(root.GetPath()), found)),
+        findings=Findings(
+            tuple(lost), of_character(path or str(root.GetPath()), tuple(found.issues))
+        ),
         configured=Configured(excluded),
     )
-    unknown = unknown_names(drafts, list(lost), settings.controls)
-    joints = unknown_joints(scene.joints, settings.joints)
-    return _Reading(rig, unknown, joints, scene.bound_in_vain, tuple(scene.found.faults))
+    known = {draft.name for draft in drafts} | {dropped.control for dropped in lost}
+    return _Reading(rig, frozenset(known), scene.bound_in_vain, tuple(found.faults))
 
 
 def _scene(root: Usd.Prim, settings: ReadSettings, *, instances: bool) -> _Scene:
-    cache = UsdSkel.Cache()
-    everything = Usd.TraverseInstanceProxies()
-    skel_root = UsdSkel.Root(root)
-    cache.Populate(skel_root, everything)
-    bindings = [
-        each for each in cache.ComputeSkelBindings(skel_root, everything) if _belongs(each, root)
-    ]
-    time = settings.time
+    stage, time, found = root.GetStage(), settings.time, Found()
     frames = Frames(root, Usd.TimeCode.Default() if time is None else Usd.TimeCode(time))
-    armatures = read_armatures([each.GetSkeleton() for each in bindings], cache, frames)
-    names = read_frame_names(root, armatures, settings.pose_names)
+    cache, everything = UsdSkel.Cache(), Usd.TraverseInstanceProxies()
+    cache.Populate(UsdSkel.Root(root), everything)
+    bindings = [
+        binding
+        for binding in cache.ComputeSkelBindings(UsdSkel.Root(root), everything)
+        if _belongs(binding, root)
+    ]
+    armatures = read_armatures([binding.GetSkeleton() for binding in bindings], cache, frames)
+    names = read_frame_names(root, armatures, settings.pose_names, found.issues)
     if time is None and names.frames:
         time = names.frames[0].time  # The asset itself names the frame of its rest pose.
-    found = Found()
-    joints = _joints(armatures, time, found)
-    channels, notes = read_channels(armatures)
-    found.issues.extend(notes)
+    joints = read_joints(armatures, time, found.issues)
+    channels = read_channels(armatures, found.issues)
     found.tokens.update({(each.token, each.animation): i for i, each in enumerate(channels)})
-    bound = _bound(bindings, armatures)
+    bound = {
+        query.GetPrim().GetPath(): Binding(armature, query)
+        for binding, armature in zip(bindings, armatures, strict=True)
+        for query in binding.GetSkinningTargets()
+    }
     if not instances:
-        _refuse_instances(armatures, root.GetStage())
+        _refuse_instances(armatures, stage)
     meshes = read_meshes(root, bound, frames, found)
-    vain = bound_in_vain(root.GetStage(), (mesh.path for mesh in meshes), bound)
-    found.issues.extend((*vain, *hidden_issues(root.GetStage(), meshes, frames.time)))
+    vain = bound_in_vain(stage, (mesh.path for mesh in meshes), bound)
+    found.issues.extend((*vain, *hidden_issues(stage, meshes, frames.time)))
     channels = _with_unanimated(root, channels, found)
-    rate = root.GetStage().GetTimeCodesPerSecond()
-    clip, notes = read_clip(armatures, joints, channels, rate)
-    still = read_still(armatures, joints, channels, rate) if clip is None else None
-    found.issues.extend(notes)
-    authored = weights_at(armatures, channels, None)
-    base = np.zeros(len(channels)) if time is None else weights_at(armatures, channels, time)
-    return _Scene(
-        armatures, joints, channels, meshes, base, authored, clip, still, names, found, vain
-    )
+    skeletons = tuple(armature.record for armature in armatures)
+    weights = np.zeros(len(channels)) if time is None else weights_at(armatures, channels, time)
+    animated = Animated(armatures, Body(meshes, skeletons, joints, channels, weights))
+    clip = read_clip(animated, stage.GetTimeCodesPerSecond(), found.issues)
+    return _Scene(animated, clip, names, found, vain)
 
 
 def _drafts(
     root: Usd.Prim, scene: _Scene, settings: RigSettings, faults: Faults
-) -> tuple[list[Draft], list[LeftOff], tuple[Issue, ...]]:
-    """Every control that the asset could have, what is left off, and what is odd about the
-    ranges."""
-    used = {shape.channel for mesh in scene.meshes for shape in mesh.binding.shapes}
-    authored, issues = read_ranges(
-        root, scene.armatures, scene.channels, scene.meshes, scene.authored_weights, scene.clip
-    )
-    drafts = blend_shape_drafts(
-        scene.channels, used, authored, scene.base_weights, settings.controls
-    )
-    drafts += joint_drafts(
-        scene.joints, scene.clip, bool(scene.names.frames), settings.read, settings.joints
-    )
-    if settings.read.joints != "none" and not scene.names.frames:
-        issues += ignored_motion(str(root.GetPath()), scene.joints, scene.clip)
-    base = State(
-        scene.base_weights, np.array([joint.base for joint in scene.joints]).reshape(-1, 4, 4)
-    )
-    poses = named_poses(
-        scene.names.frames,
-        scene.armatures,
-        scene.joints,
-        scene.channels,
-        base,
-        settings.poses,
-        faults,
-    )
-    more, left_off = pose_drafts(poses, base, {draft.name for draft in drafts})
-    lost = [*left_off_tokens(scene.found, used), *left_off]
-    if not (drafts or more or lost or scene.found.faults) and settings.read.joints == "auto":
-        drafts = default_joint_drafts(scene.joints, scene.meshes, len(scene.channels))
-    return drafts + more, lost, issues
-
-
-def _joints(armatures: tuple[Armature, ...], time: float | None, found: Found) -> tuple[Joint, ...]:
-    joints: list[Joint] = []
-    for armature in armatures:
-        some, issues = read_joints(armature, time)
-        joints.extend(some)
-        found.issues.extend(issues)
-    return tuple(joints)
+) -> tuple[list[Draft], list[LeftOff]]:
+    """Every control that the asset could have, and what is left off."""
+    animated, clip, found, read = scene.animated, scene.clip, scene.found, settings.read
+    body, named = animated.body, bool(scene.names.frames)
+    ranges = read_ranges(root, animated, clip, found.issues)
+    drafts = blend_shape_drafts(body, ranges)
+    drafts += joint_drafts(body.joints, clip, named, read, settings.joints)
+    if read.joints != "none" and not named:
+        found.issues += ignored_motion(str(root.GetPath()), body.joints, clip)
+    poses = named_poses(scene.names.frames, animated, settings.poses, faults)
+    more, still = pose_drafts(poses, animated.base, {draft.name for draft in drafts})
+    lost = [*left_off_tokens(found, body), *still]
+    if not (drafts or more or lost or found.faults) and read.joints == "auto":
+        drafts = default_joint_drafts(body)
+    return drafts + more, lost
 
 
 def _refuse_instances(armatures: tuple[Armature, ...], stage: Usd.Stage) -> None:
     """Raise INSTANCE for a skeleton or an animation that no layer can override; of meshes
     none needs to."""
-    for path in (
-        path for each in armatures for path in (each.record.path, each.record.animation) if path
-    ):
+    records = [armature.record for armature in armatures]
+    for path in (path for record in records for path in (record.path, record.animation) if path):
         if stage.GetPrimAtPath(path).IsInstanceProxy():
             raise refuse("INSTANCE", path, "moves the character and lies inside an instance")
 
@@ -408,36 +354,15 @@ def _belongs(binding: UsdSkel.Binding, root: Usd.Prim) -> bool:
     )
 
 
-def _bound(
-    bindings: list[UsdSkel.Binding], armatures: tuple[Armature, ...]
-) -> dict[Sdf.Path, Binding]:
-    return {
-        query.GetPrim().GetPath(): Binding(armature, query)
-        for binding, armature in zip(bindings, armatures, strict=True)
-        for query in binding.GetSkinningTargets()
-    }
-
-
 def _with_unanimated(
     root: Usd.Prim, channels: tuple[Channel, ...], found: Found
 ) -> tuple[Channel, ...]:
     """The channels with those added that meshes name but no animation lists."""
     more = [token for (token, animation), index in found.tokens.items() if index >= len(channels)]
     if more:
-        listed = ", ".join(more[:3]) + (" and more" if len(more) > 3 else "")
-        found.issues.append(
-            issue("TOKEN_NOT_ANIMATED", str(root.GetPath()), f"{len(more)} of them: {listed}")
-        )
+        what = f"{len(more)} of them: {listed(more)}"
+        found.issues.append(issue("TOKEN_NOT_ANIMATED", str(root.GetPath()), what))
     return (*channels, *(Channel(token, "", -1) for token in more))
-
-
-def _rest_weights(scene: _Scene, controls: tuple[Control, ...]) -> Floats:
-    """(channels,) weights of the base pose; the default of a control is part of it."""
-    weights = scene.base_weights.copy()
-    for control in controls:
-        if control.kind == "blendShape":
-            weights[control.drive.channels] = control.default
-    return weights
 
 
 def _skel_roots(stage: Usd.Stage, wanted: str) -> tuple[Usd.Prim, ...]:
@@ -473,11 +398,7 @@ def _in_variants(stage: Usd.Stage) -> str:
             if any(prim.IsA(UsdSkel.Root) for prim in below):
                 found.append(f"{variant!r} of the variant set {name!r} of {path}")
             stage.GetPrimAtPath(path).GetVariantSet(name).ClearVariantSelection()
-    return (
-        f"; there is one in {', '.join(found[:3])}{' and more' if len(found) > 3 else ''}"
-        if found
-        else ""
-    )
+    return f"; there is one in {listed(found)}" if found else ""
 
 
 def _instance(prim: Usd.Prim) -> Usd.Prim:
@@ -496,71 +417,53 @@ def _others_clause(instance: Usd.Prim) -> str:
         for each in roots
         if not each.IsInstance() and not each.IsInstanceProxy()
     ]
-    if not free:
-        return ""
-    return (
-        "; in no instance:"
-        f" {', '.join(free[:_ROOTS_TOLD])}{' and more' if len(free) > _ROOTS_TOLD else ''}"
-    )
+    return f"; in no instance: {listed(free)}" if free else ""
 
 
 def _up(root: Usd.Prim) -> Floats:
-    vertical = (
-        Gf.Vec3d(0, 0, 1)
-        if UsdGeom.GetStageUpAxis(root.GetStage()) == UsdGeom.Tokens.z
-        else Gf.Vec3d(0, 1, 0)
-    )
+    is_z = UsdGeom.GetStageUpAxis(root.GetStage()) == UsdGeom.Tokens.z
+    vertical = Gf.Vec3d(0, 0, 1) if is_z else Gf.Vec3d(0, 1, 0)
     return Frames(root, Usd.TimeCode.Default()).direction(vertical)
 
 
+def _metres_per_unit(stage: Usd.Stage) -> float | None:
+    """metersPerUnit of the root layer, 0.01 if unauthored, None if unusable.
+
+    Read from the layer, as the UsdGeom function raises where it was authored as float.
+    """
+    info = stage.GetRootLayer().pseudoRoot
+    try:
+        value = float(info.GetInfo("metersPerUnit")) if info.HasInfo("metersPerUnit") else 0.01
+    except (TypeError, ValueError):
+        return None
+    return value if math.isfinite(value) and value > 0.0 else None
+
+
 def _unit_issues(stage: Usd.Stage) -> tuple[Issue, ...]:
+    if _metres_per_unit(stage) is not None:
+        return ()
     layer = stage.GetRootLayer()
-    value = (
-        layer.pseudoRoot.GetInfo("metersPerUnit")
-        if layer.pseudoRoot.HasInfo("metersPerUnit")
-        else None
-    )
-    if metres_per_unit(layer) is None:
-        return (
-            issue("UNITS_TYPE", layer.identifier, f"metersPerUnit is {value!r}; 0.01 is taken"),
-        )
-    return ()
+    what = f"metersPerUnit is {layer.pseudoRoot.GetInfo('metersPerUnit')!r}; 0.01 is taken"
+    return (issue("UNITS_TYPE", layer.identifier, what),)
 
 
-def _check_names(
-    readings: list[_Reading], controls: Iterable[str], joints: Iterable[str], faults: Faults
-) -> None:
+def _check_names(readings: list[_Reading], settings: RigSettings, faults: Faults) -> None:
     """Collect CONFIG_UNKNOWN_CONTROL for names in the configuration that no rig knows."""
-    for name in controls:
-        if all(name in reading.unknown_controls for reading in readings):
-            hint = meant(
-                name, (control.name for reading in readings for control in reading.rig.controls)
-            )
-            what = f"no rig of the asset has this control{hint}"
-            with faults.collected():
-                raise refuse("CONFIG_UNKNOWN_CONTROL", f'controls."{name}"', what)
-    for name in joints:
-        if all(name in reading.unknown_joints for reading in readings):
-            hint = meant(
-                name,
-                (
-                    each
-                    for reading in readings
-                    for each in _names_of_joints(reading.rig.body.joints)
-                ),
-            )
-            known = hint or "".join(map(_joints_clause, readings))
-            with faults.collected():
-                raise refuse(
-                    "CONFIG_UNKNOWN_CONTROL",
-                    f'joints."{name}"',
-                    f"no rig of the asset has this joint{known}",
-                )
-
-
-def _names_of_joints(joints: tuple[Joint, ...]) -> list[str]:
-    """What the configuration may call them: by their last names as well as by their paths."""
-    return [*joint_names(joints), *(joint.path for joint in joints)]
+    known = frozenset[str]().union(*(reading.known for reading in readings))
+    controls = [control.name for reading in readings for control in reading.rig.controls]
+    unknown = [
+        (f'controls."{name}"', f"no rig of the asset has this control{meant(name, controls)}")
+        for name in settings.controls
+        if name not in known
+    ]
+    bodies = [reading.rig.body for reading in readings]
+    joints = [joint for body in bodies for joint in body.joints]
+    for name in settings.joints:
+        if not any(name in names_in_configuration(body.joints) for body in bodies):
+            spellings = (*(joint.name for joint in joints), *(joint.path for joint in joints))
+            hint = meant(name, spellings) or "".join(map(_joints_clause, readings))
+            unknown.append((f'joints."{name}"', f"no rig of the asset has this joint{hint}"))
+    faults.add([issue("CONFIG_UNKNOWN_CONTROL", where, what) for where, what in unknown])
 
 
 def _joints_clause(reading: _Reading) -> str:
@@ -577,17 +480,14 @@ def _joints_clause(reading: _Reading) -> str:
 def _lost_clause(lost: list[LeftOff]) -> str:
     """A clause with the reasons for which everything was left off, and how many controls share
     each; empty if none."""
-    if not lost:
-        return ""
     names: dict[str, list[str]] = {}
-    for each in lost:
-        names.setdefault(each.reason, []).append(each.control)
+    for dropped in lost:
+        names.setdefault(dropped.reason, []).append(dropped.control)
     reasons = [
         f"{same[0]}{f' and {len(same) - 1} more' if len(same) > 1 else ''} ({reason})"
-        for reason, same in list(names.items())[:_REASONS_TOLD]
+        for reason, same in names.items()
     ]
-    more = len(names) - len(reasons)
-    return f"; left off: {', '.join(reasons)}{f' and {more} more reasons' if more else ''}"
+    return f"; left off: {listed(reasons)}" if reasons else ""
 
 
 def _inactive_clause(stage: Usd.Stage, root: str) -> str:
@@ -603,8 +503,3 @@ def _vain_clause(vain: list[Issue]) -> str:
         return ""
     more = f" (and {len(vain) - 1} more meshes)" if len(vain) > 1 else ""
     return f"; {vain[0].path}{more} {vain[0].message}"
-
-
-def _with_issues(rig: Rig, more: tuple[Issue, ...]) -> Rig:
-    found = rig.findings
-    return replace(rig, findings=replace(found, issues=(*more, *found.issues)))

@@ -11,7 +11,7 @@ import numpy as np
 from pxr import Sdf, Usd, UsdSkel
 
 from usdrigui.errors import Issue, RigUIError, issue, refuse
-from usdrigui.model import Floats, Indices, LeftOff, Shape, Singles, Skeleton
+from usdrigui.model import Body, Floats, Indices, LeftOff, Shape, Singles, Skeleton
 from usdrigui.usd.arrays import check_range, integers, tokens, vectors
 from usdrigui.usd.binding import why_unbound
 from usdrigui.usd.skeleton import Armature, repeated
@@ -221,8 +221,9 @@ def note_tokens(prim: Usd.Prim, found: Found, reason: str) -> None:
     found.shapeless.update(dict.fromkeys(legible_tokens(prim), reason))
 
 
-def left_off_tokens(found: Found, used: set[int]) -> tuple[LeftOff, ...]:
+def left_off_tokens(found: Found, body: Body) -> tuple[LeftOff, ...]:
     """Tokens that no mesh implements, with the reason."""
+    used = {shape.channel for mesh in body.meshes for shape in mesh.binding.shapes}
     shaped = {token for (token, _), channel in found.tokens.items() if channel in used}
     names = dict.fromkeys([*(token for token, _ in found.tokens), *found.shapeless])
     return tuple(

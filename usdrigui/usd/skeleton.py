@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import Issue, RigUIError, issue, refuse
-from usdrigui.model import Channel, Clip, Floats, Joint, Skeleton
+from usdrigui.model import Body, Channel, Clip, Floats, Joint, Skeleton
 from usdrigui.usd.arrays import floats, quaternions, tokens, vector_count
 
 _CLIP_BYTES = 128 * 1024 * 1024
@@ -41,6 +42,46 @@ class Armature:
             *self.animation.GetBlendShapeWeightTimeSamples(),
             *self.animation.GetJointTransformTimeSamples(),
         }
+
+
+@dataclass(frozen=True)
+class State:
+    """Everything a pose can set: (..., channels) weights and (..., joints, 4, 4) local
+    transforms."""
+
+    weights: Floats
+    locals: Floats
+
+
+@dataclass(frozen=True)
+class Animated:
+    """What poses a character, and whom to ask for its poses."""
+
+    armatures: tuple[Armature, ...]
+    body: Body
+
+    @cached_property
+    def base(self) -> State:
+        """The base pose."""
+        local = np.array([joint.base for joint in self.body.joints]).reshape(-1, 4, 4)
+        return State(self.body.base_weights, local)
+
+    def state(self, time: float, armatures: tuple[Armature, ...] = ()) -> State:
+        """The animation of `armatures`, all if none are given, at a time code; the rest stays in
+        the base pose.
+
+        Raises ANIMATION_LENGTH, ARRAY_TYPE and NOT_FINITE for weights.
+        """
+        weights, local = self.base.weights.copy(), self.base.locals.copy()
+        authored = weights_at(self.armatures, self.body.channels, time)
+        for armature in armatures or self.armatures:
+            part = slice(armature.first, armature.first + len(armature.joint_names))
+            rest = np.array([joint.rest for joint in self.body.joints[part]]).reshape(-1, 4, 4)
+            local[part] = _locals_at(armature, time, rest)
+            for index, channel in enumerate(self.body.channels):
+                if channel.index >= 0 and channel.animation == armature.record.animation:
+                    weights[index] = authored[index]
+        return State(weights, local)
 
 
 class Frames:
@@ -100,17 +141,23 @@ def read_armatures(
 
 
 def read_joints(
-    armature: Armature, time: float | None
-) -> tuple[tuple[Joint, ...], tuple[Issue, ...]]:
-    """Joints of one Skeleton, based on the rest pose or, if `time` is given, on the animation
+    armatures: tuple[Armature, ...], time: float | None, issues: list[Issue]
+) -> tuple[Joint, ...]:
+    """Joints of all Skeletons, based on the rest pose or, if `time` is given, on the animation
     there.
 
-    Raises SKELETON_INVALID.
+    Raises SKELETON_INVALID and NOT_FINITE.
     """
-    names, query = armature.joint_names, armature.query
-    if not names:
-        return (), ()
-    path = armature.record.path
+    return tuple(
+        joint
+        for armature in armatures
+        if armature.joint_names
+        for joint in _joints(armature, time, issues)
+    )
+
+
+def _joints(armature: Armature, time: float | None, issues: list[Issue]) -> list[Joint]:
+    names, query, path = armature.joint_names, armature.query, armature.record.path
     parents = _parents(query, path)
     bind = _matrices(
         query.GetJointWorldBindTransforms() if query.HasBindPose() else None, len(names)
@@ -119,39 +166,30 @@ def read_joints(
         raise refuse("SKELETON_INVALID", path, f"needs {len(names)} bindTransforms, one per joint")
     if not np.isfinite(bind).all() or (np.abs(np.linalg.det(bind)) < 1e-30).any():
         raise refuse("SKELETON_INVALID", path, "a bind transform cannot be inverted")
-    issues: tuple[Issue, ...] = ()
     rest = _matrices(query.ComputeJointLocalTransforms(Usd.TimeCode.Default(), True), len(names))
     if rest is None or not query.HasRestPose():
         rest = bind.copy()
         inner = np.flatnonzero(parents >= 0)
         rest[inner] = bind[inner] @ np.linalg.inv(bind[parents[inner]])
-        issues = (issue("REST_MISSING", path, f"{len(names)} joints"),)
-    base = rest if time is None else locals_at(armature.query, time, rest)
+        issues.append(issue("REST_MISSING", path, f"{len(names)} joints"))
+    base = rest if time is None else _locals_at(armature, time, rest)
     if not (np.isfinite(rest).all() and np.isfinite(base).all()):
         raise refuse("NOT_FINITE", path, "a joint transform holds NaN or infinity")
-    joints = tuple(
-        Joint(
-            name,
-            armature.index,
-            int(parents[i]) + armature.first if parents[i] >= 0 else -1,
-            bind[i],
-            rest[i],
-            base[i],
-        )
+    above = np.where(parents >= 0, parents + armature.first, -1).tolist()
+    return [
+        Joint(name, armature.index, above[i], bind[i], rest[i], base[i])
         for i, name in enumerate(names)
-    )
-    return joints, issues
+    ]
 
 
-def read_channels(armatures: tuple[Armature, ...]) -> tuple[tuple[Channel, ...], tuple[Issue, ...]]:
+def read_channels(armatures: tuple[Armature, ...], issues: list[Issue]) -> tuple[Channel, ...]:
     """All blend-shape weights of all animations, each animation once."""
     channels: list[Channel] = []
-    issues: list[Issue] = []
     for path, listed in {each.record.animation: each.tokens for each in armatures}.items():
         place = {token: i for i, token in enumerate(listed)}
         channels.extend(Channel(token, path, i) for token, i in place.items())
         issues.extend(repeated(listed, path, "blendShapes"))
-    return tuple(channels), tuple(issues)
+    return tuple(channels)
 
 
 def repeated(names: Sequence[str], path: str, name: str) -> list[Issue]:
@@ -163,68 +201,44 @@ def repeated(names: Sequence[str], path: str, name: str) -> list[Issue]:
     ]
 
 
-def read_clip(
-    armatures: tuple[Armature, ...],
-    joints: tuple[Joint, ...],
-    channels: tuple[Channel, ...],
-    rate: float,
-) -> tuple[Clip | None, tuple[Issue, ...]]:
+def read_clip(animated: Animated, rate: float, issues: list[Issue]) -> Clip | None:
     """The authored animation, or None where nothing has more than one time sample.
 
     Raises ANIMATION_LENGTH, ARRAY_TYPE and NOT_FINITE.
     """
+    armatures, body = animated.armatures, animated.body
     times = sorted({time for armature in armatures for time in armature.times})
     if len(times) < 2:
-        return None, ()
-    issues: tuple[Issue, ...] = ()
-    most = max(2, _CLIP_BYTES // (128 * len(joints) + 8 * len(channels) + 1))
+        return None
+    most = max(2, _CLIP_BYTES // (128 * len(body.joints) + 8 * len(body.channels) + 1))
     if len(times) > most:
-        issues = (
-            issue(
-                "CLIP_THINNED", armatures[0].record.animation, f"{most} of {len(times)} frames kept"
-            ),
-        )
+        path, what = armatures[0].record.animation, f"{most} of {len(times)} frames kept"
+        issues.append(issue("CLIP_THINNED", path, what))
         times = [times[i] for i in np.linspace(0, len(times) - 1, most).round().astype(int)]
-    return _sampled(armatures, joints, channels, times, rate), issues
+    return _sampled(animated, times, rate)
 
 
-def read_still(
-    armatures: tuple[Armature, ...],
-    joints: tuple[Joint, ...],
-    channels: tuple[Channel, ...],
-    rate: float,
-) -> Clip | None:
+def read_still(animated: Animated, rate: float) -> Clip | None:
     """The one frame that USD evaluates where nothing moves; None where it cannot be shown."""
-    time = min((time for armature in armatures for time in armature.times), default=0.0)
+    time = min((time for armature in animated.armatures for time in armature.times), default=0.0)
     try:
-        return _sampled(armatures, joints, channels, [time], rate)
+        return _sampled(animated, [time], rate)
     except RigUIError:
         return None
 
 
-def _sampled(
-    armatures: tuple[Armature, ...],
-    joints: tuple[Joint, ...],
-    channels: tuple[Channel, ...],
-    times: list[float],
-    rate: float,
-) -> Clip:
+def _sampled(animated: Animated, times: list[float], rate: float) -> Clip:
     """Weights and joints at each of `times`, which USD holds before the first and after the
     last."""
-    rest = np.array([joint.rest for joint in joints]).reshape(-1, 4, 4)
-    local = np.repeat(rest[None], len(times), axis=0)
-    for armature in armatures:
-        part = slice(armature.first, armature.first + len(armature.joint_names))
-        if armature.animation is not None:
-            for frame, time in enumerate(times):
-                local[frame, part] = locals_at(armature.query, time, rest[part])
-    weights = np.array([weights_at(armatures, channels, time) for time in times]).reshape(
-        len(times), -1
-    )
-    if not (np.isfinite(local).all() and np.isfinite(weights).all()):
+    states = [animated.state(time) for time in times]
+    local = np.stack([state.locals for state in states])
+    if not np.isfinite(local).all():
         raise refuse(
-            "NOT_FINITE", armatures[0].record.animation, "the animation holds NaN or infinity"
+            "NOT_FINITE",
+            animated.armatures[0].record.animation,
+            "the animation holds NaN or infinity",
         )
+    weights = np.stack([state.weights for state in states])
     return Clip(np.array(times, dtype=np.float64), weights, local, rate)
 
 
@@ -343,8 +357,8 @@ def _matrices(values: object, count: int) -> Floats | None:
     return matrices if len(matrices) == count else None
 
 
-def locals_at(query: UsdSkel.SkeletonQuery, time: float, rest: Floats) -> Floats:
+def _locals_at(armature: Armature, time: float, rest: Floats) -> Floats:
     """(joints, 4, 4) local transforms of the animation, rest transforms where it has none."""
-    values = query.ComputeJointLocalTransforms(Usd.TimeCode(time), False)
+    values = armature.query.ComputeJointLocalTransforms(Usd.TimeCode(time), False)
     matrices = _matrices(values, len(rest))
     return rest if matrices is None else matrices

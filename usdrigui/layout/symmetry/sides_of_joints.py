@@ -31,7 +31,7 @@ def plane_of_names(
     """Normal (3,) to the left and offset of the plane between the joints whose names have left and
     right, at the base pose; None where too few do or they do not agree."""
     places = joint_places(skeletons, joints)
-    last = [joint.path.rsplit("/", 1)[-1] for joint in joints]
+    last = [joint.name for joint in joints]
     pairs = []
     for i, other in _twins(joints, last).items():
         if side_of(last[i]) == "left" and (places[i] != places[other]).any():
