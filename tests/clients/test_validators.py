@@ -149,7 +149,7 @@ def test_a_crafted_fault_is_found(name, stage, validators):
 def test_what_can_be_repaired_without_guessing_is(name, stage, validators):
     code, spoil = FAULTS[name]
     spoil(stage)
-    meant = dict(zip(*faults.pairs_of(mesh(stage)), strict=True))
+    meant = dict(zip(*faults.names_and_targets(mesh(stage)), strict=True))
     animation = UsdSkel.Animation(stage.GetPrimAtPath("/Char/Anim"))
     (error,) = [each for each in validators.Validate(stage) if each.GetName() == code][:1]
     (fixer,) = error.GetFixers()
@@ -157,10 +157,10 @@ def test_what_can_be_repaired_without_guessing_is(name, stage, validators):
     assert fixer.CanApplyFix(error, target)
     assert fixer.ApplyFix(error, target)
     assert code not in {each.GetName() for each in validators.Validate(stage)}
-    tokens, targets = faults.pairs_of(mesh(stage))
+    tokens, targets = faults.names_and_targets(mesh(stage))
     assert dict(zip(tokens, targets, strict=True)).items() <= meant.items()
     order = list(animation.GetBlendShapesAttr().Get())
-    assert tokens == [token for token in order if token in tokens]
+    assert list(tokens) == [token for token in order if token in tokens]
 
 
 def test_what_would_be_a_guess_is_left_alone(stage, validators):

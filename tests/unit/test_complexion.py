@@ -11,6 +11,7 @@ from makers import changed
 from PIL import Image
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdShade, Vt
 
+from usdrigui.model import Topology
 from usdrigui.settings import Settings
 from usdrigui.usd.colours import point_colours
 from usdrigui.usd.rig import read_rigs
@@ -34,7 +35,7 @@ def quads():
 
 
 def colours_of(stage):
-    return point_colours(stage.GetPrimAtPath("/Mesh"), 6, COUNTS, INDICES, Usd.TimeCode.Default())
+    return point_colours(stage.GetPrimAtPath("/Mesh"), 6, Topology(COUNTS, INDICES, False, ""), Usd.TimeCode.Default())
 
 
 def material(stage, name, **inputs):

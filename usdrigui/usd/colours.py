@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import io
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from pxr import Ar, Usd, UsdGeom, UsdShade
 
-from usdrigui.model import Floats, Indices
+from usdrigui.model import Floats, Indices, Topology
 from usdrigui.usd.arrays import value_at
 
 _BASE_COLOURS = ("diffuseColor", "base_color", "baseColor", "diffuse_color_constant")
@@ -18,8 +19,42 @@ _MOST_PIXELS = 2048 * 2048
 """Of a texture that is read; larger ones take longer than all other reading."""
 
 
+@dataclass(frozen=True, eq=False)
+class _Corners:
+    """The corners of the faces of a mesh, at which colours are looked up."""
+
+    prim: Usd.Prim
+    points: int
+    topology: Topology
+    time: Usd.TimeCode
+
+    def values(self, name: str, width: int) -> Floats | None:
+        """(corners, width) values of a primvar of any interpolation, flattened; None where it does
+        not fit the mesh."""
+        primvar = UsdGeom.PrimvarsAPI(self.prim).FindPrimvarWithInheritance(name)
+        if not primvar or not primvar.HasValue():
+            return None
+        flat = primvar.ComputeFlattened(self.time)
+        if flat is None:
+            flat = primvar.ComputeFlattened(Usd.TimeCode.EarliestTime())
+        values = np.asarray(flat)
+        if values.ndim != 2 or values.shape[1] != width or values.dtype.kind != "f":
+            return None
+        counts, indices = self.topology.face_counts, self.topology.face_indices
+        corners = np.arange(len(indices))
+        ways = {
+            "constant": (1, np.zeros_like(corners)),
+            "uniform": (len(counts), np.repeat(np.arange(len(counts)), counts)),
+            "vertex": (self.points, indices),
+            "varying": (self.points, indices),
+            "faceVarying": (len(corners), corners),
+        }
+        size, index = ways.get(str(primvar.GetInterpolation()), (-1, corners))
+        return values.astype(np.float64)[index] if size == len(values) else None
+
+
 def point_colours(
-    prim: Usd.Prim, points: int, counts: Indices, indices: Indices, time: Usd.TimeCode
+    prim: Usd.Prim, points: int, topology: Topology, time: Usd.TimeCode
 ) -> Floats | None:
     """(points, 3) linear colours from 0 to 1, None where the mesh has none.
 
@@ -27,13 +62,14 @@ def point_colours(
     a shader that is not known, and a texture that cannot be read or has more than four million
     pixels give no colour.
     """
-    corners = _display_colours(UsdGeom.PrimvarsAPI(prim), points, counts, indices, time)
-    for bound, faces in _bindings(prim, len(counts)):
-        painted = _material_colours(bound, prim, points, counts, indices, time)
+    corners, counts = _Corners(prim, points, topology, time), topology.face_counts
+    colours = corners.values("displayColor", 3)
+    for material, faces in _bindings(prim, len(counts)):
+        painted = _material_colours(material, corners)
         if painted is not None:
             chosen = np.repeat(faces, counts)[:, None]
-            corners = np.where(chosen, painted, np.nan if corners is None else corners)
-    return None if corners is None else _at_points(corners, points, indices)
+            colours = np.where(chosen, painted, np.nan if colours is None else colours)
+    return None if colours is None else _at_points(colours, points, topology.face_indices)
 
 
 def _at_points(corners: Floats, points: int, indices: Indices) -> Floats | None:
@@ -49,46 +85,6 @@ def _at_points(corners: Floats, points: int, indices: Indices) -> Floats | None:
     )
     mean = colours.mean(axis=0)
     return np.where(weight[:, None] > 0, total / np.maximum(weight, 1)[:, None], mean)
-
-
-def _display_colours(
-    primvars: Any, points: int, counts: Indices, indices: Indices, time: Usd.TimeCode
-) -> Floats | None:
-    return _at_corners(
-        primvars.FindPrimvarWithInheritance("displayColor"), 3, points, counts, indices, time
-    )
-
-
-def _at_corners(
-    primvar: Any, width: int, points: int, counts: Indices, indices: Indices, time: Usd.TimeCode
-) -> Floats | None:
-    """(corners, width) values of a primvar of any interpolation, flattened; None where it does not
-    fit the mesh."""
-    if not primvar or not primvar.HasValue():
-        return None
-    flat = primvar.ComputeFlattened(time)
-    values = np.asarray(
-        flat if flat is not None else primvar.ComputeFlattened(Usd.TimeCode.EarliestTime())
-    )
-    if values.ndim != 2 or values.shape[1] != width or values.dtype.kind != "f":
-        return None
-    values = values.astype(np.float64)
-    spread: dict[str, Indices] = {
-        "constant": np.zeros(len(indices), dtype=np.int64),
-        "uniform": np.repeat(np.arange(len(counts)), counts),
-        "vertex": indices,
-        "varying": indices,
-        "faceVarying": np.arange(len(indices)),
-    }
-    sizes = {
-        "constant": 1,
-        "uniform": len(counts),
-        "vertex": points,
-        "varying": points,
-        "faceVarying": len(indices),
-    }
-    interpolation = str(primvar.GetInterpolation())
-    return values[spread[interpolation]] if sizes.get(interpolation) == len(values) else None
 
 
 # --- materials ------------------------------------------------------------------------------------
@@ -109,29 +105,20 @@ def _bindings(prim: Usd.Prim, faces: int) -> list[tuple[UsdShade.Material, Any]]
     return found
 
 
-def _material_colours(
-    material: UsdShade.Material,
-    prim: Usd.Prim,
-    points: int,
-    counts: Indices,
-    indices: Indices,
-    time: Usd.TimeCode,
-) -> Floats | None:
+def _material_colours(material: UsdShade.Material, corners: _Corners) -> Floats | None:
     """(corners, 3) base colour of a material on the mesh, None where it has none."""
     base = _base_colour(material)
-    if base is None:
+    sources = base.GetValueProducingAttributes() if base else []
+    if not sources:
         return None
-    sources = base.GetValueProducingAttributes()
-    shader = UsdShade.Shader(sources[0].GetPrim()) if sources else UsdShade.Shader()
+    shader = UsdShade.Shader(sources[0].GetPrim())
     if shader and shader.GetIdAttr().Get() == "UsdUVTexture":
-        return _textured(shader, prim, points, counts, indices, time)
-    value = value_at(sources[0], time) if len(sources) == 1 else None
-    colour = np.asarray(value if value is not None else (), dtype=np.float64)
-    return (
-        np.broadcast_to(colour, (len(indices), 3))
-        if colour.shape == (3,) and np.isfinite(colour).all()
-        else None
-    )
+        return _textured(shader, corners)
+    value = value_at(sources[0], corners.time) if len(sources) == 1 else None
+    colour = np.asarray(() if value is None else value, dtype=np.float64)
+    if colour.shape != (3,) or not np.isfinite(colour).all():
+        return None
+    return np.broadcast_to(colour, (len(corners.topology.face_indices), 3))
 
 
 def _base_colour(material: UsdShade.Material) -> Any:
@@ -143,17 +130,9 @@ def _base_colour(material: UsdShade.Material) -> Any:
     return None
 
 
-def _textured(
-    shader: UsdShade.Shader,
-    prim: Usd.Prim,
-    points: int,
-    counts: Indices,
-    indices: Indices,
-    time: Usd.TimeCode,
-) -> Floats | None:
+def _textured(shader: UsdShade.Shader, corners: _Corners) -> Floats | None:
     """(corners, 3) the texture at the corners, by the primvar that its reader names."""
-    primvar = UsdGeom.PrimvarsAPI(prim).FindPrimvarWithInheritance(_uv_name(shader))
-    uv, image = _at_corners(primvar, 2, points, counts, indices, time), _image(shader)
+    uv, image = corners.values(_uv_name(shader), 2), _image(shader)
     if uv is None or image is None or not np.isfinite(uv).all():
         return None
     tall, wide = image.shape[:2]
@@ -163,35 +142,32 @@ def _textured(
 
 
 def _uv_name(shader: UsdShade.Shader) -> str:
-    st = shader.GetInput("st")
-    sources = st.GetValueProducingAttributes() if st else []
-    reader = UsdShade.Shader(sources[0].GetPrim()) if sources else UsdShade.Shader()
-    named = reader.GetInput("varname") if reader else None
-    found = named.GetValueProducingAttributes() if named else []
-    return str(found[0].Get() or "st") if found else "st"
+    reader = _source(shader, "st")
+    name = _source(UsdShade.Shader(reader.GetPrim()), "varname") if reader else None
+    return str(name.Get() or "st") if name else "st"
+
+
+def _source(shader: UsdShade.Shader, name: str) -> Usd.Attribute | None:
+    """The attribute that gives an input of a shader its value."""
+    named = shader.GetInput(name) if shader else None
+    return next(iter(named.GetValueProducingAttributes() if named else ()), None)
 
 
 def _image(shader: UsdShade.Shader) -> Any:
     """(tall, wide, 3) bytes of the texture file, None where it cannot be read or is too large."""
-    file = shader.GetInput("file")
-    sources = file.GetValueProducingAttributes() if file else []
-    asset = sources[0].Get() if sources else None
-    opened = (
-        Ar.GetResolver().OpenAsset(Ar.ResolvedPath(asset.resolvedPath))
-        if asset and asset.resolvedPath
-        else None
-    )
+    source = _source(shader, "file")
+    asset = source.Get() if source else None
+    if not asset or not asset.resolvedPath:
+        return None
+    opened = Ar.GetResolver().OpenAsset(Ar.ResolvedPath(asset.resolvedPath))
     if not opened:
         return None
     from PIL import Image, UnidentifiedImageError  # few assets come with textures
 
     try:
         with Image.open(io.BytesIO(bytes(opened.GetBuffer()))) as image:
-            return (
-                np.asarray(image.convert("RGB"))
-                if image.width * image.height <= _MOST_PIXELS
-                else None
-            )
+            is_small = image.width * image.height <= _MOST_PIXELS
+            return np.asarray(image.convert("RGB")) if is_small else None
     except (UnidentifiedImageError, OSError, ValueError, SyntaxError, Image.DecompressionBombError):
         return None
 

@@ -86,38 +86,37 @@ def _drawable(root: Usd.Prim) -> list[Usd.Prim]:
 
 
 def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found) -> RigMesh | None:
-    mesh, path = UsdGeom.Mesh(prim), str(prim.GetPath())
-    points = _points(mesh, frames.time, path)
+    mesh, path, time = UsdGeom.Mesh(prim), str(prim.GetPath()), frames.time
+    points = vectors(value_at(mesh.GetPointsAttr(), time), path, "points").astype(np.float64)
     if not len(points):
         found.issues.append(issue("MESH_EMPTY", path, "has no points"))
         note_tokens(prim, found, f"{path} has no points")
         return None
-    counts, indices = _faces(mesh, frames.time, path, len(points))
-    if (
-        mesh.GetPointsAttr().GetNumTimeSamples() > 1
-        or mesh.GetFaceVertexIndicesAttr().GetNumTimeSamples() > 1
-    ):
-        found.issues.append(
-            issue("POINTS_ANIMATED", path, f"taken at {_time_name(mesh, frames.time)}")
-        )
+    counts, indices = _faces(mesh, time, len(points))
+    varying = (mesh.GetPointsAttr(), mesh.GetFaceVertexIndicesAttr())
+    if any(attribute.GetNumTimeSamples() > 1 for attribute in varying):
+        found.issues.append(issue("POINTS_ANIMATED", path, f"taken at {_time_name(mesh, time)}"))
     # The skin first: a mesh that is left off for it must not have named channels.
-    skin, to_root = _skin(binding, len(points), path, frames.time, found), frames.to_root(prim)
+    skin, to_root = _skin(binding, len(points), path, time, found), frames.to_root(prim)
     shapes = read_shapes(prim, binding, len(points), found)
+    to_bound = to_root
+    if skin is not None and binding is not None:
+        # A skinned mesh goes by its Skeleton.
+        to_bound = skin.geom_bind @ binding.armature.record.to_root
+    topology = Topology(
+        counts,
+        indices,
+        left_handed(mesh, to_bound[:3, :3]),
+        topology_hash(len(points), counts, indices),
+        _subsets(mesh, counts, indices, len(points), found),
+    )
+    colours = point_colours(prim, len(points), topology, time)
     return RigMesh(
-        path=path,
-        points=points,
-        topology=Topology(
-            counts,
-            indices,
-            left_handed(mesh, _linear_to_root(binding, skin, to_root)),
-            topology_hash(len(points), counts, indices),
-            _subsets(mesh, counts, indices, len(points), found),
-        ),
-        binding=MeshBinding(to_root, skin, shapes),
-        display=MeshDisplay(
-            _visible(mesh, frames.time),
-            point_colours(prim, len(points), counts, indices, frames.time),
-        ),
+        path,
+        points,
+        topology,
+        MeshBinding(to_root, skin, shapes),
+        MeshDisplay(_visible(mesh, time), colours),
     )
 
 
@@ -127,16 +126,6 @@ def left_handed(mesh: UsdGeom.Mesh, linear: Floats) -> bool:
     mirrors."""
     authored = mesh.GetOrientationAttr().Get() == UsdGeom.Tokens.leftHanded
     return bool(authored != (np.linalg.det(linear) < 0.0))
-
-
-def _linear_to_root(binding: Binding | None, skin: Skin | None, to_root: Floats) -> Floats:
-    """(3, 3) what takes the mesh's points to root space in the bind pose: a skinned mesh goes by
-    its Skeleton."""
-    if skin is None or binding is None:
-        return to_root[:3, :3]
-    return np.asarray(
-        skin.geom_bind[:3, :3] @ binding.armature.record.to_root[:3, :3], dtype=np.float64
-    )
 
 
 def _subsets(
@@ -170,21 +159,20 @@ def topology_hash(points: int, counts: Indices, indices: Indices) -> str:
     return digest.hexdigest()
 
 
-def _points(mesh: UsdGeom.Mesh, time: Usd.TimeCode, path: str) -> Floats:
-    return vectors(value_at(mesh.GetPointsAttr(), time), path, "points").astype(np.float64)
+def read_faces(mesh: UsdGeom.Mesh, time: Usd.TimeCode) -> tuple[Indices, Indices]:
+    """Counts and indices of the faces of a mesh as authored; raises ARRAY_TYPE."""
+    path = str(mesh.GetPath())
+    return (
+        integers(value_at(mesh.GetFaceVertexCountsAttr(), time), path, "faceVertexCounts"),
+        integers(value_at(mesh.GetFaceVertexIndicesAttr(), time), path, "faceVertexIndices"),
+    )
 
 
-def _faces(
-    mesh: UsdGeom.Mesh, time: Usd.TimeCode, path: str, count: int
-) -> tuple[Indices, Indices]:
-    counts = integers(value_at(mesh.GetFaceVertexCountsAttr(), time), path, "faceVertexCounts")
-    indices = integers(value_at(mesh.GetFaceVertexIndicesAttr(), time), path, "faceVertexIndices")
+def _faces(mesh: UsdGeom.Mesh, time: Usd.TimeCode, count: int) -> tuple[Indices, Indices]:
+    path, (counts, indices) = str(mesh.GetPath()), read_faces(mesh, time)
     if (counts < 0).any() or counts.sum() != len(indices):
-        raise refuse(
-            "TOPOLOGY_INVALID",
-            path,
-            f"faceVertexCounts add up to {counts.sum()}, faceVertexIndices has {len(indices)}",
-        )
+        what = f"faceVertexCounts add up to {counts.sum()}, faceVertexIndices has {len(indices)}"
+        raise refuse("TOPOLOGY_INVALID", path, what)
     check_range(indices, count, path, "faceVertexIndices")
     return counts, indices
 
@@ -208,29 +196,24 @@ def _skin(
 ) -> Skin | None:
     """Influences with joints numbered as in `Body.joints`; None where UsdSkel would not skin
     either."""
-    if (
-        binding is None
-        or not binding.armature.joint_names
-        or not binding.query.HasJointInfluences()
-    ):
+    if binding is None or not binding.armature.joint_names:
         return None
     query = binding.query
-    joints = integers(
-        value_at(query.GetJointIndicesPrimvar(), time), path, "primvars:skel:jointIndices"
+    if not query.HasJointInfluences():
+        return None
+    joints, weights = (
+        value_at(primvar, time)
+        for primvar in (query.GetJointIndicesPrimvar(), query.GetJointWeightsPrimvar())
     )
-    weights = floats(
-        value_at(query.GetJointWeightsPrimvar(), time), path, "primvars:skel:jointWeights"
-    )
+    joints = integers(joints, path, "primvars:skel:jointIndices")
+    weights = floats(weights, path, "primvars:skel:jointWeights")
     rigid = query.IsRigidlyDeformed()
     width = query.GetNumInfluencesPerComponent()
     expected = width if rigid else width * count
     if len(joints) != expected or len(weights) != expected or width < 1:
-        raise refuse(
-            "INFLUENCES_LENGTH",
-            path,
-            f"{count} points, {width} influences each, but {len(joints)} jointIndices and"
-            f" {len(weights)} jointWeights",
-        )
+        counts = f"{len(joints)} jointIndices and {len(weights)} jointWeights"
+        what = f"{count} points, {width} influences each, but {counts}"
+        raise refuse("INFLUENCES_LENGTH", path, what)
     order = _joint_order(binding, path)
     check_range(joints, len(order), path, "primvars:skel:jointIndices")
     check_finite(weights, path, "primvars:skel:jointWeights")
@@ -250,18 +233,13 @@ def _skin(
 def _joint_order(binding: Binding, path: str) -> Indices:
     """Index into `Body.joints` of each joint that the mesh counts by."""
     armature = binding.armature
-    own = binding.query.GetJointOrder()
-    if own is None or len(own) == 0:
-        return armature.first + np.arange(len(armature.joint_names), dtype=np.int64)
+    names = binding.query.GetJointOrder() or armature.joint_names
     place = {name: armature.first + i for i, name in enumerate(armature.joint_names)}
-    unknown = [str(name) for name in own if str(name) not in place]
+    unknown = [str(name) for name in names if str(name) not in place]
     if unknown:
-        raise refuse(
-            "JOINT_UNKNOWN",
-            path,
-            f"skel:joints names {unknown[0]!r}, which {armature.record.path} lacks",
-        )
-    return np.array([place[str(name)] for name in own], dtype=np.int64)
+        what = f"skel:joints names {unknown[0]!r}, which {armature.record.path} lacks"
+        raise refuse("JOINT_UNKNOWN", path, what)
+    return np.array([place[str(name)] for name in names], dtype=np.int64)
 
 
 def _method(query: UsdSkel.SkinningQuery, path: str, found: Found) -> Any:
@@ -275,10 +253,5 @@ def _method(query: UsdSkel.SkinningQuery, path: str, found: Found) -> Any:
 def _note_sums(weights: Floats, path: str, found: Found) -> None:
     off = np.abs(weights.sum(axis=1) - 1.0)
     if off.max() > 1e-3:
-        found.issues.append(
-            issue(
-                "WEIGHTS_UNNORMALISED",
-                path,
-                f"at {np.count_nonzero(off > 1e-3)} points, by up to {off.max():.3g}",
-            )
-        )
+        what = f"at {np.count_nonzero(off > 1e-3)} points, by up to {off.max():.3g}"
+        found.issues.append(issue("WEIGHTS_UNNORMALISED", path, what))

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -11,7 +12,7 @@ import numpy as np
 from pxr import Sdf, Usd, UsdSkel
 
 from usdrigui.errors import Issue, RigUIError, issue, refuse
-from usdrigui.model import Body, Floats, Indices, LeftOff, Shape, Singles, Skeleton
+from usdrigui.model import Body, Indices, LeftOff, Shape, Singles, Skeleton
 from usdrigui.usd.arrays import check_range, integers, tokens, vectors
 from usdrigui.usd.binding import why_unbound
 from usdrigui.usd.skeleton import Armature, repeated
@@ -79,22 +80,28 @@ def read_shapes(
     """
     path = str(prim.GetPath())
     names: tuple[str, ...] = ()
-    targets: Sequence[Sdf.Path] = ()
+    targets: list[Sdf.Path] = []
     with found.leaving_off(path, legible_tokens(prim)):
-        names, targets = _names_and_targets(prim)
+        names, targets = names_and_targets(prim)
     if names and binding is None:
         why = why_unbound(prim)
         found.issues.append(
             issue("MESH_UNBOUND", path, f"has {len(names)} blend shapes{why and '; '}{why}")
         )
         found.shapeless.update(dict.fromkeys(names, why or f"no Skeleton is bound to {path}"))
-    if not names or binding is None:
+    if binding is None:
         return ()
     found.issues.extend(repeated(names, path, "skel:blendShapes"))
     shapes = []
     for token, target in dict(zip(names, targets, strict=True)).items():
         with found.leaving_off(str(target), (token,)):
-            shape = _shape(prim.GetStage(), token, target, binding.armature.record, count, found)
+            blend_shape = prim.GetStage().GetPrimAtPath(target)
+            if not is_shape(blend_shape):
+                what = f"is the target of {token!r}"
+                found.issues.append(issue("TARGET_INVALID", str(target), what))
+                found.shapeless[token] = f"its target {target} is not an active BlendShape"
+                continue
+            shape = _shape(blend_shape, token, binding.armature.record, count, found)
             if shape is not None:
                 shapes.append(shape)
     return tuple(shapes)
@@ -115,64 +122,65 @@ def legible_tokens(prim: Usd.Prim) -> tuple[str, ...]:
         return ()
 
 
-def _names_and_targets(prim: Usd.Prim) -> tuple[tuple[str, ...], Sequence[Sdf.Path]]:
+def names_and_targets(prim: Usd.Prim) -> tuple[tuple[str, ...], list[Sdf.Path]]:
     """As many targets as names; raises ARRAY_TYPE and TARGETS_LENGTH."""
     names = shape_tokens(prim)
     targets = UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets()
     if len(names) != len(targets):
         counts = f"{len(names)} skel:blendShapes but {len(targets)} skel:blendShapeTargets"
         raise refuse("TARGETS_LENGTH", str(prim.GetPath()), counts)
-    return names, targets
+    return names, list(targets)
 
 
-def _shape(
-    stage: Usd.Stage, token: str, target: Sdf.Path, record: Skeleton, count: int, found: Found
-) -> Shape | None:
-    prim, path = stage.GetPrimAtPath(target), str(target)
-    if not prim or not prim.IsActive() or not prim.IsA(UsdSkel.BlendShape):
-        found.issues.append(issue("TARGET_INVALID", path, f"is the target of {token!r}"))
-        found.shapeless[token] = f"its target {path} is not an active BlendShape"
-        return None
-    offsets = _offsets(prim.GetAttribute("offsets").Get(), path, "offsets")
+def is_shape(prim: Usd.Prim) -> bool:
+    """Whether a target is one that UsdSkel would use."""
+    return bool(prim) and prim.IsActive() and prim.IsA(UsdSkel.BlendShape)
+
+
+def shape_arrays(
+    prim: Usd.Prim,
+    count: int,
+    issues: list[Issue],
+    guard: Callable[[], AbstractContextManager[None]] = contextlib.nullcontext,
+) -> tuple[Indices, list[tuple[float, Singles]]]:
+    """The points that a BlendShape of a mesh of `count` points names, and its weights with their
+    offsets, ascending.
+
+    Raises ARRAY_TYPE, INDEX_RANGE, NOT_FINITE and OFFSETS_LENGTH, those of offsets inside a
+    `guard`.
+    """
+    path = str(prim.GetPath())
     indices = integers(prim.GetAttribute("pointIndices").Get(), path, "pointIndices")
-    between = _inbetweens(prim, found)
-    size = len(indices) or count
-    for name, array in (("offsets", offsets), *((f"inbetweens:{w:g}", o) for w, o in between)):
-        if len(array) not in (0, size):
-            what = "pointIndices" if len(indices) else "points"
-            raise refuse("OFFSETS_LENGTH", path, f"{len(array)} {name} for {size} {what}")
-    if not len(offsets) and not any(len(each) for _, each in between):
+    check_range(indices, count, path, "pointIndices")
+    expected, rows = len(indices) or count, []
+    authored = [(1.0, "offsets", prim.GetAttribute("offsets").Get()), *_inbetweens(prim, issues)]
+    for weight, name, values in authored:
+        with guard():
+            offsets = vectors(values, path, name).astype(np.float32, copy=False)
+            if len(offsets) not in (0, expected):
+                what = "pointIndices" if len(indices) else "points"
+                counts = f"{len(offsets)} {name} for {expected} {what}"
+                raise refuse("OFFSETS_LENGTH", path, counts)
+            rows.append((weight, offsets))
+    return indices, sorted(rows, key=lambda row: row[0])
+
+
+def _shape(prim: Usd.Prim, token: str, record: Skeleton, count: int, found: Found) -> Shape | None:
+    path = str(prim.GetPath())
+    points, rows = shape_arrays(prim, count, found.issues)
+    if not any(len(offsets) for _, offsets in rows):
         found.shapeless[token] = f"its shape {path} has no offsets"
         return None
-    weights, points, table = _assembled(path, indices, offsets, between, size, count)
-    return Shape(_channel(token, record, found), path, weights, points, table)
-
-
-def _assembled(
-    path: str,
-    indices: Indices,
-    offsets: Singles,
-    between: list[tuple[float, Singles]],
-    size: int,
-    count: int,
-) -> tuple[Floats, Indices, Singles]:
-    """Weights, points and offsets of a Shape: rows in the order of weight, points ascending and
-    unique."""
-    rows = sorted([(1.0, offsets), *between], key=lambda row: row[0])
-    empty = np.zeros((size, 3), dtype=np.float32)
-    table = (
-        np.stack([each if len(each) else empty for _, each in rows]) if between else offsets[None]
-    )
-    if not len(indices):
+    empty = np.zeros((len(points) or count, 3), dtype=np.float32)
+    filled = [offsets if len(offsets) else empty for _, offsets in rows]
+    table = np.stack(filled) if len(rows) > 1 else filled[0][None]
+    if not len(points):
         points = np.flatnonzero(table.any(axis=(0, 2)))
         table = table if len(points) == count else table[:, points]
-    else:
-        points = indices
-        if (points[1:] <= points[:-1]).any():
-            points, table = _merged(points, table)
-        if points[0] < 0 or points[-1] >= count:
-            check_range(points, count, path, "pointIndices")
-    return np.array([weight for weight, _ in rows]), points, table
+    elif (points[1:] <= points[:-1]).any():
+        points, table = _merged(points, table)
+    weights = np.array([weight for weight, _ in rows])
+    return Shape(_channel(token, record, found), path, weights, points, table)
 
 
 def _merged(points: Indices, table: Singles) -> tuple[Indices, Singles]:
@@ -184,27 +192,24 @@ def _merged(points: Indices, table: Singles) -> tuple[Indices, Singles]:
     return unique, merged
 
 
-def _inbetweens(prim: Usd.Prim, found: Found) -> list[tuple[float, Singles]]:
-    """Weight and offsets of each in-between that UsdSkel would use."""
+def _inbetweens(prim: Usd.Prim, issues: list[Issue]) -> list[tuple[float, str, Any]]:
+    """Weight, name and offsets of each in-between that UsdSkel would use."""
     if not any(name.startswith("inbetweens:") for name in prim.GetPropertyNames()):
         return []
-    path, taken, between = str(prim.GetPath()), {0.0, 1.0}, []
-    for each in UsdSkel.BlendShape(prim).GetInbetweens():
-        weight, name = each.GetWeight(), each.GetAttr().GetName()
+    taken, between = [0.0, 1.0], []
+    for shape in UsdSkel.BlendShape(prim).GetInbetweens():
+        weight, name = shape.GetWeight(), shape.GetAttr().GetName()
         if (
             weight is None
             or not np.isfinite(weight)
-            or any(abs(weight - other) < 1e-6 for other in taken)
+            or np.abs(np.array(taken) - weight).min() < 1e-6
         ):
-            found.issues.append(issue("INBETWEEN_INVALID", path, f"{name} has weight {weight}"))
-            continue
-        taken.add(float(weight))
-        between.append((float(weight), _offsets(each.GetOffsets(), path, name)))
+            what = f"{name} has weight {weight}"
+            issues.append(issue("INBETWEEN_INVALID", str(prim.GetPath()), what))
+        else:
+            taken.append(float(weight))
+            between.append((float(weight), name, shape.GetOffsets()))
     return between
-
-
-def _offsets(values: Any, path: str, name: str) -> Singles:
-    return vectors(values, path, name).astype(np.float32, copy=False)
 
 
 def _channel(token: str, record: Skeleton, found: Found) -> int:
