@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import json
 import shutil
-from dataclasses import asdict, replace
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from usdrigui.cli import main
 from usdrigui.clients.batch import jobs, places, run, state
-from usdrigui.clients.batch.job import Job, JobOptions
+from usdrigui.clients.batch.job import Job, JobOptions, Row
 from usdrigui.errors import RigUIError
 
 
@@ -146,8 +146,8 @@ def test_a_layer_under_another_name_than_last_time_is_skipped_all_the_same(monke
     Path("char.usda").touch()
     Path("char.rigui.usda").touch()
     before = Job("char.usda", "char.rigui.usda", "", JobOptions(settings="settings"))
-    row = jobs.Row(before.asset, before.output, "", "written", 0)
-    state.remember(before, [], asdict(row))
+    sources = [{"path": "char.usda", "sha256": state.hashed("char.usda").sha256}]
+    state.remember(before, sources, Row(before.asset, before.output, "", "written", 0))
     now = replace(before, output=str(tmp_path / "char.rigui.usda"))
     again = jobs.run_job(now)
     assert (again.outcome, again.output) == ("skipped", now.output)

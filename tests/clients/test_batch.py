@@ -17,7 +17,7 @@ from pxr import Sdf
 
 from usdrigui.cli import main
 from usdrigui.clients.batch import jobs, places, run, state
-from usdrigui.clients.batch.job import Job, JobOptions
+from usdrigui.clients.batch.job import Job, JobOptions, Row
 from usdrigui.errors import RigUIError
 
 
@@ -91,24 +91,24 @@ def test_everything_that_the_result_depends_on_ends_the_skipping(folder, tmp_pat
     files = [Path("split.usda"), Path("a0/char.usda")]
     sources = [{"path": each.as_posix(), "sha256": state.hashed(folder / each).sha256} for each in files]
     paths = tuple(os.path.realpath(folder / each) for each in files)
-    row = jobs.Row(job.asset, job.output, job.picture, "written", 0, sources=paths)
-    written = {name: getattr(row, name) for name in row.__slots__}
+    row = Row(job.asset, job.output, job.picture, "written", 0, face=7, gap=0.25, seconds=3.0)
+    skipped = replace(row, outcome="skipped", seconds=0.0, sources=paths)
 
     def remembered():
-        state.remember(job, sources, written)
-        assert state.recall(job) == written
+        state.remember(job, sources, row)
+        assert state.recall(job) == skipped
 
     remembered()
     others = JobOptions(settings="others")
     for other in ({"options": others}, {"asset": "another.usda"}, {"picture": str(tmp_path / "other.png")}):
         assert state.recall(replace(job, **other)) is None
     plain = replace(job, picture="")
-    assert state.recall(plain) == {**written, "picture": ""}
+    assert state.recall(plain) == replace(skipped, picture="")
     picture.write_text("another picture")
-    assert state.recall(plain) == {**written, "picture": ""}
+    assert state.recall(plain) == replace(skipped, picture="")
     assert state.recall(job) is None
     picture.write_text("picture")
-    state.remember(plain, sources, written)
+    state.remember(plain, sources, row)
     assert state.recall(job) is None, "a picture that was not drawn then is asked for now"
     for path in (folder / "a0" / "char.usda", output, picture):
         remembered()
@@ -122,7 +122,7 @@ def test_everything_that_the_result_depends_on_ends_the_skipping(folder, tmp_pat
     assert state.recall(job) is None
     state.forget(job)
     stale = [{**each, "sha256": "0" * 64} for each in sources]
-    state.remember(job, stale, written)
+    state.remember(job, stale, row)
     assert not state.state_path(job.output).exists()
     asset.unlink()
 
@@ -183,22 +183,31 @@ STATES = {
     "deep": "[" * 100_000,
     "no table": "[]",
     "a pipe": None,
-    "a device": '{"sources": [{"path": "/dev/zero"}]}',
-    "another row": '{"about": %s, "sources": [], "row": {"exit": "none"}}',
+    "a device": '{"sources": ["/dev/zero"]}',
+    "an exit code": {"exit": 99},
+    "no sources": {"sources": []},
+    "sources without the asset": {"sources": ["other.usda"]},
+    "a count that is none": {"counts": {"face": "many"}},
 }
 
 
 @pytest.mark.skipif(os.name != "posix", reason="needs a pipe and /dev/zero")
 @pytest.mark.parametrize("what", STATES)
-def test_what_is_remembered_may_be_anything(monkeypatch, tmp_path, what):
+def test_a_file_that_does_not_hold_is_none(monkeypatch, tmp_path, what):
+    """Neither does it end the batch, nor is an asset skipped for it, even with a digest that fits."""
     job = fake(monkeypatch, tmp_path, END)
-    for each in (job.asset, job.output):
-        Path(each).touch()
-    path, text = state.state_path(job.output), STATES[what]
-    if text is None:
+    for name in ("char.usda", "char.rigui.usda", "other.usda"):
+        (tmp_path / name).touch()
+    empty = {name: 0.0 if name == "gap" else 0 for name in state._COUNTS}
+    path, content = state.state_path(job.output), STATES[what]
+    if content is None:
         os.mkfifo(path)
+    elif isinstance(content, str):
+        path.write_text(content)
     else:
-        path.write_text(text % json.dumps(state._about(job, [])) if "%" in text else text)
+        counts = empty | content.get("counts", {})
+        record = state._record(job, content.get("sources", ["char.usda"]), counts)
+        path.write_text(json.dumps(record | {"exit": 99} if "exit" in content else record))
     assert jobs.run_job(job).code == "BATCH_NO_REPORT"
 
 

@@ -25,8 +25,7 @@ from usdrigui.cli.outcomes import say, screen_of
 from usdrigui.errors import Exit, RigUIError, refuse
 
 if TYPE_CHECKING:
-    from usdrigui.clients.batch.job import Job
-    from usdrigui.clients.batch.jobs import Row
+    from usdrigui.clients.batch.job import Job, Row
 
 
 def add_batch(commands: Any) -> None:

@@ -19,7 +19,7 @@ from usdrigui.errors import sentences, visible
 if TYPE_CHECKING:
     from rich.status import Status
 
-    from usdrigui.clients.batch.jobs import Row
+    from usdrigui.clients.batch.job import Row
     from usdrigui.clients.batch.run import Summary
     from usdrigui.errors import Issue
     from usdrigui.layout.reuse.identity import Matching

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from PIL import Image, ImageDraw
 
-from usdrigui.clients.batch.jobs import Row
+from usdrigui.clients.batch.job import Row
 from usdrigui.view.lettering import font
 from usdrigui.view.picture import contact_sheet
 

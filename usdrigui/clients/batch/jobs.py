@@ -12,15 +12,15 @@ import json
 import os
 import threading
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import replace
 from pathlib import Path
 from queue import SimpleQueue
 from time import perf_counter
 from typing import Any
 
 from usdrigui.clients.batch import state
-from usdrigui.clients.batch.job import Job
-from usdrigui.errors import REPORT_FORMAT, Exit, RigUIError, refuse
+from usdrigui.clients.batch.job import Job, Row
+from usdrigui.errors import REPORT_FORMAT, RigUIError, refuse
 from usdrigui.supervision import KILL, Events, Outcome, supervise
 
 _RUNNING: set[Events] = set()
@@ -29,44 +29,10 @@ _ENTERING = threading.Lock()
 """Held while a worker enters them, or all are ended, so that none is missed."""
 
 
-@dataclass(frozen=True, slots=True)
-class Row:
-    """What became of one asset."""
-
-    asset: str
-    output: str
-    picture: str
-    """Empty where none was asked for, and where there is no layout."""
-    outcome: str
-    """``written``, ``unchanged``, ``skipped`` (nothing has changed since the last batch),
-    ``refused``, ``failed``, or ``part``: no character by itself, but a part of another asset of the
-    batch."""
-    exit: int
-    """Exit code that `usdrigui process` gave or would have given."""
-    code: str = ""
-    """Issue code of a refusal or failure."""
-    message: str = ""
-    controls: int = 0
-    face: int = 0
-    board: int = 0
-    left_off: int = 0
-    gap: float = 0.0
-    """Largest relative gap of its characters."""
-    warnings: int = 0
-    seconds: float = 0.0
-    sources: tuple[str, ...] = ()
-    """Real paths of the files that composed it; no part of the summary."""
-
-    @property
-    def sound(self) -> bool:
-        """Whether there is a layout now."""
-        return self.exit == Exit.OK and self.outcome != "part"
-
-
 def run_job(job: Job) -> Row:
     """Lay out one asset, unless nothing has changed since that was last done."""
     try:
-        known = None if job.options.again else _recalled(job)
+        known = None if job.options.again else state.recall(job)
         return known or _laid_out(job)
     except Exception as error:
         return failed(job, refuse("BUG", "", f"{type(error).__name__}: {error}"))
@@ -88,32 +54,13 @@ def end_all() -> None:
             each.put(KILL)
 
 
-def _recalled(job: Job) -> Row | None:
-    """The row that the last batch remembers, if it is one and still holds."""
-    known = state.recall(job)
-    try:
-        row = None if known is None else Row(**known)
-    except TypeError:
-        return None
-    if row is None or any(type(getattr(row, name)) is not kind for name, kind in _KINDS.items()):
-        return None
-    return replace(row, outcome="skipped", seconds=0.0)
-
-
-_KINDS = {
-    each.name: {"str": str, "int": int, "float": float}.get(str(each.type), tuple)
-    for each in fields(Row)
-}
-"""Of each column its type."""
-
-
 def _laid_out(job: Job) -> Row:
     state.forget(job)
     start = perf_counter()
     outcome = _supervised(job)
     row = replace(_row(job, outcome), seconds=round(perf_counter() - start, 3))
     if row.sound:
-        state.remember(job, json.loads(outcome.out)["sources"], asdict(row))
+        state.remember(job, json.loads(outcome.out)["sources"], row)
     return row
 
 

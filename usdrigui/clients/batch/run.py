@@ -17,8 +17,8 @@ from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 from usdrigui import worker
-from usdrigui.clients.batch.job import Job
-from usdrigui.clients.batch.jobs import Row, end_all, failed, run_job
+from usdrigui.clients.batch.job import Job, Row
+from usdrigui.clients.batch.jobs import end_all, failed, run_job
 from usdrigui.errors import Exit, catalogue, refuse
 
 FORMAT = "usdrigui.batch"

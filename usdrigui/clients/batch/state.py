@@ -1,28 +1,34 @@
 """What a batch remembers of an asset, in a small file beside its layer, so that it can be skipped
 next time.
 
-``char.rigui.usda`` has ``char.rigui.batch.json``.  An asset is skipped when its settings, our
-version, every file that composed it, the layer and the picture, if one is asked for, are what they
-were.
+``char.rigui.usda`` has ``char.rigui.batch.json``: the files that composed the asset, the counts of
+its layout, and a digest over these, the settings, our version, the content of the files and of the
+layer; a second digest is that of the picture.  An asset is skipped when both are what they were.
+A file in which anything is wrong counts as none.
 """
 
 from __future__ import annotations
 
 import contextlib
+import hashlib
 import json
+import math
 import os
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from usdrigui.clients.batch.job import Job
-from usdrigui.errors import RigUIError
+from usdrigui.clients.batch.job import Job, Row
+from usdrigui.errors import Exit, RigUIError
 from usdrigui.isolation.foreign_file import hashed, whole_content
 from usdrigui.replacing.transaction import commit
 from usdrigui.version import __version__
 
 FORMAT = "usdrigui.batch.state"
-VERSION = 1
+VERSION = 2
+_COUNTS = ("controls", "face", "board", "left_off", "warnings", "gap")
+"""Columns of a row that are remembered; all others are made anew."""
 
 
 def state_path(output: str) -> Path:
@@ -30,40 +36,31 @@ def state_path(output: str) -> Path:
     return Path(output).with_suffix(".batch.json")
 
 
-def recall(job: Job) -> dict[str, Any] | None:
-    """The row of the last batch, if laying out again would give the same; else None, whatever the
-    file holds."""
+def recall(job: Job) -> Row | None:
+    """The row of an asset whose layout would come out the same; None where that is not certain,
+    whatever the file holds."""
     try:
         known = json.loads(whole_content(state_path(job.output)))
-        about = _about(job, known["sources"])
-        if not job.picture:
-            about["picture"] = known["about"][
-                "picture"
-            ]  # one that nobody asks for now changes nothing
-        # Names are of this batch: the last one may have been started in another folder.
-        row = {**known["row"], "asset": job.asset, "output": job.output, "picture": job.picture}
-        return (
-            {**row, "sources": _paths(job, known["sources"])} if known["about"] == about else None
-        )
+        if not job.picture:  # one that nobody asks for now changes nothing
+            known["picture"] = ""
+        paths, counts = known["sources"], {name: known["counts"][name] for name in _COUNTS}
+        if not all(map(_is_count, counts, counts.values())) or known != _record(job, paths, counts):
+            return None
+        sources = _real_paths(job, paths)
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return None
+    row = Row(job.asset, job.output, job.picture, "skipped", int(Exit.OK), sources=sources)
+    return replace(row, **counts) if sources[:1] == (os.path.realpath(job.asset),) else None
 
 
-def remember(job: Job, sources: Sequence[Mapping[str, str]], row: Mapping[str, Any]) -> None:
+def remember(job: Job, sources: Sequence[Mapping[str, str]], row: Row) -> None:
     """Write the file; where that fails, the asset is laid out again next time."""
+    paths = [source["path"] for source in sources]
     with contextlib.suppress(OSError, RigUIError):
-        about = _about(job, sources)
-        row = {key: value for key, value in row.items() if key != "sources"}
-        document = {
-            "format": FORMAT,
-            "version": VERSION,
-            "about": about,
-            "sources": list(sources),
-            "row": row,
-        }
+        record = _record(job, paths, {name: getattr(row, name) for name in _COUNTS})
         # A file changed since it was read must not count as laid out.
-        if about["sources"] == [each["sha256"] for each in sources]:
-            commit(json.dumps(document, indent=2) + "\n", state_path(job.output), read=[job.asset])
+        if _digests(_real_paths(job, paths)) == [source["sha256"] for source in sources]:
+            commit(json.dumps(record, indent=2) + "\n", state_path(job.output), read=[job.asset])
 
 
 def forget(job: Job) -> None:
@@ -72,21 +69,36 @@ def forget(job: Job) -> None:
         state_path(job.output).unlink()
 
 
-def _about(job: Job, sources: Sequence[Mapping[str, str]]) -> dict[str, Any]:
-    """Everything that the result depends on, as it is now; raises OSError where a file is gone."""
+def _record(job: Job, paths: Sequence[str], counts: Mapping[str, float]) -> dict[str, Any]:
+    """What the file holds where nothing has changed; raises OSError where a file is gone."""
+    folder = os.path.realpath(Path(job.output).parent)
+    result = [
+        __version__,
+        job.options.settings,
+        os.path.relpath(os.path.realpath(job.asset), folder),
+        _digests(_real_paths(job, paths)),
+        _digests([job.output]),
+        counts,
+    ]
     return {
-        "usdrigui": __version__,
-        "settings": job.options.settings,
-        "asset": os.path.relpath(
-            os.path.realpath(job.asset), os.path.realpath(Path(job.output).parent)
-        ),
-        "sources": [hashed(each).sha256 for each in _paths(job, sources)],
-        "output": hashed(job.output).sha256,
+        "format": FORMAT,
+        "version": VERSION,
+        "digest": hashlib.sha256(json.dumps(result).encode()).hexdigest(),
         "picture": hashed(job.picture).sha256 if job.picture else "",
+        "sources": paths,
+        "counts": counts,
     }
 
 
-def _paths(job: Job, sources: Sequence[Mapping[str, str]]) -> tuple[str, ...]:
+def _is_count(name: str, value: Any) -> bool:
+    return type(value) is (float if name == "gap" else int) and 0 <= value < math.inf
+
+
+def _digests(paths: Sequence[str]) -> list[str]:
+    return [hashed(path).sha256 for path in paths]
+
+
+def _real_paths(job: Job, paths: Sequence[str]) -> tuple[str, ...]:
     """The files that composed an asset, by their real paths."""
     folder = Path(job.asset).parent
-    return tuple(os.path.realpath(folder / each["path"]) for each in sources)
+    return tuple(os.path.realpath(folder / path) for path in paths)
