@@ -4,6 +4,7 @@ import functools
 import os
 import sys
 
+import failures_at_once
 import pytest
 import skinned_stages
 import suites
@@ -74,6 +75,7 @@ def pytest_addoption(parser):
 
 
 def pytest_configure(config):
+    failures_at_once.pytest_configure(config)
     # readline, which pytest loads, sets it behind Python's back: what is printed here goes to no terminal.
     os.environ.pop("COLUMNS", None)
     os.unsetenv("COLUMNS")

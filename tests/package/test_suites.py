@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -50,6 +53,35 @@ def test_both_commands_are_reported_and_ci_runs_the_sample():
     for page in ("README.md", "docs/reliability.md"):
         assert "--suite slow" in (ROOT / page).read_text(encoding="utf-8"), page
     assert "--suite sample" in (ROOT / ".ci" / "run").read_text(encoding="utf-8")
+
+
+CUT = """
+import os
+import time
+
+def test_fails():
+    assert "this" == "that"
+
+def test_cuts_the_run():
+    time.sleep(1)
+    os.kill(os.getppid() if "PYTEST_XDIST_WORKER" in os.environ else os.getpid(), 9)
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs SIGKILL")
+@pytest.mark.parametrize("workers", [[], ["-n", "1"]])
+def test_a_run_that_is_cut_has_named_its_failures(tmp_path, workers):
+    (tmp_path / "test_cut.py").write_text(CUT)
+    (tmp_path / "conftest.py").write_text("from failures_at_once import pytest_configure\n")
+    command = [sys.executable, "-m", "pytest", "-q", *workers, str(tmp_path)]
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    environment.pop("PYTEST_XDIST_WORKER", None)
+    done = subprocess.run(
+        command, capture_output=True, text=True, cwd=tmp_path, env=environment, timeout=60, check=False
+    )
+    assert done.returncode == -9
+    assert "test_cut.py::test_fails" in done.stdout
+    assert "assert 'this' == 'that'" in done.stdout
 
 
 @pytest.mark.parametrize("change", ["executable", "environment", "switched off"])
