@@ -56,9 +56,8 @@ for mesh in root.GetChild("RigUI").GetChildren():
             cache = UsdGeom.XformCache(time)
             matrix = cache.GetLocalToWorldTransform(mesh) * cache.GetLocalToWorldTransform(root).GetInverse()
             drawn = mesh.GetAttribute("points").Get(time)
-            points = [matrix.Transform(drawn[point]) for point in handle]
-            centre = [sum(point[axis] for point in points) / len(points) for axis in range(3)]
-            found.setdefault(element.GetName(), []).append(centre)
+            anchor = matrix.Transform(drawn[min(handle)])
+            found.setdefault(element.GetName(), []).append(list(anchor))
 print(json.dumps({"version": ".".join(map(str, Usd.GetVersion()[1:])), "handles": found}))
 """
 

@@ -68,7 +68,7 @@ def test_values_of_the_base_pose_are_those_of_the_names_beside_them(layer):
         ("faceCount = 1", "faceCount = 5", "error", "faceCount is 5, but it has 1"),
         (r".*familyName.*\n", "", "warning", "familyName"),
         (r".*anchor:position.*\n", "", "warning", "pass rigUI:anchor:position by 12.5"),
-        (r"\[\(0, -10.0787, 7.4466\)", "[(0, -10.0787, 9.9)", "warning", "by 2.45 at the base pose"),
+        (r"(trackPoints = )\[\(0, -10.0787, 7.4466\)", r"\1[(0, -10.0787, 9.9)", "warning", "by 2.45 at the base pose"),
         (r".*anchor:pointIndex.*\n", "", "error", "pointIndex is missing"),
         (r".*trackPoints.*\n", "", "error", "has not two points"),
         (r".*control:jawOpen:blendShapes.*\n", "", "error", "the control drives nothing"),

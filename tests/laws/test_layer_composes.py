@@ -143,7 +143,7 @@ def test_handles_are_on_the_skin_behind_the_arc(posed, tmp_path, arc):
                 if (mesh, time) not in drawn:
                     drawn[mesh, time] = deformed_points(stage, layout.character.root, mesh, time)
                 first, anchor = (skin[element.anchor.mesh][at][element.anchor.point] for at in (0, time))
-                assert np.abs(drawn[mesh, time][points].mean(axis=0) - anchor).max() < CLOSE * size, element.name
+                assert np.abs(drawn[mesh, time][points[0]] - anchor).max() < CLOSE * size, element.name
                 travelled = max(travelled, float(np.linalg.norm(anchor - first)))
         assert travelled > 0.01 * size
 

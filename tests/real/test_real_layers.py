@@ -51,7 +51,7 @@ def _worst_miss(stage, rig, layout, poses):
         everything = np.concatenate(list(points.values()))
         diagonal = np.linalg.norm(np.ptp(everything, axis=0))
         for element in layout.elements:
-            centre = laid_out.handle(stage, rig.skel_root.path, element, time).mean(axis=0)
+            centre = laid_out.handle(stage, rig.skel_root.path, element, time)[0]
             miss = np.linalg.norm(centre - points[element.anchor.mesh][element.anchor.point])
             worst = max(worst, float(miss / diagonal))
     return worst

@@ -319,8 +319,9 @@ def test_handles_face_outwards(char, tmp_path):
         sides = np.split(mesh.GetFaceVertexIndicesAttr().Get(), np.cumsum(mesh.GetFaceVertexCountsAttr().Get())[:-1])
         count = prim.GetAttribute("rigUI:handle:faceCount").Get()
         corners = np.array([points[sides[face]] for face in faces[:count]], dtype=np.float64)
-        assert corners.shape == (1, 3, 3)
-        facing = np.cross(corners[0, 1] - corners[0, 0], corners[0, 2] - corners[0, 0])
+        assert corners.shape == (7, 3, 3)
+        dome = corners[1:]
+        facing = np.cross(dome[:, 1] - dome[:, 0], dome[:, 2] - dome[:, 0]).sum(axis=0)
         assert facing @ normal_of(prim) > 0.0
 
 

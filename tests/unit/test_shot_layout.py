@@ -36,7 +36,7 @@ def test_a_prim_gets_the_shapes_that_any_of_its_elements_newly_follows(monkeypat
     prim = SimpleNamespace(path="/Base/RigUI/face/shapes", spans=spans, shapes=["known"], targets=["/Base/x"], names=())
     body = SimpleNamespace(channels=(SimpleNamespace(token="known"), SimpleNamespace(token="new")))
     rig = SimpleNamespace(skel_root=SimpleNamespace(path="/Shot/Char"), body=body)
-    layout = SimpleNamespace(frame=SimpleNamespace(handle_width_of=lambda _: 1.0))
+    layout = SimpleNamespace(frame=None)
     shot = SimpleNamespace(rig=rig, layout=layout, base_root="/Base", prims=[prim])
     layer = Sdf.Layer.CreateAnonymous(".usda")
     scope = Sdf.CreatePrimInLayer(layer, "/Shot/Char/RigUI")

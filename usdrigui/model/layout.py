@@ -81,6 +81,11 @@ class LayoutFrame(Record):
         widths = {each.name: each.handle_width for each in self.parts}
         return widths.get(part, self.handle_width)
 
+    def view_of(self, part: str) -> Floats:
+        """(3,) unit direction from a part to its viewer."""
+        views = {each.name: each.view for each in self.parts}
+        return views.get(part, self.view)
+
 
 @dataclass(frozen=True, eq=False)
 class Proof(Record):

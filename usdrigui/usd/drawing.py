@@ -18,14 +18,11 @@ from pxr import Sdf, UsdGeom, Vt
 from usdrigui.model import Body, Channel, Element, Floats, Indices, Joint, Record, Skeleton
 from usdrigui.palette import linear
 from usdrigui.usd import author, schema
-from usdrigui.usd.drawn import Drawn, in_steps
+from usdrigui.usd.drawn import Drawn
 from usdrigui.usd.skin_binding import JointBinding, PointShape
 
 _AREA_OPACITY = 0.4
-_GRID = 1e-6
-"""Of the character's size: points are written in decimal steps below this."""
 _FAMILY = "rigUI"
-_VECTORS = Sdf.ValueTypeNames.Vector3fArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,14 +100,13 @@ def author_drawing(
     drawing: Drawing,
     elements: Sequence[DrawnElement],
     names: Sequence[str],
-    size: float,
 ) -> dict[int, Sdf.PrimSpec]:
     """Fill in a Mesh; returns the GeomSubset of each element whose handle it draws, by position.
 
-    `names` are the prims of the elements, `size` is the character's.
+    `names` are the prims of the elements.
     """
     points = np.concatenate([part.points for _, part in drawing.parts])
-    author.put(mesh, "points", "point3f[]", in_steps(points, _GRID * size))
+    _author_vectors(mesh, "points", Sdf.ValueTypeNames.Point3fArray, points)
     _author_faces(mesh, drawing, elements)
     _author_binding(mesh, body.skeletons, body.joints, drawing)
     subsets = _author_subsets(mesh, drawing, names)
@@ -133,11 +129,9 @@ def _author_faces(mesh: Sdf.PrimSpec, drawing: Drawing, elements: Sequence[Drawn
     # author normals.
     author.put(mesh, "subdivisionScheme", "token", "bilinear", uniform=True)
     author.put(mesh, "doubleSided", "bool", True, uniform=True)
-    extent = Sdf.AttributeSpec(
-        mesh, "extent", Sdf.ValueTypeNames.Float3Array, Sdf.VariabilityVarying
-    )
     # To the last bit as USD computes it of what is written, in single precision.
-    extent.default = UsdGeom.PointBased.ComputeExtent(mesh.attributes["points"].default)
+    extent = UsdGeom.PointBased.ComputeExtent(mesh.attributes["points"].default)
+    _author_vectors(mesh, "extent", Sdf.ValueTypeNames.Float3Array, np.array(extent))
     sides = [elements[position].element.look.side for position, _ in drawing.parts]
     colours = [linear(side) for side in dict.fromkeys(sides)]
     which = [list(dict.fromkeys(sides)).index(side) for side in sides]
@@ -178,11 +172,24 @@ def _author_subsets(
         author.put(subset, "familyName", "token", _FAMILY, uniform=True)
         author.put(subset, "indices", "int[]", np.concatenate(ranges))
         if position in handles:
-            author.declare(
-                subset, schema.HANDLE, {"faceCount": len(handles[position].faces.counts)}
-            )
+            handle = handles[position]
+            values = {"faceCount": len(handle.faces.counts), "lift": handle.lift}
+            author.declare(subset, schema.HANDLE, values)
             subsets[position] = subset
     return subsets
+
+
+def _author_vectors(
+    spec: Sdf.PrimSpec,
+    name: str,
+    type_name: Sdf.ValueTypeName,
+    rows: Floats,
+    variability: Sdf.Variability = Sdf.VariabilityVarying,
+) -> Sdf.AttributeSpec:
+    """Rows (n, 3) as they are: `author.put` rounds by the largest number of all rows."""
+    attribute = Sdf.AttributeSpec(spec, name, type_name, variability)
+    attribute.default = Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(rows, dtype=np.float32))
+    return attribute
 
 
 def _starts(counts: Iterable[int]) -> Indices:
@@ -337,12 +344,11 @@ def _author_shape(child: Sdf.PrimSpec, points: Indices, shape: PointShape) -> No
     between: set[str] = set()
     moved = np.flatnonzero(shape.offsets.any(axis=(0, 2)))
     moved = moved if len(moved) else np.arange(1)
-    for weight, offsets in zip(
-        shape.weights.tolist(), shape.offsets[:, moved].astype(np.float32), strict=True
-    ):
+    for weight, offsets in zip(shape.weights.tolist(), shape.offsets[:, moved], strict=True):
         name = "offsets" if weight == 1.0 else f"inbetweens:{_weight_name(weight, between)}"
-        attribute = Sdf.AttributeSpec(child, name, _VECTORS, Sdf.VariabilityUniform)
-        attribute.default = Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(offsets))
+        attribute = _author_vectors(
+            child, name, Sdf.ValueTypeNames.Vector3fArray, offsets, Sdf.VariabilityUniform
+        )
         if weight != 1.0:
             attribute.SetInfo("weight", weight)
     author.put(child, "pointIndices", "int[]", points[moved], uniform=True)

@@ -15,7 +15,7 @@ from typing import Literal
 
 import numpy as np
 
-from usdrigui.model import Drive, Element, Floats, Indices, Member, Record
+from usdrigui.model import Drive, Element, Floats, Indices, LayoutFrame, Member, Record
 from usdrigui.ties import axis_across
 from usdrigui.usd.polyline import fewest_points
 from usdrigui.usd.skin_binding import AnchorBinding, JointBinding, PointShape, SkinBinding
@@ -26,7 +26,7 @@ _INSET = 0.05
 """Of the way from a corner of an area to its middle: so far it stays away from the tracks."""
 _BESIDE = 0.05
 """Of a track's length: it begins at the handle if it begins nearer than this."""
-_TRACK_WIDTH = 0.15
+_TRACK_WIDTH = 0.22
 """Of a handle's."""
 _HAIR = 0.15
 """Of a handle's width, as wide as a track is: what a track need not follow.  All shapes left out
@@ -37,11 +37,25 @@ a drawn track may pass points of the track that it leaves out.  A straight one b
 an arch passes a turn of 60 degrees by so much."""
 _ARCH = 0.75
 """Half the height of a flat arch over its mean height."""
-_EXACT = 2e-6
-"""Of the character's size: the same for handles, which must be on the skin."""
-_HAIR_STEP, _EXACT_STEP = 0.05, 1e-6
-"""Of the same lengths: offsets are whole numbers of decimal steps below these, so that they are
-short to write."""
+_EXACT, _FINE = 2e-6, 1e-3
+"""Of the character's size, and of a handle's width, the less of both: the same for handles, which
+must be on the skin.  What is small beside its character, or beside a mesh that stands far away,
+needs its own measure."""
+_HAIR_STEP, _EXACT_STEP, _FINE_STEP = 0.05, 1e-6, 5e-4
+"""Of the same lengths: offsets and points are whole numbers of decimal steps below these, so that
+they are short to write."""
+_SIDES = 6
+_RADIUS, _HEIGHT = 0.6, 0.4
+"""Of a handle's width: a hexagon of this radius covers the circle around a handle, and its dome is
+so high that it is seen from the side."""
+_LIFT = 0.35
+"""Of a handle's width: so far the middle of the dome is from its anchor, which the skin around it
+would hide."""
+_LIFT_TURN, _DOME_TURN = 2.0, 0.7
+"""Weight of the direction to the viewer, beside that of the skin's normal, in the directions in
+which the dome is lifted, and looks."""
+_BEHIND = -0.5
+"""Skin that looks away from the viewer by more than this is seen from another side."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,13 +73,15 @@ class Faces(Record):
         return Faces(np.full(len(corners), corners.shape[1], dtype=np.int64), corners.ravel())
 
 
+Form = tuple[Floats, Faces]
+"""Points (q, 3) around a place, and the faces between them."""
+
+
 @dataclass(frozen=True, eq=False)
 class Drawn(Record):
     """One thing that is drawn of an element."""
 
     role: Literal["handle", "tracks"]
-    base_points: Floats
-    """(q, 3) in root space, in the base pose."""
     points: Floats
     """(q, 3) in the bind pose."""
     faces: Faces
@@ -75,31 +91,35 @@ class Drawn(Record):
     """Offsets (k, q, 3)."""
     areas: int = 0
     """How many faces are those of areas."""
+    lift: float = 0.0
+    """How far the middle of a handle is from its anchor in the base pose."""
 
 
-def drawn_parts(skin: SkinBinding, element: Element, width: float) -> tuple[Drawn, Drawn]:
-    """Everything to draw of one element: the handle, and the tracks with the areas between them.
-
-    `width` is the diameter of the handle in scene units.
-    """
+def drawn_parts(skin: SkinBinding, element: Element, frame: LayoutFrame) -> tuple[Drawn, Drawn]:
+    """Everything to draw of one element: the handle, and the tracks with the areas between them."""
+    part = element.placement.part
+    width, view = frame.handle_width_of(part), frame.view_of(part)
     binding = skin.at_anchor(element)
-    felt = tuple(_short(shape, skin) for shape in _felt(binding.shapes, _EXACT * skin.size))
+    step = min(_EXACT_STEP * skin.size, _FINE_STEP * width)
+    felt = _felt(binding.shapes, min(_EXACT * skin.size, _FINE * width))
     binding, still = (
-        replace(binding, shapes=felt),
+        replace(binding, shapes=tuple(_short(shape, step) for shape in felt)),
         replace(binding, shapes=_felt(binding.shapes, _HAIR * width)),
     )
+    form = _form(element, width, view)
     handle = (
-        _follower(skin, binding, element, width)
-        if binding.deforms
-        else _slider(skin, binding, element, width)
+        _follower(binding, form) if binding.deforms else _slider(skin, binding, element, form, step)
     )
-    return handle, _tracks(skin, still, element, width)
+    tracks = _tracks(skin, still, element, width)
+    lift = 0.0 if element.look.glyph is not None else _LIFT * width
+    return (
+        replace(handle, points=in_steps(handle.points, step), lift=lift),
+        replace(tracks, points=in_steps(tracks.points, step)),
+    )
 
 
-def _short(shape: PointShape, skin: SkinBinding) -> PointShape:
-    return PointShape(
-        shape.channel, shape.weights, in_steps(shape.offsets, _EXACT_STEP * skin.size)
-    )
+def _short(shape: PointShape, step: float) -> PointShape:
+    return PointShape(shape.channel, shape.weights, in_steps(shape.offsets, step))
 
 
 def _felt(shapes: tuple[PointShape, ...], budget: float) -> tuple[PointShape, ...]:
@@ -227,9 +247,7 @@ def _still(
         for shape, offsets in zip(others, spread, strict=True)
     )
     points = bound.unposed(positions) - _blended(skin, shapes)
-    return Drawn(
-        "tracks", np.array(positions, dtype=np.float64), points, faces, bound, shapes, areas
-    )
+    return Drawn("tracks", points, faces, bound, shapes, areas)
 
 
 def _ribbon(line: Floats, normal: Floats, width: float) -> tuple[Floats, Indices]:
@@ -333,27 +351,24 @@ def _neighbours(element: Element) -> list[tuple[int, int]]:
 # --- handles --------------------------------------------------------------------------------------
 
 
-def _follower(skin: SkinBinding, binding: AnchorBinding, element: Element, width: float) -> Drawn:
+def _follower(binding: AnchorBinding, form: Form) -> Drawn:
     """The handle of an element on the skin: it has every shape and influence of the anchor."""
-    around, faces = _form(element, width)
+    around, faces = form
     points = binding.rest + around @ binding.handle.inverse
     shapes = tuple(_uniform(shape, len(around)) for shape in binding.shapes)
-    base_points = (points + _blended(skin, shapes)) @ binding.handle.base[:3] + binding.handle.base[
-        3
-    ]
-    return Drawn("handle", base_points, points, faces, binding.handle, shapes)
+    return Drawn("handle", points, faces, binding.handle, shapes)
 
 
-def _form(element: Element, width: float) -> tuple[Floats, Faces]:
-    """Points (q, 3) around a handle's centre in the base pose, and the faces between them."""
-    glyph = element.look.glyph
+def _form(element: Element, width: float, view: Floats) -> Form:
+    """A handle in the base pose."""
+    glyph, normal = element.look.glyph, element.anchor.normal
     if glyph is None:
-        return 0.5 * width * _shard(element.anchor.normal), Faces.alike(np.arange(3)[None])
+        return _dome(normal, view, width)
     if glyph.form == "mesh":
         return glyph.points, Faces(glyph.counts, glyph.indices)
     ends = np.cumsum(glyph.counts)[:-1]
     lines = [
-        _ribbon(line, element.anchor.normal, _TRACK_WIDTH * width)
+        _ribbon(line, normal, _TRACK_WIDTH * width)
         for line in np.split(glyph.points, ends)
         if len(line) > 1
     ]
@@ -362,21 +377,47 @@ def _form(element: Element, width: float) -> tuple[Floats, Faces]:
     return np.concatenate([points for points, _ in lines]), Faces.alike(np.concatenate(quads))
 
 
-def _slider(skin: SkinBinding, binding: AnchorBinding, element: Element, width: float) -> Drawn:
+def _dome(normal: Floats, view: Floats, width: float) -> Form:
+    """The anchor, and over it a low dome with a stem to the anchor.
+
+    On a flat disc in the skin little can be seen: the skin around it is higher here and there.  The
+    dome is lifted and turned towards the viewer, the more the farther the skin looks away.
+    """
+    out = _unit(normal, np.array([0.0, 0.0, 1.0]))
+    viewer = view if out @ view > _BEHIND else np.zeros(3)
+    middle = _LIFT * _unit(out + _LIFT_TURN * viewer, out)
+    facing = _unit(out + _DOME_TURN * viewer, out)
+    across = np.cross(axis_across(facing), facing)
+    across /= np.linalg.norm(across)
+    turns = 2.0 * np.pi * np.arange(_SIDES)[:, None] / _SIDES
+    rim = middle + _RADIUS * (np.cos(turns) * across + np.sin(turns) * np.cross(facing, across))
+    points = np.concatenate([np.zeros((1, 3)), [middle + _HEIGHT * facing], rim])
+    first = 2 + np.arange(_SIDES)
+    sides = np.stack([np.ones_like(first), first, np.roll(first, -1)], axis=1)
+    return width * points, Faces.alike(np.concatenate([[[0, 3, 2]], sides]))
+
+
+def _unit(direction: Floats, otherwise: Floats) -> Floats:
+    length = float(np.linalg.norm(direction))
+    return direction / length if length > 0.0 else otherwise
+
+
+def _slider(
+    skin: SkinBinding, binding: AnchorBinding, element: Element, form: Form, step: float
+) -> Drawn:
     """The handle of an element that does not deform: its own controls' shapes take it along the
     tracks."""
-    around, faces = _form(element, width)
+    around, faces = form
     shapes: dict[int, PointShape] = {}
     for member in element.manipulator.members:
         along = _along_track(skin, binding, member)
         if along is not None:
-            shapes.setdefault(along.channel, _short(along, skin))
+            shapes.setdefault(along.channel, _short(along, step))
     now = _blended(skin, tuple(shapes.values()))
     centre = binding.track.unposed(element.anchor.position[None])[0] - now
     points = centre + around @ binding.track.inverse
-    base_points = around + element.anchor.position
     spread = tuple(_uniform(shapes[channel], len(around)) for channel in sorted(shapes))
-    return Drawn("handle", base_points, points, faces, binding.track, spread)
+    return Drawn("handle", points, faces, binding.track, spread)
 
 
 def _along_track(skin: SkinBinding, binding: AnchorBinding, member: Member) -> PointShape | None:
@@ -440,16 +481,3 @@ def in_steps(values: Floats, step: float) -> Floats:
     """Values rounded to whole numbers of the largest power of ten up to `step`."""
     decimals = min(int(np.ceil(-np.log10(step))), 300) if step > 0.0 else 300
     return np.asarray(np.round(values, decimals) + 0.0)  # no -0
-
-
-def _shard(normal: Floats) -> Floats:
-    """(3, 3) a triangle in the unit circle about the origin, halfway between lying on the skin and
-    standing on it: it is seen from the front and from the side, with as few points as can be."""
-    out = np.array(normal, dtype=np.float64)
-    length = float(np.linalg.norm(out))
-    out = out / length if length > 0.0 else np.array([0.0, 0.0, 1.0])
-    across = np.cross(axis_across(out), out)
-    across /= np.linalg.norm(across)
-    rising = (np.cross(out, across) + out) / np.sqrt(2.0)
-    turns = np.radians([90.0, 210.0, 330.0])
-    return np.asarray(np.cos(turns)[:, None] * across + np.sin(turns)[:, None] * rising)

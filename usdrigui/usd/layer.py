@@ -321,7 +321,7 @@ def author_elements(
         DrawnElement(
             each,
             each.name in inner,
-            drawn_parts(skin, each, layout.frame.handle_width_of(each.placement.part)),
+            drawn_parts(skin, each, layout.frame),
         )
         for each in elements
     ]
@@ -335,7 +335,7 @@ def author_elements(
         if drawing.inner:
             # Applications that know nothing of levels show the first one.
             author.put(mesh, "visibility", "token", "invisible")
-        subsets |= author_drawing(mesh, rig.body, drawing, drawn, names, skin.size)
+        subsets |= author_drawing(mesh, rig.body, drawing, drawn, names)
     paths = {element.name: _plain(subsets[i].path) for i, element in enumerate(elements)}
     for i, element in enumerate(elements):
         _author_element(subsets[i], rig.body, skin, element, paths)

@@ -113,11 +113,9 @@ def _author(layer: Sdf.Layer, shot: ShotLayout) -> None:
 
 def _author_new_shapes(scope: Sdf.PrimSpec, shot: ShotLayout, elements: Sequence[Element]) -> None:
     """Let what is drawn of existing elements follow the shapes that their layer does not know."""
-    skin, width = SkinBinding(shot.rig, shot.layout), shot.layout.frame.handle_width_of
+    skin, frame = SkinBinding(shot.rig, shot.layout), shot.layout.frame
     parts = {
-        each.name: drawn_parts(skin, each, width(each.placement.part))
-        for each in elements
-        if not each.anchor.on_board
+        each.name: drawn_parts(skin, each, frame) for each in elements if not each.anchor.on_board
     }
     prefixes = Sdf.Path(shot.base_root), Sdf.Path(shot.rig.skel_root.path)
     for prim in shot.prims:

@@ -13,6 +13,6 @@ for frame in task["frames"]:
     for name, (mesh, point) in task["anchors"].items():
         saved[f"anchor_{name}_{frame}"] = world_points(bpy.data.objects[mesh])[point]
     for name, (mesh, points) in task["handles"].items():
-        saved[f"{name}_{frame}"] = world_points(bpy.data.objects[mesh])[points].mean(axis=0)
+        saved[f"{name}_{frame}"] = world_points(bpy.data.objects[mesh])[points[0]]
 saved["frames"] = np.array([bpy.context.scene.frame_start, bpy.context.scene.frame_end])
 np.savez(task["result"], **saved)

@@ -273,9 +273,10 @@ def test_the_layer_draws_the_handles_of_each_part_at_its_own_width(monkeypatch):
     )
     drawn, draw = {}, layer.drawn_parts
 
-    def seen(carriage, element, width):
-        drawn[element.placement.part] = width
-        return draw(carriage, element, width)
+    def seen(skin, element, frame):
+        handle, tracks = draw(skin, element, frame)
+        drawn[element.placement.part] = round(handle.lift / 0.35, 6)
+        return handle, tracks
 
     monkeypatch.setattr(layer, "drawn_parts", seen)
     layer.layer_for([(rig, layout)], "", OutputSettings(), {})
