@@ -9,7 +9,16 @@ from types import MappingProxyType
 import numpy as np
 
 from usdrigui.layout.place.handle_width import KEPT, around, fitting_width
-from usdrigui.model import Floats, Indices, LayoutProblem, Overlap, Rig, RigMesh, Shape, Variable
+from usdrigui.model import (
+    Floats,
+    Indices,
+    LayoutProblem,
+    MeanOverlap,
+    Rig,
+    RigMesh,
+    Shape,
+    Variable,
+)
 from usdrigui.overlap import own_costs
 from usdrigui.settings import ObjectiveSettings
 
@@ -83,7 +92,7 @@ def _problem(positions: Floats, motions: list[tuple[Floats, bool]]) -> LayoutPro
     """The problem of a head whose controls make these motions; of mirrored ones one of two."""
     settings = ObjectiveSettings()
     width = _handle_width(positions, motions, settings)
-    overlap = Overlap(
+    overlap = MeanOverlap(
         settings.overlap_max,
         settings.overlap_radius * width,
         settings.overlap_sharpness / (settings.overlap_radius * width),
@@ -169,7 +178,7 @@ def _handle_width(
         total[: 1 + mirrored, wanted] += 1.0 / len(wanted)
     places = np.concatenate([positions, positions * np.array([-1.0, 1.0, 1.0])])
     weights = total.ravel()
-    return fitting_width(places[weights > 0], weights[weights > 0], np.eye(3), 2.0, settings)
+    return fitting_width(places[weights > 0], weights[weights > 0], 2.0, settings)
 
 
 def _variable(
@@ -179,7 +188,7 @@ def _variable(
     mirrored: bool,
     typical: float,
     settings: ObjectiveSettings,
-    overlap: Overlap,
+    overlap: MeanOverlap,
     width: float,
 ) -> Variable:
     """The candidates of one control: points that move more than the mean and half the peak (paper

@@ -26,7 +26,7 @@ from pathlib import Path
 
 import numpy as np
 
-from usdrigui.model import ExtraPairs, LayoutProblem, Overlap, Variable
+from usdrigui.model import ExtraPairs, LayoutProblem, MeanOverlap, Variable
 
 VERSION = 3
 PER_VARIABLE = ("points", "cost", "samples", "handles", "displacement")
@@ -79,7 +79,7 @@ def _problem(arrays: np.lib.npyio.NpzFile) -> LayoutProblem:
         ExtraPairs(int(a), int(b), *arrays[f"extra_labels_{at}"].T, arrays[f"extra_costs_{at}"])
         for at, (a, b) in enumerate(arrays["extra"])
     )
-    overlap = Overlap(*arrays["overlap"].tolist())
+    overlap = MeanOverlap(*arrays["overlap"].tolist())
     return LayoutProblem(
         variables, overlap, float(arrays["separation"]), float(arrays["unit_cost"]), extra
     )

@@ -6,27 +6,34 @@ from dataclasses import replace
 
 import numpy as np
 
-from usdrigui.model import ExtraPairs, LayoutProblem, Overlap, Variable
+from usdrigui.model import AnyOverlap, ExtraPairs, LayoutProblem, MeanOverlap, Overlap, Variable
 
 
 def random_problem(seed: int, variables: int = 5, candidates: int = 7) -> LayoutProblem:
-    """Elements thrown into a box a few handle widths wide: copies, ties, endless reach, explicit costs."""
+    """Elements thrown into a box a few handle widths wide: copies, ties, endless reach, explicit costs.
+
+    Every third is spaced by the paper's mean distance, the others as seen, on a screen and in the scene.
+    """
     generator = np.random.default_rng(seed)
     size = generator.uniform(0.5, 4.0)
     count = int(generator.integers(1, variables + 1))
-    elements = tuple(_element(generator, at, size, candidates) for at in range(count))
-    overlap = Overlap(5.0, 1.0, 4.0, float(generator.choice([3.0, np.inf])), 0.15)
+    axes = (3, 2, 3)[seed % 3]
+    elements = tuple(_element(generator, at, size, candidates, axes) for at in range(count))
+    overlap: AnyOverlap = MeanOverlap(5.0, 1.0, 4.0, float(generator.choice([3.0, np.inf])), 0.15)
+    if seed % 3:
+        overlap = Overlap(3, 1.0, *generator.uniform(0.1, [1, 2, 0.5, 0.7, 0.5, 0.5, 0.5, 0.5]))
     separation = float(generator.choice([1e-6, 0.5, 1.0]))
     return LayoutProblem(elements, overlap, separation, 0.85, _explicit(generator, elements))
 
 
-def _element(generator: np.random.Generator, at: int, size: float, candidates: int) -> Variable:
+def _element(generator: np.random.Generator, at: int, size: float, candidates: int, axes: int) -> Variable:
     count, copies = int(generator.integers(1, candidates + 1)), int(generator.integers(1, 3))
-    handles = generator.uniform(0, size, (count, copies, 3))
+    handles = generator.uniform(0, size, (count, copies, axes))
     if generator.random() < 0.3:
         handles = np.round(handles)
-    along = np.linspace(0, 1, int(generator.choice([2, 3, 5])))
-    samples = handles[:, :, None] + along[:, None] * generator.normal(0, 0.5, (count, copies, 1, 3))
+    tracks = [np.linspace(0, 1, 3)[:, None] * generator.normal(0, 0.5, (count, copies, 1, axes))]
+    tracks *= int(generator.integers(1, 3))
+    samples = handles[:, :, None] + np.concatenate(tracks, axis=2)
     beside = float(generator.choice([np.inf, -0.2, 0.3]))
     cost = generator.uniform(-1, 0, count)
     return Variable(f"v{at}", np.arange(count), cost, samples, handles, beside, -cost)
@@ -54,7 +61,7 @@ def crowd(seed: int, variables: int = 6, candidates: int = 40) -> LayoutProblem:
         samples = handles[:, :, None] + np.linspace(0, 1, 5)[:, None] * generator.normal(0, 0.3, 3)
         cost = -np.exp(-np.square(handles[:, 0]).sum(axis=-1) / 8) * generator.uniform(0.8, 1.2)
         elements.append(Variable(f"v{at}", np.arange(candidates), cost, samples, handles, 0.3, -cost))
-    return LayoutProblem(tuple(elements), Overlap(5.0, 1.0, 4.0, 3.0, 0.15), 1.0, 0.85)
+    return LayoutProblem(tuple(elements), MeanOverlap(5.0, 1.0, 4.0, 3.0, 0.15), 1.0, 0.85)
 
 
 def renumbered(problem: LayoutProblem, seed: int) -> LayoutProblem:

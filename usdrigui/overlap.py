@@ -1,41 +1,79 @@
-"""The overlap of elements: distance, cost and the objective itself (paper section 4.1, eq. 1 and
-2).
+"""The overlap of elements: what two of them cost that are in each other's way, and the objective.
 
-Stands on the ground floor because both the stages that build a `LayoutProblem` and those that solve
-it must agree on it to the last bit.  numpy only.
+There are two measures: what is seen on the screen of the layout's own view (`Overlap`), that is
+handles near each other or on a foreign track, and tracks that cross or run along each other; and
+the paper's mean distance of two sampled elements (`MeanOverlap`, section 4.1, eq. 1 and 2).
+
+Both the stages that build a `LayoutProblem` and those that solve it ask `least_costs`, so that they
+agree to the last bit; of blocks of labels it gives a lower bound.  numpy only.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import ArrayLike
 
-from usdrigui.model import Floats, Indices, LayoutProblem, Overlap, Variable
+from usdrigui.model import (
+    AnyOverlap,
+    Flags,
+    Floats,
+    Indices,
+    LayoutProblem,
+    MeanOverlap,
+    Overlap,
+    Variable,
+)
+
+ROUNDING = 1e-12
+"""Share of lengths and costs by which rounding may be off: bounds leave so much room."""
+_ALONG_COSINE = float(np.cos(np.pi / 6))
+"""Tracks that differ by less than this angle run the same way."""
 
 
-def overlap_cost(distance: ArrayLike, overlap: Overlap) -> Floats:
-    """phi(distance): the unweighted cost of two elements at that distance, in [0, maximum].
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """Elements as drawn, one copy of each, in the coordinates of the overlap: d = 2 on a screen, 3
+    in the scene."""
 
-    Eq. 1 as printed grows with distance; this is the decreasing sigmoid that its text describes,
-    lowered and cut so that it vanishes from `Overlap.cutoff_distance` on.
+    samples: Floats
+    """(u, d, q) positions along the tracks; of blocks, those of their centres."""
+    handle: Floats
+    """(d, q)."""
+    apart: Floats
+    """(u, q) how far a member of the block is from `samples` at most; zero for one label."""
+    handle_apart: Floats
+    """(q,) the same for `handle`."""
+
+    @classmethod
+    def of(cls, samples: Floats, handles: Floats) -> Drawn:
+        """One copy of labels: `samples` (q, u, d), `handles` (q, d)."""
+        count, points, _ = samples.shape
+        return cls(
+            samples.transpose(1, 2, 0), handles.T, np.zeros((points, count)), np.zeros(count)
+        )
+
+
+def least_costs(
+    one: Drawn, other: Drawn, overlap: AnyOverlap, separation: float
+) -> tuple[Floats, Flags]:
+    """Least cost (q,) of a member of `one` and a member of `other`, pair by pair, and whether they
+    can interact.
+
+    Exact for single labels.  +inf where all members' handles are nearer than the separation.
     """
-    z: Floats = np.asarray(distance, dtype=np.float64)
-    value: Floats = overlap.maximum * _fall(z, overlap)
-    if np.isfinite(overlap.cutoff_distance):
-        value = value - overlap.maximum * float(_fall(np.array(overlap.cutoff_distance), overlap))
-        value = np.where(z < overlap.cutoff_distance, np.maximum(value, 0.0), 0.0)
-    return np.asarray(value, dtype=np.float64)
-
-
-def element_distance(first: Floats, second: Floats) -> Floats:
-    """Mean, over both sample sets, of the distance to the nearest sample of the other set.
-
-    Parameters: ``(..., u, 3)`` and ``(..., v, 3)`` sample positions, broadcast over the leading
-    axes. Returns: ``(...)`` distances in the samples' units (paper section 4.1, dist(x_r, x_s)).
-    """
-    apart = np.sqrt(np.square(first[..., :, None, :] - second[..., None, :, :]).sum(axis=-1))
-    nearest = apart.min(axis=-1).sum(axis=-1) + apart.min(axis=-2).sum(axis=-1)
-    return np.asarray(nearest / (apart.shape[-1] + apart.shape[-2]), dtype=np.float64)
+    between = _distance(one.handle, other.handle)
+    slack = one.handle_apart + other.handle_apart
+    if isinstance(overlap, MeanOverlap):
+        costs, near = _mean_costs(one, other, overlap)
+    else:
+        costs, near = _seen_costs(one, other, between, slack, overlap)
+    # Members at the separation exactly, as on a grid, are allowed: a bound must not fall short of
+    # it by rounding.
+    off = np.where(slack > 0, ROUNDING * (between + slack), 0.0)
+    costs[between + slack + off < separation] = np.inf
+    return costs, near | (between - slack - off < separation)
 
 
 def pair_costs(
@@ -51,28 +89,36 @@ def pair_costs(
     if not problem.variables[a].states & problem.variables[b].states:
         return cost
     on_face = (one >= 0) & (other >= 0)
-    if on_face.any():
-        cost[on_face] = _on_face_costs(
-            problem, problem.variables[a], problem.variables[b], one[on_face], other[on_face]
-        )
+    for mine in _copies(problem.variables[a], one[on_face]):
+        for theirs in _copies(problem.variables[b], other[on_face]):
+            cost[on_face] += least_costs(mine, theirs, problem.overlap, problem.separation)[0]
     return cost
 
 
-def own_costs(samples: Floats, handles: Floats, overlap: Overlap, separation: float) -> Floats:
-    """Overlap of an element with its own mirror images, to be part of its linear cost.
+def own_costs(samples: Floats, handles: Floats, overlap: AnyOverlap, separation: float) -> Floats:
+    """What elements cost by how they are drawn, to be part of their linear cost: the overlap with
+    their own mirror images, and tracks too short to be seen.
 
-    `samples` (R, copies, u, 3), `handles` (R, copies, 3).  Returns ``(R,)`` weighted costs, +inf
+    `samples` (R, copies, u, d), `handles` (R, copies, d).  Returns ``(R,)`` costs, +inf
     where two copies' handles are nearer than the separation: such a candidate must be dropped.
     """
-    copies = samples.shape[1]
+    copies = [Drawn.of(samples[:, i], handles[:, i]) for i in range(samples.shape[1])]
     cost = np.zeros(len(samples))
-    for i in range(copies):
-        for j in range(i + 1, copies):
-            cost += overlap.weight * overlap_cost(
-                element_distance(samples[:, i], samples[:, j]), overlap
-            )
-            cost[np.linalg.norm(handles[:, i] - handles[:, j], axis=-1) < separation] = np.inf
+    for i, one in enumerate(copies):
+        cost += short_costs(one, overlap)
+        for other in copies[i + 1 :]:
+            cost += least_costs(one, other, overlap, separation)[0]
     return cost
+
+
+def short_costs(drawn: Drawn, overlap: AnyOverlap) -> Floats:
+    """(q,) what it costs that the longest track of an element is too short for a hand."""
+    if isinstance(overlap, MeanOverlap):
+        return np.zeros(drawn.handle.shape[1])
+    starts, ends = _segments(drawn.samples, overlap.samples)
+    steps = np.sqrt(np.square(ends - starts).sum(axis=1))
+    tracks = steps.reshape(-1, overlap.samples - 1, steps.shape[1]).sum(axis=1)
+    return np.asarray(overlap.short * _hinge(tracks.max(axis=0), overlap.handle_width))
 
 
 def total_cost(problem: LayoutProblem, labels: ArrayLike) -> float:
@@ -94,26 +140,148 @@ def total_cost(problem: LayoutProblem, labels: ArrayLike) -> float:
     return float(cost)
 
 
-def _fall(z: Floats, overlap: Overlap) -> Floats:
+def _copies(variable: Variable, labels: Indices) -> list[Drawn]:
+    samples, handles = variable.samples[labels], variable.handles[labels]
+    return [Drawn.of(samples[:, i], handles[:, i]) for i in range(samples.shape[1])]
+
+
+# --- as it is seen --------------------------------------------------------------------------------
+
+
+def _seen_costs(
+    one: Drawn, other: Drawn, between: Floats, slack: Floats, overlap: Overlap
+) -> tuple[Floats, Flags]:
+    """Handles near each other, a handle on the other's track, tracks that cross or run along.
+
+    A hinge (1 - distance / radius)+ falls with the distance, and a point of a track is moved by no
+    more than the farther moved end of its segment: with the slack added to the distance the hinge
+    is a lower bound.  Of blocks, crossing and running along are bounded by zero.
+    """
+    cost = overlap.near * _hinge(between + slack, overlap.near_radius)
+    near = between - slack < overlap.near_radius
+    for track, handle in ((one, other), (other, one)):
+        starts, ends = _segments(track.samples, overlap.samples)
+        gap = _to_segments(handle.handle[None], starts, ends).min(axis=0)
+        room = track.apart.max(axis=0) + handle.handle_apart
+        cost += overlap.on_track * _hinge(gap + room, overlap.track_radius)
+        near |= gap - room < overlap.track_radius
+    if len(one.handle) == 2:
+        single = (slack == 0.0) & ~one.apart.any(axis=0) & ~other.apart.any(axis=0)
+        met = np.flatnonzero(single & _boxes_meet(one.samples, other.samples, overlap.along_radius))
+        met_costs = _track_costs(one.samples[..., met], other.samples[..., met], overlap)
+        cost[met] += met_costs
+        near |= ~single
+        near[met] |= met_costs > 0.0
+    return cost, near
+
+
+def _boxes_meet(first: Floats, second: Floats, margin: float) -> Flags:
+    """(q,) whether the boxes around two elements' samples are within the margin of each other."""
+    ahead = first.min(axis=0) <= second.max(axis=0) + margin
+    behind = second.min(axis=0) <= first.max(axis=0) + margin
+    return np.asarray((ahead & behind).all(axis=0))
+
+
+def _track_costs(first: Floats, second: Floats, overlap: Overlap) -> Floats:
+    """(q,) what tracks cost that cross, or run along each other: samples (u, 2, q), (v, 2, q)."""
+    one, other = (_segments(samples, overlap.samples) for samples in (first, second))
+    along = _along(*one, *other, overlap.along_radius) + _along(*other, *one, overlap.along_radius)
+    return np.asarray(overlap.crossing * _cross(*one, *other) + overlap.along * along)
+
+
+def _hinge(distance: Floats, radius: float) -> Floats:
+    return np.asarray(np.maximum(1.0 - distance / radius, 0.0))
+
+
+def _segments(samples: Floats, each: int) -> tuple[Floats, Floats]:
+    """(segments, d, q) starts and ends of the pieces of tracks of `each` samples."""
+    starts = np.flatnonzero((np.arange(len(samples)) + 1) % each)
+    return samples[starts], samples[starts + 1]
+
+
+def _to_segments(points: Floats, starts: Floats, ends: Floats) -> Floats:
+    """(segments, q) distances of points (1, d, q) from segments."""
+    steps = ends - starts
+    length = np.maximum(np.square(steps).sum(axis=1), 1e-300)
+    share = np.clip(((points - starts) * steps).sum(axis=1) / length, 0.0, 1.0)
+    return np.asarray(np.sqrt(np.square(points - starts - share[:, None] * steps).sum(axis=1)))
+
+
+def _cross(starts: Floats, ends: Floats, others: Floats, other_ends: Floats) -> Floats:
+    """(q,) 1 where a segment properly crosses one of the others."""
+    a, b = starts[:, None], ends[:, None]
+    c, d = others[None], other_ends[None]
+    apart = (_turn(a, b, c) * _turn(a, b, d) < 0.0) & (_turn(c, d, a) * _turn(c, d, b) < 0.0)
+    return np.asarray(apart.any(axis=(0, 1)), dtype=np.float64)
+
+
+def _turn(a: Floats, b: Floats, c: Floats) -> Floats:
+    """Twice the signed area of triangles on a screen."""
+    (along_x, along_y), (aside_x, aside_y) = (np.moveaxis(end - a, -2, 0) for end in (b, c))
+    return np.asarray(along_x * aside_y - along_y * aside_x)
+
+
+def _along(
+    starts: Floats, ends: Floats, other_starts: Floats, other_ends: Floats, radius: float
+) -> Floats:
+    """(q,) share of the segments whose middles lie near a track that runs the same way there."""
+    steps, other_steps = ends - starts, other_ends - other_starts
+    lengths, other_lengths = (np.sqrt(np.square(each).sum(axis=1)) for each in (steps, other_steps))
+    share = np.zeros(starts.shape[-1])
+    for middle, step, length in zip(0.5 * (starts + ends), steps, lengths, strict=True):
+        gaps = _to_segments(middle[None], other_starts, other_ends)
+        alike = np.abs((step * other_steps).sum(axis=1)) >= _ALONG_COSINE * length * other_lengths
+        share += _hinge(np.where(alike, gaps, np.inf).min(axis=0), radius)
+    return share / len(steps)
+
+
+# --- the paper's ----------------------------------------------------------------------------------
+
+
+def overlap_cost(distance: ArrayLike, overlap: MeanOverlap) -> Floats:
+    """phi(distance): the unweighted cost of two elements at that distance, in [0, maximum].
+
+    Eq. 1 as printed grows with distance; this is the decreasing sigmoid that its text describes,
+    lowered and cut so that it vanishes from `MeanOverlap.cutoff_distance` on.
+    """
+    z: Floats = np.asarray(distance, dtype=np.float64)
+    value: Floats = overlap.maximum * _fall(z, overlap)
+    if np.isfinite(overlap.cutoff_distance):
+        value = value - overlap.maximum * float(_fall(np.array(overlap.cutoff_distance), overlap))
+        value = np.where(z < overlap.cutoff_distance, np.maximum(value, 0.0), 0.0)
+    return np.asarray(value, dtype=np.float64)
+
+
+def element_distance(first: Floats, second: Floats) -> Floats:
+    """(q,) mean, over both sample sets, of the distance to the nearest sample of the other set.
+
+    `first` (u, d, q), `second` (v, d, q): positions (paper section 4.1, dist(x_r, x_s)).
+    """
+    square = np.square(first[:, None] - second[None]).sum(axis=2)
+    nearest = np.sqrt(square.min(axis=0)).sum(axis=0) + np.sqrt(square.min(axis=1)).sum(axis=0)
+    return np.asarray(nearest / (len(first) + len(second)), dtype=np.float64)
+
+
+def _mean_costs(one: Drawn, other: Drawn, overlap: MeanOverlap) -> tuple[Floats, Flags]:
+    """Moving each sample by at most its own amount changes the sum over its element's samples by no
+    more than the sum of the amounts, and each of the other's nearest distances by no more than the
+    largest."""
+    distance = element_distance(one.samples, other.samples)
+    room = np.zeros(len(distance))
+    for mine, theirs in ((one, other), (other, one)):
+        room += mine.apart.sum(axis=0) + len(theirs.samples) * mine.apart.max(axis=0, initial=0.0)
+    room /= len(one.samples) + len(other.samples)
+    cost = overlap.weight * overlap_cost(distance + room, overlap)
+    return cost, distance - room < overlap.cutoff_distance
+
+
+def _fall(z: Floats, overlap: MeanOverlap) -> Floats:
     """1 / (1 + exp(sharpness (z - radius))), without overflow."""
     return np.asarray(
         0.5 * (1.0 - np.tanh(0.5 * overlap.sharpness * (z - overlap.radius))), dtype=np.float64
     )
 
 
-def _on_face_costs(
-    problem: LayoutProblem, a: Variable, b: Variable, first: Indices, second: Indices
-) -> Floats:
-    overlap = problem.overlap
-    a_samples, b_samples = a.samples[first], b.samples[second]
-    a_handles, b_handles = a.handles[first], b.handles[second]
-    cost = np.zeros(len(a_samples))
-    for i in range(a_samples.shape[1]):
-        for j in range(b_samples.shape[1]):
-            cost += overlap.weight * overlap_cost(
-                element_distance(a_samples[:, i], b_samples[:, j]), overlap
-            )
-            cost[
-                np.linalg.norm(a_handles[:, i] - b_handles[:, j], axis=-1) < problem.separation
-            ] = np.inf
-    return cost
+def _distance(a: Floats, b: Floats) -> Floats:
+    """(q,) distances of positions (d, q)."""
+    return np.asarray(np.sqrt(np.square(a - b).sum(axis=0)))

@@ -10,12 +10,11 @@ import numpy as np
 import pytest
 from layout_problems import crowd, random_problem
 
-from usdrigui.model import ExtraPairs, LayoutProblem, Overlap, Variable
-from usdrigui.overlap import element_distance, pair_costs, total_cost
+from usdrigui.model import ExtraPairs, LayoutProblem, MeanOverlap, Variable
+from usdrigui.overlap import Drawn, pair_costs, total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import label_geometry
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.label_geometry import LabelGeometry, LabelSet, all_labels, meeting, pair_bounds
+from usdrigui.solve.label_geometry import LabelGeometry, LabelSet, all_labels, pair_bounds
 from usdrigui.solve.pair_costs import near_blocks, refined
 from usdrigui.solve.pair_costs import pair_costs as costs_of_pairs
 from usdrigui.solve.partition import Blocks, bisect, block_set, blocks_of_variables, cheapest, thinned
@@ -28,7 +27,7 @@ def usable(problem: LayoutProblem) -> bool:
 @cache
 def problems() -> tuple[LayoutProblem, ...]:
     drawn = [random_problem(seed) for seed in range(60)] + [crowd(seed, 4, 12) for seed in range(5)]
-    drawn += [replace(each, overlap=Overlap(5.0, 0.2, 20.0, 0.6, 0.15), separation=0.1) for each in drawn[-5:]]
+    drawn += [replace(each, overlap=MeanOverlap(5.0, 0.2, 20.0, 0.6, 0.15), separation=0.1) for each in drawn[-5:]]
     return tuple(each for each in drawn if usable(each))
 
 
@@ -48,20 +47,9 @@ def test_a_block_is_cut_between_the_halves_of_its_widest_direction() -> None:
     handles = np.zeros((4, 1, 3))
     handles[:, 0, 0], handles[:, 0, 1] = [8.0, 5.0, 6.0, 7.0], [0.0, 0.1, 0.2, 0.3]
     one = Variable("a", np.arange(4), np.zeros(4), handles[:, :, None], handles, np.inf, np.ones(4))
-    labels = all_labels(LayoutProblem((one,), Overlap(5.0, 1.0, 4.0, 3.0, 0.15), 1.0, 0.85))
+    labels = all_labels(LayoutProblem((one,), MeanOverlap(5.0, 1.0, 4.0, 3.0, 0.15), 1.0, 0.85))
     halves = parts(labels, 1)
     assert [set(each) for each in np.split(halves.members, halves.start[1:-1])] == [{1, 2}, {0, 3}]
-
-
-@pytest.mark.parametrize("part", ["samples", "handle"])
-def test_one_block_whose_members_stand_apart_makes_a_set_of_blocks_inexact(part: str) -> None:
-    """Even where the others are single labels: its pair costs are bounds, with room for its members."""
-    apart = {"samples": np.zeros((2, 3)), "handle": np.zeros(3)}
-    apart[part][..., 1] = 0.5
-    places = np.zeros((2, 3, 3))
-    blocks = LabelGeometry(np.arange(3), places, apart["samples"], places[0], apart["handle"])
-    assert not blocks.exact
-    assert LabelGeometry(np.arange(3), places, np.zeros((2, 3)), places[0], np.zeros(3)).exact
 
 
 def test_an_explicit_cost_of_the_very_first_label_counts() -> None:
@@ -71,17 +59,6 @@ def test_an_explicit_cost_of_the_very_first_label_counts() -> None:
     labels = all_labels(problem)
     (other,) = np.flatnonzero((labels.variable == 1) & (labels.candidate == 2))
     assert costs_of_pairs(problem, labels)[0, other] == 7.0
-
-
-@pytest.mark.parametrize("at_once", [1, 50, 32768])
-def test_distances_of_pairs_are_those_of_elements(at_once: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(label_geometry, "CHUNK", at_once)
-    generator = np.random.default_rng(0)
-    for u, v in itertools.product((1, 2, 5), repeat=2):
-        a, b = generator.normal(size=(u, 3, 7)), generator.normal(size=(v, 3, 9))
-        p, q = generator.integers(0, 7, 40), generator.integers(0, 9, 40)
-        wanted = element_distance(np.moveaxis(a, -1, 0)[p], np.moveaxis(b, -1, 0)[q])
-        assert label_geometry.sample_distance(a, p, b, q) == pytest.approx(wanted, abs=1e-12)
 
 
 def pairs_wrong(problem: LayoutProblem, times: int) -> int:
@@ -110,15 +87,21 @@ def test_blocks_cost_no_more_than_members_and_none_that_meet_are_passed_over(tim
     assert sum(pairs_wrong(each, times) for each in problems()) == 0
 
 
-@pytest.mark.parametrize(("name", "share"), [("reach", 0.2), ("slack", 0.5)])
-def test_too_small_a_size_is_caught(name: str, share: float, monkeypatch: pytest.MonkeyPatch) -> None:
-    geometry = label_geometry.LabelGeometry
-    honest = getattr(geometry, name)
+def test_too_small_an_extent_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    honest = LabelGeometry.extent.func
+    monkeypatch.setattr(LabelGeometry, "extent", property(lambda geometry: 0.2 * honest(geometry)))
+    assert any(pairs_wrong(each, times) for each in problems() for times in (0, 1))
 
-    def small(*given: object) -> object:
-        return share * honest(*given)
 
-    monkeypatch.setattr(geometry, name, small)
+@pytest.mark.parametrize("field", ["apart", "handle_apart"])
+def test_too_little_slack_is_caught(field: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    honest = LabelGeometry.drawn
+
+    def tight(geometry: LabelGeometry, at: np.ndarray) -> Drawn:
+        drawn = honest(geometry, at)
+        return replace(drawn, **{field: 0.5 * getattr(drawn, field)})
+
+    monkeypatch.setattr(LabelGeometry, "drawn", tight)
     assert any(pairs_wrong(each, times) for each in problems() for times in (0, 1))
 
 
@@ -246,18 +229,7 @@ def test_members_handles_may_be_nearer_than_their_centres_by_what_both_are_off(
         far, still = np.full((1, 3, 1), 100.0 * (x + 1.0)), np.zeros((1, 1))
         return LabelGeometry(np.array([0]), far, still, np.array([[x], [0.0], [0.0]]), np.array([slack]))
 
-    problem = LayoutProblem((), Overlap(5.0, 0.1, 20.0, 0.6, 0.15), 1.0, 0.85)
+    problem = LayoutProblem((), MeanOverlap(5.0, 0.1, 20.0, 0.6, 0.15), 1.0, 0.85)
     at = np.array([0])
     (cost,), (meets,) = pair_bounds(geometry(0.0), at, geometry(between), at, problem)
     assert (np.isinf(cost), meets) == (excluded, near)
-
-
-@pytest.mark.parametrize(("between", "meet"), [(0.95, True), (1.05, False)])
-def test_elements_end_to_end_meet_by_their_mean_distance(between: float, meet: bool) -> None:
-    """The ends of two lines of length .8 are near, their samples in the mean are not."""
-    samples = np.zeros((5, 3, 2))
-    samples[:, 0] = np.linspace(-0.4, 0.4, 5)[:, None] + [0.0, between]
-    none = np.zeros(2)
-    lines = LabelGeometry(np.arange(2), samples, np.zeros((5, 2)), samples[2], none)
-    problem = LayoutProblem((), Overlap(5.0, 0.2, 20.0, 0.6, 0.15), 0.1, 0.85)
-    assert meeting(lines, np.array([0]), lines, np.array([1]), problem).tolist() == [meet]

@@ -9,7 +9,7 @@ import pytest
 from layout_problems import crowd
 
 from usdrigui.errors import RigUIError
-from usdrigui.model import LayoutProblem, Overlap, Variable
+from usdrigui.model import LayoutProblem, MeanOverlap, Variable
 from usdrigui.settings import Settings, SolveSettings, load
 from usdrigui.solve import solve
 from usdrigui.solve.budget import Budget
@@ -29,7 +29,7 @@ def element(name, spots, gains, off_face=np.inf):
 
 
 def problem_of(*elements, radius=1.0):
-    return LayoutProblem(tuple(elements), Overlap(5.0, radius, 4.0 / radius, 3.0 * radius, 0.15), SEPARATION, 0.85)
+    return LayoutProblem(tuple(elements), MeanOverlap(5.0, radius, 4.0 / radius, 3.0 * radius, 0.15), SEPARATION, 0.85)
 
 
 def row(*places):

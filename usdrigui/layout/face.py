@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from usdrigui.layout.visibility import Views, clear_handles
-from usdrigui.model import Flags, Rig, Symmetry, Trajectories
+from usdrigui.model import Flags, Floats, Rig, Symmetry, Trajectories
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,6 +20,13 @@ class Face:
     views: Views
     handle_width: float
     """Diameter of a handle in scene units."""
+    flat: bool = False
+    """Whether elements are kept apart as they are seen on the screen, not in space."""
+
+    @property
+    def drawing_axes(self) -> Floats:
+        """(d, 3) the axes along which drawn elements are measured."""
+        return self.views.drawing_axes(self.flat)
 
     @cached_property
     def clear(self) -> Flags:

@@ -76,10 +76,15 @@ class Views(Record):
         """(n,) points that at least one view sees."""
         return np.asarray(self.visible.any(axis=0))
 
-    def flat_direction(self, space: str) -> Floats | None:
-        """(3,) direction to the viewer of a layout in ``view`` space, which is flat; none in
-        ``object`` space."""
-        return self.directions[0] if space == "view" else None
+    @property
+    def axes(self) -> Floats:
+        """(3, 3) unit vectors to the right, up and to the viewer of the layout's own view."""
+        return np.vstack([screen(self), self.directions[:1]])
+
+    def drawing_axes(self, flat: bool) -> Floats:
+        """(d, 3) the axes along which drawn elements are measured: those of the screen where the
+        layout is `flat`, else all three."""
+        return screen(self) if flat else np.eye(3)
 
     def one_sided(self, normal: Floats) -> bool:
         """Whether the only view looks across the plane of symmetry, of which it may see one side

@@ -39,7 +39,15 @@ from usdrigui.model.motion import (
     Symmetry,
     Trajectories,
 )
-from usdrigui.model.problem import Choice, ExtraPairs, LayoutProblem, Overlap, Variable
+from usdrigui.model.problem import (
+    AnyOverlap,
+    Choice,
+    ExtraPairs,
+    LayoutProblem,
+    MeanOverlap,
+    Overlap,
+    Variable,
+)
 from usdrigui.model.record import Flags, Floats, Indices, Record, Singles, freeze
 from usdrigui.model.rig import (
     Body,
@@ -56,6 +64,7 @@ from usdrigui.model.rig import (
 __all__ = [
     "GAP_FLOOR",
     "Anchor",
+    "AnyOverlap",
     "Assignment",
     "BaseSurface",
     "Body",
@@ -88,6 +97,7 @@ __all__ = [
     "LeftOff",
     "Look",
     "Manipulator",
+    "MeanOverlap",
     "Member",
     "MeshBinding",
     "MeshDisplay",

@@ -15,14 +15,14 @@ class LayoutProblem(Record):
     """Choose one label per variable so that the total cost is least (paper eq. 2-5).
 
     cost = sum of linear costs + sum over unordered pairs of variables of their pair cost.  The pair
-    cost of two candidates is ``overlap.weight`` times the sum of phi over all pairs of copies, or
+    cost of two candidates is the sum of their overlap over all pairs of copies, or
     +inf if any two handles are nearer than `separation`; a variable on the board has no pair costs,
     and neither have two variables that are never visible together.  `extra` adds explicit
     non-negative pair costs on top.  Nothing else is part of the problem.
     """
 
     variables: tuple[Variable, ...]
-    overlap: Overlap
+    overlap: AnyOverlap
     separation: float
     """Scene units; > 0. Tiny (coincidence) where only "one element per point" is asked (paper eq.
     4)."""
@@ -45,7 +45,8 @@ class Variable(Record):
     """One element to place: its candidates are the labels 0..R-1; label -1 is the board.
 
     An element stands for itself and for its images under the symmetry (paper section 3.3, symmetric
-    elements): `samples` and `handles` hold one entry per copy.
+    elements): `samples` and `handles` hold one entry per copy, in d coordinates: 2 on the
+    screen of a layout's view, 3 in the scene.
     """
 
     name: str
@@ -54,9 +55,9 @@ class Variable(Record):
     cost: Floats
     """(R,) finite linear cost of each candidate, all copies and their mutual overlap included."""
     samples: Floats
-    """(R, copies, u, 3) points along the drawn element, for overlaps."""
+    """(R, copies, u, d) points along the drawn element, for overlaps."""
     handles: Floats
-    """(R, copies, 3) where the handle rests."""
+    """(R, copies, d) where the handle rests."""
     off_face_cost: float
     """Linear cost of label -1; +inf when the element must stay on the face."""
     displacement: Floats
@@ -69,7 +70,43 @@ class Variable(Record):
 
 @dataclass(frozen=True, eq=False)
 class Overlap(Record):
-    """Constants of the overlap cost (paper eq. 1, with the sign corrected).
+    """What two elements cost that are in each other's way as they are drawn (`usdrigui.overlap`).
+
+    Each cost is in the units of the objective, each radius in scene units; from a radius on, what
+    it belongs to costs nothing.
+    """
+
+    samples: int
+    """Samples of each track."""
+    handle_width: float
+    near: float
+    """Cost of two handles on one place."""
+    near_radius: float
+    on_track: float
+    """Cost of a handle on a track of another element."""
+    track_radius: float
+    crossing: float
+    """Cost of two tracks that cross."""
+    along: float
+    """Cost of a track that lies on another one and runs the same way."""
+    along_radius: float
+    short: float
+    """Linear cost of an element without a track; nothing from a handle's width on."""
+
+    @property
+    def most(self) -> float:
+        """What two elements cost at most."""
+        return self.near + 2.0 * self.on_track + self.crossing + 2.0 * self.along
+
+    @property
+    def reach(self) -> float:
+        """Distance of drawn points from which two elements cannot interact; scene units."""
+        return max(self.near_radius, self.track_radius, self.along_radius)
+
+
+@dataclass(frozen=True, eq=False)
+class MeanOverlap(Record):
+    """Constants of the paper's overlap cost (eq. 1, with the sign corrected).
 
     phi(z) = maximum / (1 + exp(sharpness (z - radius))), lowered by its value at
     `cutoff_distance` and cut to zero from there on: elements further apart do not interact.
@@ -84,6 +121,19 @@ class Overlap(Record):
     """Scene units; inf for no cut."""
     weight: float
     """Factor on every overlap in the objective (paper: 1 - lambda)."""
+
+    @property
+    def most(self) -> float:
+        """What two elements cost at most."""
+        return self.weight * self.maximum
+
+    @property
+    def reach(self) -> float:
+        """Distance of drawn points from which two elements cannot interact; scene units."""
+        return self.cutoff_distance
+
+
+AnyOverlap = Overlap | MeanOverlap
 
 
 @dataclass(frozen=True, eq=False)

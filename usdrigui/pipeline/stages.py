@@ -27,7 +27,7 @@ from usdrigui.layout.group.grouping import find_groups
 from usdrigui.layout.motion.similarity import Similarity, displacement_fields, similarity
 from usdrigui.layout.motion.trajectory import of_controls, trajectories
 from usdrigui.layout.parts.division import Part, divide, main_part, of_part
-from usdrigui.layout.parts.joint_regions import FACE
+from usdrigui.layout.parts.joint_regions import FACE, FLAT
 from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.place.handle_width import handle_width, on_face
 from usdrigui.layout.place.problem import PlacementProblem, placement_problem
@@ -408,12 +408,13 @@ def measure(
         requests = replace(requests, names=replace(requests.names, expected=expected))
         alike = similarity(fields)
         classification = classify(rig, found, symmetry, views, alike, requests, candidates)
-        toward = views.flat_direction(candidates.space)
+        flat = candidates.space == "view" or (candidates.space == "part" and part in FLAT)
         placed = on_face(found.motions, classification, requests.overrides)
-        width = handle_width(found, views, placed, toward, objective)
+        axes = views.drawing_axes(flat)
+        width = handle_width(found, views, placed, axes if flat else views.axes, objective)
         if objective.distinctive_weight > 0.0:
             found = with_common_motion(found, alike, placed, views.anywhere)
-    return Measured(Face(rig, found, symmetry, views, width), alike, requests, classification)
+    return Measured(Face(rig, found, symmetry, views, width, flat), alike, requests, classification)
 
 
 def layout_of(inputs: ProblemInputs, assignment: Assignment) -> Layout:

@@ -112,7 +112,7 @@ class CandidateSettings:
     occlusion: bool = True
     occlusion_weight: float = 0.15
     view: str = ""
-    space: Literal["object", "view"] = "object"
+    space: Literal["part", "object", "view"] = "part"
     global_coverage: float = 0.6
     hidden_share: float = 0.02
     board_global: bool = True
@@ -138,6 +138,15 @@ class ObjectiveSettings:
 
     displacement_weight: float = 0.85
     relative_displacement: float = 0.5
+    overlap: Literal["seen", "mean"] = "seen"
+    near_weight: float = 1.0
+    near_radius: float = 2.0
+    track_weight: float = 0.5
+    track_radius: float = 0.7
+    crossing_weight: float = 0.3
+    along_weight: float = 0.3
+    along_radius: float = 0.5
+    short_weight: float = 0.5
     overlap_max: float = 5.0
     overlap_radius: float = 1.0
     overlap_sharpness: float = 6.0

@@ -13,6 +13,7 @@ PRESETS: Mapping[str, Mapping[str, Mapping[str, Any]]] = types.MappingProxyType(
             "trajectories": {"noise": 0.0},
             "candidates": {
                 "conventions": False,
+                "space": "object",
                 "peak_share": 0.0,
                 "least_kept": 0.0,
                 "occlusion_weight": 0.0,
@@ -23,6 +24,7 @@ PRESETS: Mapping[str, Mapping[str, Mapping[str, Any]]] = types.MappingProxyType(
             "groups": {"opposed": False, "patches": True},
             "objective": {
                 "scene_units": True,
+                "overlap": "mean",
                 "relative_displacement": 0.0,
                 "distinctive_weight": 0.0,
                 "overlap_sharpness": 2.0,

@@ -8,9 +8,9 @@ import numpy as np
 
 from usdrigui.errors import refuse
 from usdrigui.model import GAP_FLOOR, Assignment, Indices, LayoutProblem
-from usdrigui.overlap import pair_costs, total_cost
+from usdrigui.overlap import ROUNDING, pair_costs, total_cost
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.label_geometry import ROUNDING, LabelSet
+from usdrigui.solve.label_geometry import LabelSet
 
 
 def assignment(

@@ -64,7 +64,7 @@ def infeasible_penalty(problem: LayoutProblem, labels: LabelSet) -> float:
     spread = np.maximum.reduceat(labels.cost, labels.start[:-1]) - labels.best
     copies = np.array([each.samples.shape[1] for each in problem.variables], dtype=np.float64)
     together = (copies.sum() ** 2 - np.square(copies).sum()) / 2
-    overlaps = problem.overlap.weight * problem.overlap.maximum * together
+    overlaps = problem.overlap.most * together
     allowed = [each.costs[np.isfinite(each.costs)] for each in problem.extra]
     explicit = sum(each.max(initial=0.0) for each in allowed)
     return float(1.0 + spread.sum() + overlaps + explicit)

@@ -15,12 +15,10 @@ from functools import cached_property
 import numpy as np
 
 from usdrigui.model import Flags, Floats, Indices, LayoutProblem, Record, Variable
-from usdrigui.overlap import overlap_cost
+from usdrigui.overlap import ROUNDING, Drawn, least_costs
 
 CHUNK = 32768
 """Distances worked out at a time: they stay in the processor's cache."""
-ROUNDING = 1e-12
-"""Share of lengths and costs by which rounding may be off: bounds leave so much room."""
 SEVERAL = -2
 """Stands for the candidate of a block of several."""
 
@@ -35,17 +33,17 @@ class LabelGeometry(Record):
     owner: Indices
     """(n,) label or block, ascending."""
     samples: Floats
-    """(u, 3, n) positions along the drawn element; for blocks of their centres."""
+    """(u, d, n) positions along the drawn element; for blocks of their centres."""
     apart: Floats
     """(u, n) how far a member's sample is from the centre's at most."""
     handle: Floats
-    """(3, n)."""
+    """(d, n)."""
     handle_apart: Floats
     """(n,) how far a member's handle is from `handle` at most."""
 
     @cached_property
     def middle(self) -> Floats:
-        """(3, n) mean of the samples."""
+        """(d, n) mean of the samples."""
         return self.samples.mean(axis=0) if len(self.samples) else self.handle
 
     @cached_property
@@ -56,33 +54,10 @@ class LabelGeometry(Record):
         most = np.maximum(of_samples.max(axis=0, initial=0.0), of_handle)
         return np.asarray(most * (1.0 + ROUNDING))
 
-    @cached_property
-    def _slack(self) -> Floats:
-        """(2, n) sum and maximum of `apart` over the samples."""
-        return np.stack([self.apart.sum(axis=0), self.apart.max(axis=0, initial=0.0)])
-
-    @cached_property
-    def exact(self) -> bool:
-        """Whether no member is elsewhere than the centre."""
-        return not (self.apart.any() or self.handle_apart.any())
-
-    def slack(self, at: Indices, samples: int) -> Floats:
-        """(q,) largest change of the distance to an element of so many samples when a member
-        replaces the centre of geometries `at`.
-
-        Moving each sample by at most its own amount changes the sum over this element's samples by
-        no more than the sum of the amounts, and each of the other's nearest distances by no more
-        than the largest.
-        """
-        total, most = self._slack.take(at, axis=1)
-        return np.asarray((total + samples * most) / max(len(self.samples) + samples, 1))
-
-    def reach(self, at: Indices | slice, samples: int) -> Floats:
-        """How far the middles of an element of so many samples and of members of geometries `at`
-        may be apart beyond the distance of the two, for this side's part: the other's nearest
-        samples here lie in a ball, so their mean does."""
-        total = samples * self.extent[at] + self._slack[0, at]
-        return np.asarray(total / max(len(self.samples) + samples, 1))
+    def drawn(self, at: Indices) -> Drawn:
+        """Geometries `at` as drawn."""
+        every = (self.samples, self.handle, self.apart, self.handle_apart)
+        return Drawn(*(each.take(at, axis=-1) for each in every))
 
     def of(self, kept: Indices, owner: Indices) -> LabelGeometry:
         """Some of the geometries, of other owners."""
@@ -224,54 +199,34 @@ def meeting(
     one: LabelGeometry, i: Indices, other: LabelGeometry, j: Indices | slice, problem: LayoutProblem
 ) -> Flags:
     """Whether members of geometries ``i`` of `one` and ``j`` of `other`, broadcast, may interact:
-    are within the cutoff distance of the overlap cost or have handles within the separation."""
-    reach = one.reach(i, len(other.samples)) + other.reach(j, len(one.samples))
-    handles = one.extent[i] + other.extent[j] + problem.separation
-    limit = np.maximum(reach + problem.overlap.cutoff_distance, handles)
+    balls around what is drawn of each come within reach of the overlap or of the separation."""
+    limit = one.extent[i] + other.extent[j] + max(problem.overlap.reach, problem.separation)
     return np.asarray(squared(one.middle[:, i], other.middle[:, j]) < np.square(limit))
 
 
 def pair_bounds(
     one: LabelGeometry, i: Indices, other: LabelGeometry, j: Indices, problem: LayoutProblem
 ) -> tuple[Floats, Flags]:
-    """Least cost of pairs of members of geometries ``i[q]`` of `one` and ``j[q]`` of `other`.
+    """Least cost of pairs of members of geometries ``i[q]`` of `one` and ``j[q]`` of `other`; `i`
+    may be (1,), one against all.
 
     Returns the costs, +inf where all members' handles are nearer than the separation, and whether
     any members can interact at all.  Exact for blocks of one label.
     """
-    overlap, separation = problem.overlap, problem.separation
-    distance = sample_distance(one.samples, i, other.samples, j)
-    between = np.sqrt(squared(one.handle.take(i, axis=1), other.handle.take(j, axis=1)))
-    slack = handle_slack = np.zeros(1)
-    if not (one.exact and other.exact):
-        slack = one.slack(i, len(other.samples)) + other.slack(j, len(one.samples))
-        handle_slack = one.handle_apart[i] + other.handle_apart[j]
-    cost = overlap.weight * overlap_cost(distance + slack, overlap)
-    # Members at the separation exactly, as on a grid, are allowed: a bound must not fall short of
-    # it by rounding.
-    off = np.where(handle_slack > 0, ROUNDING * (between + handle_slack), 0.0)
-    cost[between + handle_slack + off < separation] = np.inf
-    close = between - handle_slack - off < separation
-    return cost, close | (distance - slack < overlap.cutoff_distance)
+    costs, near = np.empty(len(j)), np.empty(len(j), dtype=bool)
+    first = np.broadcast_to(i, j.shape)
+    at_once = max(1, CHUNK // max(1, len(one.samples) * len(other.samples)))
+    for low in range(0, len(j), at_once):
+        part = slice(low, low + at_once)
+        costs[part], near[part] = least_costs(
+            one.drawn(first[part]), other.drawn(j[part]), problem.overlap, problem.separation
+        )
+    return costs, near
 
 
 def squared(a: Floats, b: Floats) -> Floats:
-    """Squared distances of (3, ...) positions."""
+    """Squared distances of (d, ...) positions."""
     total: Floats = np.square(a[0] - b[0])
-    total += np.square(a[1] - b[1])
-    total += np.square(a[2] - b[2])
+    for first, second in zip(a[1:], b[1:], strict=True):
+        total += np.square(first - second)
     return total
-
-
-def sample_distance(a: Floats, p: Indices, b: Floats, q: Indices) -> Floats:
-    """`overlap.element_distance` of pairs of elements stored as (u, 3, n) and (v, 3, m) arrays;
-    `p` (q,) or (1,) for one against all."""
-    found = np.empty(len(q))
-    at_once = max(1, CHUNK // max(1, len(a) * len(b)))
-    for at in range(0, len(q), at_once):
-        part = slice(at, at + at_once)
-        one = a.take(p if len(p) == 1 else p[part], axis=2)
-        square = squared(one.swapaxes(0, 1)[:, :, None], b.take(q[part], axis=2).swapaxes(0, 1))
-        nearest = np.sqrt(square.min(axis=0)).sum(axis=0) + np.sqrt(square.min(axis=1)).sum(axis=0)
-        found[part] = nearest / (len(a) + len(b))
-    return found

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 
@@ -12,9 +12,9 @@ from usdrigui.layout.element.fans import fan_order
 from usdrigui.layout.face import Face
 from usdrigui.layout.glyph_fitting import fitted_glyph
 from usdrigui.layout.group.coarse_groups import with_inner
-from usdrigui.layout.motion.tracks import arc_lengths, magnification, paths
+from usdrigui.layout.motion.tracks import arc_lengths, paths
 from usdrigui.layout.names import common_label, element_name
-from usdrigui.layout.place.labels import own_mirror_image
+from usdrigui.layout.place.labels import drawn_magnification, own_mirror_image
 from usdrigui.layout.place.problem import PlacementProblem
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
@@ -92,7 +92,7 @@ def layout(
         ),
         left_off=left_off,
         frame=LayoutFrame(
-            space=settings.layout.candidates.space,
+            space="view" if face.flat else "object",
             view=face.views.directions[0],
             plane=face.symmetry.plane,
             handle_width=face.handle_width,
@@ -147,13 +147,12 @@ def names_of_copies(rig: Rig, group: Group, choice: Choice) -> list[str]:
 def _weights(
     problem: LayoutProblem, typical_length: float, samples: int
 ) -> tuple[tuple[str, float], ...]:
-    overlap = problem.overlap
+    overlap = {
+        each.name: float(getattr(problem.overlap, each.name)) for each in fields(problem.overlap)
+    }
     return (
         ("displacement_weight", problem.unit_cost),
-        ("overlap_max", overlap.maximum),
-        ("overlap_radius", overlap.radius),
-        ("overlap_sharpness", overlap.sharpness),
-        ("overlap_cutoff", overlap.cutoff_distance),
+        *((f"overlap_{name}", value) for name, value in overlap.items() if name != "samples"),
         ("separation", problem.separation),
         ("typical_length", typical_length),
         ("samples", float(samples)),
@@ -234,8 +233,8 @@ def _member(face: Face, control: int, point: int, source: int, least: float) -> 
     shorter than `least`."""
     motion = face.trajectories.motion_of(control)
     one = np.array([source])
-    lengths, (path,) = arc_lengths(motion, one), paths(motion, one)
-    (length,), (factor,) = lengths.tolist(), magnification(lengths, least).tolist()
+    (length,), (path,) = arc_lengths(motion, one).tolist(), paths(motion, one)
+    (factor,) = drawn_magnification(face, motion, one, least).tolist()
     track = face.trajectories.surface.points[point] + factor * path
     return Member(face.control_name(control), motion.polylines.values, track, length, factor)
 

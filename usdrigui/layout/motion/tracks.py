@@ -7,6 +7,9 @@ import numpy as np
 
 from usdrigui.model import Floats, Indices, Motion
 
+_ENLARGED = 3.0
+"""How many times its motion a track is drawn at most."""
+
 
 def paths(motion: Motion, points: Indices) -> Floats:
     """(p, k, 3) offsets of `points` from their base positions at the motion's knots; zero where
@@ -24,26 +27,16 @@ def arc_lengths(motion: Motion, points: Indices) -> Floats:
     return np.where(motion.points[rows] == points, motion.arc_length[rows], 0.0)
 
 
-def flattened(vectors: Floats, toward: Floats | None) -> Floats:
-    """(..., 3) `vectors` projected along the unit direction `toward`: what a viewer there sees of
-    them.
-
-    Without a direction, in a layout that is not flat, they stay as they are.
-    """
-    if toward is None:
-        return vectors
-    return np.asarray(vectors - (vectors @ toward)[..., None] * toward, dtype=np.float64)
-
-
 def lengths(lines: Floats) -> Floats:
     """(p,) lengths of polylines (p, k, 3)."""
     return np.asarray(np.linalg.norm(np.diff(lines, axis=1), axis=2).sum(axis=1), dtype=np.float64)
 
 
 def magnification(long: Floats, least: float) -> Floats:
-    """(p,) factors that bring lengths `long` to at least `least`; 1 where they are long enough."""
+    """(p,) factors, three at most, that bring lengths `long` to at least `least`; 1 where they are
+    long enough."""
     short = (long < least) & (long > 0.0)
-    return np.where(short, least / np.where(short, long, 1.0), 1.0)
+    return np.where(short, np.minimum(least / np.where(short, long, 1.0), _ENLARGED), 1.0)
 
 
 def resampled(lines: Floats, samples: int) -> Floats:

@@ -21,6 +21,8 @@ from usdrigui.ties import first_largest
 FACE, EYES, HANDS, FEET, PROPS, BODY = "face", "eyes", "hands", "feet", "props", "body"
 INTERIOR = "interior"
 """Tongue, teeth and gums."""
+FLAT = (FACE, EYES, INTERIOR)
+"""Parts that are looked at from the front alone: their elements are kept apart on its screen."""
 
 _HEAD = ("head", "頭")
 _FACIAL = 6

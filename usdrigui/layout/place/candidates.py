@@ -293,7 +293,8 @@ def _unseen(motion: Motion, some: Flags, prune_at: float, peak_share: float) -> 
 
 
 def _seen(face: Face, points: Indices, space: str) -> Flags:
-    """Which points can be seen from where the layout is judged: a flat layout has one view only."""
+    """Which points can be seen from where the layout is judged: its own view alone, where that is
+    asked for."""
     seen = face.views.visible[0, points] if space == "view" else face.views.anywhere[points]
     return np.asarray(seen)
 

@@ -14,8 +14,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from usdrigui.layout.classify.classification import Classification
-from usdrigui.layout.motion.tracks import flattened
-from usdrigui.layout.visibility import Views, screen
+from usdrigui.layout.visibility import Views
 from usdrigui.model import Flags, Floats, Motion, Trajectories
 from usdrigui.settings import ControlSettings, ObjectiveSettings
 
@@ -37,13 +36,13 @@ def handle_width(
     trajectories: Trajectories,
     views: Views,
     placed: Flags,
-    toward: Floats | None,
+    axes: Floats,
     settings: ObjectiveSettings,
 ) -> float:
     """Diameter of a handle in scene units.
 
-    `placed` (motions,) are those of the controls that are to stand on the face, `toward` is the
-    direction to the viewer of a flat layout.
+    `placed` (motions,) are those of the controls that are to stand on the face, `axes` (d, 3) those
+    along which places are apart: two on the screen of a flat layout.
 
     The largest of the widths from ``objective.handle_size_min`` to ``objective.handle_size`` at
     which no more than ``objective.max_neighbours`` controls are around one on average; the least
@@ -51,26 +50,23 @@ def handle_width(
     points.
     """
     points, weights = _wanted(trajectories, views.anywhere, placed)
-    frame = np.vstack([screen(views), views.directions[:1]])
-    return fitting_width(
-        flattened(points, toward), weights, frame, trajectories.surface.face_size, settings
-    )
+    return fitting_width(points @ axes.T, weights, trajectories.surface.face_size, settings)
 
 
 def fitting_width(
-    points: Floats, weights: Floats, frame: Floats, face: float, settings: ObjectiveSettings
+    points: Floats, weights: Floats, face: float, settings: ObjectiveSettings
 ) -> float:
-    """The same from the places (p, 3) that controls want and how many want each (p,).
+    """The same from the places (p, d) that controls want, along the character's axes, and how many
+    want each (p,).
 
-    `frame` (3, 3) are the character's axes, `face` its size; units of `face` and the width are
-    those of `points`.
+    `face` is its size; units of `face` and the width are those of `points`.
     """
     most = settings.handle_size * face
     least = min(settings.handle_size_min, settings.handle_size) * face
     if settings.max_neighbours <= 0.0 or least >= most or not len(points):
         return most
     if len(points) > _MANY:
-        points, weights = _gathered(points, weights, frame, 0.5 * most)
+        points, weights = _gathered(points, weights, 0.5 * most)
     widths = np.linspace(least, most, _STEPS + 1)
     fits = np.flatnonzero(around(points, weights, _AROUND * widths) <= settings.max_neighbours)
     return float(widths[fits[-1]]) if len(fits) else least
@@ -86,10 +82,9 @@ def around(points: Floats, weights: Floats, radii: Floats) -> Floats:
     return np.asarray(pairs.reshape(len(radii), -1).mean(axis=1) / weights.sum(), dtype=np.float64)
 
 
-def _gathered(points: Floats, weights: Floats, frame: Floats, size: float) -> tuple[Floats, Floats]:
-    """Middles and weights of the cells of a grid that stands as the character does."""
-    along = points @ frame.T
-    cells = np.floor((along - along.min(axis=0)) / size).astype(np.int64)
+def _gathered(points: Floats, weights: Floats, size: float) -> tuple[Floats, Floats]:
+    """Middles and weights of the cells of a grid."""
+    cells = np.floor((points - points.min(axis=0)) / size).astype(np.int64)
     cell = np.unique(cells, axis=0, return_inverse=True)[1].ravel()
     total = np.bincount(cell, weights).astype(np.float64)
     middles = np.stack([np.bincount(cell, weights * axis) / total for axis in points.T], axis=1)

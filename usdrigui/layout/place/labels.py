@@ -16,7 +16,6 @@ import numpy as np
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.tracks import (
     arc_lengths,
-    flattened,
     lengths,
     magnification,
     paths,
@@ -38,14 +37,12 @@ def labels_of(
     mirror: SymmetrySettings,
     terms: LinearTerms,
     displacement_weight: float,
-    toward: Floats | None,
 ) -> tuple[Choice, Floats, Floats]:
     """Candidates that all members and all copies of group `index` share, their costs (R,) without
     the overlap, and displacements (R,).
 
     Displacement and linear costs are those of the worst member (paper section 3.3), summed over
-    copies. `sets` are the candidates by control, `toward` (3,) is the direction to the viewer of a
-    flat layout.
+    copies. `sets` are the candidates by control.
     """
     group = groups[index]
     if group.doubled:
@@ -59,7 +56,12 @@ def labels_of(
         for control in controls:
             motion = face.trajectories.motions[sets[control].motion]
             unit = displacement_unit(motion.peak, face.trajectories.typical_length, terms)
-            moved = _displacements(motion, choice.sources[:, copy], toward) / unit
+            sources = choice.sources[:, copy]
+            moved = (
+                drawn_lengths(face, motion, sources)
+                if terms.as_seen
+                else arc_lengths(motion, sources)
+            ) / unit
             linear = _looked_up(sets[control], choice.anchors[:, copy])
             worst = np.maximum(worst, np.where(moved > 0.0, linear - worth * moved, np.inf))
             least = np.minimum(least, moved)
@@ -81,10 +83,10 @@ def own_mirror_image(face: Face, group: Group) -> bool:
 
 
 def drawn_points(
-    face: Face, choice: Choice, samples_each: int, min_track: float, toward: Floats | None
+    face: Face, choice: Choice, samples_each: int, min_track: float
 ) -> tuple[Floats, Floats]:
-    """`samples_each` (u) samples (R, copies, u, 3) along the drawn tracks, and handles (R, copies,
-    3), flattened `toward` (3,) the viewer if that is given.
+    """`samples_each` (u) samples (R, copies, u, d) along the drawn tracks, and handles (R, copies,
+    d), along the face's axes of drawing.
 
     No track is drawn shorter than `min_track` handle widths.
     """
@@ -97,9 +99,8 @@ def drawn_points(
             for control in controls
         ]
         samples.append(np.concatenate(tracks, axis=1))
-    return flattened(np.stack(samples, axis=1), toward), flattened(
-        face.trajectories.surface.points[choice.anchors], toward
-    )
+    axes = face.drawing_axes.T
+    return np.stack(samples, axis=1) @ axes, face.trajectories.surface.points[choice.anchors] @ axes
 
 
 def _drawn_track(
@@ -108,23 +109,27 @@ def _drawn_track(
     """(R, u, 3) the drawn track of a control at each anchor: its trajectory, enlarged where it is
     too short."""
     motion = face.trajectories.motion_of(control)
-    factor = magnification(arc_lengths(motion, sources), least)
     offsets = resampled(paths(motion, sources), samples)
+    factor = drawn_magnification(face, motion, sources, least)
     return np.asarray(
         face.trajectories.surface.points[anchors][:, None] + factor[:, None, None] * offsets
     )
+
+
+def drawn_magnification(face: Face, motion: Motion, sources: Indices, least: float) -> Floats:
+    """(R,) how much larger than the motion of `sources` a track is drawn, for it to be as long as
+    `least` where elements are kept apart: on the screen of a flat layout."""
+    return magnification(drawn_lengths(face, motion, sources), least)
 
 
 def _importance(importance: float | None) -> float:
     return 1.0 if importance is None else importance
 
 
-def _displacements(motion: Motion, sources: Indices, toward: Floats | None) -> Floats:
-    """(R,) arc lengths of the trajectories; in a flat layout as the viewer sees them, which
-    penalises foreshortened ones (paper section 3.3 and fig. 7)."""
-    if toward is None:
-        return arc_lengths(motion, sources)
-    return lengths(flattened(paths(motion, sources), toward))
+def drawn_lengths(face: Face, motion: Motion, sources: Indices) -> Floats:
+    """(R,) lengths of the trajectories where elements are kept apart: on the screen of a flat
+    layout foreshortened ones are short (paper section 3.3 and fig. 7)."""
+    return lengths(paths(motion, sources) @ face.drawing_axes.T)
 
 
 def _looked_up(candidate_set: CandidateSet, points: Indices) -> Floats:

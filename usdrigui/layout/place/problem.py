@@ -23,12 +23,14 @@ from usdrigui.layout.reuse.existing_layout import costs_beside_existing, existin
 from usdrigui.layout.reuse.prior_layout import leaving_penalties
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import (
+    AnyOverlap,
     Candidates,
     CandidateSet,
     Choice,
     Floats,
     Group,
     LayoutProblem,
+    MeanOverlap,
     Overlap,
     Variable,
 )
@@ -68,9 +70,14 @@ def placement_problem(
     layout = settings.layout
     overlap, separation = _constants(face, layout.objective)
     sets = {face.trajectories.motions[each.motion].control: each for each in candidates.sets}
-    toward = face.views.flat_direction(layout.candidates.space)
-    base, samples = face.trajectories.surface.points, layout.objective.samples
-    existing = existing_variables(requests.fixed_elements, face.rig.body, base, samples, toward)
+    samples = layout.objective.samples
+    existing = existing_variables(
+        requests.fixed_elements,
+        face.rig.body,
+        face.trajectories.surface.points,
+        face.drawing_axes,
+        samples,
+    )
     costs = _Costs(face, settings, LinearTerms.of(layout), overlap, separation, existing)
     variables, choices = [], []
     for index, group in enumerate(groups):
@@ -107,9 +114,24 @@ def penalties_of_leaving(face: Face, requests: Requests, choice: Choice) -> tupl
     return stay, leave
 
 
-def _constants(face: Face, settings: ObjectiveSettings) -> tuple[Overlap, float]:
+def _constants(face: Face, settings: ObjectiveSettings) -> tuple[AnyOverlap, float]:
     """The overlap's constants and the separation in scene units."""
-    trajectories = face.trajectories
+    trajectories, width = face.trajectories, face.handle_width
+    separation = width if settings.separation else _COINCIDENT * trajectories.surface.face_size
+    if settings.overlap == "seen":
+        seen = Overlap(
+            samples=settings.samples,
+            handle_width=width,
+            near=settings.near_weight,
+            near_radius=settings.near_radius * width,
+            on_track=settings.track_weight,
+            track_radius=settings.track_radius * width,
+            crossing=settings.crossing_weight,
+            along=settings.along_weight,
+            along_radius=settings.along_radius * width,
+            short=settings.short_weight,
+        )
+        return seen, separation
     if settings.scene_units:
         corners = mesh_triangles(face.rig.body.meshes)
         radius = (
@@ -121,12 +143,9 @@ def _constants(face: Face, settings: ObjectiveSettings) -> tuple[Overlap, float]
         radius = settings.overlap_radius * face.handle_width
         sharpness = settings.overlap_sharpness / radius
     cutoff_distance = settings.overlap_cutoff * radius or np.inf
-    overlap = Overlap(
-        settings.overlap_max, radius, sharpness, cutoff_distance, 1.0 - settings.displacement_weight
-    )
-    return overlap, (
-        face.handle_width if settings.separation else _COINCIDENT * trajectories.surface.face_size
-    )
+    weight = 1.0 - settings.displacement_weight
+    mean = MeanOverlap(settings.overlap_max, radius, sharpness, cutoff_distance, weight)
+    return mean, separation
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,7 +155,7 @@ class _Costs:
     face: Face
     settings: Settings
     terms: LinearTerms
-    overlap: Overlap
+    overlap: AnyOverlap
     separation: float
     existing: tuple[Variable, ...]
     """Elements of an existing layout."""
@@ -154,7 +173,7 @@ def _variable(
     which another one may take."""
     face, group = costs.face, groups[index]
     settings, objective = costs.settings.layout.candidates, costs.settings.layout.objective
-    toward, min_track = face.views.flat_direction(settings.space), costs.settings.output.min_track
+    min_track = costs.settings.output.min_track
     for least in (None, settings.least_kept, SHARED_LEAST)[: 3 if len(group.controls) > 1 else 2]:
         used = sets
         if least is not None:
@@ -171,9 +190,8 @@ def _variable(
             costs.settings.character.symmetry,
             costs.terms,
             objective.displacement_weight,
-            toward,
         )
-        samples, handles = drawn_points(face, choice, objective.samples, min_track, toward)
+        samples, handles = drawn_points(face, choice, objective.samples, min_track)
         cost = cost + own_costs(samples, handles, costs.overlap, costs.separation)
         cost += costs_beside_existing(
             costs.existing, costs.overlap, costs.separation, samples, handles

@@ -43,6 +43,8 @@ class LinearTerms:
     """Share of the control's own peak in the unit of its displacement."""
     scene_units: bool
     """Whether displacement is measured in scene units instead."""
+    as_seen: bool
+    """Whether displacement is what the layout's own view sees of it (paper fig. 7)."""
     user: tuple[str, ...]
     """Names of the terms of other packages."""
 
@@ -55,6 +57,7 @@ class LinearTerms:
             objective.distinctive_weight,
             objective.relative_displacement,
             objective.scene_units,
+            settings.candidates.space == "view",
             objective.terms,
         )
 

@@ -12,8 +12,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from usdrigui.layout.motion.tracks import flattened, resampled
+from usdrigui.layout.motion.tracks import resampled
 from usdrigui.model import (
+    AnyOverlap,
     BaseSurface,
     Body,
     Candidates,
@@ -23,7 +24,6 @@ from usdrigui.model import (
     Layout,
     LayoutProblem,
     Motion,
-    Overlap,
     Rig,
     Variable,
 )
@@ -94,20 +94,20 @@ def of_new_controls(
 
 
 def existing_variables(
-    elements: tuple[Element, ...], body: Body, base: Floats, count: int, toward: Floats | None
+    elements: tuple[Element, ...], body: Body, base: Floats, axes: Floats, count: int
 ) -> tuple[Variable, ...]:
     """The existing `elements` on the face, each as a variable of one candidate, drawn as its layer
     draws it.
 
-    `base` (n, 3) are the points of the base pose, `count` the samples of a track, `toward` the
-    direction to the viewer of a flat layout.
+    `base` (n, 3) are the points of the base pose, `axes` (d, 3) those along which elements are kept
+    apart, `count` the samples of a track.
     """
-    return tuple(_variable(e, body, base, count, toward) for e in elements if not e.anchor.on_board)
+    return tuple(_variable(e, body, base, axes, count) for e in elements if not e.anchor.on_board)
 
 
 def costs_beside_existing(
     existing: tuple[Variable, ...],
-    overlap: Overlap,
+    overlap: AnyOverlap,
     separation: float,
     samples: Floats,
     handles: Floats,
@@ -201,12 +201,10 @@ def _moved_path(path: str, before: str, after: str) -> str:
     return after + path.removeprefix(before) if path.startswith(f"{before}/") else path
 
 
-def _variable(
-    element: Element, body: Body, base: Floats, count: int, toward: Floats | None
-) -> Variable:
+def _variable(element: Element, body: Body, base: Floats, axes: Floats, count: int) -> Variable:
     point = np.array([body.point_of(element.anchor.mesh, element.anchor.point)])
     samples = np.concatenate(
         [resampled(member.track[None], count)[0] for member in element.manipulator.members]
     )
-    samples, handle = flattened(samples, toward)[None, None], flattened(base[point], toward)[None]
-    return Variable(element.name, point, np.zeros(1), samples, handle, np.inf, np.zeros(1))
+    samples, handles = (samples @ axes.T)[None, None], (base[point] @ axes.T)[None]
+    return Variable(element.name, point, np.zeros(1), samples, handles, np.inf, np.zeros(1))

@@ -98,7 +98,7 @@ def test_a_fine_mesh_is_gathered_into_cells_and_tells_the_same(monkeypatch):
     whole = width(crowd(80), **said)
     monkeypatch.setattr(handles, "_MANY", 10)
     assert width(crowd(80), **said) == pytest.approx(whole, abs=1.01 * STEP)
-    points, weights = handles._gathered(POINTS, np.ones(len(POINTS)), np.eye(3), 0.2)
+    points, weights = handles._gathered(POINTS, np.ones(len(POINTS)), 0.2)
     assert len(points) < len(POINTS) / 5
     assert weights.sum() == pytest.approx(len(POINTS))
     assert weights @ points == pytest.approx(POINTS.sum(axis=0))
@@ -115,6 +115,6 @@ def test_the_papers_preset_keeps_the_size():
 def test_cells_of_the_grid_begin_where_the_face_does():
     """Of places at 5, 5.9 and 6.1 the first two are within a cell of size 1 from 5 on."""
     places, weights = np.array([[5.0, 0, 0], [5.9, 0, 0], [6.1, 0, 0]]), np.array([1.0, 2.0, 4.0])
-    middles, total = _gathered(places, weights, np.eye(3), 1.0)
+    middles, total = _gathered(places, weights, 1.0)
     assert middles[:, 0] == pytest.approx([5.6, 6.1])
     assert total.tolist() == [3.0, 4.0]

@@ -12,7 +12,8 @@ def test_the_nearest_handle_is_named_with_its_distance_in_handle_widths():
     line = chain.lay_out(makers.face())
     inputs = line.inputs
     rated = review(line.face, line.candidates, inputs.requests, inputs.settings, line.layout).elements
-    places = {each.name: each.anchor.position for each in line.layout.elements if not each.anchor.on_board}
+    seen = line.face.drawing_axes.T
+    places = {each.name: each.anchor.position @ seen for each in line.layout.elements if not each.anchor.on_board}
     assert {each.element for each in rated} == set(places)
     for each in rated:
         apart = {name: np.linalg.norm(places[each.element] - at) for name, at in places.items() if name != each.element}
