@@ -42,7 +42,9 @@ def scattered(rig: Rig, count: int) -> Layout:
     rng = np.random.default_rng(0)
     values = np.array([control.default for control in rig.controls])
     base = posed(rig, values)
-    normals = vertex_normals(base.points, mesh_triangles(rig.body.meshes))
+    normals = vertex_normals(
+        base.points, mesh_triangles(rig.body.meshes), np.arange(len(base.points))
+    )
     elements: list[Element] = []
     for number in range(20 * count):
         j = number % len(rig.controls)

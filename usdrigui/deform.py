@@ -191,13 +191,7 @@ def _bends(
 ) -> list[float]:
     """Weights, ascending, at which some shape's offset bends: all its nodes but the outermost."""
     shapes = shapes_by_channel.get(channel, ())
-    nodes = {
-        node
-        for _, shape in shapes
-        if len(shape.weights) > 1
-        for node in _nodes(shape)[1:-1].tolist()
-    }
-    return sorted(nodes)
+    return sorted({node for _, shape in shapes for node in _nodes(shape)[1:-1].tolist()})
 
 
 def _crossings(keys: Floats, weights: Floats, targets: list[float]) -> list[float]:
@@ -269,15 +263,19 @@ def _sweep_shapes(
         for index, shape in body.shapes_by_channel.get(channel, ()):
             driven.setdefault(index, []).append(shape)
     starts = body.starts
-    points, offsets = [], []
+    parts = []
     for index in sorted(driven):
         local, moved = _mesh_offsets(driven[index], column, weights, base.weights)
-        points.append(starts[index] + local)
-        offsets.append(_turned(moved, base.maps[index], local))
-    if not points:
-        return np.zeros(0, dtype=np.int64), np.zeros((len(weights), 0, 3), dtype=np.float32)
-    if len(points) == 1:
-        return points[0], offsets[0]
+        parts.append((starts[index] + local, _turned(moved, base.maps[index], local)))
+    return _joined(parts, len(weights))
+
+
+def _joined(parts: list[tuple[Indices, Singles]], count: int) -> tuple[Indices, Singles]:
+    """Points (p,) and offsets (count, p, 3) of several meshes as one."""
+    if len(parts) == 1:
+        return parts[0]
+    nothing = (np.zeros(0, dtype=np.int64), np.zeros((count, 0, 3), dtype=np.float32))
+    points, offsets = zip(nothing, *parts, strict=True)
     return np.concatenate(points), np.concatenate(offsets, axis=1)
 
 
@@ -329,15 +327,13 @@ def _sweep_joints(
     turning = (skinning[1:] != skinning[0]).any(axis=(0, 2, 3))
     weights = np.repeat(base.weights[None], len(at), axis=0)
     weights[:, drive.channels] += added
-    points, offsets = [], []
-    for index, (start, mesh) in enumerate(zip(body.starts, body.meshes, strict=False)):
+    parts = []
+    for index, mesh in enumerate(body.meshes):
         moved = _reached(mesh, turning, drive.channels)
         if len(moved):
-            points.append(start + moved)
-            offsets.append(_mesh_sweep(body, base, index, moved, weights, skinning, turning))
-    if not points:
-        return np.zeros(0, dtype=np.int64), np.zeros((len(at), 0, 3), dtype=np.float32)
-    return np.concatenate(points), np.concatenate(offsets, axis=1)
+            offsets = _mesh_sweep(body, base, index, moved, weights, skinning, turning)
+            parts.append((body.starts[index] + moved, offsets))
+    return _joined(parts, len(at))
 
 
 def _mesh_sweep(

@@ -136,6 +136,11 @@ class Tree:
         return np.asarray(self.world[:, 3, :3])
 
     @cached_property
+    def size(self) -> float:
+        """The greatest extent of the joints."""
+        return float(np.ptp(self.places, axis=0).max())
+
+    @cached_property
     def frames(self) -> Floats:
         """(joints, 3, 3) rows are the own axes of each joint."""
         return rotation_part(self.world)
@@ -189,14 +194,12 @@ class Tree:
         """Joints at the end of a chain that hold the skin of the joint above, which stands at the
         same place and holds none, and that one: exports have a joint to pose and one to deform."""
         ends = skinned - {joint.parent for joint in self.joints}
-        size = float(np.ptp(self.places, axis=0).max()) if ends else 0.0
         pairs = [(i, self.joints[i].parent) for i in sorted(ends)]
+        apart = {pair: np.linalg.norm(np.diff(self.places[list(pair)], axis=0)) for pair in pairs}
         return [
-            (i, p)
-            for i, p in pairs
-            if p >= 0
-            and p not in skinned
-            and np.linalg.norm(self.places[i] - self.places[p]) <= _SAME * size
+            pair
+            for pair in pairs
+            if pair[1] >= 0 and pair[1] not in skinned and apart[pair] <= _SAME * self.size
         ]
 
     @cached_property
@@ -282,13 +285,9 @@ class Tree:
         bone, a twist joint lies on it."""
         beside = self.twists.keys() | self.hanging.aside
         children = [c for c in self.children[joint] if c not in beside]
-        length = {
-            child: float(np.linalg.norm(self.places[child] - self.places[joint]))
-            for child in children
-        }
-        return max(
-            children, key=lambda child: (self.depth[child], length[child], -child), default=-1
-        )
+        lengths = np.linalg.norm(self.places[children] - self.places[joint], axis=1).tolist()
+        ranks = [(self.depth[c], length, -c) for c, length in zip(children, lengths, strict=True)]
+        return -max(ranks)[2] if ranks else -1
 
     def chain(self, joint: int) -> tuple[int, ...]:
         """The joints with skin from `joint` down if they are one chain, with no more than single
@@ -316,7 +315,8 @@ class Tree:
     def bend(self, chain: Sequence[int]) -> Floats:
         """(3,) sum of the cross products of successive unit bones: the axis about which a chain is
         bent already."""
-        ends = [*chain, *([self.next(chain[-1])] if self.next(chain[-1]) >= 0 else [])]
+        end = self.next(chain[-1])
+        ends = [*chain, end] if end >= 0 else chain
         bones = [unit(self.places[b] - self.places[a]) for a, b in pairwise(ends)]
         crosses = [np.cross(a, b) for a, b in pairwise(bones)]
         return np.sum(crosses, axis=0) if crosses else np.zeros(3)
@@ -328,16 +328,33 @@ class Tree:
     @cached_property
     def mirror(self) -> tuple[int, float] | None:
         """Axis and offset of the plane that mirrors the joints; None where none does."""
-        size = float(np.ptp(self.places, axis=0).max()) or 1.0
+        near = _ON_PLANE * (self.size or 1.0)
         for axis in range(3):
             middle = float(np.median(self.places[list(self.owners)][:, axis]))
             image = self.places.copy()
             image[:, axis] = 2.0 * middle - image[:, axis]
             apart = np.linalg.norm(image[:, None] - self.places[None], axis=2).min(axis=1)
-            off = np.abs(self.places[:, axis] - middle) > _ON_PLANE * size
-            if off.sum() >= 0.3 * len(off) and np.mean(apart < _ON_PLANE * size) > 0.8:
+            off = np.abs(self.places[:, axis] - middle) > near
+            if off.sum() >= 0.3 * len(off) and np.mean(apart < near) > 0.8:
                 return axis, middle
         return None
+
+    def on_plane(self, joint: int) -> bool:
+        """Whether a joint lies on the plane that mirrors the joints."""
+        if self.mirror is None:
+            return False
+        axis, middle = self.mirror
+        return abs(float(self.places[joint, axis]) - middle) < _ON_PLANE * self.size
+
+    def one_sided(self, joint: int) -> bool:
+        """Whether a joint beside the plane that mirrors the joints has no counterpart."""
+        if self.mirror is None or self.on_plane(joint):
+            return False
+        axis, middle = self.mirror
+        image = self.places[joint].copy()
+        image[axis] = 2.0 * middle - image[axis]
+        apart = np.linalg.norm(self.places - image, axis=1).min()
+        return bool(apart > _ON_PLANE * self.size)
 
 
 @dataclass(frozen=True, eq=False)
@@ -369,27 +386,6 @@ def fans(tree: Tree) -> list[Fan]:
             kept = [i for i in range(len(chains)) if cosines[i] > 0.0]
             found.append(Fan(joint, tuple(chains[i] for i in kept), directions[kept], middle))
     return found
-
-
-def on_plane(tree: Tree, joint: int) -> bool:
-    """Whether a joint lies on the plane that mirrors the joints."""
-    if tree.mirror is None:
-        return False
-    axis, middle = tree.mirror
-    return abs(float(tree.places[joint, axis]) - middle) < _ON_PLANE * float(
-        np.ptp(tree.places, axis=0).max()
-    )
-
-
-def one_sided(tree: Tree, joint: int) -> bool:
-    """Whether a joint beside the plane that mirrors the joints has no counterpart."""
-    if tree.mirror is None or on_plane(tree, joint):
-        return False
-    axis, middle = tree.mirror
-    image = tree.places[joint].copy()
-    image[axis] = 2.0 * middle - image[axis]
-    apart = np.linalg.norm(tree.places - image, axis=1).min()
-    return bool(apart > _ON_PLANE * float(np.ptp(tree.places, axis=0).max()))
 
 
 def unit(vector: Floats) -> Floats:

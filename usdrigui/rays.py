@@ -15,11 +15,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib.util import find_spec
-from typing import Literal, Protocol
+from typing import Protocol
 
 import numpy as np
 
-from usdrigui.errors import refuse
 from usdrigui.model import Flags, Floats, Indices, Record
 from usdrigui.ties import axis_across
 
@@ -57,23 +56,11 @@ class Caster(Protocol):
         (3,)."""
 
 
-def make_caster(triangles: Floats, method: Literal["auto", "embree", "grid"] = "auto") -> Caster:
-    """A caster for ``triangles`` (t, 3, 3); ``auto`` takes Embree where it is installed.
-
-    Raises RigUIError EXTRA_MISSING when Embree is asked for and absent; ValueError for a wrong
-    shape or positions that are not finite.
-    """
-    soup = np.asarray(triangles, dtype=np.float64)
-    if soup.ndim != 3 or soup.shape[1:] != (3, 3):
-        raise ValueError(f"triangles must be (t, 3, 3), not {soup.shape}")
-    if not np.isfinite(soup).all():
-        raise ValueError("triangles must be finite")
-    has_embree = find_spec("embreex") is not None
-    if method == "embree" and not has_embree:
-        raise refuse("EXTRA_MISSING", "embreex", "Embree is not installed: `pip install embreex`")
-    if method == "grid" or not has_embree or not len(soup):
-        return GridCaster(soup)
-    return _EmbreeCaster(soup)
+def make_caster(triangles: Floats) -> Caster:
+    """A caster for finite ``triangles`` (t, 3, 3): Embree's where it is installed."""
+    if find_spec("embreex") is None or not len(triangles):
+        return GridCaster(triangles)
+    return EmbreeCaster(triangles)
 
 
 def visible_from(caster: Caster, points: Floats, normals: Floats, toward: Floats) -> Flags:
@@ -249,13 +236,11 @@ def _keep_nearest(
 
 def _ranks(count: Indices) -> Indices:
     """0, 1, ... count - 1 for each entry of `count`, one after the other."""
-    ends = np.cumsum(count)
-    return np.asarray(
-        np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - count, count), dtype=np.int64
-    )
+    starts = np.cumsum(count) - count
+    return np.arange(count.sum(), dtype=np.int64) - np.repeat(starts, count)
 
 
-class _EmbreeCaster:
+class EmbreeCaster:
     """Embree by way of embreex.  Positions are centred and scaled first: it computes in single
     precision."""
 
@@ -267,23 +252,18 @@ class _EmbreeCaster:
         self._centre: Floats = 0.5 * (soup.min(axis=(0, 1)) + soup.max(axis=(0, 1)))
         self._scale = 1.0 / max(self.size, 1e-30)
         self._scene = EmbreeScene()
-        self._mesh = TriangleMesh(
-            self._scene, ((soup - self._centre) * self._scale).astype(np.float32)
-        )
+        scaled = ((soup - self._centre) * self._scale).astype(np.float32)
+        self._mesh = TriangleMesh(self._scene, scaled)
 
     def first_hits(self, origins: Floats, direction: Floats) -> Hits:
+        """Nearest triangle along each ray."""
         if not len(origins):
             return Hits(np.empty(0, dtype=np.int64), np.empty(0))
         starts = ((origins - self._centre) * self._scale).astype(np.float32)
-        along = np.ascontiguousarray(
-            np.broadcast_to(_unit(direction).astype(np.float32), starts.shape)
-        )
-        found = self._scene.run(starts, along, output=True)
-        triangle = found["primID"].astype(np.int64)
-        return Hits(
-            triangle,
-            np.where(triangle >= 0, found["tfar"].astype(np.float64) / self._scale, np.inf),
-        )
+        along = np.broadcast_to(_unit(direction).astype(np.float32), starts.shape)
+        hits = self._scene.run(starts, np.ascontiguousarray(along), output=True)
+        triangle, distance = hits["primID"].astype(np.int64), hits["tfar"].astype(np.float64)
+        return Hits(triangle, np.where(triangle >= 0, distance / self._scale, np.inf))
 
 
 def _lifted(caster: Caster, points: Floats, normals: Floats, direction: Floats) -> Floats:
@@ -292,8 +272,7 @@ def _lifted(caster: Caster, points: Floats, normals: Floats, direction: Floats) 
 
 def _frame(direction: Floats) -> Floats:
     """(3, 3) rotation whose rows are two axes across `direction` and `direction` itself."""
-    least = axis_across(direction)
-    across = _unit(np.cross(least, direction))
+    across = _unit(np.cross(axis_across(direction), direction))
     return np.stack([across, np.cross(direction, across), direction])
 
 

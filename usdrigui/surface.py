@@ -33,26 +33,18 @@ def triangles(
     """
     counts = np.asarray(face_counts, dtype=np.int64)
     indices = np.asarray(face_indices, dtype=np.int64)
-    faces = triangle_faces(counts)
+    made = np.maximum(counts - 2, 0)
+    faces = np.repeat(np.arange(len(counts)), made)
     if not len(faces):
         return np.zeros((0, 3), dtype=np.int64)
     starts = np.cumsum(counts) - counts
-    made = np.maximum(counts - 2, 0)
     step = np.arange(len(faces)) - np.repeat(np.cumsum(made) - made, made)
     first = starts[faces]
-    corners = np.stack(
-        [indices[first], indices[first + step + 1], indices[first + step + 2]], axis=1
-    )
+    corners = indices[np.stack([first, first + step + 1, first + step + 2], axis=1)]
     for face in _left_by_fan(points, corners, faces, len(counts)):
         polygon = indices[starts[face] : starts[face] + counts[face]]
         corners[faces == face] = polygon[_ears(points[polygon])]
-    return corners[:, [0, 2, 1]] if left_handed else corners
-
-
-def triangle_faces(face_counts: ArrayLike) -> Indices:
-    """``(t,)`` index of the face that each triangle of `triangles` came from."""
-    counts = np.asarray(face_counts, dtype=np.int64)
-    return np.repeat(np.arange(len(counts)), np.maximum(counts - 2, 0))
+    return np.asarray(corners[:, [0, 2, 1]] if left_handed else corners)
 
 
 def mesh_triangles(meshes: Sequence[RigMesh], visible_only: bool = False) -> Indices:
@@ -62,40 +54,31 @@ def mesh_triangles(meshes: Sequence[RigMesh], visible_only: bool = False) -> Ind
     start = 0
     for mesh in meshes:
         if mesh.display.visible or not visible_only:
-            parts.append(
-                triangles(
-                    mesh.points,
-                    mesh.topology.face_counts,
-                    mesh.topology.face_indices,
-                    mesh.topology.left_handed,
-                )
-                + start
-            )
+            faces = mesh.topology
+            of_mesh = (faces.face_counts, faces.face_indices, faces.left_handed)
+            parts.append(triangles(mesh.points, *of_mesh) + start)
         start += len(mesh.points)
     return np.concatenate(parts)
 
 
 def triangle_areas(points: Floats, corners: Indices) -> Floats:
     """``(t,)`` areas of the triangles, in squared units of `points`."""
-    return np.asarray(
-        0.5 * np.linalg.norm(_doubled_normals(points, corners), axis=1), dtype=np.float64
-    )
+    doubled = _doubled_normals(points, corners)
+    return np.asarray(0.5 * np.linalg.norm(doubled, axis=1), dtype=np.float64)
 
 
-def vertex_normals(points: Floats, corners: Indices, places: Indices | None = None) -> Floats:
+def vertex_normals(points: Floats, corners: Indices, places: Indices) -> Floats:
     """``(n, 3)`` unit normals, area-weighted over the triangles around each point; zero where
     undefined.
 
-    With `places` (from `weld`) points of one place share their normal, so that it is smooth over
-    seams.
+    Points of one of the `places` (from `weld`) share their normal, so that it is smooth over seams.
     """
-    doubled = _doubled_normals(points, corners)
-    if places is not None:
-        corners = places[corners]
-    normals = _summed(corners, np.repeat(doubled[:, None, :], 3, axis=1), len(points))
+    doubled, at = _doubled_normals(points, corners), places[corners].ravel()
+    columns = [np.bincount(at, np.repeat(axis, 3), len(points)) for axis in doubled.T]
+    normals = np.stack(columns, axis=1)
     length = np.linalg.norm(normals, axis=1, keepdims=True)
-    normals = np.divide(normals, length, out=np.zeros(normals.shape), where=length > 0.0)
-    return np.asarray(normals if places is None else normals[places], dtype=np.float64)
+    unit = np.divide(normals, length, out=np.zeros(normals.shape), where=length > 0.0)
+    return np.asarray(unit[places], dtype=np.float64)
 
 
 def faces_inward(points: Floats, corners: Indices) -> bool:
@@ -108,13 +91,11 @@ def faces_inward(points: Floats, corners: Indices) -> bool:
     return bool(volume < -0.01 * float(triangle_areas(points, corners).sum()) ** 1.5)
 
 
-def point_areas(points: Floats, corners: Indices, places: Indices | None = None) -> Floats:
-    """``(n,)`` a third of the area of the triangles around each point; with `places` the whole of a
-    place's area falls to its first point and the others get zero."""
-    area = np.repeat(triangle_areas(points, corners)[:, None] / 3.0, 3, axis=1)
-    if places is not None:
-        corners = places[corners]
-    summed = np.bincount(corners.ravel(), weights=area.ravel(), minlength=len(points))
+def point_areas(points: Floats, corners: Indices, places: Indices) -> Floats:
+    """``(n,)`` a third of the area of the triangles around each point; the whole of a place's area
+    falls to its first point and the others get zero."""
+    area = np.repeat(triangle_areas(points, corners) / 3.0, 3)
+    summed = np.bincount(places[corners].ravel(), weights=area, minlength=len(points))
     return np.asarray(summed, dtype=np.float64)
 
 
@@ -135,25 +116,20 @@ def weld(points: Floats, extra: Floats | None = None, resolution: float = 1e-9) 
     return np.asarray(first[inverse.reshape(-1)], dtype=np.int64)
 
 
-def edges(corners: Indices, places: Indices | None = None) -> Indices:
-    """``(e, 2)`` undirected edges of the triangles, each once with the lower index first, between
-    places where given; edges within one place are left out."""
-    if places is not None:
-        corners = places[corners]
-    pairs = np.sort(
-        np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]]), axis=1
-    )
+def edges(corners: Indices) -> Indices:
+    """``(e, 2)`` undirected edges of the triangles, each once with the lower index first; edges
+    within one place are left out where `corners` are places."""
+    sides = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]])
+    pairs = np.sort(sides, axis=1)
     pairs = pairs[pairs[:, 0] != pairs[:, 1]]
-    if not len(pairs):
-        return np.zeros((0, 2), dtype=np.int64)
-    width = int(pairs.max()) + 1
+    width = int(pairs.max(initial=0)) + 1
     keys = np.unique(pairs[:, 0] * width + pairs[:, 1])
     return np.stack([keys // width, keys % width], axis=1)
 
 
-def mean_edge_length(points: Floats, corners: Indices, places: Indices | None = None) -> float:
+def mean_edge_length(points: Floats, corners: Indices, places: Indices) -> float:
     """Average distance between adjacent points (paper section 4.1, tau); 0 without edges."""
-    pairs = edges(corners, places)
+    pairs = edges(places[corners])
     if not len(pairs):
         return 0.0
     return float(np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1).mean())
@@ -162,7 +138,7 @@ def mean_edge_length(points: Floats, corners: Indices, places: Indices | None = 
 def components(corners: Indices, places: Indices) -> Indices:
     """``(n,)`` number of the connected piece of surface that each point belongs to, over welded
     points."""
-    graph = _graph(edges(corners, places), len(places))
+    graph = _graph(edges(places[corners]), len(places))
     _, labels = connected_components(graph, directed=False)
     return np.asarray(labels[places], dtype=np.int64)
 
@@ -183,13 +159,10 @@ def surface_distances(
     twins = np.flatnonzero((sides[order[1:]] == sides[order[:-1]]).all(axis=1))
     opposite = corners.reshape(-1)
     across = np.stack([opposite[order[twins]], opposite[order[twins + 1]]], axis=1)
-    pairs = np.unique(
-        np.sort(np.concatenate([edges(corners), across[across[:, 0] != across[:, 1]]]), axis=1),
-        axis=0,
-    )
-    graph = _graph(
-        pairs, len(points), np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1)
-    )
+    bridges = np.sort(across[across[:, 0] != across[:, 1]], axis=1)
+    pairs = np.unique(np.concatenate([edges(corners), bridges]), axis=0)
+    lengths = np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1)
+    graph = _graph(pairs, len(points), lengths)
     found = dijkstra(graph, directed=False, indices=np.unique(places[sources]), min_only=True)
     return np.asarray(found[places], dtype=np.float64)
 
@@ -202,9 +175,8 @@ def _left_by_fan(points: Floats, corners: Indices, faces: Indices, count: int) -
     """
     normals = _doubled_normals(points, corners)
     # The sum over a fan is twice the polygon's vector area, whichever corner the fan starts from.
-    whole = np.stack(
-        [np.bincount(faces, weights=axis, minlength=count) for axis in normals.T], axis=1
-    )[faces]
+    columns = [np.bincount(faces, weights=axis, minlength=count) for axis in normals.T]
+    whole = np.stack(columns, axis=1)[faces]
     turned = np.einsum("ti,ti->t", normals, whole) < -_TURNED * np.einsum("ti,ti->t", whole, whole)
     return np.unique(faces[turned])
 
@@ -212,9 +184,8 @@ def _left_by_fan(points: Floats, corners: Indices, faces: Indices, count: int) -
 def _ears(polygon: Floats) -> Indices:
     """(k - 2, 3) triangles of a polygon (k, 3), by clipping ears (Meisters 1975); the fan for what
     has none."""
-    normal = _doubled_normals(
-        polygon, np.array([[0, i, i + 1] for i in range(1, len(polygon) - 1)])
-    ).sum(axis=0)
+    fan = np.array([[0, i, i + 1] for i in range(1, len(polygon) - 1)])
+    normal = _doubled_normals(polygon, fan).sum(axis=0)
     left, found = list(range(len(polygon))), []
     while len(left) > 3:
         ear = next((at for at in range(len(left)) if _is_ear(polygon, left, at, normal)), 1)
@@ -243,18 +214,6 @@ def _doubled_normals(points: Floats, corners: Indices) -> Floats:
     return np.asarray(np.cross(b - a, c - a), dtype=np.float64)
 
 
-def _summed(corners: Indices, values: Floats, count: int) -> Floats:
-    """(count, 3) sums of `values` (t, 3, 3) over the corners they belong to."""
-    flat = corners.ravel()
-    return np.stack(
-        [
-            np.bincount(flat, weights=values[..., axis].ravel(), minlength=count)
-            for axis in range(3)
-        ],
-        axis=1,
-    )
-
-
 def _cells(points: Floats, resolution: float) -> Indices:
     """(n, 3) cells of a grid laid at the lowest corner, cell centres on it so that noise there is
     harmless."""
@@ -278,9 +237,7 @@ def _row_keys(cells: Indices) -> Indices:
 
 
 def _graph(pairs: Indices, count: int, lengths: Floats | None = None) -> csr_array:
-    first, second = pairs.astype(
-        np.int32
-    ).T  # the only index type that every graph routine of scipy takes
-    return csr_array(
-        (np.ones(len(pairs)) if lengths is None else lengths, (first, second)), shape=(count, count)
-    )
+    # The only index type that every graph routine of scipy takes.
+    first, second = pairs.astype(np.int32).T
+    values = np.ones(len(pairs)) if lengths is None else lengths
+    return csr_array((values, (first, second)), shape=(count, count))

@@ -25,9 +25,10 @@ import minimal_assets
 import numpy as np
 
 import usdrigui
-from usdrigui import pipeline, rays, usd
+from usdrigui import pipeline, usd
 from usdrigui.cli import distributions, main, supervised
 from usdrigui.clients import blender_extension
+from usdrigui.clients.batch.run import run_on_dask
 from usdrigui.errors import RigUIError, issue, refuse
 from usdrigui.isolation import foreign_file
 from usdrigui.layout.classify import classification
@@ -628,7 +629,7 @@ TRIGGERS: Mapping[str, Trigger] = {
     "INTERRUPTED": _raising(KeyboardInterrupt()),
     "BUG": _raising(ZeroDivisionError("by nothing")),
     "EXTRA_MISSING": _without(
-        "embreex", lambda *_: refused(lambda: rays.make_caster(np.zeros((1, 3, 3)), "embree"))
+        "distributed", lambda *_: refused(lambda: list(run_on_dask([], "tcp://127.0.0.1:9")))
     ),
     "FILE_FULL": _failing_write(errno.ENOSPC),
     "FILE_READ_ONLY": _failing_write(errno.EROFS),

@@ -28,7 +28,8 @@ def towards(tmp_path, *, mesh=None, skeleton=None, geom_bind=None, skinned=False
         sheet.CreateOrientationAttr(UsdGeom.Tokens.leftHanded)
     stage.GetRootLayer().Save()
     (rig,) = read_rigs(tmp_path / "char.usda", load({}))
-    return float(surface.vertex_normals(deform(rig), surface.mesh_triangles(rig.body.meshes))[:, 2].mean())
+    points, corners = deform(rig), surface.mesh_triangles(rig.body.meshes)
+    return float(surface.vertex_normals(points, corners, np.arange(len(points)))[:, 2].mean())
 
 
 @pytest.mark.parametrize(

@@ -9,11 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
-from usdrigui.joint_tree import FINGERS, Tree, fans, on_plane, unit
+from usdrigui.joint_tree import FINGERS, Fan, Tree, fans, unit
 from usdrigui.model import Floats
 from usdrigui.rotation import rotation_part, rotations
 
@@ -59,7 +58,7 @@ def default_turns(tree: Tree) -> tuple[Turn, ...]:
     """The degrees of freedom of every joint that skin follows, in the order of the joints."""
     if len(tree.owners) < 2:
         return ()
-    fingers = [finger for hand in _hands(tree) for finger in hand]
+    fingers = [finger for fan in fans(tree) for finger in _fingers(tree, fan)]
     taken = {joint for finger in fingers for joint in finger.chain}
     hinges = _hinges(tree)
     turns = [turn for finger in fingers for turn in finger.turns(tree)]
@@ -92,42 +91,33 @@ class _Finger:
         ]
 
 
-def _hands(tree: Tree) -> list[list[_Finger]]:
-    """The fingers of every joint from which at least three chains run side by side."""
-    return [
-        _fingers(tree, fan.joint, list(fan.chains), fan.directions, fan.middle)
-        for fan in fans(tree)
-    ]
-
-
-def _fingers(
-    tree: Tree, hand: int, chains: list[tuple[int, ...]], directions: Floats, middle: Floats
-) -> list[_Finger]:
+def _fingers(tree: Tree, fan: Fan) -> list[_Finger]:
     """The fingers of a hand: they curl about the line across their first joints, towards where they
     are bent."""
-    thumb = directions @ middle < _THUMB
-    thumb &= directions @ middle == (directions @ middle).min()
-    bases = np.array([tree.places[chain[-FINGERS:][0]] for chain in chains])
+    chains, middle = fan.chains, fan.middle
+    straight = fan.directions @ middle
+    thumb = (straight < _THUMB) & (straight == straight.min())
+    ends = [chain[-FINGERS:] for chain in chains]
+    bases = tree.places[[end[0] for end in ends]]
     row = bases[~thumb] - bases[~thumb].mean(axis=0)
     across = np.linalg.svd(row - np.outer(row @ middle, middle))[2][0]
-    bends = np.array([tree.bend(chain[-FINGERS:]) for chain in chains])
+    bends = np.array([tree.bend(end) for end in ends])
     evidence = float((bends[~thumb] @ across).sum())
     palm = np.cross(across, middle)
     if abs(evidence) < _BENT and thumb.any():
-        evidence = float(
-            (tree.places[chains[int(np.argmax(thumb))][-1]] - tree.places[hand]) @ palm
-        )
+        tip = chains[int(np.argmax(thumb))][-1]
+        evidence = float((tree.places[tip] - tree.places[fan.joint]) @ palm)
     across = across if evidence >= 0.0 else -across
     palm = np.cross(across, middle)
     fingers = []
-    for chain, along, bend, apart in zip(chains, directions, bends, thumb, strict=True):
+    for chain, along, bend, apart in zip(chains, fan.directions, bends, thumb, strict=True):
         axis = _level(across, along)
         if apart:
             axis = unit(bend) if np.linalg.norm(bend) > _BENT else _level(palm, along)
             towards = bases[~thumb].mean(axis=0) - tree.places[chain[-1]]
             axis = axis if np.cross(axis, along) @ towards >= 0.0 else -axis
         # Legs and strands that hang on the middle of a character have no metacarpals.
-        curled = chain if on_plane(tree, hand) else chain[-FINGERS:]
+        curled = chain if tree.on_plane(fan.joint) else chain[-FINGERS:]
         fingers.append(_Finger(chain, curled, axis, np.cross(along, axis)))
     return fingers
 
@@ -138,19 +128,18 @@ def _fingers(
 def _hinges(tree: Tree) -> dict[int, Floats]:
     """Elbows and knees, with their axes: the joint between the two long bones of each limb."""
     found = {}
-    hands, size = {fan.joint for fan in fans(tree)}, float(np.ptp(tree.places, axis=0).max())
+    hands = {fan.joint for fan in fans(tree)}
     for start in range(len(tree.joints)):
         limb = _limb(tree, start, hands)
-        bones = np.array(
-            [np.linalg.norm(tree.places[b] - tree.places[a]) for a, b in pairwise(limb)]
-        )
-        if len(bones) < 2:
+        if len(limb) < 3:
             continue
-        least = np.minimum(bones[:-1], bones[1:])
-        at = int(np.argmax(least))
-        joint, others = limb[at + 1], np.delete(bones, [at, at + 1])
-        if joint in tree.bearers and least[at] >= _LONG * size and (least[at] > 1.2 * others).all():
-            found[joint] = _hinge_axis(tree, limb[at : at + 3])
+        bones = np.linalg.norm(np.diff(tree.places[limb], axis=0), axis=1)
+        shorter = np.minimum(bones[:-1], bones[1:])
+        first = int(np.argmax(shorter))
+        length, others = shorter[first], np.delete(bones, [first, first + 1])
+        is_limb = length >= _LONG * tree.size and (length > 1.2 * others).all()
+        if is_limb and limb[first + 1] in tree.bearers:
+            found[limb[first + 1]] = _hinge_axis(tree, limb[first : first + 3])
     return found
 
 
@@ -160,7 +149,7 @@ def _limb(tree: Tree, start: int, hands: Collection[int]) -> list[int]:
     not lie on a mirror plane.
     """
     parent = tree.parents[start]
-    if parent < 0 or on_plane(tree, start) or len(tree.branches(parent)) < 2:
+    if parent < 0 or tree.on_plane(start) or len(tree.branches(parent)) < 2:
         return []
     limb = [start]
     while len(tree.branches(limb[-1])) <= 1:
@@ -182,11 +171,8 @@ def _hinge_axis(tree: Tree, joints: Sequence[int]) -> Floats:
     if np.linalg.norm(bend) > _BENT:
         return unit(bend)
     lateral = np.eye(3)[tree.mirror[0] if tree.mirror else 0]
-    return (
-        _level(lateral, before)
-        if abs(lateral @ before) < 0.7
-        else _level(np.roll(lateral, 1), before)
-    )
+    is_across = abs(lateral @ before) < 0.7
+    return _level(lateral if is_across else np.roll(lateral, 1), before)
 
 
 def _turns(tree: Tree, joint: int, hinges: dict[int, Floats]) -> list[Turn]:
@@ -197,11 +183,8 @@ def _turns(tree: Tree, joint: int, hinges: dict[int, Floats]) -> list[Turn]:
         start = tree.twists[joint]
         bone = unit(tree.places[tree.next(start)] - tree.places[start])
         return [_single("twist", tree, joint, bone, BALL)]
-    axes = (
-        range(3)
-        if any(tree.depth[child] for child in tree.children[joint])
-        else _levers(tree, joint)
-    )
+    is_inner = any(tree.depth[child] for child in tree.children[joint])
+    axes = range(3) if is_inner else _levers(tree, joint)
     return [Turn(f"r{'xyz'[axis]}", joint, (joint,), np.eye(3)[[axis]], BALL) for axis in axes]
 
 
@@ -213,12 +196,10 @@ def _levers(tree: Tree, joint: int) -> list[int]:
     """The axes of a joint at the end of a chain about which its skin turns furthest, two at
     most."""
     points, weights = tree.skin[joint]
-    arms = points - np.array(tree.joints[joint].bind)[3, :3]
-    bind = rotation_part(np.array(tree.joints[joint].bind)[None])[0]
-    levers = [
-        float((weights * np.linalg.norm(np.cross(arms, axis), axis=1)).max(initial=0.0))
-        for axis in bind
-    ]
+    place = tree.joints[joint].bind
+    bind = rotation_part(place)
+    crosses = np.cross((points - place[3, :3])[None], bind[:, None])
+    levers = (weights * np.linalg.norm(crosses, axis=2)).max(axis=1, initial=0.0).tolist()
     axes = [axis for axis in range(3) if axis != _roll(tree, joint, bind, levers)]
     ranked = sorted(axes, key=lambda axis: (-round(levers[axis], 9), axis))[:2]
     return sorted(axis for axis in ranked if levers[axis] >= _MATTERS * max(levers))
@@ -244,27 +225,22 @@ def _roll(tree: Tree, joint: int, bind: Floats, levers: list[float]) -> int:
 
 def posed_locals(tree: Tree, turn: Turn, degrees: Floats) -> Floats:
     """(k, joints, 4, 4) local transforms with `turn` at each of `degrees` (k,)."""
-    found = []
-    for value in degrees:
-        own = tree.world.copy()
-        turned: dict[int, Floats] = {}
-        for joint in tree.from_the_ends()[::-1]:
-            parent = tree.parents[joint]
-            local = (
-                tree.world[joint] @ np.linalg.inv(tree.world[parent])
-                if parent >= 0
-                else tree.world[joint]
-            )
-            if joint in turn.joints:
-                spin = np.eye(4)
-                spin[:3, :3] = rotations(np.radians(value) * turn.axes[turn.joints.index(joint)])
-                local = spin @ local
-            own[joint] = turned[joint] = local @ turned[parent] if parent >= 0 else local
-        real = [joint.parent for joint in tree.joints]
-        found.append(
-            [own[i] @ np.linalg.inv(own[p]) if p >= 0 else own[i] for i, p in enumerate(real)]
-        )
-    return np.array(found)
+    return np.array([_turned(tree, turn, value) for value in degrees.tolist()])
+
+
+def _turned(tree: Tree, turn: Turn, degrees: float) -> list[Floats]:
+    """(4, 4) local transforms of all joints, which go along with those that turn."""
+    world = tree.world.copy()
+    for joint in tree.from_the_ends()[::-1]:
+        parent = tree.parents[joint]
+        before, after = (tree.world[parent], world[parent]) if parent >= 0 else (np.eye(4),) * 2
+        spin = np.eye(4)
+        if joint in turn.joints:
+            axis = turn.axes[turn.joints.index(joint)]
+            spin[:3, :3] = rotations(np.radians(degrees) * axis)
+        world[joint] = spin @ tree.world[joint] @ np.linalg.inv(before) @ after
+    above = [joint.parent for joint in tree.joints]
+    return [world[i] @ np.linalg.inv(world[p]) if p >= 0 else world[i] for i, p in enumerate(above)]
 
 
 def _level(axis: Floats, along: Floats) -> Floats:

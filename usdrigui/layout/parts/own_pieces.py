@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import ConvexHull, QhullError
 
-from usdrigui.joint_tree import Tree, one_sided
+from usdrigui.joint_tree import Tree
 from usdrigui.model import Body, Flags, Floats, Indices
 from usdrigui.skinning import bound_points
 from usdrigui.surface import components, mesh_triangles
@@ -128,7 +128,7 @@ def _beside(tree: Tree, joint: int) -> bool:
     parent = tree.parents[joint]
     if parent < 0:
         return False
-    return tree.next(parent) != joint or one_sided(tree, joint)
+    return tree.next(parent) != joint or tree.one_sided(joint)
 
 
 def _apart(pieces: Pieces, branch: set[int]) -> bool:
