@@ -6,7 +6,10 @@ import shutil
 import pytest
 import skinned_stages
 
-from usdrigui.cli import main
+from usdrigui.cli import main, parsed
+from usdrigui.cli.options import settings_of
+from usdrigui.settings import RunSettings
+from usdrigui.settings.loading import load_beside
 
 CONFIGURATION = """\
 [controls.chin]
@@ -110,12 +113,33 @@ def test_a_broken_configuration_of_an_asset_is_reported(folder, asset, capsys):
     assert issues(capsys, folder / asset) == (2, {"CONFIG_UNKNOWN_KEY"})
 
 
-def test_a_configuration_can_raise_the_limit_that_keeps_its_layer_from_being_read(folder, capsys, monkeypatch):
+def parsed_for(path, *options):
+    return parsed(["check", str(path), *options])
+
+
+ATTACK = """[run]
+time_limit = 0
+memory_limit = 1000000000
+[read]
+time_limit = 9000.0
+memory_limit = 10000
+size_limit = 5000
+"""
+
+
+@pytest.mark.parametrize("name", ["char.usda", "char.rigui.usda"])
+def test_a_file_beside_an_asset_can_lower_its_limits_only(folder, name, capsys, monkeypatch):
+    (folder / "char.rigui.toml").write_text(ATTACK + CONFIGURATION)
+    plain = settings_of(parsed_for(folder / name))
+    assert plain.run == RunSettings()
+    assert (plain.rig.read.time_limit, plain.rig.read.memory_limit) == (300.0, 8192)
+    assert plain.rig.read.size_limit == 5000
+    assert load_beside(folder / name).run == RunSettings()
+    given = parsed_for(folder / name, "--config", str(folder / "char.rigui.toml"))
+    assert settings_of(given).run.time_limit == 0.0
+    assert settings_of(parsed_for(folder / name, "--set", "run.time_limit=0")).run.time_limit == 0.0
     monkeypatch.setenv("USDRIGUI_READ_TIME_LIMIT", "0.001")
     assert issues(capsys, folder / "char.usda")[1] >= {"SOURCE_TIME_LIMIT"}
-    for name in ("char.usda", "char.rigui.usda"):
-        (folder / "char.rigui.toml").write_text("[read]\ntime_limit = 300.0\n" + CONFIGURATION)
-        assert issues(capsys, folder / name)[0] == 0
 
 
 def test_layers_over_each_other_in_a_circle_have_an_end(folder):

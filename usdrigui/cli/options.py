@@ -164,7 +164,10 @@ def settings_quietly(arguments: argparse.Namespace) -> Settings:
                 raise
         raise
     arguments.configuration = files = _configuration(arguments, loaded.rig.read)
-    return load(*map(settings.read_toml, files)) if files else loaded
+    if not files:
+        return loaded
+    configured = load(*map(settings.read_toml, files))
+    return configured if getattr(arguments, "config", []) else settings.limited(configured, loaded)
 
 
 def _with_faults_of_asset(error: UnsoundSettingsError, arguments: argparse.Namespace) -> RigUIError:
@@ -297,16 +300,12 @@ def _of_layer(layer: Path, opening: Opening, above: frozenset[str] = frozenset()
     try:
         found = read_layouts_isolated(layer, opening)
     except RigUIError as error:
-        # Perhaps its configuration raises the limit that it ran into, or the variant selected has
-        # no layout; only its name can identify that one.
-        guesses = [
-            _beside(layer),
-            *([layer.with_suffix(".toml")] if layer.stem.endswith(".rigui") else []),
-        ]
-        named = [path for guess in guesses for path in _existing(guess)]
-        if not named and error.issue.code not in NO_LAYOUT:
+        if error.issue.code not in NO_LAYOUT:
             raise
-        yield from named
+        # Where the variant selected has no layout, only its name can identify its configuration.
+        yield from _existing(_beside(layer))
+        if layer.stem.endswith(".rigui"):
+            yield from _existing(layer.with_suffix(".toml"))
         return
     if _same(found.source, layer) or (found.composed_from and not found.source):
         yield from _existing(_beside(layer))

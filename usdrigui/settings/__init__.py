@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from usdrigui.settings.bounds import view_angles
 from usdrigui.settings.config_sections import with_sections
-from usdrigui.settings.loading import UnsoundSettingsError, document, load
+from usdrigui.settings.loading import UnsoundSettingsError, document, limited, load
 from usdrigui.settings.parts import (
     AnimationSettings,
     CandidateSettings,
@@ -60,6 +60,7 @@ __all__ = [
     "UnsoundSettingsError",
     "document",
     "environment_settings",
+    "limited",
     "literal",
     "load",
     "read_toml",

@@ -59,8 +59,29 @@ def load_beside(path: Path) -> Settings:
     Raises RigUIError CONFIG_...
     """
     own = path.with_suffix(".toml" if path.stem.endswith(".rigui") else ".rigui.toml")
-    sources = [read_toml(own)] if path.name and own.is_file() else []
-    return load(*sources, environment=environment_settings())
+    ceilings = load(environment=environment_settings())
+    if not path.name or not own.is_file():
+        return ceilings
+    return limited(load(read_toml(own), environment=environment_settings()), ceilings)
+
+
+def limited(settings: Settings, ceilings: Settings) -> Settings:
+    """`settings` of a file beside an asset, which may come from anywhere with it: the limits of the
+    run and of reading are at most those of `ceilings`."""
+    run, most = settings.run, ceilings.run
+    run = replace(
+        run,
+        time_limit=min(run.time_limit, most.time_limit, key=lambda limit: limit or math.inf),
+        memory_limit=min(run.memory_limit, most.memory_limit),
+    )
+    read, most_read = settings.rig.read, ceilings.rig.read
+    read = replace(
+        read,
+        time_limit=min(read.time_limit, most_read.time_limit),
+        memory_limit=min(read.memory_limit, most_read.memory_limit),
+        size_limit=min(read.size_limit, most_read.size_limit),
+    )
+    return with_sections(settings, run=run, read=read)
 
 
 def _preset(name: str, faults: Faults) -> Mapping[str, Any]:
