@@ -181,7 +181,7 @@ def _moving_places(
     seen = _allowed(
         face, motion, requests, settings.least_kept, _seen(face, motion.points, settings.space)
     )
-    seen = _with_clear_handles(face, motion, requests, settings, seen)
+    seen = _with_clear_handles(face, motion, requests, settings.least_kept, seen)
     # A person's decision, an earlier place and the skin that a joint owns come before the meaning
     # of a name.
     is_asked = requests.overrides[motion.control].near or motion.control in requests.prior.places
@@ -214,16 +214,13 @@ def _in_the_middle(face: Face, motion: Motion, near: Flags, least_kept: float) -
 
 
 def _with_clear_handles(
-    face: Face, motion: Motion, requests: Requests, settings: CandidateSettings, seen: Flags
+    face: Face, motion: Motion, requests: Requests, least_kept: float, seen: Flags
 ) -> Flags:
     """(p,) those `seen` at which the handle itself is seen, if one of them keeps enough of the
     displacement."""
-    clear = _allowed(face, motion, requests, settings.least_kept, seen & face.clear[motion.points])
-    return (
-        clear
-        if motion.arc_length[clear].max(initial=0.0) >= _kept(motion, seen, settings.least_kept)
-        else seen
-    )
+    clear = _allowed(face, motion, requests, least_kept, seen & face.clear[motion.points])
+    reached = motion.arc_length[clear].max(initial=0.0)
+    return clear if reached >= _kept(motion, seen, least_kept) else seen
 
 
 def _kept(motion: Motion, seen: Flags, least: float) -> float:
