@@ -26,8 +26,6 @@ _SLIP = 0.85
 NO_LAYOUT = ("LAYOUT_MISSING", "LAYOUT_OFF")
 """What a stage without a layout is refused for by all that need one."""
 
-REPORT_FORMAT, REPORT_VERSION = "usdrigui.report", 1
-
 T = TypeVar("T")
 Severity = Literal["info", "warning", "error"]
 
@@ -169,8 +167,8 @@ def raised_at(error: BaseException) -> str:
 def failure_json(asset: str, error: RigUIError) -> str:
     """The report of a run that ended in an error: it needs nothing that a run does."""
     document = {
-        "format": REPORT_FORMAT,
-        "version": REPORT_VERSION,
+        "format": "usdrigui.report",
+        "version": 1,
         "asset": asset,
         "outcome": "refused",
         "exit": int(error.exit_code),

@@ -9,87 +9,19 @@ import sys
 import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from usdrigui import worker
-from usdrigui.cli.options import (
-    add_each_variant,
-    add_settings,
-    command,
-    files_read,
-    passed_on,
-    settings_digest,
-    settings_quietly,
-)
-from usdrigui.cli.outcomes import say, screen_of
+from usdrigui.cli.options import files_read, passed_on, settings_digest, settings_quietly
+from usdrigui.cli.outcomes import check_ending, say, screen_of
 from usdrigui.errors import Exit, RigUIError, refuse
 
 if TYPE_CHECKING:
     from usdrigui.clients.batch.job import Job, Row
 
 
-def add_batch(commands: Any) -> None:
-    """Add ``batch`` to the commands."""
-    parser = command(
-        commands, "batch", _batch, "lay out many characters, each in a process of its own"
-    )
-    _add_assets(parser)
-    parser.add_argument(
-        "--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes at a time"
-    )
-    parser.add_argument(
-        "--dask", metavar="ADDRESS", help="use the workers of this dask scheduler instead"
-    )
-    parser.add_argument(
-        "--timeout",
-        type=float,
-        default=0.0,
-        metavar="SECONDS",
-        help="end an asset that takes longer",
-    )
-    parser.add_argument("--again", action="store_true", help="lay out unchanged assets as well")
-    parser.add_argument(
-        "--summary",
-        type=Path,
-        metavar="JSON",
-        help="write a JSON summary with the outcome of every asset",
-    )
-    parser.add_argument(
-        "--sheet",
-        type=Path,
-        metavar="PNG",
-        help="write a contact sheet; each picture is kept beside its layer",
-    )
-    add_settings(parser)
-
-
-def add_openjd(commands: Any) -> None:
-    """Add ``openjd`` to the commands."""
-    parser = command(
-        commands, "openjd", _openjd, "write a farm job, one task a character (Open Job Description)"
-    )
-    _add_assets(parser)
-    parser.add_argument("-o", "--output", type=Path, metavar="JSON", help="default: print it")
-    add_settings(parser)
-
-
-def _add_assets(parser: Any) -> None:
-    parser.add_argument(
-        "patterns",
-        nargs="+",
-        metavar="PATTERN",
-        help="files, or patterns in quotes; ** is any depth",
-    )
-    parser.add_argument(
-        "--output-dir", dest="folder", type=Path, metavar="DIR", help="default: beside each asset"
-    )
-    add_each_variant(parser, "lay out every variant of this set, each in its variant")
-    parser.add_argument(
-        "--bare", action="store_true", help="leave the assets out of the layers' sublayers"
-    )
-
-
-def _batch(arguments: argparse.Namespace) -> Exit:
+def batch(arguments: argparse.Namespace) -> Exit:
+    """Lay out many characters, each in a process of its own."""
     _check_names(arguments)
     jobs, read = _jobs(arguments)
     _check_apart(jobs, read, arguments)
@@ -104,12 +36,7 @@ def _check_names(arguments: argparse.Namespace) -> None:
     for target in filter(None, (arguments.summary, arguments.sheet)):
         if target.is_dir():
             raise refuse("FILE_TARGET", str(target), "is a folder")
-    if arguments.sheet is not None and arguments.sheet.suffix.lower() != ".png":
-        raise refuse(
-            "CONFIG_VALUE",
-            "--sheet",
-            f"a contact sheet ends in .png, not in {arguments.sheet.suffix!r}",
-        )
+    check_ending("--sheet", arguments.sheet, ".png")
 
 
 def _check_apart(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.Namespace) -> None:
@@ -131,24 +58,23 @@ def _check_apart(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.
 
 def _all_of(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline
+    from usdrigui.cli.terminal import review_lines
     from usdrigui.clients.batch import contact_sheet, run
 
     screen = screen_of(arguments)
     address = arguments.dask
     start = time.perf_counter()
     rows: list[Row] = []
-    working = run.run_on_dask(jobs, address) if address else run.run_local(jobs, arguments.jobs)
-    with (
-        screen.batch_progress(len(jobs)) as shown,
-        contextlib.closing(working),
-        _until_interrupted(),
-    ):
+    processes = arguments.jobs or os.cpu_count() or 1
+    working = run.run_on_dask(jobs, address) if address else run.run_local(jobs, processes)
+    shown = screen.batch_progress(len(jobs))
+    with contextlib.closing(working), _until_interrupted():
         for row in working:
             rows.append(row)
             shown(row)
     ordered = run.with_parts(run.in_order(rows, jobs), jobs)
     summary = run.Summary(
-        ordered, time.perf_counter() - start, address or "local", 0 if address else arguments.jobs
+        ordered, time.perf_counter() - start, address or "local", 0 if address else processes
     )
     written = []
     if arguments.sheet is not None:
@@ -159,10 +85,7 @@ def _all_of(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.Names
     if arguments.summary is not None:
         state = pipeline.write_file(run.to_json(summary).encode(), arguments.summary, read)
         written.append(f"{state} {arguments.summary}")
-    if arguments.json:
-        sys.stdout.write(run.to_json(summary))
-    else:
-        screen.batch(summary, written)
+    screen.show(lambda: run.to_json(summary), *review_lines.of_batch(summary, written))
     warned = arguments.strict and any(row.warnings for row in ordered)
     return max(summary.exit_code, Exit.REFUSED if warned else Exit.OK)
 
@@ -177,13 +100,14 @@ def _until_interrupted() -> Iterator[None]:
         worker.be_patient(True)
 
 
-def _openjd(arguments: argparse.Namespace) -> Exit:
+def openjd(arguments: argparse.Namespace) -> Exit:
+    """Write a farm job, one task a character."""
     from usdrigui import pipeline
     from usdrigui.clients import openjd
     from usdrigui.clients.batch import places
 
     assets = places.find_assets(arguments.patterns)
-    pairs = list(zip(assets, places.outputs_of(assets, arguments.folder), strict=True))
+    pairs = list(zip(assets, places.outputs_of(assets, arguments.output_dir), strict=True))
     template = openjd.template(pairs, passed_on(arguments))
     if arguments.output is None:
         sys.stdout.write(template)
@@ -205,7 +129,7 @@ def _jobs(arguments: argparse.Namespace) -> tuple[list[Job], list[Path]]:
     assets = places.find_assets(arguments.patterns)
     passed = tuple(passed_on(arguments))
     found, read = [], []
-    for asset, output in zip(assets, places.outputs_of(assets, arguments.folder), strict=True):
+    for asset, output in zip(assets, places.outputs_of(assets, arguments.output_dir), strict=True):
         picture = str(output.with_suffix(".png")) if arguments.sheet is not None else ""
         arguments.asset = asset
         try:

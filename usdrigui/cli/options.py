@@ -1,4 +1,4 @@
-"""What commands share on the command line: common options, and the settings they amount to."""
+"""The settings that the options of a command amount to."""
 
 from __future__ import annotations
 
@@ -8,120 +8,17 @@ import itertools
 import os
 import re
 import tomllib
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from usdrigui import worker
-from usdrigui.errors import NO_LAYOUT, Exit, RigUIError, refuse
+from usdrigui.cli.parser import command_options
+from usdrigui.errors import NO_LAYOUT, RigUIError, refuse
 
 if TYPE_CHECKING:
     from usdrigui.settings import ReadSettings, Settings, UnsoundSettingsError
     from usdrigui.usd.reader_records import Opening
-
-_BESIDE_CHAR = "CHAR.rigui.toml beside CHAR"
-_BELOW_LAYER = "LAYER.toml, or else CHAR.rigui.toml beside the CHAR below LAYER"
-_ANY_SETTING = "any one setting: solve.gap=1e-3, controls.smile.maximum=0.5"
-
-
-def command(
-    commands: Any, name: str, run: Callable[[argparse.Namespace], Exit], summary: str
-) -> Any:
-    """A command's parser, with the options that every command has; ``run`` gives its exit code."""
-    parser = commands.add_parser(
-        name, help=summary, description=summary[0].upper() + summary[1:] + "."
-    )
-    parser.set_defaults(run=run, parser=parser)
-    parser.add_argument(
-        "--json", action="store_true", help="print one JSON document instead of text"
-    )
-    parser.add_argument("-q", "--quiet", action="store_true", help="print the closing line only")
-    parser.add_argument("--strict", action="store_true", help="exit 1 if there are warnings")
-    return parser
-
-
-def add_configuration(parser: Any, *, layer: bool = True) -> Any:
-    """The options for any setting at all, and their group; `layer` where the command takes a
-    layout, not an asset."""
-    group = parser.add_argument_group(
-        "settings", "docs/settings.md lists all settings of a configuration"
-    )
-    default = _BELOW_LAYER if layer else _BESIDE_CHAR
-    group.add_argument(
-        "--config",
-        type=Path,
-        action="append",
-        default=[],
-        metavar="TOML",
-        help=f"default: {default}, if it exists; of several files a later one overrides an earlier",
-    )
-    group.add_argument(
-        "--set", action="append", default=[], metavar="PART.KEY=VALUE", help=_ANY_SETTING
-    )
-    add_variant(group)
-    return group
-
-
-def add_variant(parser: Any) -> None:
-    """The option that selects a variant."""
-    help_text = "select a variant: LOD=low"
-    parser.add_argument(
-        "--variant",
-        type=_selection,
-        action="append",
-        default=[],
-        metavar="SET=NAME",
-        help=help_text,
-    )
-
-
-def add_each_variant(parser: Any, summary: str) -> None:
-    """The option for all variants of a set."""
-    parser.add_argument("--each-variant", action="append", default=[], metavar="SET", help=summary)
-
-
-def _selection(text: str) -> tuple[str, str]:
-    """``LOD=low``, as usdchecker's ``LOD:low`` too."""
-    found = re.fullmatch("([^=:]+)[=:](.+)", text)
-    if not found:
-        raise argparse.ArgumentTypeError(f"expected SET=NAME, got {text!r}")
-    return found[1], found[2]
-
-
-def add_settings(parser: Any, *, layer: bool = False) -> None:
-    """The options that choose settings; `settings_of` reads them."""
-    group = add_configuration(parser, layer=layer)
-    group.add_argument(
-        "--preset",
-        default="default",
-        metavar="NAME",
-        help="default, or paper: the paper's constants",
-    )
-    group.add_argument(
-        "--view", metavar="VIEW", help="front, side, AZ,EL in degrees or a Camera prim"
-    )
-    group.add_argument(
-        "--space", choices=("object", "view"), help="space elements in 3-D or as seen from the view"
-    )
-    group.add_argument(
-        "--pose", type=Path, metavar="TOML", help="base pose: a file of control = value lines"
-    )
-    group.add_argument(
-        "--time", type=float, metavar="CODE", help="base pose: the animation at this time code"
-    )
-    group.add_argument(
-        "--gap", type=float, metavar="SHARE", help="gap of the cost at which to stop"
-    )
-    group.add_argument("--method", metavar="NAME", help="highs, paper or toulbar2")
-    group.add_argument(
-        "--time-limit",
-        type=float,
-        metavar="SECONDS",
-        help="stop solving with the best layout so far",
-    )
-    group.add_argument(
-        "--memory-limit", type=int, metavar="MIB", help="memory that the solver may plan to use"
-    )
 
 
 def settings_of(arguments: argparse.Namespace) -> Settings:
@@ -186,16 +83,9 @@ def settings_of_command_line(arguments: argparse.Namespace) -> Settings:
     return settings.load(*_said(arguments))
 
 
-_INPUTS = (
-    "asset",
-    "layer",
-    "before",
-    "pose",
-    "fixed",
-    "previous",
-    "like",
-    "base",
-)
+_SETTINGS = ("config", "pose", "preset", "set", "variant", "each_variant")
+"""Options that give settings, beside those that name theirs."""
+_INPUTS = ("asset", "layer", "before", "pose", "fixed", "previous", "like", "base")
 _SEVERAL = ("config", "configuration", "animation")
 
 
@@ -214,9 +104,10 @@ def _said(arguments: argparse.Namespace) -> list[Mapping[str, Any]]:
     sources = [_assignment(text) for text in getattr(arguments, "set", [])]
     if getattr(arguments, "pose", None):
         sources.append({"read": {"pose": settings.read_toml(arguments.pose)}})
-    for option, (part, key) in _OPTIONS.items():
-        value = getattr(arguments, option, None)
-        if value is not None and value is not False:
+    for name, option in command_options(arguments):
+        value = getattr(arguments, name)
+        if "setting" in option and value is not None and value is not False:
+            part, _, key = option["setting"].partition(".")
             sources.append({part: {key: value}})
     sources.append({"read": {"variants": dict(getattr(arguments, "variant", ()))}})
     if getattr(arguments, "each_variant", ()):
@@ -232,36 +123,22 @@ def settings_digest(arguments: argparse.Namespace) -> str:
 def passed_on(arguments: argparse.Namespace) -> list[str]:
     """The settings of a command as options of another, with files by their absolute paths."""
     passed = []
-    for path in arguments.config:
-        passed += ["--config", str(path.absolute())]
-    if arguments.pose is not None:
-        passed += ["--pose", str(arguments.pose.absolute())]
-    if arguments.preset != "default":
-        passed += ["--preset", arguments.preset]
-    for text in arguments.set:
-        passed += ["--set", text]
-    for name, variant in arguments.variant:
-        passed += ["--variant", f"{name}={variant}"]
-    for name in arguments.each_variant:
-        passed += ["--each-variant", name]
-    for option in _OPTIONS:
-        value = getattr(arguments, option, None)
-        if value is not None and value is not False:
-            name = f"--{option.replace('_', '-')}"
-            passed += [name] if value is True else [f"{name}={value}"]
+    for name, option in command_options(arguments):
+        value = getattr(arguments, name)
+        is_setting = "setting" in option or name in _SETTINGS
+        if not is_setting or value in (None, False, option.get("default")):
+            continue
+        key = f"--{name.replace('_', '-')}"
+        values = value if isinstance(value, list) else [value]
+        passed += [key if each is True else f"{key}={_spelt(each)}" for each in values]
     return passed
 
 
-_OPTIONS: Mapping[str, tuple[str, str]] = {
-    "view": ("candidates", "view"),
-    "space": ("candidates", "space"),
-    "time": ("read", "time"),
-    "gap": ("solve", "gap"),
-    "method": ("solve", "method"),
-    "time_limit": ("solve", "time_limit"),
-    "memory_limit": ("solve", "memory_limit"),
-    "bare": ("output", "bare"),
-}
+def _spelt(value: Any) -> str:
+    """A value of an option as it is written on a command line."""
+    if isinstance(value, Path):
+        return str(value.absolute())
+    return "=".join(value) if isinstance(value, tuple) else str(value)
 
 
 _WORD = r"""(?:"(?:[^"\\]|\\.)*"|'[^']*'|[^."'=][^.=]*)"""

@@ -8,28 +8,35 @@ import io
 import os
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from usdrigui import worker
-from usdrigui.cli.tables import columns, wrapped
-from usdrigui.errors import Exit, RigUIError, failure_json, raised_at, refuse, visible
+from usdrigui.cli.lines import tell
+from usdrigui.errors import Exit, RigUIError, failure_json, raised_at, refuse
 
 if TYPE_CHECKING:
-    from usdrigui.cli import terminal
+    from usdrigui.cli.terminal.screen import Screen
 
 
-def screen_of(arguments: argparse.Namespace) -> terminal.Screen:
+def screen_of(arguments: argparse.Namespace) -> Screen:
     """Where a command shows its progress and its outcome."""
-    from usdrigui.cli import terminal
+    from usdrigui.cli.terminal.screen import Screen
 
-    verbose = getattr(arguments, "verbose", False)
-    return terminal.Screen(quiet=arguments.quiet, machine=arguments.json, verbose=verbose)
+    return Screen(quiet=arguments.quiet, machine=arguments.json)
 
 
 def say(line: str, arguments: argparse.Namespace) -> None:
     """Print one line, unless the command owes a JSON document."""
     if not arguments.json:
-        print("\n".join(wrapped(visible(line), columns(sys.stdout))))
+        tell(line, sys.stdout)
+
+
+def check_ending(option: str, path: Path | None, *endings: str) -> None:
+    """Raise CONFIG_VALUE where the name of a picture to be written ends otherwise."""
+    if path is not None and path.suffix.lower() not in endings:
+        known = " or ".join(endings)
+        raise refuse("CONFIG_VALUE", option, f"a picture ends in {known}, not in {path.suffix!r}")
 
 
 def strict(issues: Sequence[Any], arguments: argparse.Namespace) -> Exit:
@@ -65,7 +72,7 @@ def refused(error: RigUIError, arguments: argparse.Namespace) -> None:
 def _complain(line: str) -> None:
     """Print on standard error, as far as it takes anything."""
     with contextlib.suppress(OSError):
-        print("\n".join(wrapped(visible(line), columns(sys.stderr))), file=sys.stderr)
+        tell(line, sys.stderr)
 
 
 def _subject(error: RigUIError, arguments: argparse.Namespace) -> str:

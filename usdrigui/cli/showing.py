@@ -7,11 +7,11 @@ import argparse
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from usdrigui import worker
-from usdrigui.cli.options import add_configuration, command, files_read, settings_of
-from usdrigui.cli.outcomes import say
+from usdrigui.cli.options import files_read, settings_of
+from usdrigui.cli.outcomes import check_ending, say
 from usdrigui.errors import Exit, refuse
 
 if TYPE_CHECKING:
@@ -20,132 +20,13 @@ if TYPE_CHECKING:
     from usdrigui.view.live import LiveFile
 
 
-def add_view(commands: Any) -> None:
-    """Add ``view`` to the commands."""
-    parser = command(commands, "view", _view, "pose the character in a browser by its layout")
-    parser.add_argument(
-        "layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`"
-    )
-    parser.add_argument(
-        "--html",
-        type=Path,
-        metavar="FILE",
-        help="write one self-contained page instead of serving it",
-    )
-    parser.add_argument(
-        "--no-browser", action="store_true", help="serve, but do not open a browser"
-    )
-    parser.add_argument(
-        "--study",
-        action="store_true",
-        help="offer the evaluation: match target faces with three interfaces",
-    )
-    parser.add_argument(
-        "--live",
-        type=Path,
-        metavar="USDA",
-        help="keep the animation of the page in this layer, which is saved as keys are set",
-    )
-    parser.add_argument(
-        "--review",
-        type=Path,
-        action="append",
-        default=[],
-        metavar="USDA",
-        help="open the notes of a review that the page saved; may be given again",
-    )
-    add_configuration(parser)
-
-
-def add_picture(commands: Any) -> None:
-    """Add ``picture`` to the commands."""
-    parser = command(
-        commands, "picture", _picture, "draw a layout layer, or the character's animation under it"
-    )
-    parser.add_argument(
-        "layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`"
-    )
-    parser.add_argument(
-        "-o",
-        "--output",
-        type=Path,
-        required=True,
-        metavar="FILE",
-        help="a .png, or an animated .gif",
-    )
-    parser.add_argument("--labels", action="store_true", help="name the elements")
-    parser.add_argument(
-        "--pose",
-        type=Path,
-        metavar="TOML",
-        help="the pose of a .png: a file of control = value lines, as `--set read.pose.smile=1`",
-    )
-    _add_levels(parser)
-    parser.add_argument("--frames", type=int, default=24, metavar="N", help="pictures in a .gif")
-    add_configuration(parser)
-
-
-def add_flat_picker(commands: Any) -> None:
-    """Add ``picker`` to the commands."""
-    parser = command(
-        commands, "picker", _flat_picker, "export the layout as a flat picker, seen from its view"
-    )
-    parser.add_argument(
-        "layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`"
-    )
-    parser.add_argument(
-        "--svg", type=Path, metavar="FILE", help="write a picture whose groups name their controls"
-    )
-    parser.add_argument(
-        "--labels", action="store_true", help="name the elements on the face in the picture as well"
-    )
-    _add_levels(parser)
-    parser.add_argument("--dwpicker", type=Path, metavar="JSON", help="write a picker for dwpicker")
-    add_configuration(parser)
-
-
-def add_study(commands: Any) -> None:
-    """Add ``study`` to the commands."""
-    parser = command(
-        commands,
-        "study",
-        _study,
-        "sum results of `view --study` over participants, beside the paper's",
-    )
-    parser.add_argument(
-        "results",
-        type=Path,
-        nargs="+",
-        metavar="CSV",
-        help="the CSV files that the page saved, one for each participant",
-    )
-
-
-def _study(arguments: argparse.Namespace) -> Exit:
+def study(arguments: argparse.Namespace) -> Exit:
+    """Sum results of `view --study` over participants."""
     from usdrigui.clients import study
 
     found = study.summed(arguments.results)
     sys.stdout.write(study.as_json(found) if arguments.json else study.as_text(found) + "\n")
     return Exit.OK
-
-
-def _add_levels(parser: Any) -> None:
-    """Which level of a layout with two is shown."""
-    group = parser.add_argument_group("levels", "for a layout with coarse elements and members")
-    group.add_argument(
-        "--level",
-        type=int,
-        choices=(1, 2),
-        default=1,
-        help="1: coarse elements (default); 2: members",
-    )
-    group.add_argument(
-        "--open",
-        action="append",
-        default=[],
-        metavar="ELEMENT",
-        help="this coarse element is opened",
-    )
 
 
 def _visible(
@@ -173,7 +54,8 @@ def _spared(
     return read
 
 
-def _view(arguments: argparse.Namespace) -> Exit:
+def view(arguments: argparse.Namespace) -> Exit:
+    """Pose the character in a browser by its layout."""
     from usdrigui import pipeline
     from usdrigui.pose import evaluate
     from usdrigui.view import page, serve
@@ -216,16 +98,12 @@ def _live(arguments: argparse.Namespace, read: Sequence[Path]) -> LiveFile | Non
     return LiveFile(arguments.live, read)
 
 
-def _picture(arguments: argparse.Namespace) -> Exit:
+def picture(arguments: argparse.Namespace) -> Exit:
+    """Draw a layout layer, or the character's animation under it."""
     from usdrigui import pipeline
     from usdrigui.view import sheet
 
-    if arguments.output.suffix not in (".png", ".gif"):
-        raise refuse(
-            "CONFIG_VALUE",
-            "--output",
-            f"a picture ends in .png or .gif, not in {arguments.output.suffix!r}",
-        )
+    check_ending("--output", arguments.output, ".png", ".gif")
     settings = settings_of(arguments)
     loaded = pipeline.load_layer(arguments.layer, settings)
     read = _spared((arguments.output,), loaded, arguments)
@@ -241,7 +119,8 @@ def _picture(arguments: argparse.Namespace) -> Exit:
     return Exit.OK
 
 
-def _flat_picker(arguments: argparse.Namespace) -> Exit:
+def picker(arguments: argparse.Namespace) -> Exit:
+    """Export the layout as a flat picker, seen from its view."""
     from usdrigui import pipeline
     from usdrigui.clients import picker
 

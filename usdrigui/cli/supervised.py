@@ -15,6 +15,7 @@ from collections.abc import Sequence
 
 from usdrigui import cli
 from usdrigui.cli.outcomes import prepare_streams, refused
+from usdrigui.cli.parser import parsed
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.supervision import Events, Outcome, supervise
 
@@ -27,7 +28,7 @@ def run(argv: Sequence[str], events: Events) -> int:
             contextlib.redirect_stdout(io.StringIO()) as out,
             contextlib.redirect_stderr(io.StringIO()) as err,
         ):
-            arguments = cli.parsed(argv)
+            arguments = parsed(argv)
     except SystemExit as ended:
         outcome = Outcome(int(ended.code or 0), out.getvalue(), err.getvalue())
     else:

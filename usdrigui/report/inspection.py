@@ -3,15 +3,11 @@ solving."""
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any, Literal
 
 from usdrigui.errors import Issue
-
-FORMAT = "usdrigui.inspection"
-VERSION = 1
+from usdrigui.report.documents import document
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,12 +127,10 @@ class Inspection:
 
 def to_json(found: Inspection) -> str:
     """The inspection as a JSON document."""
-    document: Mapping[str, Any] = {
-        "format": FORMAT,
-        "version": VERSION,
-        "asset": found.asset,
-        "characters": [asdict(each) for each in found.characters],
-        "issues": [asdict(each) for each in found.issues],
-        "seconds": dict(found.seconds),
-    }
-    return json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    return document(
+        "inspection",
+        asset=found.asset,
+        characters=found.characters,
+        issues=found.issues,
+        seconds=dict(found.seconds),
+    )

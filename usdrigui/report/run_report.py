@@ -6,21 +6,19 @@ write, described in docs/report.md.  Timings are the only part that differs betw
 
 from __future__ import annotations
 
-import json
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
-from usdrigui.errors import REPORT_FORMAT, REPORT_VERSION, Exit, Issue
+from usdrigui.errors import Exit, Issue
 from usdrigui.model import Assignment, Element, Floats, Layout, LeftOff, Rig
 from usdrigui.model.levels import outer_first
+from usdrigui.report.documents import document, plain
 from usdrigui.report.markup import markup
 
 if TYPE_CHECKING:
     import networkx as nx
-
-FORMAT, VERSION = REPORT_FORMAT, REPORT_VERSION
 
 Outcome = Literal["written", "unchanged", "dry run", "in memory"]
 Place = Literal["face", "board", "left off"]
@@ -202,7 +200,8 @@ def rows_of(
     that do together what one does, by control name."""
     carried = {
         member.control: (element, member.arc_length)
-        for element, member in _members(layout.elements)
+        for element in reversed(outer_first(layout.elements))  # the first level counts
+        for member in element.manipulator.members
     }
     reasons = {left.control: left.reason for left in (*rig.findings.left_off, *layout.left_off)}
     rows = []
@@ -231,85 +230,55 @@ def rows_of(
 
 
 def to_json(report: Report) -> str:
-    """The report as a JSON document (UTF-8, two-space indent, no NaN)."""
-    return (
-        json.dumps(_finite(_document(report)), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    """The report as a JSON document."""
+    return document(
+        "report",
+        asset=report.asset,
+        output=report.output,
+        outcome=report.outcome,
+        exit=int(report.exit_code),
+        characters=[_character(each) for each in report.characters],
+        issues=report.issues,
+        settings=report.settings,
+        sources=report.sources,
+        seconds=dict(report.seconds),
     )
 
 
 def review_json(layer: str, characters: Sequence[tuple[str, Any]], issues: Sequence[Issue]) -> str:
     """The outcome of `usdrigui check` as a JSON document; `characters` are (prim path, review)
     pairs."""
-    document = {
-        "format": "usdrigui.review",
-        "version": VERSION,
-        "layer": layer,
-        "characters": [
-            {
-                "root": root,
-                "cost": review.cost,
-                "elements": [_review_row(each) for each in review.elements],
-            }
-            for root, review in characters
-        ],
-        "issues": [asdict(each) for each in issues],
-    }
-    return json.dumps(_finite(document), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    reviews = [
+        {"root": root, "cost": review.cost, "elements": [_review_row(x) for x in review.elements]}
+        for root, review in characters
+    ]
+    return document("review", layer=layer, characters=reviews, issues=issues)
 
 
-def _review_row(each: Any) -> dict[str, object]:
-    """An element's review by the names that the document has for its fields."""
-    return {
-        "gain" if name == "improvement" else name: value for name, value in asdict(each).items()
-    }
+def _review_row(element: Any) -> dict[str, Any]:
+    """An element's review, whose improvement is a gain in documents."""
+    return {("gain" if k == "improvement" else k): v for k, v in plain(element).items()}
 
 
-def difference_json(
-    before: str, after: str, found: Sequence[Any], only_in_one: Sequence[str]
-) -> str:
-    """The outcome of `usdrigui diff` as a JSON document; `found` are
-    `usdrigui.layout.review.difference` records."""
-    document = {
-        "format": "usdrigui.difference",
-        "version": VERSION,
-        "before": before,
-        "after": after,
-        "characters": [_difference(each) for each in found],
-        "only_in_one": list(only_in_one),
-        "issues": [],
-    }
-    return json.dumps(_finite(document), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+def difference_json(found: Any) -> str:
+    """The outcome of `usdrigui diff`, a `usdrigui.pipeline.LayerDifference`, as a JSON document."""
+    return document(
+        "difference",
+        before=found.before,
+        after=found.after,
+        characters=[_difference(each) for each in found.characters],
+        only_in_one=found.only_in_one,
+        issues=[],
+    )
 
 
 def _difference(found: Any) -> dict[str, Any]:
-    changes = [asdict(change) for change in found.changes]
-    counts = {
+    return {
+        "root": found.root,
         "shared": found.shared,
         "displaced": found.changed,
         "renamed": len({each.was for each in found.renamed}),
-    }
-    return {"root": found.root, **counts, "changes": changes}
-
-
-def _members(elements: tuple[Element, ...]) -> Iterator[tuple[Element, Any]]:
-    for element in reversed(outer_first(elements)):  # what a control has on the first level counts
-        for member in element.manipulator.members:
-            yield element, member
-
-
-def _document(report: Report) -> dict[str, Any]:
-    return {
-        "format": FORMAT,
-        "version": VERSION,
-        "asset": report.asset,
-        "output": report.output,
-        "outcome": report.outcome,
-        "exit": int(report.exit_code),
-        "characters": [_character(each) for each in report.characters],
-        "issues": [asdict(each) for each in report.issues],
-        "settings": dict(report.settings),
-        "sources": [asdict(each) for each in report.sources],
-        "seconds": dict(report.seconds),
+        "changes": found.changes,
     }
 
 
@@ -317,7 +286,7 @@ def _character(character: CharacterReport) -> dict[str, Any]:
     layout, assignment = character.layout, character.assignment
     return {
         "root": character.root,
-        "variant_path": character.layout.character.variant_path,
+        "variant_path": layout.character.variant_path,
         "points": int(character.rig.body.starts[-1]),
         "meshes": len(character.rig.body.meshes),
         "controls": [_row(row) for row in character.rows],
@@ -326,55 +295,39 @@ def _character(character: CharacterReport) -> dict[str, Any]:
         "elements": [
             _element(element, element.name not in character.added) for element in layout.elements
         ],
-        "notes": [
-            {"control": n.control, "stage": n.stage, "reason": n.reason} for n in character.notes
-        ],
+        "notes": character.notes,
         "handle_width": layout.frame.handle_width,
         "symmetry_plane": {
-            "origin": layout.frame.plane.origin.tolist(),
-            "normal": layout.frame.plane.normal.tolist(),
+            "origin": layout.frame.plane.origin,
+            "normal": layout.frame.plane.normal,
         },
-        "view": layout.frame.view.tolist(),
+        "view": layout.frame.view,
         "parts": [_part(part) for part in character.parts],
-        "difference": (
-            _difference(character.difference) if character.difference is not None else None
-        ),
-        "matchings": {which: asdict(found) for which, found in character.matchings.items()},
-        "solution": (
-            _proof(assignment)
-            | {
-                "weights": dict(layout.proof.weights),
-                "steps": [
-                    {"name": step.name, "figures": dict(step.figures), "seconds": step.seconds}
-                    for step in assignment.steps
-                ],
-            }
-        ),
+        "difference": character.difference and _difference(character.difference),
+        "matchings": character.matchings,
+        "solution": {
+            **_proof(assignment),
+            "weights": dict(layout.proof.weights),
+            "steps": [{**plain(step), "figures": dict(step.figures)} for step in assignment.steps],
+        },
     }
 
 
 def _part(part: PartRow) -> dict[str, Any]:
     return {
         "name": part.name,
-        "controls": list(part.controls),
+        "controls": part.controls,
         "on_it": part.on_it,
         "handle_width": part.handle_width,
-        "view": part.view.tolist(),
+        "view": part.view,
         "solution": _proof(part.assignment),
     }
 
 
 def _proof(assignment: Assignment) -> dict[str, Any]:
-    return {
-        "method": assignment.method,
-        "closed_by": assignment.closed_by,
-        "status": assignment.status,
-        "cost": assignment.cost,
-        "bound": assignment.bound,
-        "gap": assignment.gap,
-        "above_unary_bound": assignment.above_unary_bound,
-        "gap_of_choice": assignment.gap_of_choice,
-    }
+    names = ("method", "closed_by", "status", "cost", "bound")
+    derived = ("gap", "above_unary_bound", "gap_of_choice")
+    return {name: getattr(assignment, name) for name in (*names, *derived)}
 
 
 def _row(row: ControlRow) -> dict[str, Any]:
@@ -392,32 +345,21 @@ def _row(row: ControlRow) -> dict[str, Any]:
 
 
 def _element(element: Element, existing: bool) -> dict[str, Any]:
-    anchor = element.anchor
+    anchor, moved = element.anchor, element.manipulator
     return {
         "name": element.name,
-        "kind": element.manipulator.kind,
-        "controls": [member.control for member in element.manipulator.members],
-        "opposed": [list(pair) for pair in element.manipulator.opposed],
+        "kind": moved.kind,
+        "controls": [member.control for member in moved.members],
+        "opposed": moved.opposed,
         "side": element.look.side,
-        "mirror": element.manipulator.mirror,
+        "mirror": moved.mirror,
         "on_board": anchor.on_board,
         "category": element.placement.category,
         "mesh": anchor.mesh,
         "point": anchor.point,
-        "position": anchor.position.tolist(),
-        "gains": [member.magnification for member in element.manipulator.members],
+        "position": anchor.position,
+        "gains": [member.magnification for member in moved.members],
         "reason": element.placement.reason,
         "existing": existing,
-        "members": list(element.look.inner),
+        "members": element.look.inner,
     }
-
-
-def _finite(value: Any) -> Any:
-    """JSON has no NaN or infinity: null stands for them."""
-    if isinstance(value, dict):
-        return {key: _finite(item) for key, item in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_finite(item) for item in value]
-    if isinstance(value, float) and not math.isfinite(value):
-        return None
-    return value

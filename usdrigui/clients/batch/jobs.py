@@ -20,7 +20,7 @@ from typing import Any
 
 from usdrigui.clients.batch import state
 from usdrigui.clients.batch.job import Job, Row
-from usdrigui.errors import REPORT_FORMAT, RigUIError, refuse
+from usdrigui.errors import RigUIError, refuse
 from usdrigui.supervision import KILL, Events, Outcome, supervise
 
 _RUNNING: set[Events] = set()
@@ -131,7 +131,7 @@ def _report(text: str) -> dict[str, Any] | None:
     """The report that a process has printed."""
     with contextlib.suppress(ValueError):
         document = json.loads(text)
-        if isinstance(document, dict) and document.get("format") == REPORT_FORMAT:
+        if isinstance(document, dict) and document.get("format") == "usdrigui.report":
             return document
     return None
 

@@ -1,15 +1,14 @@
-"""Lines and tables of text as wide as the terminal: what does not fit in a row of a table goes
-below it, and nothing is lost."""
+"""Tables of text as wide as the terminal: what does not fit beside goes below its row, and nothing
+is lost."""
 
 from __future__ import annotations
 
-import os
-import shutil
-import textwrap
-from collections.abc import Iterator, Sequence
-from typing import TextIO
+from collections.abc import Iterable, Iterator, Sequence
 
 from rich.cells import cell_len
+
+from usdrigui.cli.lines import wrapped
+from usdrigui.errors import visible
 
 _GAP = 2
 """Characters between two columns."""
@@ -19,43 +18,14 @@ _LONGEST = 40
 """Characters of the first cell after which the row goes on in the next line."""
 
 
-def columns(stream: TextIO | None) -> int | None:
-    """Characters in a line of a stream: of its terminal, or ``COLUMNS``; None in a log, whose lines
-    stay whole."""
-    if os.environ.get("COLUMNS", "").isdecimal() or (stream is not None and stream.isatty()):
-        return max(shutil.get_terminal_size().columns, 1)
-    return None
-
-
-def wrapped(text: str, width: int | None, indent: str = "  ") -> list[str]:
-    """Text in lines of at most `width` characters, broken between words alone; all but the first
-    begin with `indent` more than the text itself."""
-    if width is None:
-        return [text]
-    own = text[: len(text) - len(text.lstrip())]
-    lines = textwrap.wrap(
-        text.strip(),
-        max(width, 20),
-        initial_indent=own,
-        subsequent_indent=own + indent,
-        break_long_words=False,
-        break_on_hyphens=False,
-    )
-    return lines or [""]
-
-
 class Table:
-    """Rows under headers; `below` names columns that need no header and are long: they stand below
-    their row unless all fits in one line."""
+    """Rows under headers between bars: ``"control | change | why"``.  `below` names a column that
+    needs no header and is long: it stands below its row unless all fits in one line."""
 
-    def __init__(self, *headers: str, below: Sequence[str] = ()) -> None:
-        self._headers = headers
+    def __init__(self, headers: str, rows: Iterable[Sequence[str]], below: str = "") -> None:
+        self._headers = headers.split(" | ")
         self._below = below
-        self._rows: list[tuple[str, ...]] = []
-
-    def add_row(self, *cells: str) -> None:
-        """Cells in the order of the headers."""
-        self._rows.append(cells)
+        self._rows = [[visible(cell) for cell in row] for row in rows]
 
     def lines(self, width: int) -> Iterator[str]:
         """The table in lines of at most `width` characters, as far as words are not longer than
@@ -74,7 +44,7 @@ class Table:
             yield _joined(cells, [widths[i] for i in shown])
             hidden = [i for i in range(len(row)) if i not in shown and row[i]]
             lines = (
-                row[i] if self._headers[i] in self._below else f"{self._headers[i]} {row[i]}"
+                row[i] if self._headers[i] == self._below else f"{self._headers[i]} {row[i]}"
                 for i in hidden
             )
             if hidden:
@@ -90,10 +60,21 @@ class Table:
             return used
         shown, room = [0], width - widths[0]
         for i in used[1:]:
-            if self._headers[i] not in self._below and widths[i] + _GAP <= room:
+            if self._headers[i] != self._below and widths[i] + _GAP <= room:
                 shown.append(i)
                 room -= widths[i] + _GAP
         return shown
+
+
+class Verbatim:
+    """Lines that are printed as they are, to be copied."""
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+
+    def lines(self, _: int) -> Iterator[str]:
+        """The lines of the text."""
+        return map(visible, self._text.splitlines())
 
 
 def _joined(cells: Sequence[str], widths: Sequence[int]) -> str:

@@ -1,0 +1,179 @@
+"""What `inspect`, `check`, `diff` and `batch` print: for each the lines, and the closing line."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from usdrigui.cli.terminal.run_lines import change_lines, issue_lines, matching_lines, percent
+from usdrigui.cli.terminal.table import Table, Verbatim
+
+if TYPE_CHECKING:
+    from usdrigui.cli.terminal.screen import Printed
+    from usdrigui.clients.batch.job import Row
+    from usdrigui.clients.batch.run import Summary
+    from usdrigui.layout.review.review import ElementReview
+    from usdrigui.pipeline import LayerDifference, LayerReview
+    from usdrigui.report.inspection import (
+        AnimationFacts,
+        CharacterFacts,
+        ControlFacts,
+        Inspection,
+    )
+
+_OUTCOMES = ("written", "unchanged", "skipped", "refused", "failed")
+
+
+def of_inspection(found: Inspection) -> tuple[Iterator[Printed], str]:
+    """One table a character."""
+    count = sum(len(character.controls) for character in found.characters)
+    return _inspection(found), f"usdrigui: inspected {found.asset}: {count} controls"
+
+
+def _inspection(found: Inspection) -> Iterator[Printed]:
+    for character in found.characters:
+        yield from _facts(character)
+    yield from issue_lines(found.issues)
+
+
+def _facts(character: CharacterFacts) -> Iterator[Printed]:
+    yield (
+        f"{character.root}: {character.points} points, {character.meshes} meshes,"
+        f" {character.joints} joints, {character.symmetric:.0%} of the points have a mirror"
+        " partner"
+    )
+    parts = ", ".join(f"{part.name} ({part.controls} controls)" for part in character.parts)
+    yield f"  parts: {parts}"
+    yield facts_table(character.controls, several=len(character.parts) > 1)
+    for line in character.groups:
+        yield f"  {line}"
+    if character.likeness is not None:
+        yield from matching_lines("like", character.likeness.matching)
+        yield "as a configuration:"
+        yield Verbatim(character.likeness.configuration)
+    if character.animation is not None:
+        yield from _animation(character.animation)
+
+
+def _animation(found: AnimationFacts) -> Iterator[Printed]:
+    yield f"animation: {len(found.clips)} clips, {found.frames} frames"
+    rows = [
+        (each.control, f"{each.use:.3f}", percent(each.active), f"{each.importance:.2f}")
+        for each in found.controls
+    ]
+    yield Table("control | use | active | importance", rows)
+    for together in found.together:
+        yield f"  together ({together.agreement:.2f}): {', '.join(together.controls)}"
+    yield "as a configuration:"
+    yield Verbatim(found.configuration)
+
+
+def facts_table(controls: Sequence[ControlFacts], *, several: bool = False) -> Table:
+    """One row a control, with its part where the character has `several`."""
+    rows = [
+        (
+            facts.control,
+            facts.part if several else "",
+            facts.kind,
+            f"{facts.minimum:g}..{facts.maximum:g}",
+            facts.range_source,
+            str(facts.points),
+            percent(facts.coverage),
+            f"{facts.peak:.2f}",
+            facts.twin,
+            ", ".join(facts.flags),
+        )
+        for facts in controls
+    ]
+    headers = "control | part | kind | range | from | points | coverage | peak | twin | flags"
+    return Table(headers, rows, below="flags")
+
+
+def of_batch(summary: Summary, written: Sequence[str]) -> tuple[Iterator[Printed], str]:
+    """One line an asset in the order given, and what was written besides."""
+    counted = ((summary.count(outcome), outcome) for outcome in _OUTCOMES)
+    counts = ", ".join(f"{count} {outcome}" for count, outcome in counted if count)
+    sound = sum(row.sound for row in summary.rows)
+    count = len(summary.rows) - summary.count("part")
+    rate = 60.0 * count / max(summary.seconds, 1e-9)
+    stopped = "stopped; " if any(row.code == "INTERRUPTED" for row in summary.rows) else ""
+    closing = (
+        f"usdrigui: {stopped}{sound} of {count} assets have their layout: {counts};"
+        f" {summary.seconds:.1f} s, {rate:.1f} a minute"
+    )
+    return iter((_batch_table(summary.rows), *written)), closing
+
+
+def _batch_table(rows: Sequence[Row]) -> Table:
+    headers = "asset | outcome | face | board | off | gap of the cost | warnings | seconds | why"
+    table = []
+    for row in rows:
+        counts = [str(each) if row.sound else "" for each in (row.face, row.board, row.left_off)]
+        gap = f"{row.gap:.1e}" if row.sound else ""
+        warnings, seconds = str(row.warnings or ""), f"{row.seconds:.2f}"
+        why = f"{row.code} {row.message}".strip()
+        table.append((row.asset, row.outcome, *counts, gap, warnings, seconds, why))
+    return Table(headers, table, below="why")
+
+
+def of_review(found: LayerReview) -> tuple[Iterator[Printed], str]:
+    """Every element by the objective, then the findings."""
+    counts = {
+        severity: sum(each.severity == severity for each in found.issues)
+        for severity in ("error", "warning")
+    }
+    off = any(each.code == "LAYOUT_OFF" for each in found.issues)
+    bare = "has its layouts switched off" if off else "has no layout"
+    sound, unsound = "fits its rig", "does not fit its rig"
+    if found.of_asset:
+        sound, unsound = f"{bare}; the asset is valid", f"{bare}; the asset has errors"
+    state = unsound if counts["error"] else sound
+    findings = ", ".join(
+        f"{number} {severity}{'s' * (number != 1)}" for severity, number in counts.items()
+    )
+    return _review(found), f"usdrigui: checked {found.layer}: {state}; {findings}"
+
+
+def _review(found: LayerReview) -> Iterator[Printed]:
+    for root, review in found.characters:
+        yield f"{root}: {len(review.elements)} elements on the character, cost {review.cost:.4f}"
+        yield _review_table(review.elements)
+        yield ("  displacement: at the handle, as a share of the control's peak; w: handle widths")
+    yield from issue_lines(found.issues)
+
+
+def _review_table(elements: Sequence[ElementReview]) -> Table:
+    headers = (
+        "element | displacement | linear | overlap | handles apart | nearest | improvement | at"
+    )
+    rows = []
+    for each in elements:
+        costs = (f"{each.linear:.3f}", f"{each.overlap:.3f}")
+        apart = f"{each.distance:.1f} w" if math.isfinite(each.distance) else ""
+        improvement = f"{each.improvement:.3f}" if each.better else ""
+        better = (improvement, each.better)
+        rows.append((each.element, percent(each.kept), *costs, apart, each.nearest, *better))
+    return Table(headers, rows)
+
+
+def of_difference(found: LayerDifference) -> tuple[Iterator[Printed], str]:
+    """Every control that changed."""
+    changed = sum(character.changed for character in found.characters)
+    shared = sum(character.shared for character in found.characters)
+    if shared:
+        alone = len(found.only_in_one)
+        more = f"; {alone} characters are in one of the two only" if alone else ""
+        summary = f"{changed} of {shared} common controls changed{more}"
+    else:
+        what = "control" if found.characters else "character"
+        summary = f"they have no {what} in common"
+    closing = f"usdrigui: compared {found.before} and {found.after}: {summary}"
+    return _difference(found), closing
+
+
+def _difference(found: LayerDifference) -> Iterator[Printed]:
+    for character in found.characters:
+        yield from change_lines(character)
+    for root in found.only_in_one:
+        yield f"{root}: only one of the two layers has a layout of it"

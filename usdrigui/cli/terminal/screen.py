@@ -1,0 +1,87 @@
+"""Where a command shows its progress and its outcome."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, TypeAlias
+
+from usdrigui.cli.lines import columns, tell
+from usdrigui.cli.terminal.table import Table, Verbatim
+
+if TYPE_CHECKING:
+    from usdrigui.clients.batch.job import Row
+    from usdrigui.pipeline import Event
+
+_LOG_WIDTH = 160
+"""Columns where the output is not a terminal."""
+_PAUSE = 5.0
+"""Seconds between two lines about one long stage, where the output is not a terminal."""
+
+ProgressCallback = Callable[["Event"], None]
+Printed: TypeAlias = str | Table | Verbatim
+
+
+class Screen:
+    """Prints results on standard output, and progress for people on standard error."""
+
+    def __init__(self, *, quiet: bool, machine: bool) -> None:
+        self._quiet = quiet
+        self._machine = machine
+        self._silent = quiet or machine
+        self._printed = time.monotonic()
+
+    def show(self, document: Callable[[], str], lines: Iterable[Printed], closing: str) -> None:
+        """The outcome of a command: its JSON document where one was asked for, else its lines,
+        unless quiet, and the closing line."""
+        if self._machine:
+            sys.stdout.write(document())
+            return
+        for line in () if self._quiet else lines:
+            if isinstance(line, str):
+                tell(line, sys.stdout)
+            else:
+                width = columns(sys.stdout) or _LOG_WIDTH
+                sys.stdout.writelines(f"{each}\n" for each in line.lines(width))
+        tell(closing, sys.stdout)
+
+    @contextmanager
+    def progress(self) -> Iterator[ProgressCallback]:
+        """A live line on a terminal, one plain line a stage elsewhere, nothing when quiet."""
+        if self._silent:
+            yield lambda _: None
+        elif sys.stderr is not None and sys.stderr.isatty():
+            from rich.console import Console  # as long to load as a layer takes to write
+            from rich.text import Text
+
+            console = Console(stderr=True, markup=False, highlight=False)
+            with console.status("starting") as status:
+                yield lambda event: status.update(
+                    Text(f"{event.stage}: {event.detail}" if event.detail else event.stage)
+                )
+        else:
+            yield self._plain
+
+    def _plain(self, event: Event) -> None:
+        """The seconds of a stage that has ended; the progress of a long one every few seconds."""
+        if event.seconds is not None:
+            tell(f"{event.stage:<14} {event.seconds:6.2f} s {event.detail}".rstrip(), sys.stderr)
+        elif event.detail and time.monotonic() - self._printed > _PAUSE:
+            self._printed = time.monotonic()
+            tell(f"{event.stage:<14} {event.detail}", sys.stderr)
+
+    def batch_progress(self, count: int) -> Callable[[Row], None]:
+        """Prints one line an asset, as they are done; nothing when quiet."""
+        done = 0
+
+        def tell_row(row: Row) -> None:
+            nonlocal done
+            done += 1
+            if not self._silent:
+                number = f"[{done:>{len(str(count))}}/{count}]"
+                text = f"{number} {row.outcome:<9} {row.seconds:7.2f} s {row.asset} {row.code}"
+                tell(text.rstrip(), sys.stderr)
+
+        return tell_row
