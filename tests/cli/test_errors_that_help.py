@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from usdrigui.cli import main, parser
+from usdrigui.cli import main
 from usdrigui.cli.options import files_read, passed_on, settings_of
-from usdrigui.cli.unknown_options import hint, options_of
+from usdrigui.cli.parser import hint, options_of, parser
 from usdrigui.settings import load
 from usdrigui.usd.rig import read_rigs
 
@@ -170,7 +170,8 @@ def test_of_several_configurations_a_later_one_wins_over_an_earlier(layer, capsy
     asked = found.layout.solve.gap, found.layout.solve.work_limit, found.rig.read.skel_root
     assert asked == (0.3, 1234, "/A")
     assert {Path(each) for each in files[1::2]} <= set(files_read(arguments))
-    assert [each for each in passed_on(arguments) if each.endswith(".toml")] == files[1::2]
+    passed = [each.removeprefix("--config=") for each in passed_on(arguments)]
+    assert [each for each in passed if each.endswith(".toml")] == files[1::2]
     layer.with_name("show.toml").write_text("[solve]\ngop = 1\n")
     assert [each["path"] for each in run(capsys, "process", "char.usda", *files, expected=2)] == ["solve.gop"]
 

@@ -8,7 +8,8 @@ import skinned_stages
 
 from usdrigui import errors
 from usdrigui.cli import main
-from usdrigui.cli.terminal import Screen, _facts_table, _percent, _where
+from usdrigui.cli.terminal.review_lines import facts_table
+from usdrigui.cli.terminal.run_lines import issue_lines, on_what, percent
 from usdrigui.report import inspection
 
 
@@ -17,7 +18,7 @@ from usdrigui.report import inspection
     [(0.0, "0 %"), (1e-9, "<1 %"), (0.0049, "<1 %"), (0.0051, "1 %"), (1.0, "100 %"), (float("nan"), "-")],
 )
 def test_small_shares_are_not_nothing(share, text):
-    assert _percent(share) == text
+    assert percent(share) == text
 
 
 def test_every_visible_control_covers_something(tmp_path, capsys):
@@ -63,23 +64,22 @@ def _facts(control, twin, flags):
     )
 
 
-def test_one_long_name_squeezes_no_other_column(capsys):
+def test_one_long_name_squeezes_no_other_column():
     long = "x" * 120
-    Screen()._table(_facts_table([_facts(long, "smile_R", ("global",)), _facts("smile_R", long, ())]))
-    lines = capsys.readouterr().out.splitlines()
+    facts = [_facts(long, "smile_R", ("global",)), _facts("smile_R", long, ())]
+    lines = list(facts_table(facts).lines(160))
     assert sum(line.count("x") for line in lines) == 240
     assert any("smile_R" in line and "global" in line for line in lines)
     assert len(lines) < 12
 
 
-def test_a_finding_is_one_line_of_two_sentences(capsys):
+def test_a_finding_is_one_line_of_two_sentences():
     found = errors.issue("CONTROL_TINY", "chin", "moves no point further than " + "very " * 40 + "little.")
-    Screen()._issues([found])
-    (line,) = capsys.readouterr().out.splitlines()
+    (line,) = issue_lines([found])
     assert line.startswith("info: CONTROL_TINY chin: moves")
     assert line.endswith(f"very little. {found.repair}")
 
 
 @pytest.mark.parametrize(("parts", "said"), [(["face"], "face"), (["hands"], "hands"), (["face", "body"], "character")])
 def test_controls_stand_on_the_one_part_that_there_is_or_on_the_character(parts, said):
-    assert _where([SimpleNamespace(parts=[SimpleNamespace(name=name) for name in parts])]) == said
+    assert on_what([SimpleNamespace(parts=[SimpleNamespace(name=name) for name in parts])]) == said

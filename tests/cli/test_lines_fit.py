@@ -5,7 +5,8 @@ import contextlib
 import pytest
 import skinned_stages
 
-from usdrigui.cli import main, parser
+from usdrigui.cli import main
+from usdrigui.cli.parser import parser
 
 LONG = "face_rig_control_of_the_left_upper_eyelid_corner"
 CONFIGURATION = f"""
