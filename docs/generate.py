@@ -155,7 +155,7 @@ _MUST = {
     "anchor:carrier": " on the board",
     "anchor:pointIndex": "",
     "anchor:position": "",
-    "handle:faceCount": "",
+    "primvars:rigUI:role": "",
     "control:*:blendShapes": ", or `joints`",
     "control:*:joints": ", or `blendShapes`",
     "control:*:skeleton": " with `joints`",

@@ -47,10 +47,10 @@ for mesh in root.GetChild("RigUI").GetChildren():
     counts, corners = (list(mesh.GetAttribute("faceVertex" + each).Get()) for each in ("Counts", "Indices"))
     starts = [sum(counts[:face]) for face in range(len(counts))]
     for element in mesh.GetChildren():
-        count = element.GetAttribute("rigUI:handle:faceCount").Get()
-        if not count:
+        roles = UsdGeom.PrimvarsAPI(mesh).GetPrimvar("rigUI:role").ComputeFlattened()
+        faces = [face for face in element.GetAttribute("indices").Get() or () if roles[face] == "handle"]
+        if not faces:
             continue
-        faces = list(element.GetAttribute("indices").Get())[:count]
         handle = {corners[starts[face] + corner] for face in faces for corner in range(counts[face])}
         for time in range(int(stage.GetEndTimeCode()) + 1):
             cache = UsdGeom.XformCache(time)

@@ -23,7 +23,7 @@ def track(prim, instance):
 
 def carriers(prim):
     """Joints and weights that carry the element, and their skeleton."""
-    corners = _corners(prim)
+    corners = _corners(prim, ("handle",))
     return carriers_of(prim.GetParent(), corners[0][0]) if corners else ((), "")
 
 
@@ -33,7 +33,7 @@ def areas(prim, tracks):
     Their corners stand in from ends of tracks, or from where the handle is on one.  The drawn
     tracks, which may have fewer points than the tracks, tell how far along that is.
     """
-    faces = _corners(prim)[get(prim, "rigUI:handle:faceCount", 0) :]
+    faces = _corners(prim, ("track", "area"))
     points = get(prim.GetParent(), "points", ())
     lines, polygons = _drawn_tracks(faces, len(tracks), points)
     found = []
@@ -89,8 +89,8 @@ def _at(points, share):
     return points[-1]
 
 
-def _corners(prim):
-    """The points around each face of an element."""
+def _corners(prim, roles):
+    """The points around each face of an element that is drawn for one of these roles."""
     if not prim.IsA(UsdGeom.Subset):
         return []
     mesh, starts = prim.GetParent(), [0]
@@ -100,7 +100,13 @@ def _corners(prim):
     faces = get(prim, "indices", ())
     if any(not 0 <= face < len(counts) for face in faces) or starts[-1] != len(indices):
         raise LayoutError(f"{prim.GetPath()} has faces that its mesh has not")
-    return [[int(point) for point in indices[starts[face] : starts[face + 1]]] for face in faces]
+    primvar = UsdGeom.PrimvarsAPI(mesh).GetPrimvar("rigUI:role")
+    drawn = list(primvar.ComputeFlattened() or () if primvar else ())
+    drawn *= len(counts) if len(drawn) == 1 else 1
+    if len(drawn) != len(counts):
+        return []
+    chosen = [face for face in sorted(faces) if drawn[face] in roles]
+    return [[int(point) for point in indices[starts[face] : starts[face + 1]]] for face in chosen]
 
 
 def adapt(prim):
@@ -150,11 +156,7 @@ def joint_table(of, name):
 def drawn_width(scope):
     """Width of the first handle that is drawn."""
     for prim in Usd.PrimRange(scope, Usd.PrimAllPrimsPredicate):
-        faces = (
-            _corners(prim)[: get(prim, "rigUI:handle:faceCount", 0)]
-            if "RigUIElementAPI" in applied(prim)
-            else ()
-        )
+        faces = _corners(prim, ("handle",)) if "RigUIElementAPI" in applied(prim) else ()
         points = [get(prim.GetParent(), "points", ())[point] for face in faces for point in face]
         if points:
             return max(

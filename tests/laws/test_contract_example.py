@@ -64,8 +64,14 @@ def test_values_of_the_base_pose_are_those_of_the_names_beside_them(layer):
 @pytest.mark.parametrize(
     ("old", "new", "severity", "told"),
     [
-        (r".*faceCount.*\n", "", "error", "faceCount is missing"),
-        ("faceCount = 1", "faceCount = 5", "error", "faceCount is 5, but it has 1"),
+        (r".*rigUI:role.*\n", "", "error", "no face has the role 'handle'"),
+        (r'\["handle"\]', '["handle", "track"]', "error", "has 2 roles for 1 faces"),
+        (
+            r'token\[\] primvars:rigUI:role = \["handle"\]',
+            "int[] primvars:rigUI:role = [1]",
+            "error",
+            "does not hold tokens",
+        ),
         (r".*familyName.*\n", "", "warning", "familyName"),
         (r".*anchor:position.*\n", "", "warning", "pass rigUI:anchor:position by 12.5"),
         (r"(trackPoints = )\[\(0, -10.0787, 7.4466\)", r"\1[(0, -10.0787, 9.9)", "warning", "by 2.45 at the base pose"),

@@ -317,8 +317,8 @@ def test_handles_face_outwards(char, tmp_path):
         mesh = UsdGeom.Mesh(prim.GetParent())
         points, faces = np.array(mesh.GetPointsAttr().Get()), list(UsdGeom.Subset(prim).GetIndicesAttr().Get())
         sides = np.split(mesh.GetFaceVertexIndicesAttr().Get(), np.cumsum(mesh.GetFaceVertexCountsAttr().Get())[:-1])
-        count = prim.GetAttribute("rigUI:handle:faceCount").Get()
-        corners = np.array([points[sides[face]] for face in faces[:count]], dtype=np.float64)
+        roles = UsdGeom.PrimvarsAPI(mesh).GetPrimvar("rigUI:role").ComputeFlattened()
+        corners = np.array([points[sides[face]] for face in faces if roles[face] == "handle"], dtype=np.float64)
         assert corners.shape == (7, 3, 3)
         dome = corners[1:]
         facing = np.cross(dome[:, 1] - dome[:, 0], dome[:, 2] - dome[:, 0]).sum(axis=0)
@@ -415,12 +415,12 @@ over "Char"
             point3f[] points = [(-1, -1, 0), (1, -1, 0), (0, 1, 0)]
             int[] faceVertexCounts = [3]
             int[] faceVertexIndices = [0, 1, 2]
+            token[] primvars:rigUI:role = ["handle"] (interpolation = "constant")
             def GeomSubset "smile" (
                 prepend apiSchemas = ["RigUIElementAPI", "RigUIControlAPI:smile"]
             )
             {
                 int[] indices = [0]
-                int rigUI:handle:faceCount = 1
                 rel rigUI:anchor:prim = </Char/face>
                 int rigUI:anchor:pointIndex = 7
                 point3f[] rigUI:control:smile:trackPoints = [(0, 0, 0), (0, 1, 0)]
@@ -462,7 +462,7 @@ def test_a_layer_written_by_hand_takes_the_fallbacks():
     assert base_controls(next(layout_scopes(stage))) == ()
 
 
-ELEMENT = "int rigUI:handle"
+ELEMENT = "int rigUI:anchor"
 AT = 'def Mesh "knobs"'
 CONTRADICTIONS = [
     ('"RigUILayoutAPI_1"', '"SomeAPI"', "LAYOUT_MISSING", "RigUILayoutAPI"),

@@ -21,12 +21,17 @@ from usdrigui.usd.properties import (
     applied,
     array_of,
     control_instances,
-    integers_of,
     strings,
     targets,
     value_of,
 )
-from usdrigui.usd.read_layout import base_controls, element_prims, handle_points, layout_scopes
+from usdrigui.usd.read_layout import (
+    base_controls,
+    element_prims,
+    handle_points,
+    layout_scopes,
+    points_of_subset,
+)
 from usdrigui.usd.shapes import shape_tokens
 
 _FAMILY = "rigUI"
@@ -111,14 +116,11 @@ def _of_subset(prim: Usd.Prim) -> Iterator[Issue]:
     subset = UsdGeom.Subset(prim)
     if not subset:
         return
-    faces = len(integers_of(subset.GetIndicesAttr()))
-    handle = int(value_of(prim, schema.HANDLE, "faceCount"))
-    if handle < 1:
+    handle, _ = points_of_subset(prim)
+    if not len(handle):
         yield _invalid(
-            prim, "rigUI:handle:faceCount is missing: no face of the element belongs to the handle"
+            prim, f"no face has the role 'handle': see primvars:{schema.ROLE} of its mesh"
         )
-    elif handle > faces:
-        yield _invalid(prim, f"rigUI:handle:faceCount is {handle}, but it has {faces} faces")
     if subset.GetFamilyNameAttr().Get() != _FAMILY:
         found = _invalid(prim, f"familyName is not {_FAMILY!r}")
         yield replace(found, severity="warning")

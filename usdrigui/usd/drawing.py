@@ -137,13 +137,22 @@ def _author_faces(mesh: Sdf.PrimSpec, drawing: Drawing, elements: Sequence[Drawn
     which = [list(dict.fromkeys(sides)).index(side) for side in sides]
     repeated = np.repeat(which, [len(part.faces.counts) for part in parts])
     _author_per_face(mesh, "primvars:displayColor", "color3f[]", colours, repeated)
-    areas = [
-        np.arange(len(part.faces.counts)) >= len(part.faces.counts) - part.areas for part in parts
-    ]
-    if any(each.any() for each in areas):
-        _author_per_face(
-            mesh, "primvars:displayOpacity", "float[]", [1.0, _AREA_OPACITY], np.concatenate(areas)
-        )
+    roles = np.concatenate([_roles(part) for part in parts])
+    used, role_indices = np.unique(roles, return_inverse=True)
+    names = [schema.ROLES[role] for role in used]
+    _author_per_face(mesh, f"primvars:{schema.ROLE}", "token[]", names, role_indices)
+    areas = roles == schema.ROLES.index("area")
+    if areas.any():
+        opacities = [1.0, _AREA_OPACITY]
+        _author_per_face(mesh, "primvars:displayOpacity", "float[]", opacities, areas)
+
+
+def _roles(part: Drawn) -> Indices:
+    """(f,) what each face is, as positions in `schema.ROLES`."""
+    count = len(part.faces.counts)
+    roles = np.full(count, schema.ROLES.index("handle" if part.role == "handle" else "track"))
+    roles[count - part.areas :] = schema.ROLES.index("area")
+    return roles
 
 
 def _author_per_face(
@@ -172,9 +181,7 @@ def _author_subsets(
         author.put(subset, "familyName", "token", _FAMILY, uniform=True)
         author.put(subset, "indices", "int[]", np.concatenate(ranges))
         if position in handles:
-            handle = handles[position]
-            values = {"faceCount": len(handle.faces.counts), "lift": handle.lift}
-            author.declare(subset, schema.HANDLE, values)
+            author.declare(subset, schema.HANDLE, {"lift": handles[position].lift})
             subsets[position] = subset
     return subsets
 

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, get_args
 
 import numpy as np
+from numpy.typing import NDArray
 from pxr import Sdf, Usd, UsdGeom, Vt
 
 from usdrigui.errors import RigUIError, listed, refuse
@@ -46,6 +47,7 @@ from usdrigui.usd.properties import (
     element_names,
     has,
     integers_of,
+    invalid,
     placement,
     read_anchor,
     strings,
@@ -481,7 +483,7 @@ def points_of_subset(prim: Usd.Prim) -> tuple[Indices, Indices]:
     """Indices of the points that a GeomSubset draws: of its element's handle, and of everything
     else.
 
-    All of them are of everything else where it has no RigUIElementAPI.  Raises LAYOUT_INVALID.
+    Raises LAYOUT_INVALID.
     """
     mesh = UsdGeom.Mesh(prim.GetParent())
     counts, corners = (
@@ -491,10 +493,22 @@ def points_of_subset(prim: Usd.Prim) -> tuple[Indices, Indices]:
     faces = integers_of(UsdGeom.Subset(prim).GetIndicesAttr())
     if counts.sum() != len(corners) or ((faces < 0) | (faces >= len(counts))).any():
         raise refuse("LAYOUT_INVALID", str(prim.GetPath()), "its faces are not those of its mesh")
-    ends = np.cumsum(counts)
-    drawn = [corners[ends[face] - counts[face] : ends[face]] for face in faces]
-    first = int(value_of(prim, schema.HANDLE, "faceCount"))
-    none = [np.zeros(0, dtype=np.int64)]
-    return np.unique(np.concatenate([*none, *drawn[:first]])), np.unique(
-        np.concatenate([*none, *drawn[first:]])
+    ends, roles = np.cumsum(counts), face_roles(prim.GetParent(), len(counts))
+    none = np.zeros(0, dtype=np.int64)
+    handle, others = (
+        np.concatenate([none, *(corners[ends[face] - counts[face] : ends[face]] for face in part)])
+        for part in (faces[roles[faces] == "handle"], faces[roles[faces] != "handle"])
     )
+    return np.unique(handle), np.unique(others)
+
+
+def face_roles(mesh: Usd.Prim, count: int) -> NDArray[np.str_]:
+    """(count,) what each face of a mesh is drawn for, as `schema.ROLES`; nothing where it does not
+    say.  Raises LAYOUT_INVALID."""
+    primvar = UsdGeom.PrimvarsAPI(mesh).GetPrimvar(schema.ROLE)
+    if primvar and not isinstance(primvar.Get(), Vt.TokenArray):
+        raise invalid(primvar.GetAttr(), "does not hold tokens")
+    roles = np.array(primvar.ComputeFlattened() if primvar else [], dtype=np.str_)
+    if len(roles) not in (0, 1, count):
+        raise invalid(primvar.GetAttr(), f"has {len(roles)} roles for {count} faces")
+    return np.broadcast_to(roles, count) if len(roles) else np.full(count, "", dtype=np.str_)

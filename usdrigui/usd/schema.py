@@ -27,6 +27,9 @@ ANCHOR = "RigUIAnchorAPI"
 HANDLE = "RigUIHandleAPI"
 CONTROL = "RigUIControlAPI"
 APIS = (LAYOUT, DRAWING, ELEMENT, ANCHOR, HANDLE, CONTROL)
+ROLE = "rigUI:role"
+ROLES = ("handle", "track", "area")
+"""Primvar of a drawing, and what each of its faces is by it."""
 NOTES = "usdrigui"
 """Key of the customData in which usdrigui keeps its own books: no part of the schema."""
 
