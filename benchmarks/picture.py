@@ -33,7 +33,7 @@ from usdrigui.rays import GridCaster, make_caster
 from usdrigui.settings import Settings
 from usdrigui.surface import mesh_triangles, vertex_normals
 from usdrigui.usd.rig import read_rigs
-from usdrigui.view import shading
+from usdrigui.view.body import shading
 from usdrigui.view.picture import render
 
 

@@ -176,7 +176,7 @@ class Page:
 
     def show(self) -> None:
         """Serve it on this machine and open a browser; returns when it is interrupted."""
-        from usdrigui.view.serve import serve
+        from usdrigui.view.web.serve import serve
 
         serve(self.html)
 
@@ -235,7 +235,7 @@ class OpenLayout:
 
     def view(self) -> Page:
         """The page that `usdrigui view` shows."""
-        from usdrigui.view.page import page_html
+        from usdrigui.view.web.page import page_html
 
         return Page(page_html(self.characters, title=self.name))
 

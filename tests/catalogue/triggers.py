@@ -456,7 +456,7 @@ def _valued(pose: Mapping[str, float]) -> Callable[[Any], object]:
 
 
 def _empty_page(*_: object) -> Found:
-    from usdrigui.view.page import page_html
+    from usdrigui.view.web.page import page_html
 
     return refused(lambda: page_html([], "none"))
 

@@ -11,7 +11,7 @@ import pytest
 from pxr import Usd, UsdGeom
 
 from usdrigui.cli import main
-from usdrigui.view import serve
+from usdrigui.view.web import serve
 
 
 def test_writes_one_page(layer, tmp_path):

@@ -21,7 +21,7 @@ from skel_stages import character
 
 from usdrigui.settings import load
 from usdrigui.usd.rig import read_rigs
-from usdrigui.view.scene import pack
+from usdrigui.view.web.packing import pack
 
 REPLAY = Path(__file__).with_name("replay.mjs")
 TOLERANCE = 1e-5

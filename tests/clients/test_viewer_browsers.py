@@ -10,7 +10,7 @@ from browser_pages import Viewer, chromium
 from firefox_pages import Firefox
 from viewer_layouts import peak_layout
 
-from usdrigui.view.page import page_html
+from usdrigui.view.web.page import page_html
 
 
 @pytest.fixture(scope="module")

@@ -15,7 +15,7 @@ from viewer_layouts import peak_layout
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.settings import load
 from usdrigui.usd.rig import read_rigs
-from usdrigui.view.scene import pack
+from usdrigui.view.web.packing import pack
 
 TOLERANCE = 6e-5
 """Of the diagonal: what 16-bit positions and offsets leave."""

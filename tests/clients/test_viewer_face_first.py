@@ -11,7 +11,7 @@ from browser_pages import Viewer
 from viewer_layouts import peak_layout
 
 from usdrigui.model import LayoutPart
-from usdrigui.view.page import page_html
+from usdrigui.view.web.page import page_html
 
 SIZES = {"desk": (1366, 768), "tablet": (820, 1180), "phone": (390, 844)}
 BOARD = ("chin", "jawLeft")

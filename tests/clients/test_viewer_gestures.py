@@ -13,7 +13,7 @@ from pxr import Sdf, Usd
 from viewer_layouts import MIRRORS, peak_layout
 
 from usdrigui.settings import load
-from usdrigui.view.page import page_html
+from usdrigui.view.web.page import page_html
 
 JAW = ("jaw", "slider", ("jawLeft", "jawRight"), ((0, 1),))
 PATCH = ("lower", "patch", ("chin", "jawLeft"), ())

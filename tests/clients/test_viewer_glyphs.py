@@ -14,7 +14,7 @@ from usdrigui.model import Glyph
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.settings import load
 from usdrigui.usd.rig import read_rigs
-from usdrigui.view.page import page_html
+from usdrigui.view.web.page import page_html
 
 FLAG = np.array([[0.0, 1, 0], [-0.6, 0, 0.3], [0.8, -0.6, 0]])
 TOLERANCE = 6e-5

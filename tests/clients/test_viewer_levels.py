@@ -8,7 +8,7 @@ import makers
 import pytest
 from viewer_layouts import MIRRORS, peak_layout
 
-from usdrigui.view.page import page_html
+from usdrigui.view.web.page import page_html
 
 INNER = {"smile_L": ("sneer_L",), "smile_R": ("sneer_R",), "pucker": ("chin",)}
 

@@ -26,10 +26,10 @@ from viewer_layouts import MIRRORS, peak_layout
 from usdrigui.errors import RigUIError
 from usdrigui.settings import load
 from usdrigui.usd.rig import read_rigs
-from usdrigui.view.live import LiveFile
-from usdrigui.view.page import page_html
-from usdrigui.view.scene import pack
-from usdrigui.view.serve import page_server
+from usdrigui.view.web.live import LiveFile
+from usdrigui.view.web.packing import pack
+from usdrigui.view.web.page import page_html
+from usdrigui.view.web.serve import page_server
 
 PAGES = Path(__file__).with_name("live_pages.mjs")
 FRAMES = range(1, 13)

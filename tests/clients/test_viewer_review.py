@@ -12,7 +12,7 @@ from pxr import Gf, Usd, UsdGeom
 from viewer_layouts import peak_layout
 
 from usdrigui.model import Clip
-from usdrigui.view.page import page_html, read_review
+from usdrigui.view.web.page import page_html, read_review
 
 ARROW = [[0.0, 0.0], [60.0, -10.0], [45.0, 12.0]]
 SKIN = 0.02

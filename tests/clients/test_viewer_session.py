@@ -14,7 +14,7 @@ from viewer_layouts import peak_layout
 
 from usdrigui.deform import deform
 from usdrigui.model import Clip
-from usdrigui.view.page import page_html
+from usdrigui.view.web.page import page_html
 
 FAN = ("mouth", "fan", ("chin", "jawLeft", "jawRight"), ())
 LONG = "mouthLowerDownwardsOuterCornerLeft"

@@ -14,7 +14,7 @@ from usdrigui.deform import deform
 from usdrigui.model import Clip
 from usdrigui.settings import load
 from usdrigui.usd.rig import read_rigs
-from usdrigui.view.page import page_html
+from usdrigui.view.web.page import page_html
 
 
 def animated(rig, root):

@@ -27,7 +27,7 @@ from usdrigui.settings import OutputSettings, Settings
 from usdrigui.usd.layer import layer_for, stage_metadata
 from usdrigui.usd.rig import read_rigs
 from usdrigui.view.clip import clip_values
-from usdrigui.view.scene import pack
+from usdrigui.view.web.packing import pack
 
 pytestmark = pytest.mark.usefixtures("every_point_drawn")
 ROOT = Path(__file__).resolve().parents[2]

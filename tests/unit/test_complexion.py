@@ -15,7 +15,7 @@ from usdrigui.model import Topology
 from usdrigui.settings import Settings
 from usdrigui.usd.colours import point_colours
 from usdrigui.usd.rig import read_rigs
-from usdrigui.view import complexion, shading
+from usdrigui.view.body import complexion, shading
 
 SAMPLE = Path(__file__).resolve().parents[2] / "sample_assets" / "char.usda"
 RED, BLUE = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)

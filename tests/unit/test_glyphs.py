@@ -13,7 +13,6 @@ import makers
 import numpy as np
 import pytest
 import skinned_stages
-from PIL import Image
 from pxr import Sdf, Usd, UsdGeom
 from scipy.interpolate import BSpline
 
@@ -29,8 +28,11 @@ from usdrigui.usd.read_layout import read_layout
 from usdrigui.usd.reader_process import read_layouts_isolated, read_rigs_isolated
 from usdrigui.usd.reader_records import Opening
 from usdrigui.usd.rig import read_rigs
-from usdrigui.view import overlay, shading
-from usdrigui.view.scene import pack
+from usdrigui.view.body import shading
+from usdrigui.view.flat import marks
+from usdrigui.view.flat.pillow import painted
+from usdrigui.view.flat.scene import Page, Panel
+from usdrigui.view.web.packing import pack
 
 ARROW = """
 def Mesh "Arrow" {
@@ -363,15 +365,15 @@ def test_pictures_show_the_glyph_where_it_is():
     rig = makers.face()
     layout = laid_out.layout_of(rig, only=["chin"])
     camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
-    ground = Image.new("RGB", (300, 300), (255, 255, 255))
     for glyph in (FLAG, WAVE):
         element = replace(
             layout.elements[0], look=replace(layout.elements[0].look, glyph=replace(glyph, points=0.4 * glyph.points))
         )
         own = replace(layout, elements=(element,))
         (at,) = elements_at(prepare(rig, own), own.character.base_values)
-        mark = overlay.mark(element, at, camera, np.full((300, 300), -np.inf), 0.06)
-        drawn = np.asarray(overlay.draw(ground, [mark])).min(axis=2) < 200
+        mark = marks.mark(element, at, camera, 0.06)
+        page = Page((300, 300), (Panel((0, 0), (300, 300), None, (mark,)),))
+        drawn = np.asarray(painted(page)).min(axis=2) < 200
         enlarged = max(1.0, 3.2 / (50.0 * layout.frame.handle_width))
         centre = camera.project(at.handle)[:2]
         tip = centre + enlarged * (camera.project(at.glyph[2])[:2] - centre)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from usdrigui import palette
-from usdrigui.view import shading
+from usdrigui.view.body import shading
 
 LEAST = 25.0
 """CIE 1976 colour difference."""

@@ -1,4 +1,4 @@
-"""Pictures: what is where, what is hidden, and that both ways of casting rays give the same picture."""
+"""Pictures: what is where, what is hidden, what is named, and that both ways of casting rays give the same picture."""
 
 from __future__ import annotations
 
@@ -18,14 +18,18 @@ from usdrigui.errors import RigUIError
 from usdrigui.pipeline.stages import joined
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare, values_of
 from usdrigui.rays import GridCaster
-from usdrigui.view import lettering, overlay, picture, shading, sheet
-from usdrigui.view import sheet as view_sheet
-from usdrigui.view.complexion import complexion
-from usdrigui.view.picture import contact_sheet, render
-from usdrigui.view.sections import cut_away, sections
+from usdrigui.view import picture, sheet
+from usdrigui.view.body import shading
+from usdrigui.view.flat import framing, lettering, marks, names
+from usdrigui.view.flat import scene as flat
+from usdrigui.view.flat.board import board
+from usdrigui.view.flat.pillow import painted
+from usdrigui.view.picture import Wanted, contact_sheet, render
+from usdrigui.view.sections import sections
 
 SMALL = (640, 400)
 BLUE, RED, VIOLET = palette.SIDES["left"], palette.SIDES["right"], palette.BOARD
+CAMERA = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
 
 
 def sided(rig, **given):
@@ -96,81 +100,99 @@ def test_a_view_of_one_side_shows_that_side(rig, layout):
     assert len(pixels_like(right, RED)) > 3 * len(pixels_like(right, BLUE))
 
 
-def aside(layout, place):
-    """The layout with its elements on the board moved to a place, their tracks three units long."""
-    moved = []
-    for each in layout.elements:
-        if each.anchor.on_board:
-            line = np.array(place) + np.linspace(0.0, 0.4, len(each.manipulator.members[0].values))[:, None] * [
-                1.0,
-                0.0,
-                0.0,
-            ]
-            members = (replace(each.manipulator.members[0], track=line),)
-            each = replace(
-                each,
-                anchor=replace(each.anchor, position=np.array(place)),
-                manipulator=replace(each.manipulator, members=members),
-            )
-        moved.append(each)
-    return replace(layout, elements=tuple(moved))
+def captions(page):
+    """What the views of a page are called."""
+    return [panel.labels[0].text for panel in page.panels if not panel.grounded and panel.size[1] == picture._CAPTION]
 
 
-def test_the_board_has_a_panel_of_its_own_below_the_others(rig):
-    """Nothing of the character is in it, and nothing of it in the picture of the character, wherever it stands."""
-    layout = aside(sided(rig, beside=("chin",)), (0.2, 0.2, 0.5))
-    assert [each.caption for each in scene_of(rig, layout, ["front", "left34"]).panels] == [
-        "front",
-        "three-quarter, character's left",
-        "board",
+def crowded(layout, count):
+    """The layout with many elements close to each other and one on the board, all with names of their own."""
+    one, rng = layout.elements[0], np.random.default_rng(7)
+    (member, *_), shifts = one.manipulator.members, rng.uniform(-0.05, 0.05, (count, 3))
+    crowd = [
+        replace(
+            one,
+            name=f"e{i}",
+            anchor=replace(one.anchor, position=one.anchor.position + shift),
+            manipulator=replace(one.manipulator, members=(replace(member, track=member.track + shift),)),
+            look=replace(one.look, label=f"AU_{i}_x"),
+        )
+        for i, shift in enumerate(shifts)
     ]
-    shown = render(rig, layout, views=["front"], size=SMALL)
-    scene = picture._set_up(rig, layout, evaluate(prepare(rig, layout)), ["front"], SMALL, False)
-    top, board = scene.corners[1][1], scene.cameras[1]
-    assert shown.size == (SMALL[0], SMALL[1] + board.height + 24)
-    assert len(pixels_like(shown.crop((0, 0, SMALL[0], top + 60)), VIOLET, 40)) == 0
-    below = shown.crop((0, top, SMALL[0], top + board.height + 60))
-    assert len(pixels_like(below, VIOLET, 40)) > 10
-    assert np.ptp(np.asarray(below, dtype=int)[board.height // 2, 400:600], axis=0).max() < 3
-    assert len(pixels_like(render(rig, layout, views=["left34"], size=SMALL), VIOLET, 40)) == 0
+    aside = replace(one, name="aside", anchor=replace(one.anchor, on_board=True))
+    return replace(layout, elements=(*layout.elements[1:], *crowd, aside))
 
 
-def test_names_on_a_board_are_large_enough_to_read(rig):
-    """However wide the character is beside its handles."""
-    layout = with_width(aside(sided(rig, beside=("chin", "jawLeft")), (1.4, 0.5, 0.5)), 0.01)
-    scene = scene_of(rig, layout, ["front"])
-    assert 0.01 * scene.cameras[1].scale == pytest.approx(picture._ON_BOARD)
+@pytest.mark.parametrize("count", [3, 40])
+def test_every_element_is_named_once_and_those_that_crowd_in_an_inset(rig, layout, count):
+    given = crowded(layout, count)
+    page = picture.scene(rig, given, None, Wanted(labels=True))
+    words = [label.text for panel in page.panels if panel.grounded for label in panel.labels if label.ink == flat.INK]
+    assert sorted(words) == sorted([*(each.look.label for each in layout.elements), *(str(i) for i in range(count))])
+    assert ("front, enlarged" in captions(page)) == (count > 12)
+    assert captions(picture.scene(rig, given, None, Wanted(["front"], SMALL))) == ["front", "board"]
 
 
-@pytest.mark.parametrize("height", [400, 640])
-def test_the_heading_of_a_board_at_the_upper_edge_is_not_cut(rig, monkeypatch, height):
-    """The board stands higher than anything else: its heading needs room above it."""
-    tops, headings = [], lettering._headings
+def test_words_can_be_read_on_every_ground():
+    """WCAG 2.1: contrast 4.5."""
 
-    def spied(*given):
-        tops.extend(y for _, _, y in headings(*given))
-        return headings(*given)
+    def luminance(colour):
+        shares = np.array(colour) / 255.0
+        return np.where(shares <= 0.03928, shares / 12.92, ((shares + 0.055) / 1.055) ** 2.4) @ [0.2126, 0.7152, 0.0722]
 
-    monkeypatch.setattr(lettering, "_headings", spied)
-    render(rig, aside(sided(rig, beside=("chin",)), (1.4, 1.9, 0.5)), views=["front"], size=(640, height))
-    assert len(tops) == 1
-    assert tops[0] > 8.0
+    for ink in (flat.INK, flat.QUIET):
+        for ground in (flat.PAPER, flat.GROUND):
+            assert (luminance(ground) + 0.05) / (luminance(ink) + 0.05) >= 4.5
 
 
-def test_the_line_below_the_title_ends_where_the_picture_does(rig, layout):
-    wide, narrow = (picture._numbers(len(rig.controls), layout, width) for width in (2000.0, 300.0))
-    assert wide.startswith(narrow)
-    assert lettering.font(14).getlength(narrow) <= 300.0 < lettering.font(14).getlength(wide)
-    assert "12 controls" in narrow
+@pytest.mark.parametrize(
+    ("given", "short"),
+    [
+        (["h_expressions.AE_h", "h_expressions.AA_h", "h_expressions.Oh_h"], ["AE", "AA", "Oh"]),
+        (["AU_01", "AU_02", "jawOpen", "AU_12"], ["01", "02", "jawOpen", "12"]),
+        (["AU_01", "AU_02"], ["AU_01", "AU_02"]),
+        (["a_x", "a_y", "a_z", "x"], ["a_x", "y", "z", "x"]),
+        (["mouthLeft", "mouthRight", "mouthUp"], ["mouthLeft", "mouthRight", "mouthUp"]),
+        (["a_b", "a_b", "a_b"], ["a_b", "a_b", "a_b"]),
+    ],
+)
+def test_names_leave_out_what_their_family_shares(given, short):
+    assert names.shortened(given) == short
 
 
-def test_names_beside_the_face_are_cut_to_their_room():
-    face = lettering.font(12)
-    assert lettering.cut("chin", face, 100.0) == "chin"
-    short = lettering.cut("Pupil_Constriction_Left", face, 90.0)
-    assert face.getlength(short) <= 90.0
-    assert short.startswith("Pupil")
-    assert short.endswith("Left")
+def test_a_frame_holds_the_elements_and_the_head_near_them_but_no_arm():
+    tracks = [np.array([[-0.3, -0.3, 0.0], [0.3, 0.3, 0.0]])]
+    head = np.array([[-0.4, 0.0, 0.0], [0.42, 0.1, 0.0], [0.0, 0.36, 0.0]])
+    low, high = framing.framed(tracks, head, np.eye(3), 0.01)
+    assert (low < [-0.4, -0.3]).all()
+    assert (high > [0.42, 0.36]).all()
+    assert (high - low).max() < 1.5 * 0.6, "the elements fill the picture"
+    far = np.concatenate([head, [[9.0, 0.0, 0.0], [0.0, -9.0, 0.0]]])
+    assert np.array(framing.framed(tracks, far, np.eye(3), 0.01)) == pytest.approx(np.array([low, high]))
+
+
+@pytest.mark.parametrize("width", [300, 900, 1700])
+def test_a_board_fills_its_box_in_columns(rig, layout, width):
+    """All elements once, in rows that do not touch, under headings that never end a column."""
+    words, posed = ("global", "viseme", "emotion"), elements_at(prepare(rig, layout), layout.character.base_values)
+    elements = [
+        replace(each, placement=replace(each.placement, category=words[i % 3]))
+        for i, each in enumerate(layout.elements)
+    ]
+    pairs = [(each, marks.mark(each, at, CAMERA, 0.06)) for each, at in zip(elements, posed, strict=True)]
+    panel = board(pairs, (5, 6, width))
+    assert (panel.corner, panel.size[0], len(panel.marks)) == ((5, 6), width, len(elements))
+    places = np.array([label.place for label in panel.labels])
+    assert len(places) == len(elements) + len(set(words))
+    assert (places >= 0.0).all()
+    assert (places <= panel.size).all()
+    headings = [label.place[1] for label in panel.labels if label.ink == flat.QUIET]
+    assert len(headings) == len(words)
+    assert max(headings) < places[:, 1].max()
+    for mark in panel.marks:
+        points = np.concatenate([*mark.tracks, mark.handle[None]])
+        assert (points >= 0.0).all()
+        assert np.ptp(points[:, 1]) <= 22.0
 
 
 @pytest.fixture
@@ -224,68 +246,41 @@ def test_letters_that_the_typeface_lacks_are_drawn_without_accents():
     assert all(bytes(lettering.font(12).getmask(each)) != box for each in lettering.legible("äčñå"))
 
 
+def test_names_are_cut_to_their_room():
+    assert lettering.cut("chin", 12, 100.0) == "chin"
+    short = lettering.cut("Pupil_Constriction_Left", 12, 90.0)
+    assert lettering.width_of(short, 12) <= 90.0
+    assert (short[:5], short[-4:]) == ("Pupil", "Left")
+
+
+def drawn(mark):
+    """A mark alone on the ground of a panel."""
+    page = flat.Page((300, 300), (flat.Panel((0, 0), (300, 300), None, (mark,)),))
+    return np.asarray(painted(page)).astype(int)
+
+
 def test_what_the_face_hides_is_drawn_faintly(rig, layout):
-    camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
     subject = shading.subject_of(rig.body.meshes, np.concatenate([mesh.points for mesh in rig.body.meshes]))
-    depth = shading.shade(subject, camera).depth
+    depth = shading.shade(subject, CAMERA).depth
     element, at = layout.elements[0], elements_at(prepare(rig, layout), layout.character.base_values)[0]
-    behind = replace(
-        at, tracks=tuple(track - [0.0, 0.0, 1.0] for track in at.tracks), handle=at.handle - [0.0, 0.0, 1.0]
-    )
-    seen = overlay.mark(element, at, camera, depth, 0.06)
-    hidden = overlay.mark(element, behind, camera, depth, 0.06)
-    assert seen.handle_seen
-    assert not hidden.handle_seen
-    assert not hidden.seen[0].any()
-    ground = Image.new("RGB", (300, 300), (255, 255, 255))
-    faint = np.asarray(overlay.draw(ground, [hidden]))
-    strong = np.asarray(overlay.draw(ground, [seen]))
-    assert strong.min() < 60 < faint.min() < 220
+    back = np.array([0.0, 0.0, 1.0])
+    behind = replace(at, tracks=tuple(track - back for track in at.tracks), handle=at.handle - back)
+    seen, hidden = (marks.mark(element, posed, CAMERA, 0.06, depth) for posed in (at, behind))
+    assert (seen.hidden, hidden.hidden, bool(hidden.seen[0].any())) == (False, True, False)
+    strong, faint = (drawn(mark).min() for mark in (seen, hidden))
+    assert strong < 80 < faint < 220
 
 
 def test_each_handle_is_as_wide_as_those_of_its_part(rig, layout):
     """Also in a picture of parts of several widths."""
-    camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
     element, at = layout.elements[0], elements_at(prepare(rig, layout), layout.character.base_values)[0]
-    ground, nothing = Image.new("RGB", (300, 300), (255, 255, 255)), np.full((300, 300), -np.inf)
-    inked = [
-        (np.asarray(overlay.draw(ground, [overlay.mark(element, at, camera, nothing, width)])) < 255).any(axis=2).sum()
-        for width in (0.1, 0.3)
-    ]
+    inked = [(drawn(marks.mark(element, at, CAMERA, width)) < 200).any(axis=2).sum() for width in (0.1, 0.3)]
     assert inked[1] > 3 * inked[0]
 
 
 def test_a_pose_moves_face_and_elements(rig, layout, front):
     posed = render(rig, layout, values_of(rig, {"smile_L": 1.0, "jawLeft": 1.0}), views=["front"], size=SMALL)
     assert (np.asarray(posed) != np.asarray(front)).any(axis=2).mean() > 0.01
-
-
-def test_labels_are_drawn_on_request(rig, layout, front):
-    named = render(rig, layout, views=["front"], size=SMALL, labels=True)
-    assert (np.asarray(named) != np.asarray(front)).any(axis=2).mean() > 0.01
-
-
-def test_long_names_leave_the_face_its_room(rig, layout):
-    first, *others = layout.elements
-    long = replace(
-        layout, elements=(replace(first, look=replace(first.look, label="Mouth_Closed_Move_Right / " * 5)), *others)
-    )
-
-    def scale(given):
-        posed = evaluate(prepare(rig, given))
-        return picture._set_up(rig, given, posed, ["front", "left34", "right34"], (1800, 1000), True).cameras[0].scale
-
-    assert scale(long) > 0.75 * scale(layout)
-
-
-def test_captions_end_where_their_panels_do(rig, layout, monkeypatch):
-    written = []
-    real = lettering.cut
-    monkeypatch.setattr(lettering, "cut", lambda *given: written.append((given, real(*given))) or written[-1][1])
-    render(rig, layout, views=["left34"] * 4, size=SMALL)
-    captions = [(given[1], given[2], text) for given, text in written if given[0].startswith("three")]
-    assert len(captions) == 4
-    assert all(type_.getlength(text) <= free for type_, free, text in captions)
 
 
 def test_pictures_without_embree_look_the_same(rig, layout, front, monkeypatch):
@@ -313,8 +308,7 @@ def crossed(at, ends):
 def test_signed_axes_span_every_quadrant_once(rig, ends, count, area):
     layout = laid_out.layout_of(rig, groups=[("jawLeft", "chin")])
     at = crossed(elements_at(prepare(rig, layout), layout.character.base_values)[0], ends)
-    camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
-    fields = overlay.mark(layout.elements[0], at, camera, np.full((300, 300), -np.inf), 0.06).fields
+    fields = marks.mark(layout.elements[0], at, CAMERA, 0.06).fields
     assert len(fields) == count
     assert sum(surface(each) for each in fields) == pytest.approx(area * 100.0**2)
 
@@ -328,12 +322,8 @@ def surface(outline):
 SIDE = np.array([1.0, 0.0, 0.0])
 
 
-def scene_of(rig, layout, views=None):
-    return picture._set_up(rig, layout, evaluate(prepare(rig, layout)), views, (1800, 1000), False)
-
-
 @pytest.mark.parametrize(
-    ("view", "captions"),
+    ("view", "expected"),
     [
         ((0, 0, 1), ["front", "three-quarter, character's left", "three-quarter, character's right"]),
         ((1, 0, 0), ["side, character's left", "three-quarter, character's left", "front"]),
@@ -345,55 +335,33 @@ def scene_of(rig, layout, views=None):
         ),
     ],
 )
-def test_captions_say_from_where_the_layout_is_seen(rig, layout, view, captions):
+def test_captions_say_from_where_the_layout_is_seen(rig, layout, view, expected):
     """Whatever view a layout was made for: that comes first, then what shows the same."""
-    scene = scene_of(rig, seen_from(layout, np.array(view, dtype=np.float64)))
-    assert [each.caption for each in scene.panels] == captions
-    assert scene.cameras[0].rows[2] == pytest.approx(view)
+    page = picture.scene(rig, seen_from(layout, np.array(view, dtype=np.float64)), None, Wanted())
+    assert captions(page) == expected
 
 
 def test_views_turned_from_the_side_are_captioned_as_what_they_show(rig, layout):
-    scene = scene_of(rig, seen_from(layout, SIDE), ["front", "left", "right"])
-    assert [each.caption for each in scene.panels] == ["side, character's left", "back", "front"]
-
-
-def test_a_frame_holds_the_whole_head_and_no_arm():
-    """Elements in a corner of the face do not cut the head on the other side, nor its crown."""
-    low, high = (np.array(each) for each in ((-0.3, -0.3), (0.3, 0.3)))
-    head = np.array([[-0.5, 0.0], [0.6, 0.0], [0.0, 0.5], [0.0, -0.4]])
-    found_low, found_high = picture._around_head(low, high, (0.8 * low, 0.8 * high), head)
-    assert (found_low < head.min(axis=0)).all()
-    assert (found_high > head.max(axis=0)).all()
-    arms = np.array([[-9.0, 0.0], [9.0, 0.0], [0.0, -9.0]])
-    assert picture._around_head(low, high, (0.8 * low, 0.8 * high), arms) == (pytest.approx(low), pytest.approx(high))
-
-
-def test_patches_and_fans_span_fields_and_axes_do_not(rig):
-    layout = laid_out.layout_of(rig, groups=[("jawLeft", "chin"), ("jawLeft", "jawRight"), ("brow_L",)])
-    posed = list(elements_at(prepare(rig, layout), layout.character.base_values))
-    posed[0] = crossed(posed[0], [(0.0, 0.1), (0.0, 0.1)])
-    camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
-    depth = np.full((300, 300), -np.inf)
-    marks = [overlay.mark(*pair, camera, depth, 0.06) for pair in zip(layout.elements, posed, strict=True)]
-    assert [len(each.fields) for each in marks] == [1, 0, 0]
-    assert [each.form for each in marks] == ["patch", "patch", "slider"]
+    page = picture.scene(rig, seen_from(layout, SIDE), None, Wanted(["front", "left", "right"], (500, 400)))
+    full = ["side, character's left", "back", "front"]
+    views = zip(captions(page), full, page.panels, strict=False)
+    assert all(text == lettering.cut(whole, 13, float(panel.size[0])) for text, whole, panel in views)
+    assert len(captions(page)) == 3
 
 
 def test_the_two_ends_of_an_axis_span_no_field_however_bent_it_is(rig):
     layout = laid_out.layout_of(rig, groups=[("jawLeft", "jawRight")])
     at = crossed(elements_at(prepare(rig, layout), layout.character.base_values)[0], [(0.0, 0.1), (0.0, 0.1)])
-    camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
     stick = replace(layout.elements[0], manipulator=replace(layout.elements[0].manipulator, opposed=((0, 1),)))
-    assert overlay.mark(stick, at, camera, np.full((300, 300), -np.inf), 0.06).fields == ()
+    assert marks.mark(stick, at, CAMERA, 0.06).fields == ()
 
 
 def test_a_field_is_the_parallelogram_of_its_members(rig):
     layout = laid_out.layout_of(rig, groups=[("jawLeft", "chin")])
     at = crossed(elements_at(prepare(rig, layout), layout.character.base_values)[0], [(0.0, 0.1), (0.0, 0.1)])
-    camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
-    outline = overlay.mark(layout.elements[0], at, camera, np.full((300, 300), -np.inf), 0.06).fields[0]
+    outline = marks.mark(layout.elements[0], at, CAMERA, 0.06).fields[0]
     corner = at.tracks[0][-1] + at.tracks[1][-1] - at.rest
-    assert np.linalg.norm(outline - camera.project(corner)[:2], axis=1).min() < 1e-6
+    assert np.linalg.norm(outline - CAMERA.project(corner)[:2], axis=1).min() < 1e-6
 
 
 def test_camera_turns_points_to_pixels_and_back():
@@ -417,23 +385,23 @@ def test_a_body_with_collapsed_and_missing_points_is_still_drawn(rig):
 
 
 def test_rows_of_names_never_touch():
-    rows = lettering.spread(np.sort(np.random.default_rng(2).normal(100, 3, 12)), 10.0, 0.0, 300.0)
+    rows = names.spread(np.sort(np.random.default_rng(2).normal(100, 3, 12)), 10.0, 0.0, 300.0)
     assert np.diff(rows).min() >= 10.0 - 1e-9
     assert abs(rows.mean() - 100) < 3
-    assert lettering.spread(np.array([5.0, 200.0]), 10.0, 0.0, 300.0) == pytest.approx([5.0, 200.0])
+    assert names.spread(np.array([5.0, 200.0]), 10.0, 0.0, 300.0) == pytest.approx([5.0, 200.0])
 
 
 def test_several_characters_are_each_named_once(rig, layout, front, monkeypatch):
     """By the picture itself; the sheet adds nothing below it."""
-    monkeypatch.setattr(view_sheet, "render", lambda *_, **__: front)
-    page = Image.open(io.BytesIO(view_sheet.sheet_png([(rig, layout), (rig, layout)])))
+    monkeypatch.setattr(sheet, "render", lambda *_, **__: front)
+    page = Image.open(io.BytesIO(sheet.sheet_png([(rig, layout), (rig, layout)])))
     assert page.height == contact_sheet([front, front]).height < contact_sheet([front, front], ["a", "b"]).height
 
 
 def test_contact_sheets_hold_every_picture(front):
-    sheet = contact_sheet([front, front, front], ["one", "two", "three"], columns=2, width=900)
-    assert sheet.width == 900
-    assert sheet.height > 2 * 400 * 430 / 640
+    page = contact_sheet([front, front, front], ["one", "two", "three"], columns=2, width=900)
+    assert page.width == 900
+    assert page.height > 2 * 400 * 430 / 640
 
 
 def test_refuses_what_it_cannot_draw(rig, layout, front):
@@ -456,37 +424,24 @@ def test_a_layout_without_elements_shows_the_character(rig, layout):
     assert image.size == SMALL
 
 
-def marked(element, box, outlines=()):
-    left, top, right, bottom = box
-    track = np.array([[left, top, 0.0], [right, bottom, 0.0]])
-    return element, overlay.Mark(
-        (0, 0, 0), "slider", (track,), (np.array([True, True]),), track[0], True, (), tuple(outlines)
-    )
-
-
-@pytest.mark.parametrize("left", [True, False])
-def test_leader_lines_cross_no_other_and_no_name(layout, left):
+@pytest.mark.parametrize("count", [3, 12, 30])
+def test_leader_lines_cross_no_other_and_no_name(count):
     """Handles in a crowd, in rows closer than those of their names, and names of every length."""
     random = np.random.default_rng(7)
-    for count in (3, 12, 30):
-        named = [
-            replace(
-                layout.elements[0],
-                name=f"{i}",
-                look=replace(layout.elements[0].look, label="n" * random.integers(1, 30)),
-            )
-            for i in range(count)
-        ]
-        at = random.uniform([250.0, 20.0], [550.0, 180.0], (count, 2))
-        shown = [marked(each, (*place, *place)) for each, place in zip(named, at, strict=True)]
-        names = lettering._column((800, 600), shown, left)
-        lines = [each.line for each in names]
+    places = random.uniform([250.0, 20.0], [550.0, 180.0], (count, 2))
+    shown = [flat.Mark("slider", BLUE, place, 4.0) for place in places]
+    texts = ["n" * random.integers(1, 30) for _ in range(count)]
+    labels, leaders = names.called_out(shown, texts, (800, 600))
+    assert sorted(label.text for label in labels) == sorted(texts)
+    assert {tuple(line[-1]) for line in leaders} == set(map(tuple, places))
+    for anchor in "lr":
+        lines = [line for line, label in zip(leaders, labels, strict=True) if label.anchor[0] == anchor]
         assert not any(crossing(a, b) for i, a in enumerate(lines) for b in lines[:i])
-        assert {tuple(line[-1]) for line in lines} == set(map(tuple, at))
-        ends = [each.line[1, 0] for each in names]
-        assert ends == [ends[0]] * count
-        wide = [each.type_.getlength(each.text) for each in names]
-        assert all((6.0 + w < ends[0]) if left else (794.0 - w > ends[0]) for w in wide)
+        assert len({line[1, 0] for line in lines}) == 1
+    for label, line in zip(labels, leaders, strict=True):
+        inward = 1.0 if label.anchor == "lm" else -1.0
+        text_end = label.place[0] + inward * lettering.width_of(label.text, label.size)
+        assert inward * text_end < inward * line[0, 0] < inward * line[1, 0]
 
 
 def crossing(one, other):
@@ -501,49 +456,20 @@ def crossing(one, other):
     return any(not apart(*one[i : i + 2], *other[j : j + 2]) for i in range(2) for j in range(2))
 
 
-def test_headings_stand_clear_of_the_row_and_of_large_handles(layout):
-    one = replace(layout.elements[0], placement=replace(layout.elements[0].placement, category="global"))
-    large = np.array([[0.0, 60.0, 0.0], [20.0, 140.0, 0.0]])
-    tops = []
-    for outlines in ((), (large,)):
-        shown = [marked(one, (10.0, 100.0, 50.0, 100.0), outlines)]
-        boxes = np.array([lettering._box(drawn) for _, drawn in shown])
-        rows = np.array([lettering._row(drawn) for _, drawn in shown])
-        assert rows == pytest.approx([100.0])
-        ((text, _, y),) = lettering._headings(shown, boxes, rows, 15.0)
-        assert text == "whole character"
-        tops.append(y)
-    assert tops[0] <= 100.0 - 16.0
-    assert tops[1] <= 60.0 - 16.0
-
-
-def test_leader_lines_differ_from_any_ground():
-    for grey in (90, 150, 240):
-        ground = Image.new("RGB", (80, 30), (grey, grey, grey))
-        drawn = np.asarray(overlay.leaders(ground, [np.array([[5.0, 15.0], [75.0, 15.0]])])).astype(int)
-        across = drawn[:, 40, 0]
-        assert np.ptp(across) > 80  # its own contrast carries it, whatever it crosses
-        assert np.abs(across - grey).max() > 50
-
-
 def test_axes_that_go_both_ways_are_joysticks_and_coarse_elements_have_a_ring(layout):
     one = layout.elements[0]
     patch = replace(one.manipulator, kind="patch", members=(one.manipulator.members[0],) * 3)
     joystick = replace(patch, opposed=((0, 1),))
-    assert [overlay.form_of(each) for each in (patch, joystick)] == ["patch", "joystick"]
+    assert [marks.form_of(each) for each in (patch, joystick)] == ["patch", "joystick"]
     coarse = replace(one, look=replace(one.look, inner=("finer",)))
-    texts = [text for _, _, text, _ in picture._legend_entries([coarse])]
-    assert texts[-1] == "coarse: opens into finer ones"
+    assert picture._legend_entries([coarse])[-1][2:] == ("coarse: opens into finer ones", True)
     assert not any(ringed for *_, ringed in picture._legend_entries([one]))
     aside = replace(one, look=replace(one.look, side="none"))
     on_board = replace(one, anchor=replace(one.anchor, on_board=True))
     for given, said in (([aside], "no side"), ([on_board], "board"), ([aside, on_board], "no side, board")):
         assert ("slider", VIOLET, said, False) in picture._legend_entries(given)
-    plain, ringed = (np.asarray(overlay.knob("slider", (29, 98, 214), 8.0, given)) for given in (False, True))
-    assert ringed.shape[0] > plain.shape[0]
-    middle = ringed.shape[0] // 2
-    beyond = ringed[middle, middle + round(1.75 * 8.0 * overlay._FINE)]
-    assert beyond.tolist() == [29, 98, 214, 255]
+    plain, ringed = (flat.Mark("slider", BLUE, np.array([150.0, 150.0]), 20.0, ring) for ring in (False, True))
+    assert [(drawn(mark)[150, 186] == BLUE).all() for mark in (plain, ringed)] == [False, True]
 
 
 def test_a_character_in_parts_has_a_close_up_of_each_part_and_of_each_hand():
@@ -560,19 +486,14 @@ def test_a_character_in_parts_has_a_close_up_of_each_part_and_of_each_hand():
     eyes = [next(element for element in each.layout.elements if element.look.side != "none") for each in found[1:3]]
     pair = replace(layout, elements=tuple(eyes))
     assert [each.title for each in sections(pair, evaluate(prepare(rig, pair)), rig.skel_root.up)][1] == "hands"
-    boards = sum(any(element.anchor.on_board for element in each.layout.elements) for each in found)
-    width, height = render(rig, layout, size=(320, 240)).size
-    assert width == 320
-    assert height - 4 * 240 >= boards * 34
-
-
-def test_a_part_without_handles_on_the_character_is_shown_without_the_skin_that_hides_it():
-    """The inside of a mouth: its controls are on the board, and its teeth alone are drawn."""
-    rig = makers.face_with_teeth()
-    whole = laid_out.layout_of(rig)
-    (teeth,) = (each for each in whole.elements if each.manipulator.controls == {"teeth"})
-    colours = complexion(rig, whole)
-    board = replace(teeth, anchor=replace(teeth.anchor, on_board=True))
-    hidden = cut_away(rig, replace(whole, elements=(board,)), colours).clear
-    assert np.flatnonzero(~hidden).tolist() == [len(hidden) - 4 + i for i in range(4)]
-    assert cut_away(rig, whole, colours) is colours
+    page = picture.scene(rig, layout, None, Wanted(size=(320, 240)))
+    drawn = {mark.element.name for panel in page.panels for mark in panel.marks if mark.element}
+    assert drawn == {element.name for element in layout.elements}
+    # The inside of a mouth: a face that hides it need not be drawn again.
+    aside = tuple(
+        replace(each, anchor=replace(each.anchor, on_board=True)) if each.placement.part == "body" else each
+        for each in layout.elements
+    )
+    boards = picture.scene(rig, replace(layout, elements=aside), None, Wanted(size=(320, 240)))
+    assert captions(boards)[-1] == "board"
+    assert len(captions(boards)) < len(captions(page))

@@ -17,9 +17,9 @@ from viewer_layouts import peak_layout
 
 from usdrigui.errors import RigUIError
 from usdrigui.layout.board.board import CATEGORIES
-from usdrigui.view.headings import heading
-from usdrigui.view.page import page_html
-from usdrigui.view.scene import pack
+from usdrigui.view.flat.board import heading
+from usdrigui.view.web.packing import pack
+from usdrigui.view.web.page import page_html
 
 KINDS = {"u1": "<u1", "u2": "<u2", "i2": "<i2", "u4": "<u4", "i4": "<i4", "f4": "<f4", "f8": "<f8"}
 

@@ -9,8 +9,8 @@ import threading
 
 import pytest
 
-from usdrigui.view.live import LiveFile
-from usdrigui.view.serve import page_server, serve
+from usdrigui.view.web.live import LiveFile
+from usdrigui.view.web.serve import page_server, serve
 
 PAGE = "<!DOCTYPE html><title>ä</title>"
 
@@ -162,7 +162,7 @@ def test_a_live_file_is_replaced_by_who_knows_what_it_holds(live):
     ],
 )
 def test_others_write_nothing(live, monkeypatch, status, change):
-    monkeypatch.setattr("usdrigui.view.serve._MOST_WRITTEN", 1000)
+    monkeypatch.setattr("usdrigui.view.web.serve._MOST_WRITTEN", 1000)
     asked = {"body": EDIT, "If-Match": '"absent"', **change}
     assert ask(live, "PUT", **asked)[0] == status
     assert not live.live.path.exists()

@@ -17,7 +17,7 @@ from usdrigui.errors import Exit, refuse
 if TYPE_CHECKING:
     from usdrigui import pipeline
     from usdrigui.model import Layout, Rig
-    from usdrigui.view.live import LiveFile
+    from usdrigui.view.web.live import LiveFile
 
 
 def study(arguments: argparse.Namespace) -> Exit:
@@ -58,7 +58,7 @@ def view(arguments: argparse.Namespace) -> Exit:
     """Pose the character in a browser by its layout."""
     from usdrigui import pipeline
     from usdrigui.pose import evaluate
-    from usdrigui.view import page, serve
+    from usdrigui.view.web import page, serve
 
     reviews = [page.read_review(path) for path in arguments.review]
     settings = settings_of(arguments)
@@ -89,7 +89,7 @@ def view(arguments: argparse.Namespace) -> Exit:
 
 def _live(arguments: argparse.Namespace, read: Sequence[Path]) -> LiveFile | None:
     """The file of the live link, if there is to be one."""
-    from usdrigui.view.live import LiveFile
+    from usdrigui.view.web.live import LiveFile
 
     if arguments.live is None:
         return None
@@ -123,6 +123,7 @@ def picker(arguments: argparse.Namespace) -> Exit:
     """Export the layout as a flat picker, seen from its view."""
     from usdrigui import pipeline
     from usdrigui.clients import picker
+    from usdrigui.view.flat.svg import svg
 
     if arguments.svg is None and arguments.dwpicker is None:
         raise refuse(
@@ -131,9 +132,10 @@ def picker(arguments: argparse.Namespace) -> Exit:
     loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
     behind = arguments.dwpicker and arguments.dwpicker.with_suffix(".background.png")
     read = _spared((arguments.svg, arguments.dwpicker, behind), loaded, arguments)
-    made = picker.picker(_visible(loaded.characters, arguments), labels=arguments.labels)
+    characters = _visible(loaded.characters, arguments)
+    made = picker.picker(characters, labels=arguments.labels)
     if arguments.svg is not None:
-        content = picker.to_svg(made).encode()
+        content = svg(made).encode()
         say(f"{pipeline.write_file(content, arguments.svg, read)} {arguments.svg}", arguments)
     if arguments.dwpicker is not None:
         name = arguments.layer.name.partition(".")[0]
@@ -144,5 +146,6 @@ def picker(arguments: argparse.Namespace) -> Exit:
             f"{pipeline.write_file(content, arguments.dwpicker, read)} {arguments.dwpicker}",
             arguments,
         )
-    say(f"usdrigui: picker of {arguments.layer}: {len(made.spots)} elements", arguments)
+    count = sum(len(layout.elements) for _, layout in characters)
+    say(f"usdrigui: picker of {arguments.layer}: {count} elements", arguments)
     return Exit.OK

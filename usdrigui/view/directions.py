@@ -9,10 +9,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from usdrigui.layout.motion.trajectory import trajectories
-from usdrigui.layout.symmetry.front import front_of
-from usdrigui.model import Floats, Rig
-from usdrigui.settings import TrajectorySettings
+from usdrigui.model import Floats, Layout
+from usdrigui.view.body.shading import look
 
 TURN = 35.0
 """Azimuth of a three-quarter view."""
@@ -32,14 +30,16 @@ _APART, _BEYOND = 20.0, 90.0
 """A companion shows something else than the layout's own view, and still what that one sees."""
 
 
-def ahead_of(rig: Rig, plane_normal: Floats, base_values: Floats) -> Floats:
-    """Where the face looks: level, and found as it was when the layout was made.
+def ahead_of(layout: Layout, up: Floats) -> Floats:
+    """Where the face looks: level and in the mirror plane, whose normal points to the character's
+    left; without a plane, the layout's own view.
 
-    `LayoutFrame.view` does not show it: a layout made for the side has the profile there.
+    With one the view does not show it: a layout made for the side has the profile there.
     """
-    return front_of(
-        rig.skel_root.up, trajectories(rig, TrajectorySettings(), base_values), plane_normal
-    )
+    ahead = np.cross(layout.frame.plane.normal, up)
+    if not np.linalg.norm(ahead) > 1e-6:
+        ahead = np.cross(look(layout.frame.view, up)[0], up)
+    return np.asarray(ahead / np.linalg.norm(ahead))
 
 
 def turned(direction: Floats, up: Floats, degrees: float) -> Floats:

@@ -7,7 +7,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,12 +15,19 @@ from PIL import Image, ImageDraw
 
 from usdrigui import palette
 from usdrigui.errors import refuse
-from usdrigui.model import Element, Floats, Layout, Rig, RigMesh
-from usdrigui.pose.evaluate import PosedLayout, evaluate, prepare
-from usdrigui.view import directions, lettering, overlay, shading
-from usdrigui.view.complexion import complexion
-from usdrigui.view.sections import cut_away, main_layout, sections
-from usdrigui.view.shading import Camera, Complexion, Subject
+from usdrigui.model import Element, Floats, Layout, Rig
+from usdrigui.pose.evaluate import evaluate, prepare
+from usdrigui.view import directions
+from usdrigui.view.body.complexion import complexion
+from usdrigui.view.body.shading import Subject, look, subject_of
+from usdrigui.view.flat.framing import Frame, View, crowds, framed, row
+from usdrigui.view.flat.lettering import cut, font, legible, width_of
+from usdrigui.view.flat.marks import FORMS, form_of
+from usdrigui.view.flat.names import called_out, column_width, shortened
+from usdrigui.view.flat.pillow import painted
+from usdrigui.view.flat.scene import INK, PAPER, QUIET, Label, Mark, Page, Panel, stacked
+from usdrigui.view.panels import board_of, body, marks_of, on_character
+from usdrigui.view.sections import Section, main_layout, sections, undivided
 
 VIEWS = {
     "front": 0.0,
@@ -36,26 +43,21 @@ the view that the layout was made for, whichever that is.  Captions name the vie
 _TITLE, _CAPTION, _LEGEND, _GAP, _EDGE = 66, 24, 42, 14, 22
 """Heights of the title above the panels, of captions and legend below, space between panels and
 around, in pixels."""
-_MARGIN = np.array([0.14, 0.20])
-"""Space around the elements on the face, to the sides and up and down, as a share of their
-extent."""
-_SIDE = 0.1
-"""Space at the side of a head, in heights of the elements' frame."""
-_FAR = 0.6
-"""How far beyond the elements' frame the head may go on to be drawn whole, in heights of that
-frame."""
-_HEADROOM = 34.0
-"""Space above a board for its heading, in pixels."""
-_ON_BOARD = 9.0
-"""Width of a handle on the board, in pixels, at which its rows take names in full size."""
-_LEAST_FRAME = 22.0
-"""Least extent of a frame, in handle widths."""
-_TOP, _BOTTOM = np.array([0.962, 0.966, 0.972]), np.array([0.862, 0.872, 0.884])
-"""Background of the panels."""
-_FADE = 0.07
-"""Share of a panel's height above its lower edge in which the body fades."""
+_INSETS, _ENLARGED = 0.62, 3.0
+"""Height of the row of insets, of that of the views, and how much larger they are at most."""
+_MIN_BOARD = 400
+"""Width of a board beside insets, pixels."""
 _BETWEEN = "   ·   "
-_PAPER, _INK, _QUIET = (250, 250, 251), (38, 42, 48), (104, 110, 120)
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What a picture is to be, as `render` says."""
+
+    views: Sequence[str] | None = None
+    size: tuple[int, int] = (1800, 1000)
+    labels: bool = False
+    title: str = ""
 
 
 def render(
@@ -68,33 +70,35 @@ def render(
     title: str = "",
 ) -> Image.Image:
     """Picture of a character and its layout, RGB, of ``size`` (width, height) pixels; higher where
-    there is a board.
+    there are insets or a board.
 
     A character in several parts has a close-up of that size for each part, one below the other,
     unless ``views`` are given. ``values`` (controls,) is the pose, by default the layout's base
     pose.  ``views`` are some of `VIEWS`; by default the view that the layout was made for, and of
-    front and three-quarter views the nearest two that show what it sees.  The board has a panel of
-    its own below, as high as it needs, with the names of its elements; ``labels`` names those on
-    the character, too, in the layout's own view.  Raises RigUIError CONFIG_VALUE for an unknown
-    view or a size below 320 x 240, LAYOUT_STALE when the layout does not belong to the rig,
-    POSE_VALUE for a pose that is not one.
+    front and three-quarter views the nearest two that show what it sees, with an inset where more
+    elements meet than can be told apart.  The board has a panel of its own below, as high as it
+    needs, with the names of its elements; ``labels`` names those on the character, too, in the
+    layout's own view.  Raises RigUIError CONFIG_VALUE for an unknown view or a size below 320 x
+    240, LAYOUT_STALE when the layout does not belong to the rig, POSE_VALUE for a pose that is not
+    one.
     """
-    _check(views, size)
+    return painted(scene(rig, layout, values, Wanted(views, size, labels, title)))
+
+
+def scene(rig: Rig, layout: Layout, values: ArrayLike | None, wanted: Wanted) -> Page:
+    """The picture before it is drawn; arguments and errors as of `render`."""
+    _check(wanted.views, wanted.size)
     posed = evaluate(prepare(rig, layout), values)
-    if views is not None or len(layout.frame.parts) < 2:
-        return _page(
-            rig, layout, posed, _set_up(rig, layout, posed, views, size, labels), size, title
-        )
-    pages, colours = [], complexion(rig, main_layout(layout))
-    for each in sections(layout, posed, rig.skel_root.up):
-        own = cut_away(rig, each.layout, colours)
-        scene = _set_up(rig, each.layout, each.posed, each.views or None, size, labels, own)
-        name = title or rig.skel_root.path.strip("/") or "character"
-        held = len(each.layout.controls)
-        pages.append(
-            _page(rig, each.layout, each.posed, scene, size, f"{name}: {each.title}", held)
-        )
-    return _stacked(pages)
+    subject = subject_of(rig.body.meshes, posed.points, complexion(rig, main_layout(layout)))
+    up, parted = rig.skel_root.up, wanted.views is None
+    close_ups = sections(layout, posed, up) if parted else (undivided(layout, posed),)
+    pages = []
+    for number, section in enumerate(close_ups):
+        # What has no handle on the character, as tongue and teeth may, needs no picture of it.
+        drawn = number == 0 or on_character(section.layout)
+        placed = _arranged(rig, section, subject, wanted) if drawn else ()
+        pages.append(_page(rig, section, subject, placed, wanted))
+    return stacked(pages)
 
 
 def film(
@@ -108,120 +112,14 @@ def film(
     """One picture per row of ``poses`` (frames, controls), all framed as the base pose is; raises
     as `render`."""
     _check(views, size)
-    poser = prepare(rig, layout)
-    scene = _set_up(rig, layout, evaluate(poser), views, size, False)
+    poser, colours = prepare(rig, layout), complexion(rig, main_layout(layout))
+    section, wanted = undivided(layout, evaluate(poser)), Wanted(views, size, False, title)
+    subject = subject_of(rig.body.meshes, section.posed.points, colours)
+    placed = _arranged(rig, section, subject, wanted)
     for values in np.asarray(poses, dtype=np.float64):
-        yield _page(rig, layout, evaluate(poser, values), scene, size, title)
-
-
-@dataclass(frozen=True)
-class _Scene:
-    """The panels of a page with their cameras and upper left corners."""
-
-    panels: tuple[_Framed, ...]
-    cameras: tuple[Camera, ...]
-    corners: tuple[tuple[int, int], ...]
-    complexion: Complexion
-
-
-def _stacked(pages: Sequence[Image.Image]) -> Image.Image:
-    """Pages below each other."""
-    whole = Image.new("RGB", (pages[0].width, sum(page.height for page in pages)), _PAPER)
-    for number, page in enumerate(pages):
-        whole.paste(page, (0, sum(each.height for each in pages[:number])))
-    return whole
-
-
-def _set_up(
-    rig: Rig,
-    layout: Layout,
-    posed: PosedLayout,
-    views: Sequence[str] | Sequence[Floats] | None,
-    size: tuple[int, int],
-    labels: bool,
-    colours: Complexion | None = None,
-) -> _Scene:
-    """Panels for ``views``, names or directions, or by default for the layout's own view and its
-    companions.
-
-    ``colours`` are by default those that the layout's own main part shows.
-    """
-    colours = colours or complexion(rig, main_layout(layout))
-    up, own_view = rig.skel_root.up, layout.frame.view
-    skin = _skin(rig.body.meshes, posed, colours)
-    ahead = directions.ahead_of(rig, layout.frame.plane.normal, layout.character.base_values)
-    if views is None:
-        shown = [
-            (own_view, True),
-            *((each, False) for each in directions.companions(own_view, ahead, up)),
-        ]
-    else:
-        azimuths = [VIEWS[view] if isinstance(view, str) else None for view in views]
-        shown = [
-            (
-                (directions.turned(own_view, up, at), at == 0.0)
-                if at is not None
-                else (np.asarray(view), i == 0)
-            )
-            for i, (view, at) in enumerate(zip(views, azimuths, strict=True))
-        ]
-    panels: list[_Framed] = []
-    boards: list[_Framed] = []
-    for at, own in shown:
-        rows = shading.look(at, up)
-        panels.append(
-            _framed(
-                layout,
-                posed,
-                skin,
-                rows,
-                directions.caption(at, ahead, up),
-                own,
-                own and labels,
-            )
-        )
-        if own and any(element.anchor.on_board for element in layout.elements):
-            boards.append(_framed_board(layout.elements, layout.frame.handle_width, posed, rows))
-    panels += boards
-    cameras, corners = _arranged(panels, size)
-    return _Scene(
-        tuple(panels),
-        tuple(cameras),
-        tuple(corners),
-        colours,
-    )
-
-
-def _page(
-    rig: Rig,
-    layout: Layout,
-    posed: PosedLayout,
-    scene: _Scene,
-    size: tuple[int, int],
-    title: str,
-    controls: int | None = None,
-) -> Image.Image:
-    """One page; ``controls`` is their number in the title, by default that of the rig."""
-    subject = shading.subject_of(rig.body.meshes, posed.points, scene.complexion)
-    below = sum(
-        camera.height + _CAPTION
-        for panel, camera in zip(scene.panels, scene.cameras, strict=True)
-        if panel.board
-    )
-    page = Image.new("RGB", (size[0], size[1] + below), _PAPER)
-    for panel, camera, corner in zip(scene.panels, scene.cameras, scene.corners, strict=True):
-        page.paste(_panel(subject, layout, posed, panel, camera), corner)
-        middle = (corner[0] + camera.width / 2, corner[1] + camera.height + _CAPTION / 2)
-        type_ = lettering.font(13)
-        caption = lettering.cut(panel.caption, type_, float(camera.width))
-        ImageDraw.Draw(page).text(middle, caption, fill=_QUIET, font=type_, anchor="mm")
-    _title(
-        page,
-        title or rig.skel_root.path.strip("/") or "character",
-        _numbers(controls or len(rig.controls), layout, size[0] - 2 * _EDGE),
-    )
-    _legend(page, layout.elements)
-    return page
+        posed = evaluate(poser, values)
+        subject = subject_of(rig.body.meshes, posed.points, colours)
+        yield painted(_page(rig, replace(section, posed=posed), subject, placed, wanted))
 
 
 def contact_sheet(
@@ -238,49 +136,23 @@ def contact_sheet(
         )
     columns = min(columns, len(images))
     cell = (width - _GAP * (columns + 1)) // columns
-    small = [
-        each.resize(
-            (cell, max(1, round(each.height * cell / each.width))), Image.Resampling.LANCZOS
-        )
-        for each in images
+    shares = [cell / image.width for image in images]
+    heights = [
+        max(1, round(image.height * share)) for image, share in zip(images, shares, strict=True)
     ]
-    rows = [small[start : start + columns] for start in range(0, len(small), columns)]
-    heights = [max(each.height for each in row) + (26 if titles else 0) for row in rows]
-    page = Image.new("RGB", (width, sum(heights) + _GAP * (len(rows) + 1)), _PAPER)
+    below = 26 if titles else 0
+    starts = range(0, len(images), columns)
+    rows = [max(heights[start : start + columns]) + below + _GAP for start in starts]
+    page = Image.new("RGB", (width, sum(rows) + _GAP), PAPER)
     pen = ImageDraw.Draw(page)
-    top = _GAP
-    for number, (row, height) in enumerate(zip(rows, heights, strict=True)):
-        for column, each in enumerate(row):
-            left = _GAP + column * (cell + _GAP)
-            page.paste(each, (left, top))
-            if titles:
-                text = lettering.legible(titles[number * columns + column])
-                pen.text(
-                    (left + 2, top + each.height + 5),
-                    text,
-                    fill=_INK,
-                    font=lettering.font(14, titles[number * columns + column]),
-                )
-        top += height + _GAP
+    for index, (image, height) in enumerate(zip(images, heights, strict=True)):
+        left = _GAP + index % columns * (cell + _GAP)
+        top = _GAP + sum(rows[: index // columns])
+        page.paste(image.resize((cell, height), Image.Resampling.LANCZOS), (left, top))
+        if titles:
+            text, place = titles[index], (left + 2, top + height + 5)
+            pen.text(place, legible(text), fill=INK, font=font(14, text))
     return page
-
-
-@dataclass(frozen=True)
-class _Framed:
-    """What one panel shows, before the scale is known."""
-
-    caption: str
-    """What the view is called."""
-    rows: Floats
-    low: Floats
-    """(2,) lower left corner of the frame along the rows' right and up, scene units."""
-    high: Floats
-    columns: tuple[float, float] = (0.0, 0.0)
-    """Pixels kept free on the left and on the right for names."""
-    labels: bool = False
-    board: float = 0.0
-    """Pixels a scene unit at which names have their full size, of the panel that shows the board
-    alone; else 0."""
 
 
 # --- arrangement ----------------------------------------------------------------------------------
@@ -299,171 +171,132 @@ def _check(views: Sequence[str] | None, size: tuple[int, int]) -> None:
         )
 
 
-def _skin(meshes: tuple[RigMesh, ...], posed: PosedLayout, colours: Complexion) -> Floats:
-    """(m, 3) the points that are drawn; all finite ones if no triangle is."""
-    seen = np.unique(shading.drawn(meshes, posed.points, colours))
-    points = posed.points[seen] if len(seen) else posed.points
-    return np.asarray(points[np.isfinite(points).all(axis=1)])
+def _directions(
+    rig: Rig, section: Section, views: Sequence[str] | None
+) -> list[tuple[Floats, str]]:
+    """Where the views are taken from, and what they are called: those asked for, else those of the
+    section, else the layout's own and its companions."""
+    frame, up = section.layout.frame, rig.skel_root.up
+    ahead = directions.ahead_of(section.layout, up)
+    if views is not None:
+        towards = [directions.turned(frame.view, up, VIEWS[view]) for view in views]
+    else:
+        companions = directions.companions(frame.view, ahead, up)
+        towards = [*(section.views or (frame.view, *companions))]
+    return [(view, directions.caption(view, ahead, up)) for view in towards]
 
 
-def _framed(
-    layout: Layout,
-    posed: PosedLayout,
-    skin: Floats,
-    rows: Floats,
-    caption: str,
-    own: bool,
-    labels: bool,
-) -> _Framed:
-    """The rectangle around the elements on the character and the head (`skin`, (m, 3)), with a
-    margin.
-
-    ``rows`` are those of the camera; the layout's ``own`` view is broader.
-    """
-    placed = zip(layout.elements, posed.elements, strict=True)
-    tracks = [track for each, at in placed if not each.anchor.on_board for track in at.tracks]
-    low, high = bare = _extent(tracks or [skin], rows)
-    middle, half = 0.5 * (low + high), 0.5 * (high - low)
-    half = np.maximum(half * (1.0 + 2.0 * _MARGIN), 0.5 * _LEAST_FRAME * layout.frame.handle_width)
-    half[0] = max(half[0], (0.85 if own else 0.72) * half[1])
-    low, high = _around_head(middle - half, middle + half, bare, skin @ rows[:2].T)
-    names = [each.look.label for each in layout.elements if labels and not each.anchor.on_board]
-    wide = min(lettering.widest(names), lettering.CALLED) + 16.0 if names else 0.0
-    return _Framed(caption, rows, low, high, (wide, wide), labels)
+def _frames(rig: Rig, section: Section, skin: Floats, views: Sequence[str] | None) -> list[Frame]:
+    """What the views of a section show: its elements and the character around them."""
+    placed = tuple(on_character(section.layout))
+    tracks = [track for i in placed for track in section.posed.elements[i].tracks]
+    frames = []
+    for towards, caption in _directions(rig, section, views):
+        rows = look(towards, rig.skel_root.up)
+        low, high = framed(tracks, skin, rows, section.layout.frame.handle_width)
+        frames.append(Frame(rows, low, high, caption, placed))
+    return frames
 
 
-def _framed_board(
-    elements: tuple[Element, ...], handle_width: float, posed: PosedLayout, rows: Floats
-) -> _Framed:
-    """The rectangle around the board, with room for the names to its right."""
-    placed = zip(elements, posed.elements, strict=True)
-    drawn = [at for each, at in placed if each.anchor.on_board]
-    low, high = _extent(
-        [line for at in drawn for line in (*at.tracks, at.glyph) if len(line)], rows
+def _insets(section: Section, skin: Floats, view: Frame) -> list[Frame]:
+    """Parts of a view in which more elements meet than can be told apart."""
+    elements = section.posed.elements
+    handles = np.array([elements[i].handle for i in view.shown]).reshape(-1, 3) @ view.rows[:2].T
+    insets = []
+    for crowd in crowds(handles, view.high - view.low):
+        shown = tuple(view.shown[i] for i in crowd)
+        tracks = [track for i in shown for track in elements[i].tracks]
+        low, high = framed(tracks, skin, view.rows, section.layout.frame.handle_width)
+        insets.append(Frame(view.rows, low, high, f"{view.caption}, enlarged", shown))
+    return insets
+
+
+def _named(layout: Layout, frame: Frame, insets: Sequence[Frame]) -> Frame:
+    """The frame with the names of its elements that no inset names."""
+    short = shortened([layout.elements[i].look.label for i in frame.shown])
+    elsewhere = {i for inset in insets for i in inset.shown}
+    names = [(i, name) for i, name in zip(frame.shown, short, strict=True) if i not in elsewhere]
+    return replace(frame, names=tuple(names), column=column_width([name for _, name in names]))
+
+
+def _arranged(rig: Rig, section: Section, subject: Subject, wanted: Wanted) -> tuple[View, ...]:
+    """The views of a section in a row, and insets into the first of them in a row below."""
+    skin = subject.points[np.unique(subject.corners)] if len(subject.corners) else subject.points
+    frames = _frames(rig, section, skin, wanted.views)
+    insets = _insets(section, skin, frames[0]) if wanted.views is None else []
+    if wanted.labels:
+        frames[0] = _named(section.layout, frames[0], insets)
+        insets = [_named(section.layout, inset, ()) for inset in insets]
+    width, height = wanted.size[0] - 2 * _EDGE, wanted.size[1] - _TITLE - _CAPTION - _LEGEND
+    first = row(frames, (_EDGE, _TITLE, width, height))
+    top, most = _TITLE + height + _CAPTION, _ENLARGED * first[0].camera.scale
+    return first + row(insets, (_EDGE, top, width, round(_INSETS * height)), most)
+
+
+# --- one page -------------------------------------------------------------------------------------
+
+
+def _page(
+    rig: Rig, section: Section, subject: Subject, views: Sequence[View], wanted: Wanted
+) -> Page:
+    layout, width = section.layout, wanted.size[0]
+    panels = [_panel(section, subject, view) for view in views]
+    for view, panel in zip(views, tuple(panels), strict=True):
+        panels.append(_caption(view.frame.caption, panel))
+    top = max((panel.corner[1] + panel.size[1] for panel in panels), default=_TITLE)
+    for board in board_of(section, rig.skel_root.up, _board_box(views, top, width)):
+        panels += [board, _caption("board", board)]
+        top = max(top, board.corner[1] + board.size[1] + _CAPTION)
+    name = wanted.title or rig.skel_root.path.strip("/") or "character"
+    heading = f"{name}: {section.title}" if section.title else name
+    controls = len(layout.controls) if section.title else len(rig.controls)
+    title = (
+        Label(heading, (0.0, 24.0), size=25),
+        Label(_numbers(controls, layout, width - 2.0 * _EDGE), (0.0, 52.0), size=14, ink=QUIET),
     )
-    pad = 1.5 * handle_width
-    names = lettering.widest([each.look.label for each in elements if each.anchor.on_board]) + 6.0
-    return _Framed(
-        "board", rows, low - pad, high + pad, (0.0, names), False, _ON_BOARD / handle_width
-    )
+    panels.append(Panel((_EDGE, 0), (width - 2 * _EDGE, _TITLE), labels=title, grounded=False))
+    panels.append(_legend(layout.elements, (0, top), width))
+    return Page((width, top + _LEGEND), tuple(panels))
 
 
-def _around_head(
-    low: Floats, high: Floats, elements: tuple[Floats, Floats], across: Floats
-) -> tuple[Floats, Floats]:
-    """A frame widened to both sides of the head, of points (m, 2), level with the box of the
-    elements, raised to its crown and lowered to its chin.
-
-    A side of which more lies farther off than `_FAR` stays as it is: it is a body, or an arm, and
-    the face would get small.
-    """
-    reach, pad = _FAR * (high - low)[1], _SIDE * (high - low)[1]
-    wide_low, wide_high = low.copy(), high.copy()
-    level = across[(across[:, 1] >= elements[0][1]) & (across[:, 1] <= elements[1][1])]
-    inner = across[(across[:, 0] >= elements[0][0]) & (across[:, 0] <= elements[1][0])]
-    for axis, points in ((0, level), (1, inner)):
-        first = points[:, axis].min(initial=elements[0][axis])
-        last = points[:, axis].max(initial=elements[1][axis])
-        if first - pad < low[axis] and first > low[axis] - reach:
-            wide_low[axis] = first - pad
-        if last + pad > high[axis] and last < high[axis] + reach:
-            wide_high[axis] = last + pad
-    return wide_low, wide_high
+def _board_box(views: Sequence[View], top: int, width: int) -> tuple[int, int, int]:
+    """Left, top and width of the board: beside the insets where there is room, else below all."""
+    insets = [view for view in views if view.corner[1] > _TITLE]
+    if insets:
+        last = insets[-1]
+        left = last.corner[0] + last.camera.width + 2 * last.frame.column + _GAP
+        if width - _EDGE - left >= _MIN_BOARD:
+            return left, last.corner[1], width - _EDGE - left
+    return _EDGE, top, width - 2 * _EDGE
 
 
-def _extent(lines: Sequence[Floats], rows: Floats) -> tuple[Floats, Floats]:
-    """Corners (2,) of the box in the view's plane around lines of points (k, 3)."""
-    across = np.concatenate(lines) @ rows[:2].T
-    return across.min(axis=0), across.max(axis=0)
+def _panel(section: Section, subject: Subject, view: View) -> Panel:
+    """A view with its elements and names."""
+    frame, camera = view.frame, view.camera
+    picture, depth = body(subject, camera)
+    shift = np.array([frame.column, 0.0])
+    marks = marks_of(section.layout, section.posed, frame.shown, camera, depth)
+    marks = [mark.placed(1.0, shift) for mark in marks]
+    size = (camera.width + 2 * frame.column, camera.height)
+    names = dict(frame.names)
+    called = [(mark, names[i]) for i, mark in zip(frame.shown, marks, strict=True) if i in names]
+    labels, leaders = called_out([mark for mark, _ in called], [name for _, name in called], size)
+    return Panel(view.corner, size, picture, tuple(marks), labels, leaders)
 
 
-def _arranged(
-    panels: Sequence[_Framed], size: tuple[int, int]
-) -> tuple[list[Camera], list[tuple[int, int]]]:
-    """One scale for all panels, their cameras, and where each goes on the page; boards go below the
-    others."""
-    boards = [panel for panel in panels if panel.board]
-    panels = [panel for panel in panels if not panel.board]
-    low = min(float(panel.low[1]) for panel in panels)
-    high = max(float(panel.high[1]) for panel in panels)
-    height = size[1] - _TITLE - _CAPTION - _LEGEND
-    names = sum(sum(panel.columns) for panel in panels)
-    free = size[0] - 2 * _EDGE - _GAP * (len(panels) - 1) - names
-    wide = sum(float(panel.high[0] - panel.low[0]) for panel in panels)
-    scale = max(min(height / (high - low), max(free, 0.3 * size[0]) / wide), 1e-12)
-    widths = [
-        round(scale * float(panel.high[0] - panel.low[0]) + sum(panel.columns)) for panel in panels
-    ]
-    # Space that is left over widens the panels: more of the character is better than a broad
-    # border.
-    spare = (size[0] - 2 * _EDGE - _GAP * (len(panels) - 1) - sum(widths)) // len(panels)
-    widths = [width + max(spare, 0) for width in widths]
-    left, top = (size[0] - sum(widths) - _GAP * (len(panels) - 1)) // 2, _TITLE
-    cameras, corners = [], []
-    for panel, width in zip(panels, widths, strict=True):
-        middle = np.array([0.5 * (panel.low[0] + panel.high[0]), 0.5 * (low + high)])
-        cameras.append(Camera(panel.rows, middle @ panel.rows[:2], scale, width, height))
-        corners.append((left, top))
-        left += width + _GAP
-    for board in boards:
-        top += height + _CAPTION
-        cameras.append(_board_camera(board, size[0] - 2 * _EDGE))
-        corners.append((_EDGE, top))
-        height = cameras[-1].height
-    return cameras, corners
-
-
-def _board_camera(board: _Framed, width: int) -> Camera:
-    """The camera of a board that begins at the left of a panel, below the room for its headings."""
-    across, tall = (board.high - board.low).tolist()
-    scale = min(board.board, max(width - sum(board.columns), 0.3 * width) / across)
-    height = round(scale * tall + _HEADROOM)
-    middle = np.array(
-        [board.low[0] + 0.5 * width / scale, board.high[1] + (_HEADROOM - 0.5 * height) / scale]
-    )
-    return Camera(board.rows, middle @ board.rows[:2], scale, width, height)
-
-
-# --- one panel ------------------------------------------------------------------------------------
-
-
-def _panel(
-    subject: Subject, layout: Layout, posed: PosedLayout, panel: _Framed, camera: Camera
-) -> Image.Image:
-    shaded = shading.empty(camera) if panel.board else shading.shade(subject, camera)
-    picture, width = _developed(shaded), layout.frame.handle_width_of
-    shown = [
-        (element, overlay.mark(element, at, camera, shaded.depth, width(element.placement.part)))
-        for element, at in zip(layout.elements, posed.elements, strict=True)
-        if element.anchor.on_board == bool(panel.board)
-    ]
-    if panel.labels:
-        picture = lettering.call_out(picture, shown)
-    picture = overlay.draw(picture, [drawn for _, drawn in shown])
-    if panel.board:
-        lettering.name_on_board(picture, shown)
-    return picture
-
-
-def _developed(shaded: shading.Shaded) -> Image.Image:
-    """Linear light to an sRGB picture over the background."""
-    down = np.linspace(0.0, 1.0, len(shaded.depth))[:, None, None]
-    behind = (1.0 - down) * _TOP + down * _BOTTOM
-    # The body goes on below the picture: it fades out there, and no sleeve stands cut on the edge.
-    cover = (shaded.cover * np.clip((1.0 - down[..., 0]) / _FADE, 0.0, 1.0))[..., None]
-    mixed = cover * shading.encoded(shaded.colour) + (1.0 - cover) * behind
-    return Image.fromarray((255.0 * mixed).round().astype(np.uint8), "RGB")
-
-
-# --- title and legend -----------------------------------------------------------------------------
+def _caption(text: str, panel: Panel) -> Panel:
+    """A line below a panel."""
+    (left, top), (width, height) = panel.corner, panel.size
+    label = Label(cut(text, 13, float(width)), (0.5 * width, 0.5 * _CAPTION), "mm", 13, QUIET)
+    return Panel((left, top + height), (width, _CAPTION), labels=(label,), grounded=False)
 
 
 def _numbers(controls: int, layout: Layout, width: float) -> str:
     """What the layout of so many controls holds, as far as it goes into a line of so many
     pixels."""
-    on_face = sum(not element.anchor.on_board for element in layout.elements)
+    on_face = len(on_character(layout))
     board = len(layout.elements) - on_face
-    held = {part for part in (element.placement.part for element in layout.elements) if part}
+    held = {element.placement.part for element in layout.elements} - {""}
     place = held.pop() if len(held) == 1 else "character" if held else "face"
     parts = [f"{controls} control{'s' * (controls != 1)}"]
     parts += [f"{on_face} elements on the {place}"] if on_face or not board else []
@@ -473,31 +306,25 @@ def _numbers(controls: int, layout: Layout, width: float) -> str:
     if np.isfinite(proof.bound) and np.isfinite(proof.cost):
         gap = max(0.0, proof.cost - proof.bound) / max(abs(proof.cost), 1e-12)
         parts.append(f"cost {proof.cost:.4g}, {proof.status} at gap {gap:.2g} of the cost")
-    font = lettering.font(14)
-    while len(parts) > 1 and font.getlength(_BETWEEN.join(parts)) > width:
+    while len(parts) > 1 and width_of(_BETWEEN.join(parts), 14) > width:
         parts.pop()
     return _BETWEEN.join(parts)
 
 
-def _title(page: Image.Image, title: str, numbers: str) -> None:
-    pen = ImageDraw.Draw(page)
-    pen.text((_EDGE, 12), lettering.legible(title), fill=_INK, font=lettering.font(25, title))
-    pen.text((_EDGE, 43), numbers, fill=_QUIET, font=lettering.font(14))
-
-
-def _legend(page: Image.Image, elements: tuple[Element, ...]) -> None:
+def _legend(elements: Sequence[Element], corner: tuple[int, int], width: int) -> Panel:
     """Colours by side and forms by kind, of what the layout holds."""
-    pen, font = ImageDraw.Draw(page), lettering.font(13)
-    x, y = float(_EDGE + 8), page.height - _LEGEND / 2
+    marks, labels, x, y = [], [], _EDGE + 8.0, 0.5 * _LEGEND
     for form, colour, text, coarse in _legend_entries(elements):
-        if x + 15 + font.getlength(text) > page.width - _EDGE:
+        wide = 15.0 + width_of(text, 13)
+        if x + wide > width - _EDGE:
             break  # a narrow page explains the colours first
-        overlay.paste_knob(page, form, colour, 5.5 if coarse else 7.5, (x, y), coarse)
-        pen.text((x + 15, y), text, fill=_QUIET, font=font, anchor="lm")
-        x += 15 + font.getlength(text) + 30
+        marks.append(Mark(form, colour, np.array([x, y]), 5.5 if coarse else 6.5, coarse))
+        labels.append(Label(text, (x + 15.0, y), size=13, ink=QUIET))
+        x += wide + 30.0
     note = "faint: hidden by the character"
-    if x + font.getlength(note) + _EDGE < page.width:
-        pen.text((page.width - _EDGE, y), note, fill=_QUIET, font=font, anchor="rm")
+    if x + width_of(note, 13) + _EDGE < width:
+        labels.append(Label(note, (float(width - _EDGE), y), "rm", 13, QUIET))
+    return Panel(corner, (width, _LEGEND), None, tuple(marks), tuple(labels), grounded=False)
 
 
 def _legend_entries(elements: Sequence[Element]) -> list[tuple[str, palette.Colour, str, bool]]:
@@ -515,12 +342,10 @@ def _legend_entries(elements: Sequence[Element]) -> list[tuple[str, palette.Colo
     entries = [
         ("slider", colours[side], text, False) for side, text in names.items() if side in used
     ]
-    forms = {overlay.form_of(each.manipulator) for each in elements}
+    forms = {form_of(each.manipulator) for each in elements}
     grey = (128, 134, 142)
     if forms != {"slider"}:
-        entries += [
-            (form, grey, text, False) for form, text in overlay.FORMS.items() if form in forms
-        ]
+        entries += [(form, grey, text, False) for form, text in FORMS.items() if form in forms]
     if any(each.look.inner for each in elements):
         entries.append(("slider", grey, "coarse: opens into finer ones", True))
     return entries

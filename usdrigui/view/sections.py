@@ -7,11 +7,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.deform import posed, sweep, sweep_start
-from usdrigui.model import Element, Floats, Layout, LayoutPart, Rig, Side
+from usdrigui.model import Element, Floats, Layout, LayoutPart, Side
 from usdrigui.pose.evaluate import PosedLayout
 from usdrigui.view import directions
-from usdrigui.view.shading import Complexion
 
 _APART = 1.0
 """Two sides are apart when the gap between them is this many times the extent of either."""
@@ -19,8 +17,6 @@ _SHOWN = 2
 """Elements of a side, at least, that has a close-up of its own: eyes look together."""
 _TITLES = {"interior": "inside the mouth"}
 """What parts are called that are not called by their names."""
-_TOUCHED = 0.1
-"""Share of a control's largest displacement from which a point belongs to what it moves."""
 _QUARTERS = {"left": (0.0, 90.0, 180.0), "right": (0.0, -90.0, 180.0)}
 """Azimuths from which a hand may be looked at: the body stands in the way of the fourth."""
 
@@ -38,8 +34,16 @@ class Section:
     companions."""
 
 
+def undivided(layout: Layout, posed: PosedLayout) -> Section:
+    """All of a character as one section without a title."""
+    return Section("", layout, posed, ())
+
+
 def sections(layout: Layout, posed: PosedLayout, up: Floats) -> tuple[Section, ...]:
-    """One section a part, in the order of `LayoutFrame.parts`; `up` (3,) is that of the rig."""
+    """One section a part, in the order of `LayoutFrame.parts`, undivided where there is one; `up`
+    (3,) is that of the rig."""
+    if len(layout.frame.parts) < 2:
+        return (undivided(layout, posed),)
     found: list[Section] = []
     for part in layout.frame.parts:
         own = [i for i, e in enumerate(layout.elements) if e.placement.part == part.name]
@@ -63,22 +67,6 @@ def main_layout(layout: Layout) -> Layout:
     first = layout.frame.parts[0].name
     elements = tuple(each for each in layout.elements if each.placement.part == first)
     return replace(layout, elements=elements)
-
-
-def cut_away(rig: Rig, layout: Layout, colours: Complexion) -> Complexion:
-    """How the points of a rig look in the close-up of a part: one without an element on the
-    character, as tongue and teeth have none, is shown without the skin that hides it."""
-    if any(not element.anchor.on_board for element in layout.elements):
-        return colours
-    moved = np.zeros(len(colours.clear), dtype=np.bool_)
-    still = posed(rig, layout.character.base_values)
-    for index, control in enumerate(rig.controls):
-        if control.name in layout.controls:
-            start, value = sweep_start(rig, still, layout.character.base_values, index)
-            points, offsets = sweep(rig, start, index, [value, control.minimum, control.maximum])
-            ways = np.linalg.norm(offsets - offsets[0], axis=2).max(axis=0)
-            moved[points[ways > _TOUCHED * np.max(ways, initial=0.0)]] = True
-    return replace(colours, clear=colours.clear | ~moved) if moved.any() else colours
 
 
 def _section(

@@ -11,8 +11,8 @@ from usdrigui.errors import visible
 from usdrigui.model import Layout, Rig
 from usdrigui.palette import SIDES
 from usdrigui.pose.evaluate import values_of
-from usdrigui.view import lettering
 from usdrigui.view.clip import clip_values
+from usdrigui.view.flat import lettering
 from usdrigui.view.picture import contact_sheet, film, render
 
 _FRAME = 80

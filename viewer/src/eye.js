@@ -1,4 +1,4 @@
-// The colour of an eye that has none of its own, by where a point lies on the ball: usdrigui/view/shading.py has the
+// The colour of an eye that has none of its own, by where a point lies on the ball: usdrigui/view/body/shading.py has the
 // same, for pictures.  Drawers multiply what they drew as white by `tints`.
 
 const STEPS = 256;

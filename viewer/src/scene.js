@@ -1,4 +1,4 @@
-// Decodes the packed scene that usdrigui/view/scene.py writes: inflate, read the JSON header, and turn
+// Decodes the packed scene that usdrigui/view/web/packing.py writes: inflate, read the JSON header, and turn
 // its array entries into typed arrays.
 
 const GAZE_STEP = 3 / 8192;

@@ -10,7 +10,7 @@ from pathlib import Path
 from PIL import Image, ImageDraw
 
 from usdrigui.clients.batch.job import Row
-from usdrigui.view.lettering import font
+from usdrigui.view.flat.lettering import font
 from usdrigui.view.picture import contact_sheet
 
 _EMPTY = (900, 300)

@@ -17,7 +17,7 @@ from typing import Any
 
 from usdrigui import worker
 from usdrigui.errors import RigUIError, sentences
-from usdrigui.view.live import Content, LiveFile, is_animation
+from usdrigui.view.web.live import Content, LiveFile, is_animation
 
 _MOST_DRAINED = 1 << 20
 _MOST_WRITTEN = 1 << 28

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from PIL import Image
 from scipy.ndimage import gaussian_filter, maximum_filter, minimum_filter
 
-from usdrigui.model import Flags, Floats, Indices, Record, RigMesh
+from usdrigui.model import Flags, Floats, Indices, Record, RigMesh, Singles
 from usdrigui.rays import Caster, make_caster
 from usdrigui.surface import mesh_triangles, vertex_normals, weld
 
@@ -54,8 +54,11 @@ class Camera(Record):
 
     def unproject(self, pixels: Floats, depth: float) -> Floats:
         """(n, 3) points at ``pixels`` (n, 2) and one depth."""
-        across = (pixels - [self.width / 2.0, self.height / 2.0]) * [1.0, -1.0] / self.scale
-        return np.asarray(self.centre + across @ self.rows[:2] + depth * self.rows[2])
+        x = (pixels[:, :1] - self.width / 2.0) / self.scale
+        y = (self.height / 2.0 - pixels[:, 1:]) / self.scale
+        return np.asarray(
+            x * self.rows[0] + y * self.rows[1] + (self.centre + depth * self.rows[2])
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,12 +111,6 @@ def look(toward: Floats, up: Floats) -> Floats:
         right = np.cross(np.roll(up, 1), ahead)
     right = right / np.linalg.norm(right)
     return np.stack([right, np.cross(ahead, right), ahead])
-
-
-def empty(camera: Camera) -> Shaded:
-    """A picture of nothing."""
-    size = (camera.height, camera.width)
-    return Shaded(np.zeros((*size, 3)), np.zeros(size), np.full(size, -np.inf))
 
 
 def subject_of(
@@ -175,14 +172,19 @@ def _samples(subject: Subject, camera: Camera, pixels: Floats) -> tuple[Floats, 
     hits = subject.caster.first_hits(camera.unproject(pixels, front), -camera.rows[2])
     met = np.flatnonzero(hits.triangle >= 0)
     depth[met] = front - hits.distance[met]
-    triangle = hits.triangle[met]
-    corners = subject.corners[triangle]
-    weights = _barycentric(camera.project(subject.points)[:, :2][corners], pixels[met])
-    normals = np.einsum("nk,nkd->nd", weights, (subject.normals @ camera.rows.T)[corners])
-    albedo = np.einsum("nk,nkd->nd", weights, subject.colours[corners])
-    eye = (np.abs(subject.gaze[corners]) < 3.0).all(axis=(1, 2))
-    albedo[eye] = eye_colours(np.einsum("nk,nkd->nd", weights[eye], subject.gaze[corners[eye]]))
-    colour[met] = _lit(normals) * albedo
+    corners = subject.corners[hits.triangle[met]]
+    flat = camera.project(subject.points)[:, :2]
+    weights = _barycentric(flat[corners], pixels[met]).astype(np.float32)
+
+    def at_hits(values: Floats) -> Singles:
+        return np.asarray(np.einsum("nk,nkd->nd", weights, values.astype(np.float32)[corners]))
+
+    albedo = at_hits(subject.colours)
+    on_eye: Flags = np.asarray((np.abs(subject.gaze) < 3.0).all(axis=1))
+    eye = on_eye[corners].all(axis=1)
+    if eye.any():
+        albedo[eye] = eye_colours(at_hits(subject.gaze)[eye].astype(np.float64))
+    colour[met] = _lit(at_hits(subject.normals @ camera.rows.T)) * albedo
     return colour, depth
 
 
@@ -227,23 +229,29 @@ def _barycentric(corners: Floats, at: Floats) -> Floats:
     )
 
 
-def _lit(normals: Floats) -> Floats:
+def _lit(normals: Singles) -> Singles:
     """Linear light (n, 3) on surfaces with ``normals`` (n, 3) in the camera's frame, seen from
     either side."""
     length = np.linalg.norm(normals, axis=1, keepdims=True)
-    facing = np.where(normals[:, 2:] < 0.0, -1.0, 1.0)
-    n = facing * normals / np.maximum(length, 1e-30)
+    n = normals / np.maximum(length, np.float32(1e-30))
+    n *= np.where(n[:, 2:] < 0.0, np.float32(-1.0), np.float32(1.0))
     height = 0.5 + 0.5 * n[:, 1:2]
-    light = height * np.array(_SKY) + (1.0 - height) * np.array(_GROUND)
+    sky, ground = np.array(_SKY, dtype=np.float32), np.array(_GROUND, dtype=np.float32)
+    light = ground + height * (sky - ground)
     for direction, colour in _LIGHTS:
         toward = np.array(direction) / np.linalg.norm(direction)
-        # Light that wraps a little round the form keeps the turn to the shadow soft, as on skin.
-        light = light + np.clip((n @ toward + 0.15) / 1.15, 0.0, None)[:, None] * np.array(colour)
         half = toward + np.array([0.0, 0.0, 1.0])
-        shine = np.clip(n @ (half / np.linalg.norm(half)), 0.0, None) ** 24
-        light = light + 0.10 * shine[:, None] * np.array(colour)
+        ways = np.stack([toward, half / np.linalg.norm(half)], axis=1).astype(np.float32)
+        facing, shine = np.split(n @ ways, 2, axis=1)
+        # Light that wraps a little round the form keeps the turn to the shadow soft, as on skin.
+        lit = np.maximum((facing + 0.15) / 1.15, 0.0)
+        shine = np.where(shine > 0.6, shine, np.float32(0.0))  # less adds nothing
+        for _ in range(3):
+            shine = shine * shine
+        lit += 0.10 * shine * shine * shine  # its 24th power
+        light += lit * np.array(colour, dtype=np.float32)
     rim = (1.0 - np.clip(n[:, 2:], 0.0, 1.0)) ** 3 * np.clip(0.4 + 0.6 * n[:, 1:2], 0.0, 1.0)
-    return np.asarray(light + _RIM * rim)
+    return np.asarray(light + _RIM * rim, dtype=np.float32)
 
 
 def _outlines(depth: Floats, camera: Camera) -> Flags:

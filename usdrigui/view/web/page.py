@@ -18,7 +18,7 @@ from usdrigui.errors import refuse
 from usdrigui.isolation.foreign_file import whole_content
 from usdrigui.model import Layout, Rig
 from usdrigui.report.markup import markup
-from usdrigui.view.scene import pack
+from usdrigui.view.web.packing import pack
 
 _NOTE = "string note = "
 """Stands in every review that a page saves (docs/decisions/142)."""

@@ -20,7 +20,7 @@ from scipy.spatial import KDTree
 from usdrigui.deform import deform
 from usdrigui.model import Flags, Floats, Indices, Layout, Record, Rig, RigMesh
 from usdrigui.surface import components, mesh_triangles, vertex_normals, weld
-from usdrigui.view.shading import SKIN, Complexion, look
+from usdrigui.view.body.shading import SKIN, Complexion, look
 
 _TRIM, _TEETH, _GUMS, _HAIR = (
     (0.66, 0.63, 0.60),

@@ -42,11 +42,11 @@ from usdrigui.palette import SIDES
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.settings import OutputSettings
 from usdrigui.surface import triangles
+from usdrigui.view.body.complexion import complexion
+from usdrigui.view.body.shading import EYE, IRIS, PUPIL, Complexion, encoded
 from usdrigui.view.clip import ClipReading, reading
-from usdrigui.view.complexion import complexion
-from usdrigui.view.headings import heading, rank
+from usdrigui.view.flat.board import heading, rank
 from usdrigui.view.sections import main_layout, sections
-from usdrigui.view.shading import EYE, IRIS, PUPIL, Complexion, encoded
 
 Json = dict[str, Any]
 

@@ -1,0 +1,1 @@
+"""What the character itself looks like: its colours, and its surface in their light."""

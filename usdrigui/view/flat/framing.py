@@ -1,0 +1,118 @@
+"""What part of a character a picture shows: one rule for pictures, pickers and the page.
+
+The box of the elements' tracks, the character around it as far as `SURROUNDINGS`, and a margin.
+viewer/src/view.js frames by the same numbers, which its scene holds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from usdrigui.model import Flags, Floats, Indices, Record
+from usdrigui.view.body.shading import Camera
+
+SURROUNDINGS = (0.25, 0.12)
+"""How far the character is shown around its elements, to the sides and up and down, in heights of
+their box."""
+MARGIN = 1.06
+"""Extent of a frame by that of what it holds."""
+_MIN_EXTENT = 22.0
+"""Of a frame, in handle widths: two neighbours do not fill a picture."""
+_CROWD = 12
+"""Elements that can be told apart where they meet; more have an inset."""
+_INSET = np.array([0.28, 0.13])
+"""Half of the window of an inset, in extents of the frame."""
+_MAX_INSETS = 2
+_GAP = 14
+
+
+@dataclass(frozen=True, eq=False)
+class Frame(Record):
+    """A rectangle of a view, and what it shows."""
+
+    rows: Floats
+    """(3, 3) of the camera."""
+    low: Floats
+    """(2,) lower left corner along the rows' right and up, scene units."""
+    high: Floats
+    caption: str = ""
+    shown: tuple[int, ...] = ()
+    """Indices of its elements."""
+    names: tuple[tuple[int, str], ...] = ()
+    """Of those of them that are named."""
+    column: int = 0
+    """Pixels kept free on either side for the names."""
+
+
+@dataclass(frozen=True, eq=False)
+class View(Record):
+    """A frame on a page."""
+
+    frame: Frame
+    camera: Camera
+    corner: tuple[int, int]
+    """Of its panel, which is wider than the camera's picture by two columns of names."""
+
+
+def framed(
+    tracks: Sequence[Floats], skin: Floats, rows: Floats, handle_width: float
+) -> tuple[Floats, Floats]:
+    """Corners (2,), along the rows' right and up, of the frame of some tracks (k, 3) on a
+    character with the points `skin` (n, 3); of all the character where there is no track."""
+    across = skin @ rows[:2].T
+    low, high = _box(np.concatenate(tracks) @ rows[:2].T if tracks else across)
+    reach = np.array(SURROUNDINGS) * (high - low)[1]
+    near = across[((across > low - reach) & (across < high + reach)).all(axis=1)]
+    low, high = _box(np.concatenate([near, [low, high]]))
+    middle, half = 0.5 * (low + high), 0.5 * MARGIN * (high - low)
+    half = np.maximum(half, 0.5 * _MIN_EXTENT * handle_width)
+    return middle - half, middle + half
+
+
+def crowds(handles: Floats, extent: Floats) -> list[Indices]:
+    """Indices of the handles (n, 2) of each window, in a frame of an extent (2,), in which more
+    meet than can be told apart; the fullest first."""
+    left = np.arange(len(handles))
+    found: list[Indices] = []
+    while len(left) > _CROWD and len(found) < _MAX_INSETS:
+        apart = np.abs(handles[left][:, None] - handles[left])
+        window: Flags = np.asarray((apart < _INSET * extent).all(axis=2))
+        fullest = handles[left[window[int(np.argmax(window.sum(axis=1)))]]].mean(axis=0)
+        near: Flags = np.asarray((np.abs(handles[left] - fullest) < _INSET * extent).all(axis=1))
+        if np.count_nonzero(near) <= _CROWD:
+            break
+        found.append(left[near])
+        left = left[~near]
+    return found
+
+
+def row(
+    frames: Sequence[Frame], box: tuple[int, int, int, int], most: float = np.inf
+) -> tuple[View, ...]:
+    """The frames beside each other in a box (left, top, width, height) of a page, all at one scale
+    of at most `most` pixels per scene unit; without such a limit, what is left of the width shows
+    more of the character."""
+    if not frames:
+        return ()
+    left, top, width, height = box
+    low = min(float(frame.low[1]) for frame in frames)
+    high = max(float(frame.high[1]) for frame in frames)
+    free = width - _GAP * (len(frames) - 1) - sum(2 * frame.column for frame in frames)
+    wide = sum(float(frame.high[0] - frame.low[0]) for frame in frames)
+    scale = max(min(height / (high - low), max(free, 0.3 * width) / wide, most), 1e-12)
+    spare = max(free - scale * wide, 0.0) / len(frames) if np.isinf(most) else 0.0
+    views = []
+    for frame in frames:
+        middle = np.array([0.5 * (frame.low[0] + frame.high[0]), 0.5 * (low + high)])
+        across = max(int(scale * float(frame.high[0] - frame.low[0]) + spare), 1)
+        camera = Camera(frame.rows, middle @ frame.rows[:2], scale, across, height)
+        views.append(View(frame, camera, (left, top)))
+        left += across + 2 * frame.column + _GAP
+    return tuple(views)
+
+
+def _box(points: Floats) -> tuple[Floats, Floats]:
+    return points.min(axis=0), points.max(axis=0)

@@ -1,0 +1,188 @@
+"""Elements as marks of a flat scene: projected, with what the character hides told apart."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+
+from usdrigui.model import Element, Flags, Floats, Glyph, Manipulator
+from usdrigui.palette import BOARD, SIDES, Colour
+from usdrigui.pose.evaluate import PosedElement
+from usdrigui.ties import axis_across
+from usdrigui.view.body.shading import Camera
+from usdrigui.view.flat.scene import Mark
+
+FORMS = {
+    "slider": "slider",
+    "two-way": "two-way slider",
+    "patch": "patch",
+    "joystick": "joystick",
+    "fan": "fan",
+}
+_BLOCK, _DIAMOND = (4, 1.2, 0.5), (4, 1.2, 0.0)
+_SHAPES = {"patch": _BLOCK, "joystick": _BLOCK, "fan": _DIAMOND}
+"""Corners of a handle, how far they are from its centre, and by how much of a step they are turned;
+others are discs."""
+_MIN_RADIUS = 3.2
+"""Of a handle, pixels: smaller ones are drawn larger than they are."""
+
+
+def colour_of(element: Element) -> Colour:
+    """The colour in which an element is drawn."""
+    return BOARD if element.anchor.on_board else SIDES[element.look.side]
+
+
+def form_of(manipulator: Manipulator) -> str:
+    """Which handle an element with it gets: a key of `FORMS`."""
+    signed = any(member.values[0] < 0.0 < member.values[-1] for member in manipulator.members)
+    both_ways = bool(manipulator.opposed) or signed
+    if manipulator.kind == "slider":
+        return "two-way" if both_ways else "slider"
+    return "joystick" if manipulator.kind == "patch" and both_ways else manipulator.kind
+
+
+def mark(
+    element: Element,
+    posed: PosedElement,
+    camera: Camera,
+    handle_width: float,
+    depth: Floats | None = None,
+) -> Mark:
+    """An element as a camera sees it, pixels of its picture; `depth` (height, width) of the
+    character decides what is hidden, nothing without it."""
+    tracks = tuple(_resampled(camera.project(track)) for track in posed.tracks)
+    handle = camera.project(posed.handle)
+    radius = max(0.5 * handle_width * camera.scale, _MIN_RADIUS)
+    enlarged = radius / max(0.5 * handle_width * camera.scale, 1e-12)
+    glyph, slider = element.look.glyph, element.manipulator.kind == "slider"
+    return Mark(
+        form_of(element.manipulator),
+        colour_of(element),
+        handle[:2],
+        radius,
+        bool(element.look.inner),
+        element,
+        tuple(track[:, :2] for track in tracks),
+        tuple(_seen(track, depth, 0.5 * handle_width) for track in tracks),
+        not _seen(handle[None], depth, 0.5 * handle_width)[0],
+        float(handle[2]),
+        () if slider else _fields(element.manipulator, posed, camera),
+        () if glyph is None else _outlines(glyph, camera.project(posed.glyph), handle, enlarged),
+        glyph is not None and glyph.form == "mesh",
+    )
+
+
+def handle_outlines(mark: Mark) -> tuple[tuple[Floats, ...], bool]:
+    """Outlines (k, 2) of a mark's handle, and whether they are faces: a disc, block or diamond, or
+    the custom one."""
+    if mark.outlines:
+        return mark.outlines, mark.solid
+    return (mark.handle + mark.radius * _shape(mark.form),), True
+
+
+def rings(mark: Mark) -> list[tuple[Floats, float]]:
+    """Closed lines (k, 2) around a usual handle, with their widths: of its own form where it goes
+    both ways, round and broad where it opens into others."""
+    if mark.outlines:
+        return []
+    both_ways = mark.form in ("two-way", "joystick")
+    found = [(1.5 * _shape(mark.form), 0.16 * mark.radius)] if both_ways else []
+    found += [(1.8 * _shape("slider"), 0.3 * mark.radius)] if mark.coarse else []
+    return [(mark.handle + mark.radius * line[[*range(len(line)), 0]], w) for line, w in found]
+
+
+def runs(track: Floats, wanted: Flags) -> list[Floats]:
+    """The stretches (k >= 2 vertices) of a track whose vertices are all wanted."""
+    borders = np.flatnonzero(np.diff(wanted.astype(np.int8))) + 1
+    parts = zip(np.split(track, borders), np.split(wanted, borders), strict=True)
+    return [part for part, flags in parts if flags[0] and len(part) > 1]
+
+
+def _shape(form: str) -> Floats:
+    """(k, 2) corners of the handle of radius 1 of a form."""
+    count, size, start = _SHAPES.get(form, (24, 0.95, 0.0))
+    angle = 2.0 * np.pi * (np.arange(count) + start) / count
+    return np.asarray(size * np.stack([np.cos(angle), np.sin(angle)], axis=1))
+
+
+def _outlines(glyph: Glyph, points: Floats, centre: Floats, enlarged: float) -> tuple[Floats, ...]:
+    """Lines, or faces from far to near, of a custom handle; as much enlarged as the usual one
+    is."""
+    points[:, :2] = centre[:2] + enlarged * (points[:, :2] - centre[:2])
+    parts = np.split(points[glyph.indices], np.cumsum(glyph.counts)[:-1])
+    return tuple(part[:, :2] for part in sorted(parts, key=lambda part: float(part[:, 2].mean())))
+
+
+def _resampled(line: Floats) -> Floats:
+    """A projected polyline (k, 3) with vertices at most two pixels apart."""
+    parts = [line[:1]]
+    for start, end in pairwise(line):
+        steps = int(np.clip(np.ceil(np.linalg.norm((end - start)[:2]) / 2.0), 1, 2000))
+        share = np.arange(1, steps + 1)[:, None] / steps
+        parts.append(start + share * (end - start))
+    return np.concatenate(parts)
+
+
+def _seen(at: Floats, depth: Floats | None, slack: float) -> Flags:
+    """(k,) whether projected points (k, 3) lie in front of the depth buffer, give or take `slack`
+    scene units."""
+    if depth is None:
+        return np.ones(len(at), dtype=bool)
+    column = np.clip(at[:, 0].astype(np.int64), 0, depth.shape[1] - 1)
+    row = np.clip(at[:, 1].astype(np.int64), 0, depth.shape[0] - 1)
+    return np.asarray(at[:, 2] >= depth[row, column] - slack)
+
+
+def _fields(manipulator: Manipulator, posed: PosedElement, camera: Camera) -> tuple[Floats, ...]:
+    """Outlines (k, 2), pixels, of the parallelograms between arms next to each other by angle
+    (paper section 4.2).
+
+    A track that goes both ways from the rest is two arms: two such axes span all four quadrants.
+    Arms of one axis and pairs more than 180 degrees apart span nothing.
+    """
+    lines = [
+        (number, posed.tracks[i] - posed.rest)
+        for number, axis in enumerate(manipulator.axes)
+        for i in axis
+    ]
+    halves = [(axis, arm) for axis, line in lines for arm in _arms(line)]
+    if not halves:
+        return ()
+    axes, arms = [axis for axis, _ in halves], [arm for _, arm in halves]
+    tips = np.array([arm[int(np.argmax(np.linalg.norm(arm, axis=1)))] for arm in arms])
+    east = np.cross(posed.normal, axis_across(posed.normal))
+    angle = np.arctan2(tips @ np.cross(posed.normal, east), tips @ east)
+    order = np.argsort(angle, kind="stable")
+    found = []
+    for i, j in zip(order, np.roll(order, -1), strict=True):
+        span = (angle[j] - angle[i]) % (2.0 * np.pi)
+        if axes[i] != axes[j] and 1e-3 < span < np.pi - 1e-3:
+            out = np.concatenate(
+                [arms[i], arms[i][-1] + arms[j], (arms[j][-1] + arms[i])[::-1], arms[j][::-1]]
+            )
+            found.append(camera.project(posed.rest + out)[:, :2])
+    return tuple(found)
+
+
+def _arms(line: Floats) -> list[Floats]:
+    """A track (k, 3) relative to the rest, cut where it passes the rest: one or two lines that
+    start there.
+
+    Tracks pass the rest at the base value of their control, which need not be one of the vertices.
+    """
+    steps = np.diff(line, axis=0)
+    square = np.maximum((steps**2).sum(axis=1), 1e-300)
+    share = np.clip(-(line[:-1] * steps).sum(axis=1) / square, 0.0, 1.0)
+    nearest = line[:-1] + share[:, None] * steps
+    away = np.linalg.norm(nearest, axis=1)
+    size = float(np.linalg.norm(line, axis=1).max(initial=0.0))
+    if not len(away) or not size > 0.0:
+        return []
+    # A loop that comes back to the rest is cut where it first passes, whatever rounding makes of
+    # the second time.
+    piece = int(np.flatnonzero(away <= away.min() + 1e-9 * size)[0])
+    cut = nearest[piece][None]
+    halves = (np.concatenate([cut, line[piece::-1]]), np.concatenate([cut, line[piece + 1 :]]))
+    reaches = [float(np.linalg.norm(half - cut, axis=1).max()) for half in halves]
+    return [half for half, reach in zip(halves, reaches, strict=True) if reach > 1e-6 * size]
