@@ -123,25 +123,6 @@ def test_the_assets_own_animation_will_do(tmp_path, capsys):
 # --- refusals ----------------------------------------------------------------------------------------
 
 
-def test_a_file_without_animation_is_refused(folder, tmp_path, capsys):
-    still = performed(tmp_path / "still.usda", {"chin": RAMP[:1]})
-    told = run(capsys, "inspect", folder / "char.usda", "--animation", still, expected=1)
-    assert told["issues"][0]["code"] == "ANIMATION_MISSING"
-
-
-def test_animation_of_somebody_else_is_refused(folder, tmp_path, capsys):
-    other = performed(tmp_path / "other.usda", {"wing": RAMP})
-    for command in ("inspect", "process"):
-        told = run(capsys, command, folder / "char.usda", "--animation", other, expected=1)
-        assert told["issues"][0]["code"] == "CLIP_FOREIGN"
-
-
-def test_strays_are_warned_of(folder, tmp_path, capsys):
-    some = performed(tmp_path / "some.usda", {"wing": RAMP, "chin": RAMP})
-    told = run(capsys, "inspect", folder / "char.usda", "--animation", some, "--strict", expected=1)
-    assert ("CLIP_UNKNOWN_CONTROL", "warning") in {(each["code"], each["severity"]) for each in told["issues"]}
-
-
 def test_a_missing_file_is_refused(folder, capsys):
     told = run(capsys, "inspect", folder / "char.usda", "--animation", folder / "nothing.usda", expected=3)
     assert told["issues"][0]["code"] == "FILE_NOT_FOUND"

@@ -99,13 +99,6 @@ def test_report_and_preview_are_written(character, tmp_path):
     assert picture.read_bytes().startswith(b"\x89PNG")
 
 
-def test_refuses_to_write_over_the_source(character, capsys):
-    before = character.read_bytes()
-    assert main(["process", str(character), "-o", str(character)]) == 3
-    assert character.read_bytes() == before
-    assert "FILE_TARGET" in capsys.readouterr().err
-
-
 def test_a_missing_file_is_one_error_with_code_and_repair(tmp_path, capsys):
     assert main(["process", str(tmp_path / "none.usda")]) == 3
     printed = capsys.readouterr()

@@ -6,7 +6,6 @@ import shutil
 import numpy as np
 import pytest
 import shot_stages
-import skinned_stages
 from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
 
 from usdrigui.cli import main
@@ -170,13 +169,6 @@ def test_a_shot_may_have_the_character_at_another_path(folder, capsys, brought):
     assert run(capsys, "check", folder / "two.rigui.usda", "--strict")["issues"] == []
 
 
-def test_without_either_it_is_refused(folder, capsys):
-    shot_stages.shot(folder / "two.usda", "./char.usda", "/Shot/hero/Char/face0", SHAPES, at="/Shot/hero")
-    told = run(capsys, "process", folder / "two.usda", "--base", folder / "char.rigui.usda", expected=1)
-    assert told["issues"][0]["code"] == "BASE_APART"
-    assert not (folder / "two.rigui.usda").exists()
-
-
 def test_a_bare_layer_is_composed_by_the_shot(folder, capsys):
     bare = folder / "shot.bare.usda"
     run(capsys, "process", folder / "shot.usda", "--base", folder / "char.rigui.usda", "--bare", "-o", bare)
@@ -196,27 +188,6 @@ def test_nothing_new_is_reported_and_adds_nothing(folder, capsys):
     assert [each["code"] for each in told["issues"]] == ["BASE_COMPLETE"]
     assert not Sdf.Layer.FindOrOpen(str(out)).rootPrims
     assert elements(out).keys() == elements(folder / "char.rigui.usda").keys()
-
-
-def test_the_base_of_another_character_is_refused(folder, capsys):
-    other = skinned_stages.character(folder / "other.usda")
-    stage = Usd.Stage.Open(str(other))
-    editor = Usd.NamespaceEditor(stage)
-    assert editor.MovePrimAtPath(FACE, "/World/Char/somebody")
-    assert editor.ApplyEdits()
-    stage.GetRootLayer().Save()
-    told = run(capsys, "process", other, "--base", folder / "char.rigui.usda", expected=1)
-    assert told["issues"][0]["code"] == "BASE_MISMATCH"
-
-
-def test_a_stale_base_is_refused(folder, capsys):
-    stage = Usd.Stage.Open(str(folder / "char.usda"))
-    face = UsdGeom.Mesh(stage.GetPrimAtPath(FACE))
-    indices = list(face.GetFaceVertexIndicesAttr().Get())
-    face.GetFaceVertexIndicesAttr().Set([*indices[4:], *indices[:4]])
-    stage.GetRootLayer().Save()
-    told = run(capsys, "process", folder / "shot.usda", "--base", folder / "char.rigui.usda", expected=1)
-    assert told["issues"][0]["code"] == "LAYOUT_TOPOLOGY"
 
 
 def test_one_character_of_a_shot_that_still_fits_can_be_laid_out_alone(folder, capsys):
@@ -255,9 +226,3 @@ def test_a_base_goes_with_no_other_layout(folder, capsys, option):
     layer = folder / "char.rigui.usda"
     told = run(capsys, "process", folder / "shot.usda", "--base", layer, option, layer, expected=2)
     assert (told["issues"][0]["code"], told["issues"][0]["path"]) == ("CONFIG_VALUE", "--base")
-
-
-def test_the_base_itself_is_not_written(folder, capsys):
-    layer = folder / "char.rigui.usda"
-    told = run(capsys, "process", folder / "shot.usda", "--base", layer, "-o", layer, expected=3)
-    assert told["issues"][0]["code"] == "FILE_TARGET"

@@ -70,22 +70,10 @@ def lose_a_face(source):
     stage.GetRootLayer().Save()
 
 
-def test_a_stale_layer_is_refused(layer, tmp_path, capsys):
-    lose_a_face(layer.with_name("char.usda"))
-    assert main(["view", str(layer), "--html", str(tmp_path / "page.html")]) == 1
-    assert "LAYOUT_STALE" in capsys.readouterr().err
-    assert not (tmp_path / "page.html").exists()
-
-
 def test_a_missing_source_is_refused(layer, tmp_path, capsys):
     layer.with_name("char.usda").unlink()
     assert main(["view", str(layer), "--html", str(tmp_path / "page.html")]) != 0
     assert "char.usda" in capsys.readouterr().err
-
-
-def test_a_layer_without_layout_is_refused(layer, capsys):
-    assert main(["view", str(layer.with_name("char.usda"))]) == 1
-    assert "LAYOUT_MISSING" in capsys.readouterr().err
 
 
 def test_the_study_is_offered_when_asked_for(layer, tmp_path):

@@ -12,7 +12,6 @@ from processes import until
 
 from usdrigui.clients.batch import run
 from usdrigui.clients.batch.job import Job, JobOptions
-from usdrigui.errors import RigUIError
 
 pytest.importorskip("distributed", reason="distributed is not installed")
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(os.name != "posix", reason="kills processes")]
@@ -69,14 +68,3 @@ def test_a_killed_worker_loses_nothing(tmp_path, scheduler):
     assert ordered[-1].code == "FILE_NOT_USD"
     contents = {Path(row.output).read_bytes() for row in ordered[:-1]}
     assert len(contents) == 1
-
-
-def test_no_scheduler_is_refused():
-    with pytest.raises(RigUIError, match="BATCH_SCHEDULER"):
-        list(run.run_on_dask([], "tcp://127.0.0.1:9"))
-
-
-def test_without_dask_the_extra_is_named(monkeypatch):
-    monkeypatch.setitem(sys.modules, "distributed", None)
-    with pytest.raises(RigUIError, match="EXTRA_MISSING"):
-        list(run.run_on_dask([], "tcp://127.0.0.1:9"))

@@ -164,12 +164,6 @@ def test_toulbar2_is_ended_when_the_run_is_to_stop() -> None:
     assert time.monotonic() - began < 5.0
 
 
-def test_toulbar2_missing_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "pytoulbar2", None)
-    with pytest.raises(RigUIError, match="SOLVE_EXTRA"):
-        solve(crowd(0), SolveSettings(method="toulbar2"))
-
-
 # --- costs --------------------------------------------------------------------------------------------
 
 

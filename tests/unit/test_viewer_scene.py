@@ -151,12 +151,6 @@ def test_layout_of_another_character_is_refused(face, what):
     assert caught.value.issue.code == "VIEW_MISMATCH"
 
 
-def test_no_character_is_refused():
-    with pytest.raises(RigUIError) as caught:
-        page_html([], "nothing")
-    assert caught.value.issue.code == "VIEW_MISMATCH"
-
-
 def test_headings_of_the_board_come_in_the_order_of_the_layout(face):
     rig, layout = face
     words = ("theirs", *reversed(CATEGORIES))
