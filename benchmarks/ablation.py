@@ -34,7 +34,8 @@ from PIL import Image
 from usdrigui.layout.place.problem import placement_problem
 from usdrigui.model import Assignment, Candidates, Floats, Indices, Layout, LayoutProblem, Variable
 from usdrigui.overlap import total_cost
-from usdrigui.pipeline.stages import ProblemInputs, build_problem, layout_of
+from usdrigui.pipeline.records import ProblemInputs, Task
+from usdrigui.pipeline.stages import build_problem, layout_of
 from usdrigui.settings import SolveSettings, load, with_sections
 from usdrigui.solve import solve
 from usdrigui.solve.clusters import Linkage
@@ -77,7 +78,7 @@ def compare(asset: Path, words: list[str], seconds: float, folder: Path) -> None
     """Print the rows of one asset as they come, and keep them in the folder as csv, markdown and
     picture."""
     settings = load({"solve": {"time_limit": seconds}})
-    inputs = build_problem(read_rigs_isolated(asset, settings).rigs[0], settings)
+    inputs = build_problem(read_rigs_isolated(asset, settings).rigs[0], Task(settings))
     print(head(asset.stem), flush=True)
     rows: list[Row] = []
     for row in ablation(inputs, words):

@@ -5,15 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-import numpy as np
-
-from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.place.terms import LinearTerms
 from usdrigui.layout.reuse.prior_layout import NO_PRIOR
+from usdrigui.pipeline import Task, stages
 from usdrigui.pipeline.progress import Clock
-from usdrigui.pipeline.stages import LaidPart, References, divided, layout_of, measure, part_problem, problem_at
-from usdrigui.settings import Settings, load
+from usdrigui.pipeline.records import LaidPart
+from usdrigui.pipeline.references import ReferenceLayouts
+from usdrigui.settings import PartSettings, Settings, load, with_sections
 from usdrigui.solve import solve
 
 
@@ -55,38 +54,40 @@ class Line:
 
     @property
     def grouping(self):
-        """What the stage of groups reads, but for what the configuration says of controls."""
-        inputs = self.inputs
-        groups, symmetry = inputs.settings.layout.groups, inputs.settings.character.symmetry
-        return self.face, self.candidates, inputs.similarity, inputs.requests, groups, symmetry
+        """What the stage of groups reads."""
+        return self.inputs.measured, self.candidates
 
 
-def problem_of(rig, settings=None, base_values=None, prior=NO_PRIOR):
-    """Up to the problem."""
-    return Line(problem_at(*_start(rig, settings or Settings(), base_values), References(prior)))
+def problem_of(rig, settings=None, base_values=None, prior=NO_PRIOR, fixed=None):
+    """Up to the problem; like a `prior` layout, with all that a `fixed` one has where it has it."""
+    whole = _character(rig, settings, base_values, fixed)
+    if prior is not NO_PRIOR:
+        whole = replace(whole, requests=replace(whole.requests, prior=prior))
+    return Line(stages.part_problem(whole, whole.parts[0]))
 
 
-def measured(rig, settings=None, base_values=None, camera=None):
+def measured(rig, settings=None, base_values=None):
     """Up to the classification."""
-    return measure(*_start(rig, settings or Settings(), base_values), References(), Clock(), camera)
+    whole = _character(rig, settings, base_values)
+    return stages.measured(whole, whole.parts[0], (), Clock())
 
 
-def face_of(rig, settings=None, base_values=None, camera=None):
+def face_of(rig, settings=None, base_values=None):
     """The face as measured."""
-    return measured(rig, settings, base_values, camera).face
+    return measured(rig, settings, base_values).face
 
 
 def with_candidates(rig, settings=None):
     """A face and the candidates on it."""
     settings = settings or Settings()
-    found = measured(rig, settings)
+    known = measured(rig, settings)
     return Line(
         Placing(
-            found.face,
+            known.face,
             find_candidates(
-                found.face,
-                found.classification,
-                found.requests,
+                known.face,
+                known.classification,
+                known.requests,
                 settings.layout.candidates,
                 LinearTerms.of(settings.layout),
                 settings.layout.objective.samples,
@@ -95,30 +96,35 @@ def with_candidates(rig, settings=None):
     )
 
 
-def _start(rig, settings, base_values):
-    values = np.array([each.default for each in rig.controls]) if base_values is None else base_values
-    return rig, trajectories(rig, settings.character.trajectories, values), settings, values
+def _character(rig, settings, base_values, fixed=None):
+    """A rig as one part, at a base pose."""
+    references = ReferenceLayouts(fixed={} if fixed is None else {rig.skel_root.path: fixed})
+    settings = settings or Settings()
+    if base_values is not None:
+        pose = {each.name: float(value) for each, value in zip(rig.controls, base_values, strict=True)}
+        settings = with_sections(settings, read=replace(settings.rig.read, pose=pose))
+    return stages.character_of(rig, Task(with_sections(settings, parts=PartSettings(divide=False)), references))
 
 
-def lay_out(rig, settings=None, base_values=None, prior=NO_PRIOR):
+def lay_out(rig, settings=None, base_values=None, prior=NO_PRIOR, fixed=None):
     """All the way, solved to optimality."""
-    line = problem_of(rig, settings, base_values, prior)
+    line = problem_of(rig, settings, base_values, prior, fixed)
     return solved(line, replace(line.inputs.settings.layout.solve, gap=1e-9))
 
 
 def solved(line, settings):
     """The line with its problem solved by these settings of the solver."""
     assignment = solve(line.problem, settings)
-    return replace(line, assignment=assignment, layout=layout_of(line.inputs, assignment))
+    return replace(line, assignment=assignment, layout=stages.layout_of(line.inputs, assignment))
 
 
 def laid_parts(rig):
     """Every part of a rig, laid out one after the other."""
-    character, laid = divided(rig, Settings()), []
+    character, laid = stages.character_of(rig, Task(Settings())), []
     for part in character.parts:
-        inputs = part_problem(character, part, [element for each in laid for element in each.layout.elements])
+        inputs = stages.part_problem(character, part, [element for each in laid for element in each.layout.elements])
         found = solve(inputs.placement.problem, inputs.settings.layout.solve)
-        laid.append(LaidPart(inputs, layout_of(inputs, found), found))
+        laid.append(LaidPart(inputs, stages.layout_of(inputs, found), found))
     return laid
 
 

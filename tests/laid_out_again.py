@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from usdrigui.pipeline.records import Task
 from usdrigui.pipeline.references import ReferenceLayouts
 from usdrigui.pipeline.stages import build_problem, layout_of
 from usdrigui.settings import load
@@ -26,6 +27,6 @@ def read(name):
 
 def lay_out(rig, settings=SETTINGS, **references):
     """The problem, its solution and the layout; `references` as of `usdrigui.pipeline.references.ReferenceLayouts`."""
-    inputs = build_problem(rig, settings, references=ReferenceLayouts(**references))
+    inputs = build_problem(rig, Task(settings, ReferenceLayouts(**references)))
     found = solve(inputs.placement.problem, settings.layout.solve)
     return inputs, found, layout_of(inputs, found)

@@ -12,7 +12,7 @@ def test_a_pair_is_judged_as_one(monkeypatch):
     ready, _, made = lay_out(read("godette.usdc"), EXACT)
 
     def named():
-        found = reviewing.review(ready.face, ready.candidates, ready.requests, ready.settings, made).issues
+        found = reviewing.review(ready.measured, ready.candidates, made).issues
         return {each.path for each in found if each.code == "LAYOUT_BETTER_PLACE"}
 
     assert named() == set()

@@ -112,8 +112,8 @@ def test_five_decisions_stand_through_ten_versions_of_a_real_rig():
         assert {now["mouthShrugUpper"], now["mouthShrugLower"]} in [
             set(each.manipulator.controls) for each in layout.elements
         ]
-        saved = cost_savings(inputs.face, inputs.requests, inputs.placement, found.labels)
-        told = difference(before, layout, saved, inputs.matchings["previous"])
+        saved = cost_savings(inputs.measured, inputs.placement, found.labels)
+        told = difference(before, layout, saved, inputs.character.references.matchings["previous"])
         assert not [change for change in told.displaced if not change.why]
         before = layout
 

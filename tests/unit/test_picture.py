@@ -15,7 +15,7 @@ from PIL import Image
 
 from usdrigui import palette
 from usdrigui.errors import RigUIError
-from usdrigui.pipeline.stages import joined
+from usdrigui.pipeline.joining import joined
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare, values_of
 from usdrigui.rays import GridCaster
 from usdrigui.view import picture, sheet

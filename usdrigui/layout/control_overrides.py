@@ -3,32 +3,43 @@ one."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from usdrigui.model import Rig
 from usdrigui.settings import ControlSettings
 
+Named = Mapping[str, Sequence[str]]
+"""By the name of an element, names of controls."""
+
 
 def control_overrides(
-    rig: Rig,
-    controls: Mapping[str, ControlSettings],
-    groups: Mapping[str, Sequence[str]] | None = None,
+    rig: Rig, controls: Mapping[str, ControlSettings]
 ) -> tuple[ControlSettings, ...]:
-    """(controls,) the configuration's `controls` for every control of `rig`, and its
-    `groups` of their anchors; defaults where it sets nothing."""
+    """(controls,) the configuration's `controls` for every control of `rig`; defaults where it sets
+    nothing."""
     renamed = {each.rename: each for each in controls.values() if each.rename}
     plain = ControlSettings()
-    found = {c.name: renamed.get(c.name) or controls.get(c.name, plain) for c in rig.controls}
-    for members in (groups or {}).values():
-        anchors = {found[name].anchor for name in members if name in found} - {""}
+    return tuple(
+        renamed.get(control.name) or controls.get(control.name, plain) for control in rig.controls
+    )
+
+
+def with_anchors_of_groups(
+    rig: Rig, overrides: Sequence[ControlSettings], groups: Named
+) -> tuple[ControlSettings, ...]:
+    """(controls,) the overrides with one anchor for all controls of each group: one element has
+    one, so that fixing a member fixes the group."""
+    found = list(overrides)
+    index = {control.name: i for i, control in enumerate(rig.controls)}
+    for names in groups.values():
+        members = [index[name] for name in names if name in index]
+        anchors = {found[i].anchor for i in members} - {""}
         if len(anchors) == 1:
-            # One element has one anchor: fixing a member fixes the group.
             (anchor,) = anchors
-            found |= {
-                name: replace(found[name], anchor=anchor) for name in members if name in found
-            }
-    return tuple(found[c.name] for c in rig.controls)
+            for i in members:
+                found[i] = replace(found[i], anchor=anchor)
+    return tuple(found)
 
 
 def control_index(rig: Rig, controls: Mapping[str, ControlSettings]) -> dict[str, int]:
@@ -39,3 +50,14 @@ def control_index(rig: Rig, controls: Mapping[str, ControlSettings]) -> dict[str
         if override.rename in index:
             index.setdefault(old, index[override.rename])
     return index
+
+
+def controls_named(names: Iterable[str], groups: Named, index: Mapping[str, int]) -> list[int]:
+    """The controls that bear some names, and those of the elements that do."""
+    found = []
+    for name in names:
+        members = groups.get(name, (name,))
+        found += [index[member] for member in members if member in index]
+        if name not in index and name not in groups:
+            found += [i for control, i in index.items() if name.startswith(f"{control}_")]
+    return found

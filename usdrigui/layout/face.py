@@ -6,6 +6,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
+from usdrigui.conventions import Meaning
+from usdrigui.layout.canonical_face import Expectation
 from usdrigui.layout.visibility import Views, clear_handles
 from usdrigui.model import Flags, Floats, Rig, Symmetry, Trajectories
 
@@ -18,7 +20,11 @@ class Face:
     trajectories: Trajectories
     symmetry: Symmetry
     views: Views
-    handle_width: float
+    meanings: tuple[Meaning | None, ...] = ()
+    """(controls,) how the name of each is read; None where it means nothing or is not read."""
+    expected: tuple[Expectation | None, ...] = ()
+    """(controls,) where each is expected; None where its name means nothing."""
+    handle_width: float = 0.0
     """Diameter of a handle in scene units."""
     flat: bool = False
     """Whether elements are kept apart as they are seen on the screen, not in space."""

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.errors import refuse
 from usdrigui.layout.symmetry.front import front_of, three_quarter
 from usdrigui.layout.symmetry.mirror_plane import projected
 from usdrigui.model import (
@@ -92,29 +91,34 @@ class Views(Record):
         return len(self.directions) == 1 and abs(float(self.directions[0] @ normal)) > _ACROSS
 
 
+@dataclass(frozen=True)
+class Viewpoint:
+    """From where a layout is to be judged."""
+
+    view: str = ""
+    """See `CandidateSettings.view`."""
+    occlusion: bool = True
+    """Without it every point of a visible mesh counts as seen."""
+    camera: Floats | None = None
+    """(3,) the direction to the viewer of the camera that `view` names by its prim path."""
+
+
 def find_views(
     rig: Rig,
     trajectories: Trajectories,
     plane: MirrorPlane,
-    view: str = "",
-    occlusion: bool = True,
-    camera: Floats | None = None,
+    viewpoint: Viewpoint,
 ) -> Views:
-    """The views that `view` names (see `CandidateSettings.view`) and what they see.
-
-    `camera` is the direction to the viewer of the camera that `view` names by its prim path; it
-    must be given then.  Points of hidden meshes are seen from nowhere.  Without `occlusion` every
-    point of a visible mesh counts as seen.  Raises CONFIG_VALUE for a view that cannot be
-    understood.
-    """
+    """The views that `viewpoint` names, and what they see.  Points of hidden meshes are seen from
+    nowhere.  Raises CONFIG_VALUE for a view that cannot be understood."""
     up, surface = rig.skel_root.up, trajectories.surface
     ahead = front_of(up, trajectories, plane.normal)
-    directions = _directions(view, ahead, up, camera)
+    directions = _directions(viewpoint, ahead, up)
     drawn = np.concatenate(
         [np.full(len(mesh.points), mesh.display.visible) for mesh in rig.body.meshes]
     )
     frame = _frame(surface, plane, ahead, up)
-    if not occlusion:
+    if not viewpoint.occlusion:
         return Views(ahead, up, directions, np.tile(drawn, (len(directions), 1)), None, frame)
     points = frame.points(surface.points)
     normals = frame.directions(surface.normals)
@@ -193,7 +197,8 @@ def screen(views: Views) -> Floats:
     return np.stack([np.cross(upright, toward), upright])
 
 
-def _directions(view: str, ahead: Floats, up: Floats, camera: Floats | None) -> Floats:
+def _directions(viewpoint: Viewpoint, ahead: Floats, up: Floats) -> Floats:
+    view, camera = viewpoint.view, viewpoint.camera
     if not view:
         return np.stack([ahead, *three_quarter(ahead, up)])
     if view == "front":
@@ -202,8 +207,7 @@ def _directions(view: str, ahead: Floats, up: Floats, camera: Floats | None) -> 
     if view == "side":
         return left[None]
     if view.startswith("/"):
-        if camera is None:
-            raise refuse("CONFIG_VALUE", "candidates.view", f"there is no camera {view}")
+        assert camera is not None
         return np.asarray(camera / np.linalg.norm(camera))[None]
     azimuth, elevation = np.radians(view_angles(view))
     level = np.cos(azimuth) * ahead + np.sin(azimuth) * left

@@ -14,6 +14,7 @@ from usdrigui.pipeline.configuration import with_faults_of_asset
 from usdrigui.pipeline.inspecting import inspect
 from usdrigui.pipeline.laying_out import process, process_stage
 from usdrigui.pipeline.progress import Event, ProgressCallback
+from usdrigui.pipeline.records import ProblemInputs, Task
 from usdrigui.pipeline.reviewing import (
     LayerDifference,
     LayerReview,
@@ -24,7 +25,7 @@ from usdrigui.pipeline.reviewing import (
     open_layouts,
     review,
 )
-from usdrigui.pipeline.stages import ProblemInputs, build_problem
+from usdrigui.pipeline.stages import build_problem
 from usdrigui.pipeline.targets import check_outputs, default_output, stage_file, write_file
 
 __all__ = [
@@ -34,6 +35,7 @@ __all__ = [
     "Loaded",
     "ProblemInputs",
     "ProgressCallback",
+    "Task",
     "build_problem",
     "check",
     "check_outputs",

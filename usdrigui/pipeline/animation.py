@@ -6,13 +6,14 @@ inspect` prints, configuration lines included.
 
 from __future__ import annotations
 
+import functools
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from usdrigui.errors import Issue
-from usdrigui.layout.face import Face
 from usdrigui.layout.group.grouping import share_a_place
+from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.activity import (
     Activity,
     activity,
@@ -20,11 +21,9 @@ from usdrigui.layout.motion.activity import (
     together,
     with_importances,
 )
-from usdrigui.layout.motion.similarity import Similarity
-from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import Candidates, Control, Indices, Performance, Rig
 from usdrigui.report.inspection import AnimationFacts, TogetherFacts, UseFacts
-from usdrigui.settings import ControlSettings, Settings
+from usdrigui.settings import ControlSettings
 from usdrigui.usd.reader_process import read_performances_isolated
 from usdrigui.usd.reader_records import Opening
 
@@ -43,34 +42,27 @@ def performances(paths: Sequence[Path], opening: Opening) -> tuple[Performance, 
 def weighted(
     rig: Rig,
     twins: Indices,
-    overrides: tuple[ControlSettings, ...],
-    clips: tuple[Performance, ...],
+    used: tuple[tuple[ControlSettings, ...], tuple[Performance, ...]],
     weight: float,
 ) -> tuple[ControlSettings, ...]:
-    """(controls,) the overrides with the importance that its use in the animations gives to every
-    control.
+    """(controls,) the overrides with the importance that its use in animations gives to every
+    control; `used` are the overrides and the animations.
 
     A configured importance is stronger; `weight` is that of use.  Raises CLIP_FOREIGN where no clip
     is of this character.
     """
-    if not clips:
-        return overrides
+    overrides, clips = used
     found = importances(activity(rig, clips), _twins(rig.controls, twins), weight)
     return with_importances(rig.controls, overrides, found)
 
 
 def animation_facts(
-    face: Face,
-    candidates: Candidates,
-    similarity: Similarity,
-    requests: Requests,
-    settings: Settings,
-    clips: tuple[Performance, ...],
+    known: Measured, candidates: Candidates, clips: tuple[Performance, ...]
 ) -> tuple[AnimationFacts, tuple[Issue, ...]]:
     """The use of a character's controls by the animations, with warnings; raises as `weighted`."""
-    rig = face.rig
-    done, twins = activity(rig, clips), _twins(rig.controls, face.symmetry.twins)
-    worth = importances(done, twins, settings.character.animation.weight)
+    rig, settings = known.face.rig, known.settings.character.animation
+    done, twins = activity(rig, clips), _twins(rig.controls, known.face.symmetry.twins)
+    worth = importances(done, twins, settings.weight)
     active = (done.amounts >= _ACTIVE).mean(axis=0)
     uses = [
         UseFacts(name, float(done.use[i]), float(active[i]), worth[name])
@@ -78,21 +70,10 @@ def animation_facts(
         if name in worth
     ]
     uses.sort(key=lambda each: (-round(each.use, 9), each.control))
-
-    def one_place(names: Sequence[str]) -> bool:
-        return share_a_place(
-            face,
-            candidates,
-            similarity,
-            requests,
-            settings.layout.groups,
-            settings.character.symmetry,
-            names,
-        )
-
+    one_place = functools.partial(share_a_place, known, candidates)
     sets = [
         _suggestion(rig.controls, controls, agreement, twins, one_place)
-        for controls, agreement in together(done, twins, settings.character.animation.together)
+        for controls, agreement in together(done, twins, settings.together)
     ]
     text = "\n".join(
         [

@@ -12,16 +12,11 @@ from usdrigui.layout.reuse.identity import names_draft
 from usdrigui.model import CandidateSet, Control, Motion
 from usdrigui.pipeline import animation
 from usdrigui.pipeline.configuration import refuse_unsound
+from usdrigui.pipeline.joining import issues_of
 from usdrigui.pipeline.progress import Clock, ProgressCallback
+from usdrigui.pipeline.records import Character, ProblemInputs, Task
 from usdrigui.pipeline.references import ReferenceLayers, read_references
-from usdrigui.pipeline.stages import (
-    Divided,
-    ProblemInputs,
-    build_problem,
-    divided,
-    issues_of,
-    part_problem,
-)
+from usdrigui.pipeline.stages import build_problem, character_of, part_problem
 from usdrigui.report.inspection import CharacterFacts, ControlFacts, Inspection, Likeness, PartFacts
 from usdrigui.settings import Settings
 from usdrigui.usd.reader_process import read_rigs_isolated
@@ -51,22 +46,14 @@ def inspect(
     issues: list[Issue] = []
     characters = []
     for rig in source.rigs:
-        character = divided(rig, settings, clock, source.cameras, references)
+        task = Task(settings, references, source.cameras)
+        character = character_of(rig, task, clock)
         parts = [part_problem(character, part, (), clock) for part in character.parts]
         issues += issues_of(parts)
         facts = _facts(character, parts)
         if clips:
-            whole = (
-                parts[0] if len(parts) == 1 else build_problem(rig, settings, clock, source.cameras)
-            )
-            uses, odd = animation.animation_facts(
-                whole.face,
-                whole.candidates,
-                whole.similarity,
-                whole.requests,
-                whole.settings,
-                clips,
-            )
+            whole = parts[0] if len(parts) == 1 else build_problem(rig, task, clock)
+            uses, odd = animation.animation_facts(whole.measured, whole.candidates, clips)
             facts = replace(facts, animation=uses)
             issues += of_character(rig.skel_root.path_in_variants, odd)
         characters.append(facts)
@@ -88,7 +75,7 @@ def _found(inputs: ProblemInputs) -> _Found:
     return _Found(inputs, sets, {each.control: each for each in trajectories.motions})
 
 
-def _facts(character: Divided, parts: Sequence[ProblemInputs]) -> CharacterFacts:
+def _facts(character: Character, parts: Sequence[ProblemInputs]) -> CharacterFacts:
     rig = character.rig
     found = [_found(inputs) for inputs in parts]
     of_control = {control: each for each in found for control in each.motions}
@@ -101,13 +88,12 @@ def _facts(character: Divided, parts: Sequence[ProblemInputs]) -> CharacterFacts
         each for inputs in parts for each in inputs.face.trajectories.findings.issues
     ):
         flags.setdefault(odd.path, []).append(odd.message)
-    symmetric = character.symmetry or parts[0].face.symmetry
     return CharacterFacts(
         root=rig.skel_root.path,
         points=len(character.trajectories.surface.points),
         meshes=len(rig.body.meshes),
         joints=len(rig.body.joints),
-        symmetric=float((symmetric.partner >= 0).mean()),
+        symmetric=float((character.symmetry.partner >= 0).mean()),
         controls=tuple(
             _control(
                 rig.controls, index, of_control.get(index), found[0], flags.get(control.name, ())
@@ -162,7 +148,7 @@ def _control(
 
 
 def _likeness(inputs: ProblemInputs) -> Likeness | None:
-    found = inputs.matchings.get("like")
+    found = inputs.character.references.matchings.get("like")
     return None if found is None else Likeness(found, names_draft(found))
 
 
@@ -176,13 +162,5 @@ def _group_lines(inputs: ProblemInputs) -> tuple[str, ...]:
     ) + tuple(
         f"suggestion: {', '.join(found)} move the same region; [groups.groups] would make them one"
         " element"
-        for found in suggested_groups(
-            inputs.face,
-            inputs.candidates,
-            inputs.similarity,
-            inputs.requests,
-            inputs.settings.layout.groups,
-            inputs.settings.character.symmetry,
-            inputs.placement.groups,
-        )
+        for found in suggested_groups(inputs.measured, inputs.candidates, inputs.placement.groups)
     )

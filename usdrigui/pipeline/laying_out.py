@@ -19,10 +19,12 @@ from usdrigui.isolation.foreign_file import SourceFile, check_unchanged
 from usdrigui.layout.reuse import existing_layout
 from usdrigui.layout.review.difference import Difference, cost_savings, difference
 from usdrigui.layout.review.shortfalls import shortfalls
-from usdrigui.model import Element, Floats, Layout, Rig
+from usdrigui.model import Element, Layout, Rig
 from usdrigui.pipeline import variants
 from usdrigui.pipeline.configuration import refuse_unsound
+from usdrigui.pipeline.joining import issues_of, joined, joined_assignment
 from usdrigui.pipeline.progress import Clock, ProgressCallback
+from usdrigui.pipeline.records import LaidPart, Task
 from usdrigui.pipeline.references import (
     ReferenceLayers,
     ReferenceLayouts,
@@ -31,15 +33,7 @@ from usdrigui.pipeline.references import (
     read_references,
     rigs_over,
 )
-from usdrigui.pipeline.stages import (
-    LaidPart,
-    divided,
-    issues_of,
-    joined,
-    joined_assignment,
-    layout_of,
-    part_problem,
-)
+from usdrigui.pipeline.stages import character_of, layout_of, part_problem
 from usdrigui.pipeline.targets import check_replaceable, check_target, default_output
 from usdrigui.pipeline.writing import check_base, stage_layer
 from usdrigui.replacing.transaction import Transaction, same_file
@@ -275,7 +269,7 @@ def _laid_out(
                 report.rig.skel_root.variant_path == rig.skel_root.variant_path for report in same
             ):
                 own = as_sibling(references, rig, same[0].layout) if same else references
-                laid = _lay_out(rig, each.settings, clock, stop, each.source.cameras, own)
+                laid = _lay_out(rig, Task(each.settings, own, each.source.cameras), clock, stop)
                 reports.append((each, laid if own is references else _beside(laid, same[0])))
     return reports
 
@@ -369,57 +363,50 @@ def _check_base(reading: AssetReading, target: Path) -> None:
 
 
 def _lay_out(
-    rig: Rig,
-    settings: Settings,
-    clock: Clock,
-    stop: Callable[[], bool] | None,
-    cameras: Mapping[str, Floats],
-    references: ReferenceLayouts,
+    rig: Rig, task: Task, clock: Clock, stop: Callable[[], bool] | None
 ) -> CharacterReport:
     from usdrigui.solve import solve
 
-    character = divided(rig, settings, clock, cameras, references)
+    character = character_of(rig, task, clock)
     laid: list[LaidPart] = []
     for part in character.parts:
         neighbours = tuple(element for each in laid for element in each.layout.elements)
         inputs = part_problem(character, part, neighbours, clock)
+        limits = task.settings.layout.solve
         with clock.stage("solve", can_stop=True):
-            assignment = solve(inputs.placement.problem, settings.layout.solve, clock.solving, stop)
+            assignment = solve(inputs.placement.problem, limits, clock.solving, stop)
         with clock.stage("layout"):
             laid.append(LaidPart(inputs, layout_of(inputs, assignment), assignment))
-    layout = joined(laid)
-    existing = references.existing(rig)
+    layout, existing = joined(laid), character.references.existing
     if existing is not None:
         layout = existing_layout.combined(
             existing, existing_layout.uniquify_names(layout, existing)
         )
-    previous = references.previous.get(rig.skel_root.path)
+    previous = task.references.previous.get(rig.skel_root.path)
     if previous is None:
-        return _account(laid, layout, existing)
+        return _account(laid, layout)
     tell = functools.partial(_changes, laid, previous, layout)
     changes, issues = explained(tell, None, rig.skel_root.path)
-    return _account(laid, layout, existing, changes, issues)
+    return _account(laid, layout, changes, issues)
 
 
 def _changes(laid: Sequence[LaidPart], previous: Layout, layout: Layout) -> Difference:
     improved: dict[str, float] = {}
     for each in laid:
         inputs = each.inputs
-        improved |= cost_savings(
-            inputs.face, inputs.requests, inputs.placement, each.assignment.labels
-        )
-    return difference(previous, layout, improved, laid[0].inputs.matchings["previous"])
+        improved |= cost_savings(inputs.measured, inputs.placement, each.assignment.labels)
+    matchings = laid[0].inputs.character.references.matchings
+    return difference(previous, layout, improved, matchings["previous"])
 
 
 def _account(
     laid: Sequence[LaidPart],
     layout: Layout,
-    existing: Layout | None,
     changes: Difference | None = None,
     unexplained: tuple[Issue, ...] = (),
 ) -> CharacterReport:
     parts = [each.inputs for each in laid]
-    rig = parts[0].face.rig
+    rig, references = parts[0].face.rig, parts[0].character.references
     peaks = {
         rig.controls[each.control].name: each.peak
         for inputs in parts
@@ -430,16 +417,10 @@ def _account(
         control: others for inputs in parts for control, others in inputs.explained_by.items()
     }
     rows = rows_of(rig, layout, peaks, twins, explained_by)
-    added = _added(existing, layout.elements)
-    nothing = () if existing is None or added else (_nothing_added(layout),)
+    added = _added(references.existing, layout.elements)
+    nothing = () if references.existing is None or added else (_nothing_added(layout),)
     short = (
-        found
-        for each in laid
-        for found in shortfalls(
-            each.inputs.face,
-            each.layout.elements,
-            each.inputs.asked or each.inputs.settings,
-        )
+        found for each in laid for found in shortfalls(each.inputs.measured, each.layout.elements)
     )
     return CharacterReport(
         root=rig.skel_root.path,
@@ -462,7 +443,7 @@ def _account(
         ),
         difference=changes,
         added=added,
-        matchings=parts[0].matchings,
+        matchings=references.matchings,
         parts=tuple(_part_row(each) for each in laid),
     )
 

@@ -1,8 +1,7 @@
 """Layouts that exist and that a run uses as references: fixed ones, the previous one, another
 character's, the base.
 
-Reads their layers and works out what they ask for one character: settings that fix anchors, and a
-prior layout that the stages weigh against every other cost.
+Reads their layers and finds out of which characters they are.
 """
 
 from __future__ import annotations
@@ -11,31 +10,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from usdrigui.deform import posed
 from usdrigui.errors import Faults, issue, meant, of_character, refuse
 from usdrigui.isolation.foreign_file import SourceFile
 from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
 from usdrigui.layout.reuse.existing_layout import layout_of
-from usdrigui.layout.reuse.identity import Matching, match_layout, match_rigs
-from usdrigui.layout.reuse.partial_layout import fixed_by
-from usdrigui.layout.reuse.pinned import Pins, pins_of
-from usdrigui.layout.reuse.prior_layout import (
-    NO_PRIOR,
-    PriorLayout,
-    joined,
-    kept_groups,
-    prior_of_previous,
-)
-from usdrigui.layout.reuse.renaming import with_names
-from usdrigui.layout.reuse.retargeting import of_another
+from usdrigui.layout.reuse.identity import Matching, match_layout
+from usdrigui.layout.reuse.pinned import Pins
 from usdrigui.model import Layout, Performance, Rig, Trajectories
 from usdrigui.pipeline.animation import performances
-from usdrigui.settings import (
-    ControlSettings,
-    LikeSettings,
-    Settings,
-    TrajectorySettings,
-)
+from usdrigui.settings import Settings, TrajectorySettings
 from usdrigui.usd.reader_process import read_composed_isolated, read_layouts_isolated
 from usdrigui.usd.reader_records import LayoutsResult, Limits, Opening
 
@@ -200,111 +183,19 @@ def _shares_controls(controls: frozenset[str], rig: Rig) -> bool:
 
 
 @dataclass(frozen=True, eq=False)
-class OwnReferenceLayouts:
+class OwnReferences:
     """What the references hold for one character, by its own names for its controls."""
 
     fixed: Layout | None = None
     previous: Layout | None = None
     like: tuple[Rig, Trajectories, Layout] | None = None
     """Another character and its layout, by the names that it has there."""
+    existing: Layout | None = None
+    clips: tuple[Performance, ...] = ()
+    pins: Pins = field(default_factory=Pins)
+    """What a person has decided in the layouts that the new one succeeds."""
     matchings: Mapping[str, Matching] = field(default_factory=dict)
     """By ``fixed``, ``previous`` and ``like``: whose control there is which one here."""
-
-
-def own_references(
-    references: ReferenceLayouts,
-    rig: Rig,
-    trajectories: Trajectories,
-    settings: LikeSettings,
-    sampling: TrajectorySettings,
-) -> OwnReferenceLayouts:
-    """The references of one character, their controls matched with those that it has now;
-    `sampling` is for the trajectories of a character to imitate.
-
-    Raises CONFIG_UNKNOWN_CONTROL for names of `like` that nobody bears, CONFIG_VALUE when the fixed
-    layer has no such character, or none of several characters to imitate has the path of this one.
-    """
-    root = rig.skel_root.path
-    if references.fixed and root not in references.fixed:
-        raise refuse(
-            "CONFIG_VALUE",
-            "--fixed",
-            f"has layouts of {', '.join(references.fixed)}, not of {root}",
-        )
-    earlier = {
-        "fixed": references.fixed.get(root),
-        "previous": references.previous.get(root),
-    }
-    found = {
-        which: match_layout(each, rig, trajectories)
-        for which, each in earlier.items()
-        if each is not None
-    }
-    here = {
-        which: with_names(each, found[which].renamed)
-        for which, each in earlier.items()
-        if each is not None
-    }
-    like = _to_imitate(references.like, rig, settings.names, sampling)
-    if like is not None:
-        found["like"] = match_rigs(like[:2], (rig, trajectories), settings.names)
-    return OwnReferenceLayouts(here.get("fixed"), here.get("previous"), like, found)
-
-
-def with_fixed(
-    references: OwnReferenceLayouts, rig: Rig, controls: Mapping[str, ControlSettings]
-) -> Mapping[str, ControlSettings]:
-    """The configuration of the controls of one character, with the anchors that the
-    references fix.
-
-    Raises FIXED_IMPOSSIBLE and CONFIG_UNKNOWN_CONTROL.
-    """
-    return fixed_by(references.fixed, rig, controls) if references.fixed is not None else controls
-
-
-def decisions(
-    references: OwnReferenceLayouts, rig: Rig, trajectories: Trajectories, keep_penalty: float
-) -> Pins:
-    """What a person has decided in the layouts that the new one succeeds; nothing at a
-    `keep_penalty` (``objective.keep_penalty``) of 0."""
-    before = references.previous or references.fixed
-    if before is None or keep_penalty <= 0.0:
-        return Pins()
-    return pins_of(before, rig, posed(rig, None).points, trajectories)
-
-
-def prior_layout_of(
-    references: OwnReferenceLayouts,
-    rig: Rig,
-    trajectories: Trajectories,
-    settings: LikeSettings,
-    keep_penalty: float,
-) -> PriorLayout:
-    """What the references ask of one character besides fixed anchors; `keep_penalty` is what
-    leaving a place of its earlier layout costs."""
-    prior = NO_PRIOR
-    if references.like is not None and settings.penalty > 0.0:
-        other, found, layout = references.like
-        names = {**references.matchings["like"].names, **settings.names}
-        prior = of_another(layout, (other, found), (rig, trajectories), names, settings.penalty)
-    if references.previous is not None:
-        prior = prior_of_previous(references.previous.elements, rig, keep_penalty)
-    if references.fixed is not None:
-        prior = joined(PriorLayout(kept_groups(references.fixed.elements, rig)), prior)
-    return prior
-
-
-def _to_imitate(
-    like: tuple[tuple[Rig, Layout], ...],
-    rig: Rig,
-    names: Mapping[str, str],
-    sampling: TrajectorySettings,
-) -> tuple[Rig, Trajectories, Layout] | None:
-    if not like:
-        return None
-    check_like(like, rig, names)
-    other, layout = _imitated(like, rig.skel_root.path)
-    return other, find_trajectories(other, sampling), layout
 
 
 def check_like(like: tuple[tuple[Rig, Layout], ...], rig: Rig, names: Mapping[str, str]) -> None:
@@ -312,7 +203,7 @@ def check_like(like: tuple[tuple[Rig, Layout], ...], rig: Rig, names: Mapping[st
     CONFIG_VALUE when none of several characters to imitate has the path of this one."""
     if not like:
         return
-    other, _ = _imitated(like, rig.skel_root.path)
+    other, _ = imitated(like, rig.skel_root.path)
     faults = Faults()
     for theirs, ours in names.items():
         for whose, name in ((other, theirs), (rig, ours)):
@@ -324,7 +215,7 @@ def check_like(like: tuple[tuple[Rig, Layout], ...], rig: Rig, names: Mapping[st
     faults.raise_all()
 
 
-def _imitated(like: Sequence[tuple[Rig, Layout]], root: str) -> tuple[Rig, Layout]:
+def imitated(like: Sequence[tuple[Rig, Layout]], root: str) -> tuple[Rig, Layout]:
     """The character to imitate: of several the one with the path of this one."""
     by_root = {other.skel_root.path: (other, layout) for other, layout in like}
     if root not in by_root and len(by_root) > 1:

@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from usdrigui.errors import NO_LAYOUT, Issue, RigUIError, issue, of_character, refuse
-from usdrigui.layout.parts.division import Part
 from usdrigui.layout.review import difference as difference_stage
 from usdrigui.layout.review import review as review_stage
 from usdrigui.model import Element, Floats, Layout, Rig
 from usdrigui.pipeline import variants
 from usdrigui.pipeline.configuration import refuse_unsound
 from usdrigui.pipeline.progress import Clock, ProgressCallback
-from usdrigui.pipeline.stages import Divided, divided, part_problem
+from usdrigui.pipeline.records import Character, CharacterPart, Task
+from usdrigui.pipeline.stages import character_of, part_problem
 from usdrigui.pipeline.targets import default_output
 from usdrigui.settings import Settings
 from usdrigui.usd.reader_process import (
@@ -280,7 +280,8 @@ def _reviewed(
     """Every part of a layout rated by the problem of that part."""
     # Other views are named by the up of the stage.
     front = settings.layout.candidates.view in ("", "front")
-    character = divided(_upright(rig, layout) if front else rig, settings, clock, cameras)
+    task = Task(settings, cameras=cameras)
+    character = character_of(_upright(rig, layout) if front else rig, task, clock)
     found = []
     for part in character.parts:
         inputs = part_problem(character, part, (), clock)
@@ -288,13 +289,7 @@ def _reviewed(
             own = layout if len(character.parts) == 1 else _of_part(layout, character, part)
             found.append(
                 review_stage.review(
-                    inputs.face,
-                    inputs.candidates,
-                    inputs.requests,
-                    inputs.settings,
-                    own,
-                    layout,
-                    listed,
+                    inputs.measured, inputs.candidates, own, review_stage.Whole(layout, listed)
                 )
             )
     return review_stage.joined(found)
@@ -332,7 +327,7 @@ def _left(elements: tuple[Element, ...], plane_normal: Floats) -> Floats:
     return np.mean(left, axis=0) - np.mean(right, axis=0) if left and right else np.zeros(3)
 
 
-def _of_part(layout: Layout, character: Divided, part: Part) -> Layout:
+def _of_part(layout: Layout, character: Character, part: CharacterPart) -> Layout:
     """The elements of a part, known by their first control; the first part has those of controls
     that move nothing."""
     index = {control.name: i for i, control in enumerate(character.rig.controls)}

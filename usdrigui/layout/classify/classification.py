@@ -12,10 +12,10 @@ from usdrigui.conventions import Meaning
 from usdrigui.errors import Issue, explained
 from usdrigui.layout.classify.composites import Composite, composites, explanation
 from usdrigui.layout.classify.visibility_shapes import visibility_shapes
+from usdrigui.layout.face import Face
 from usdrigui.layout.motion.coverage import coverage_of_smaller, shares_of_face
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.layout.visibility import Views
 from usdrigui.model import (
     BaseSurface,
     Category,
@@ -23,9 +23,7 @@ from usdrigui.model import (
     Flags,
     Floats,
     Motion,
-    Rig,
     Symmetry,
-    Trajectories,
 )
 from usdrigui.settings import CandidateSettings
 
@@ -71,57 +69,44 @@ class _Evidence:
 
 
 def classify(
-    rig: Rig,
-    trajectories: Trajectories,
-    symmetry: Symmetry,
-    views: Views,
-    similarity: Similarity,
-    requests: Requests,
-    settings: CandidateSettings,
+    face: Face, similarity: Similarity, requests: Requests, settings: CandidateSettings
 ) -> tuple[Classification, ...]:
     """One per motion.
 
     Whether one is global does not depend on which others the configuration excludes: those still
     count for what the face is.
     """
-    visible_areas = np.where(views.anywhere, trajectories.surface.areas, 0.0)
-    every = (*trajectories.motions, *trajectories.excluded)
-    covered = coverage_of_smaller(every, visible_areas)
-    shares = shares_of_face(every, visible_areas)
-    meanings = [requests.names.meanings[motion.control] for motion in trajectories.motions]
-    controls = [rig.controls[motion.control] for motion in trajectories.motions]
-    covered = _of_sets(covered[: len(meanings)], controls, meanings)
-    vanish = visibility_shapes(rig.body.meshes, trajectories, views)
-    shares_of_own = shares[: len(trajectories.motions)]
-    repeated = composites(
-        rig, trajectories, symmetry, similarity, shares_of_own, requests.names.meanings
-    )
+    surface, motions = face.trajectories.surface, face.trajectories.motions
+    seen = face.views.anywhere
+    visible_areas = np.where(seen, surface.areas, 0.0)
+    every = (*motions, *face.trajectories.excluded)
+    meanings = [face.meanings[motion.control] for motion in motions]
+    controls = [face.rig.controls[motion.control] for motion in motions]
+    covered = coverage_of_smaller(every, visible_areas)[: len(motions)]
+    covered = _of_sets(covered, controls, meanings)
+    shares = shares_of_face(every, visible_areas)[: len(motions)]
+    vanish = visibility_shapes(face.rig.body.meshes, face.trajectories, face.views)
+    repeated = composites(face, similarity, shares)
     names = [control.name for control in controls]
-    kept = _kept(trajectories.motions, symmetry, views.anywhere)
+    kept = _kept(motions, face.symmetry, seen)
     # The joints of a chain explain each other; only shapes and poses show what
     # repeats a shape or a pose.
     joints_alone = all(control.kind == "joint" for control in controls)
     found = []
-    for index, motion in enumerate(trajectories.motions):
+    for index, motion in enumerate(motions):
+        own, meaning = motion.on_own_skin(), meanings[index]
+        alone = joints_alone and motion.shares.owned is not None
         evidence = _Evidence(
             coverage_of_smaller=float(covered[index]),
-            moves_everything=_moves_everything(trajectories.surface, motion.on_own_skin()),
-            named_local=_named_local(meanings[index]),
+            moves_everything=_moves_everything(surface, own),
+            named_local=_named_local(meaning),
             vanishes=bool(vanish[index]),
-            visible_share=_visible_share(
-                trajectories.surface, views.anywhere, motion.on_own_skin()
-            ),
+            visible_share=_visible_share(surface, seen, own),
             kept=float(kept[index]),
             essential=_essential(
-                meanings[index],
-                kept[index] * motion.peak,
-                trajectories.typical_length,
+                meaning, kept[index] * motion.peak, face.trajectories.typical_length
             ),
-            composite=(
-                repeated.get(index)
-                if not (joints_alone and motion.shares.owned is not None)
-                else None
-            ),
+            composite=None if alone else repeated.get(index),
         )
         category, reason = _category(evidence, motion.control, requests, settings)
         issues: tuple[Issue, ...] = ()

@@ -26,6 +26,7 @@ import numpy as np
 from usdrigui.conventions import Meaning
 from usdrigui.layout.classify.basis import Basis, Explanation, best_sum, choose_basis
 from usdrigui.layout.classify.families import Family, find_families
+from usdrigui.layout.face import Face
 from usdrigui.layout.motion.coverage import notable_points
 from usdrigui.layout.motion.similarity import (
     DisplacementFields,
@@ -41,9 +42,6 @@ from usdrigui.model import (
     Floats,
     Indices,
     Motion,
-    Rig,
-    Symmetry,
-    Trajectories,
 )
 
 _NAMED = 3
@@ -95,23 +93,16 @@ def explanation(composite: Composite, names: Sequence[str]) -> str:
     return f"moves distant parts of the face at once, as {_listed(parts)} do"
 
 
-def composites(
-    rig: Rig,
-    trajectories: Trajectories,
-    symmetry: Symmetry,
-    similarity: Similarity,
-    coverage: Floats,
-    meanings: Sequence[Meaning | None],
-) -> dict[int, Composite]:
+def composites(face: Face, similarity: Similarity, coverage: Floats) -> dict[int, Composite]:
     """The motions that repeat others, or are with their family off the face; both twins of a pair
     or neither.
 
-    `coverage` (motions,) is the share of the face that each moves, `meanings` (controls,) what the
-    names say.
+    `coverage` (motions,) is the share of the face that each moves.
     """
-    names = [rig.controls[motion.control].name for motion in trajectories.motions]
-    meaning = [meanings[motion.control] for motion in trajectories.motions]
-    twins = _twins(trajectories.motions, symmetry.twins)
+    motions = face.trajectories.motions
+    names = [face.control_name(motion.control) for motion in motions]
+    meaning = [face.meanings[motion.control] for motion in motions]
+    twins = _twins(motions, face.symmetry.twins)
     families = find_families(names, meaning, similarity.cosine, coverage)
     basis = choose_basis(
         similarity.cosine,
@@ -124,7 +115,7 @@ def composites(
     }
     off_face = [i for family in families if not family.on_face for i in family.members]
     shown = basis.atoms & ~np.isin(np.arange(len(names)), off_face)
-    spread = _Spreads(rig.skel_root.up, trajectories, similarity)
+    spread = _Spreads(face, similarity)
     for i in np.flatnonzero(basis.atoms & (twins == np.arange(len(names)))).tolist():
         if meaning[i] is None and (pair := spread.distant_pair(i, basis.atoms)):
             found[i] = Composite("composite", "spread", pair)
@@ -226,12 +217,13 @@ def _amounts(
 class _Spreads:
     """What marks a control that moves distant parts of the face at once."""
 
-    def __init__(self, up: Floats, trajectories: Trajectories, similarity: Similarity) -> None:
+    def __init__(self, face: Face, similarity: Similarity) -> None:
+        trajectories = face.trajectories
         regions = notable_points(trajectories.motions, len(trajectories.surface.points))
         self.size = regions @ trajectories.surface.areas
         self.cosine = similarity.cosine
         self.contains = _contained(similarity.fields, regions[:, similarity.fields.places])
-        self.far = _distant(trajectories.surface, similarity, up)
+        self.far = _distant(trajectories.surface, similarity, face.rig.skel_root.up)
 
     def distant_pair(self, index: int, atoms: Flags) -> tuple[int, ...]:
         """Two distant atoms as which the motion moves the face at once; empty where it does not."""

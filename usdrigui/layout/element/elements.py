@@ -12,11 +12,11 @@ from usdrigui.layout.element.fans import fan_order
 from usdrigui.layout.face import Face
 from usdrigui.layout.glyph_fitting import fitted_glyph
 from usdrigui.layout.group.coarse_groups import with_inner
+from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.tracks import arc_lengths, paths
 from usdrigui.layout.names import common_label, element_name
 from usdrigui.layout.place.labels import drawn_magnification, own_mirror_image
 from usdrigui.layout.place.problem import PlacementProblem
-from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.model import (
     Anchor,
@@ -29,7 +29,6 @@ from usdrigui.model import (
     LayoutCharacter,
     LayoutFrame,
     LayoutProblem,
-    LeftOff,
     Look,
     Manipulator,
     Member,
@@ -38,7 +37,6 @@ from usdrigui.model import (
     Rig,
     Side,
 )
-from usdrigui.settings import OutputSettings, Settings
 
 _CROWDED = "too crowded; this control lost the least displacement"
 _ON_PLANE = 1e-3
@@ -46,21 +44,11 @@ _ON_PLANE = 1e-3
 
 
 def layout(
-    face: Face,
-    placement: PlacementProblem,
-    assignment: Assignment,
-    requests: Requests,
-    settings: Settings,
-    left_off: tuple[LeftOff, ...],
-    base_values: Floats,
-    part: str,
+    known: Measured, placement: PlacementProblem, assignment: Assignment, part: str
 ) -> Layout:
     """The elements of every group, on the face where the assignment has them there and on the board
-    otherwise.
-
-    `left_off` are the controls without an element, `base_values` (controls,) the base pose, `part`
-    the name of what is laid out.
-    """
+    otherwise; `part` is the name of what is laid out."""
+    face, requests, settings = known.face, known.requests, known.settings
     elements: list[Element] = []
     board = [
         BoardEntry(group, controls, group.category, group.reason_of(controls))
@@ -78,33 +66,26 @@ def layout(
             )
             board.extend(BoardEntry(group, copy, "crowded", reason) for copy in _once(group.copies))
         else:
-            elements.extend(_on_face(face, group, choice, int(label), requests, settings.output))
+            elements.extend(_on_face(known, group, choice, int(label)))
     elements.extend(board_elements(face, board, requests, settings.output.adapt))
+    weights = _weights(
+        placement.problem, face.trajectories.typical_length, settings.layout.objective.samples
+    )
+    root = face.rig.skel_root
     return Layout(
-        character=LayoutCharacter(
-            root=face.rig.skel_root.path,
-            base_values=base_values,
-            variant_path=face.rig.skel_root.variant_path,
-        ),
+        character=LayoutCharacter(root.path, np.zeros(0), root.variant_path),
         elements=tuple(
             replace(each, placement=replace(each.placement, part=part))
             for each in with_inner(elements, placement.groups, face.rig.controls)
         ),
-        left_off=left_off,
+        left_off=(),
         frame=LayoutFrame(
             space="view" if face.flat else "object",
             view=face.views.directions[0],
             plane=face.symmetry.plane,
             handle_width=face.handle_width,
         ),
-        proof=proof_of(
-            assignment,
-            _weights(
-                placement.problem,
-                face.trajectories.typical_length,
-                settings.layout.objective.samples,
-            ),
-        ),
+        proof=proof_of(assignment, weights),
     )
 
 
@@ -159,15 +140,9 @@ def _weights(
     )
 
 
-def _on_face(
-    face: Face,
-    group: Group,
-    choice: Choice,
-    label: int,
-    requests: Requests,
-    settings: OutputSettings,
-) -> list[Element]:
+def _on_face(known: Measured, group: Group, choice: Choice, label: int) -> list[Element]:
     """The element of a group and of its mirror images."""
+    face, requests, settings = known.face, known.requests, known.settings.output
     names = names_of_copies(face.rig, group, choice)
     least = settings.min_track * face.handle_width
     made = []

@@ -14,6 +14,7 @@ from itertools import chain
 
 from usdrigui.errors import Faults, meant, refuse
 from usdrigui.layout.names import element_name
+from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import Control, Element, Group, Rig
 from usdrigui.settings import LevelSettings
 
@@ -22,18 +23,15 @@ def with_levels(
     rig: Rig,
     groups: tuple[Group, ...],
     settings: LevelSettings,
-    existing: frozenset[str] = frozenset(),
+    requests: Requests,
 ) -> tuple[Group, ...]:
     """The groups on their levels, and a group of its own for every axis of those that
     `levels.groups` opens.
 
-    `existing` are the names in a layout to which this one adds: they may be configured, and have no
-    group here.
-
     Raises CONFIG_UNKNOWN_CONTROL for a name that nothing bears, CONFIG_VALUE for a coarse element
     without members or one that is a member itself.
     """
-    if settings == LevelSettings():
+    if not (requests.levels or settings.poses or settings.groups):
         return groups
     parts = {
         group.name: tuple(_parts(rig, group))
@@ -42,7 +40,7 @@ def with_levels(
     }
     inner = {name: {part.name for part in made} for name, made in parts.items()}
     inner |= _of_poses(rig, groups) if settings.poses else {}
-    configured = _configured(rig, groups, settings, existing)
+    configured = _configured(rig, groups, requests)
     inner = {
         name: members for name, members in inner.items() if name not in configured
     } | configured
@@ -145,17 +143,16 @@ def _driven(
     )
 
 
-def _configured(
-    rig: Rig, groups: tuple[Group, ...], settings: LevelSettings, existing: frozenset[str]
-) -> dict[str, set[str]]:
-    """Members as the configuration names them."""
+def _configured(rig: Rig, groups: tuple[Group, ...], requests: Requests) -> dict[str, set[str]]:
+    """Members as the configuration names them; what a layout has to which this one adds may be
+    named, and has no group here."""
     found: dict[str, set[str]] = {}
     faults = Faults()
-    for name, members in settings.members.items():
+    for name, members in requests.levels.items():
         with faults.collected():
             where = f'levels.members."{name}"'
             coarse = _named(rig, groups, name, where)
-            if coarse is None and name in existing:
+            if coarse is None and name in requests.existing_names:
                 continue
             if coarse is None:
                 raise refuse("CONFIG_VALUE", where, f"{name} has no element")

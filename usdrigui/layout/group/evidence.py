@@ -52,12 +52,10 @@ def alike(cosine: float, shared: float) -> str:
 class Evidence:
     """Names, joints and motions of the controls of one character; indices are those of motions."""
 
-    def __init__(
-        self, face: Face, similarity: Similarity, meanings: Sequence[Meaning | None]
-    ) -> None:
+    def __init__(self, face: Face, similarity: Similarity) -> None:
         motions, controls = face.trajectories.motions, face.rig.controls
         self.face, self.similarity = face, similarity
-        self.meanings = [meanings[motion.control] for motion in motions]
+        self.meanings = [face.meanings[motion.control] for motion in motions]
         self.joints = [_joints(face.rig.body, controls[motion.control]) for motion in motions]
         self.ways = tuple(frozenset(pair) for pair in joysticks().values())
 

@@ -17,18 +17,16 @@ import numpy as np
 from usdrigui.conventions.sides import has_side
 from usdrigui.errors import Faults, meant, refuse
 from usdrigui.layout.control_overrides import control_index
-from usdrigui.layout.face import Face
 from usdrigui.layout.group.evidence import Evidence, Relation, alike
-from usdrigui.layout.motion.similarity import Similarity, bidirectional
+from usdrigui.layout.group.own_places import has_own_place
+from usdrigui.layout.measured import Measured
+from usdrigui.layout.motion.similarity import bidirectional
 from usdrigui.layout.names import element_name
-from usdrigui.layout.reuse.partial_layout import has_own_place
-from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.lobes import all_aside, two_lobed
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.layout.symmetry.orbits import configured_orbits
 from usdrigui.layout.visibility import screen
 from usdrigui.model import Candidates, CandidateSet, ElementKind, Flags, Group, Indices
-from usdrigui.settings import ControlSettings, GroupSettings, SymmetrySettings
 from usdrigui.ties import first_largest
 
 _TWIN_LEEWAY = 0.8
@@ -59,30 +57,24 @@ class _Merged:
     name: str = ""
 
 
-def find_groups(
-    face: Face,
-    candidates: Candidates,
-    similarity: Similarity,
-    requests: Requests,
-    settings: GroupSettings,
-    mirror: SymmetrySettings,
-    controls: Mapping[str, ControlSettings],
-) -> tuple[Group, ...]:
+def find_groups(known: Measured, candidates: Candidates) -> tuple[Group, ...]:
     """One group per element, by name; every control that has candidates is in exactly one.
 
     Of two elements that mirror each other only the one on the character's left becomes a group, and
     the other is its image.  Raises CONFIG_UNKNOWN_CONTROL and CONFIG_VALUE for groups of the
     configuration.
     """
-    grouping = _Grouping(face, candidates, similarity, requests, settings, mirror)
+    grouping, face = _Grouping(known, candidates), known.face
     merged = grouping.of_the_user()
-    names = control_index(face.rig, controls)
-    orbits = configured_orbits(face.rig.controls, face.trajectories, requests.overrides, names)
+    names = control_index(face.rig, known.settings.rig.controls)
+    orbits = configured_orbits(
+        face.rig.controls, face.trajectories, known.requests.overrides, names
+    )
     turning = set().union(*orbits)
     merged += [_Merged((i,), ((0,),), "") for i in sorted(turning)]
     merged += grouping.of_the_prior_layout(_free(merged, grouping))
     merged += grouping.joysticks(grouping.axes(_free(merged, grouping)), _free(merged, grouping))
-    if settings.patches:
+    if grouping.settings.patches:
         merged += grouping.patches(_free(merged, grouping))
     merged += [
         _Merged((i,), ((0,),), grouping.why_alone(i)) for i in sorted(_free(merged, grouping))
@@ -109,37 +101,23 @@ def check_groups(groups: Mapping[str, Sequence[str]], known: Collection[str]) ->
 
 
 def suggested_groups(
-    face: Face,
-    candidates: Candidates,
-    similarity: Similarity,
-    requests: Requests,
-    settings: GroupSettings,
-    mirror: SymmetrySettings,
-    groups: Sequence[Group],
+    known: Measured, candidates: Candidates, groups: Sequence[Group]
 ) -> tuple[tuple[str, ...], ...]:
     """Names of controls that the paper's Jaccard criterion would group and `groups`, as
     `find_groups` made them, leave apart."""
-    grouping = _Grouping(face, candidates, similarity, requests, settings, mirror)
+    grouping = _Grouping(known, candidates)
     single = [group for group in groups if len(group.controls) == 1 and not group.part]
-    index = {motion.control: i for i, motion in enumerate(face.trajectories.motions)}
+    index = {motion.control: i for i, motion in enumerate(known.face.trajectories.motions)}
     free = {index[control] for group in single for control in (*group.controls, *group.mirror)}
     return tuple(
         tuple(grouping.names[i] for i in found.motions) for found in grouping.patches(free)
     )
 
 
-def share_a_place(
-    face: Face,
-    candidates: Candidates,
-    similarity: Similarity,
-    requests: Requests,
-    settings: GroupSettings,
-    mirror: SymmetrySettings,
-    names: Sequence[str],
-) -> bool:
+def share_a_place(known: Measured, candidates: Candidates, names: Sequence[str]) -> bool:
     """Whether controls could be one element: all are controls of the face, and some point suits
     them all."""
-    grouping = _Grouping(face, candidates, similarity, requests, settings, mirror)
+    grouping = _Grouping(known, candidates)
     motions = [i for i in grouping.sets if grouping.names[i] in names]
     on_face = not any(grouping.category[i] for i in motions)
     return len(motions) == len(names) and on_face and grouping.may_share(tuple(motions))
@@ -156,22 +134,15 @@ def _motions_of(merged: Iterable[_Merged]) -> set[int]:
 class _Grouping:
     """What the ways to group have in common: candidates by motion, twins by motion, comparisons."""
 
-    def __init__(
-        self,
-        face: Face,
-        candidates: Candidates,
-        similarity: Similarity,
-        requests: Requests,
-        settings: GroupSettings,
-        mirror: SymmetrySettings,
-    ) -> None:
-        motions = face.trajectories.motions
+    def __init__(self, known: Measured, candidates: Candidates) -> None:
+        face, requests = known.face, known.requests
+        motions, mirror = face.trajectories.motions, known.settings.character.symmetry
         index = {motion.control: i for i, motion in enumerate(motions)}
-        self.face, self.similarity, self.prior = face, similarity, requests.prior
-        self.settings, self.requests = settings, requests
+        self.face, self.similarity, self.requests = face, known.similarity, requests
+        self.settings = known.settings.layout.groups
         self.double_middle = mirror.double_middle
-        self.evidence = Evidence(face, similarity, requests.names.meanings)
-        self.two_sided = frozenset(bidirectional(face.trajectories.motions))
+        self.evidence = Evidence(face, known.similarity)
+        self.two_sided = frozenset(bidirectional(motions))
         self.sets: dict[int, CandidateSet] = {each.motion: each for each in candidates.sets}
         self.names = [face.control_name(motion.control) for motion in motions]
         twins = face.symmetry.twins
@@ -184,7 +155,7 @@ class _Grouping:
         alone = {
             i
             for i, twin in found.items()
-            if twin != i and self._has_own_place(motions[i].control, requests)
+            if twin != i and has_own_place(face, requests, motions[i].control)
         }
         self.twin = {
             i: -1 if i in alone or twin in alone or twin not in self.sets else twin
@@ -192,25 +163,14 @@ class _Grouping:
         }
         self.category = {i: each.category for i, each in self.sets.items()}
 
-    def _has_own_place(self, control: int, requests: Requests) -> bool:
-        face = self.face
-        return has_own_place(
-            face.rig,
-            face.trajectories.surface.points,
-            face.symmetry,
-            requests,
-            face.handle_width,
-            control,
-        )
-
     # --- the user's -----------------------------------------------------------------------------
 
     def of_the_user(self) -> list[_Merged]:
         """The groups that the configuration names, in its order."""
         index = {name: i for i, name in enumerate(self.names)}
-        check_groups(self.settings.groups, self.face.rig.control_names)
+        check_groups(self.requests.groups, self.face.rig.control_names)
         found: list[_Merged] = []
-        for name, members in self.settings.groups.items():
+        for name, members in self.requests.groups.items():
             motions = tuple(index[member] for member in members if index.get(member) in self.sets)
             if len(motions) < 2:
                 what = "a group needs two controls that move something"
@@ -236,7 +196,7 @@ class _Grouping:
         included."""
         index = {self.face.trajectories.motions[i].control: i for i in free}
         found: list[_Merged] = []
-        for group in self.prior.groups:
+        for group in self.requests.prior.groups:
             motions = tuple(index[control] for control in group.controls if control in index)
             whole = len(motions) == len(group.controls)
             if not motions or len({bool(self.category[i]) for i in motions}) > 1:
@@ -602,8 +562,8 @@ class _Grouping:
 
     def _has_two_lobes(self, index: int) -> bool:
         face, motion = self.face, self.face.trajectories.motions[index]
-        expected = self.requests.expectation(motion.control)
-        meaning = self.requests.meaning(motion.control)
+        expected = face.expected[motion.control]
+        meaning = face.meanings[motion.control]
         override = self.requests.overrides[motion.control]
         placed = bool(override.anchor or override.near) or motion.shares.owned is not None
         if not placed and all_aside(

@@ -115,15 +115,15 @@ def _beyond_drift(motion: Motion, count: int) -> Motion:
 def of_controls(
     rig: Rig,
     found: Trajectories,
-    controls: Collection[int],
-    excluded: Collection[int],
+    chosen: tuple[Collection[int], Collection[int]],
     settings: TrajectorySettings,
 ) -> Trajectories:
     """The trajectories of some controls alone, which then define how large the face is and what a
     typical control does.
 
-    `controls` are indices into `Rig.controls`, `excluded` into `Configured.excluded`.
+    `chosen` are indices into `Rig.controls` and into `Configured.excluded`.
     """
+    controls, excluded = chosen
     motions = tuple(motion for motion in found.motions if motion.control in controls)
     left_out = tuple(motion for motion in found.excluded if motion.control in excluded)
     scale = _Scale.of(rig, found.surface.points, found.surface.areas, motions, left_out)

@@ -7,13 +7,14 @@ one part.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.spatial import cKDTree
 
 from usdrigui.conventions import meanings
+from usdrigui.layout.control_overrides import controls_named
 from usdrigui.layout.parts.joint_regions import (
     BODY,
     EYES,
@@ -27,7 +28,7 @@ from usdrigui.layout.parts.joint_regions import (
     owner_of_points,
 )
 from usdrigui.model import Control, Flags, Indices, Motion, Record, Rig, Trajectories
-from usdrigui.settings import LayoutSettings, Settings
+from usdrigui.settings import Settings
 from usdrigui.ties import first_largest
 
 ORDER = (FACE, INTERIOR, EYES, HANDS, FEET, PROPS)
@@ -121,45 +122,13 @@ def _rank(name: str) -> tuple[int, str]:
     return (len(ORDER) + 1 if name == BODY else order.get(name, len(ORDER))), name
 
 
-def of_part(settings: LayoutSettings, controls: tuple[Control, ...], part: Part) -> LayoutSettings:
-    """The settings without the groups and levels that only controls of other parts have."""
-    index = {control.name: i for i, control in enumerate(controls)}
-
-    def concerns(names: Iterable[str]) -> bool:
-        named = _controls(names, settings.groups.groups, index)
-        return not named or not part.controls.isdisjoint(named)
-
-    groups = {name: each for name, each in settings.groups.groups.items() if concerns(each)}
-    members = {
-        name: each for name, each in settings.levels.members.items() if concerns((name, *each))
-    }
-    return replace(
-        settings,
-        groups=replace(settings.groups, groups=groups),
-        levels=replace(settings.levels, members=members),
-    )
-
-
 def _bound(settings: Settings, index: Mapping[str, int]) -> list[list[int]]:
     """Controls that the configuration makes one element, shows in each other's place, or
     mirrors."""
     groups = [*settings.layout.groups.groups.values()]
     groups += [(name, *members) for name, members in settings.layout.levels.members.items()]
     groups += [(name, own.twin, *own.orbit) for name, own in settings.rig.controls.items()]
-    return [_controls(names, settings.layout.groups.groups, index) for names in groups]
-
-
-def _controls(
-    names: Iterable[str], groups: Mapping[str, Sequence[str]], index: Mapping[str, int]
-) -> list[int]:
-    """The controls that bear some names, and those of the elements that do."""
-    found = []
-    for name in names:
-        own = groups.get(name, (name,))
-        found += [index[each] for each in own if each in index]
-        if name not in index and name not in groups:
-            found += [i for control, i in index.items() if name.startswith(f"{control}_")]
-    return found
+    return [controls_named(names, settings.layout.groups.groups, index) for names in groups]
 
 
 def _together(names: dict[int, str], bound: list[list[int]]) -> dict[int, str]:

@@ -186,7 +186,7 @@ def _moving_places(
     # of a name.
     is_asked = requests.overrides[motion.control].near or motion.control in requests.prior.places
     if not is_asked and motion.shares.owned is None:
-        seen = _where_expected(face, motion, seen, requests.expectation(motion.control))
+        seen = _where_expected(face, motion, seen, face.expected[motion.control])
     points = _pruned(face, motion, seen, some, settings, samples)
     return points if len(points) else _unseen(motion, some, settings.prune_at, settings.peak_share)
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.errors import refuse
+from usdrigui.errors import RigUIError, refuse
 from usdrigui.layout.face import Face
 from usdrigui.layout.place.candidates import SHARED_LEAST, candidates_of_axis, loosened
 from usdrigui.layout.place.extensions import user_pairs
@@ -53,6 +53,8 @@ class PlacementProblem:
     problem: LayoutProblem
     choices: tuple[Choice, ...]
     """(variables,) what the labels of each variable mean."""
+    impossible: RigUIError | None = None
+    """FIXED_IMPOSSIBLE where the fixed anchors contradict each other."""
 
 
 def placement_problem(
@@ -62,11 +64,8 @@ def placement_problem(
     requests: Requests,
     settings: Settings,
 ) -> PlacementProblem:
-    """One variable for each group that may stand on the face.
-
-    Raises FIXED_IMPOSSIBLE where the fixed anchors are infeasible, TERM_INVALID for a term of
-    another package.
-    """
+    """One variable for each group that may stand on the face.  Raises TERM_INVALID for a term of
+    another package."""
     layout = settings.layout
     overlap, separation = _constants(face, layout.objective)
     sets = {face.trajectories.motions[each.motion].control: each for each in candidates.sets}
@@ -98,9 +97,9 @@ def placement_problem(
     problem = LayoutProblem(
         tuple(variables), overlap, separation, layout.objective.displacement_weight
     )
-    _refuse_infeasible(problem, groups, tuple(choices), requests.overrides)
+    impossible = _impossible(problem, groups, tuple(choices), requests.overrides)
     extra = user_pairs(face, problem, tuple(choices), costs.terms.user)
-    return PlacementProblem(groups, replace(problem, extra=extra), tuple(choices))
+    return PlacementProblem(groups, replace(problem, extra=extra), tuple(choices), impossible)
 
 
 def penalties_of_leaving(face: Face, requests: Requests, choice: Choice) -> tuple[Floats, float]:
@@ -198,7 +197,7 @@ def _variable(
         )
         kept = np.isfinite(cost)
         spot = np.ptp(handles[kept][:, 0], axis=0).max() if kept.any() else 0.0
-        if kept.any() and (not _needed(group.controls, requests) or spot >= costs.separation):
+        if kept.any() and (not _needed(face, group.controls) or spot >= costs.separation):
             break
     choice = Choice(index, choice.controls, choice.anchors[kept], choice.sources[kept])
     stay, leave = penalties_of_leaving(face, requests, choice)
@@ -209,7 +208,7 @@ def _variable(
             cost[kept] + stay,
             samples[kept],
             handles[kept],
-            _off_face_cost(group, requests, objective) + leave,
+            _off_face_cost(face, group, requests, objective) + leave,
             displacement[kept],
             group.states,
         ),
@@ -217,7 +216,9 @@ def _variable(
     )
 
 
-def _off_face_cost(group: Group, requests: Requests, settings: ObjectiveSettings) -> float:
+def _off_face_cost(
+    face: Face, group: Group, requests: Requests, settings: ObjectiveSettings
+) -> float:
     """Cost of sending the element and its images to the board, which takes all its controls off the
     face; inf where they must stand on the face."""
     overrides = [requests.overrides[control] for control in group.controls]
@@ -227,26 +228,26 @@ def _off_face_cost(group: Group, requests: Requests, settings: ObjectiveSettings
         return float(np.inf)
     # Where the earlier layout had it on the board, nothing leaves the face.
     leaves = len(group.controls) * (not requests.prior.stood_on_board(group.controls))
-    needed = _needed(group.controls, requests)
+    needed = _needed(face, group.controls)
     return (settings.off_face_penalty * leaves + _NEEDED * needed) * len(group.copies)
 
 
-def _needed(controls: tuple[int, ...], requests: Requests) -> int:
+def _needed(face: Face, controls: tuple[int, ...]) -> int:
     """How many controls of the element are missed where they leave the face."""
-    meanings = [requests.meaning(control) for control in controls]
+    meanings = [face.meanings[control] for control in controls]
     return sum(meaning is not None and meaning.action.is_needed for meaning in meanings)
 
 
 # --- fixed anchors --------------------------------------------------------------------------------
 
 
-def _refuse_infeasible(
+def _impossible(
     problem: LayoutProblem,
     groups: tuple[Group, ...],
     choices: tuple[Choice, ...],
     overrides: tuple[ControlSettings, ...],
-) -> None:
-    """Raise FIXED_IMPOSSIBLE when the fixed anchors contradict each other, naming them."""
+) -> RigUIError | None:
+    """FIXED_IMPOSSIBLE when the fixed anchors contradict each other, naming them."""
     fixed = list(_fixed(groups, choices, overrides))
     for number in fixed:
         name = problem.variables[number].name
@@ -254,12 +255,12 @@ def _refuse_infeasible(
             {overrides[c].anchor for c in groups[choices[number].group].controls} - {""}
         )
         if len(anchors) > 1:
-            raise refuse(
+            return refuse(
                 "FIXED_IMPOSSIBLE", name, f"one element is fixed at {' and at '.join(anchors)}"
             )
         if not len(choices[number].anchors):
             why = "not all of its controls can be anchored there, or its copies would collide"
-            raise refuse("FIXED_IMPOSSIBLE", name, f"cannot be anchored at {anchors[0]}: {why}")
+            return refuse("FIXED_IMPOSSIBLE", name, f"cannot be anchored at {anchors[0]}: {why}")
     for place, a in enumerate(fixed):
         for b in fixed[place + 1 :]:
             one, other = problem.variables[a], problem.variables[b]
@@ -270,7 +271,10 @@ def _refuse_infeasible(
                 share = (
                     f"{apart / problem.separation:.2f} of the least distance between two handles"
                 )
-                raise refuse("FIXED_IMPOSSIBLE", one.name, f"is fixed at {share} from {other.name}")
+                return refuse(
+                    "FIXED_IMPOSSIBLE", one.name, f"is fixed at {share} from {other.name}"
+                )
+    return None
 
 
 def _fixed(

@@ -12,10 +12,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from usdrigui.layout.face import Face
 from usdrigui.layout.motion.tracks import resampled
+from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import (
     AnyOverlap,
-    BaseSurface,
     Body,
     Candidates,
     Control,
@@ -23,12 +24,10 @@ from usdrigui.model import (
     Floats,
     Layout,
     LayoutProblem,
-    Motion,
     Rig,
     Variable,
 )
 from usdrigui.overlap import pair_costs
-from usdrigui.settings import LayoutSettings
 
 _ROUNDING = 1e-9
 """Handles of the existing layout are exactly as far apart as they were, but for rounding."""
@@ -57,38 +56,19 @@ def new_controls(layout: Layout, controls: tuple[Control, ...]) -> frozenset[int
     return frozenset(i for i, control in enumerate(controls) if control.name not in known)
 
 
-def with_drawn_handles(
-    layout: Layout, part: str, surface: BaseSurface, settings: LayoutSettings
-) -> LayoutSettings:
-    """The settings with which the handles of a part are as wide as in `layout`, and groups only of
-    what it lacks."""
-    known = layout.controls
-    groups = {
-        name: controls
-        for name, controls in settings.groups.groups.items()
-        if not known.issuperset(controls)
-    }
-    width = layout.frame.handle_width_of(part)
-    width = width or settings.objective.handle_size * surface.face_size
-    size = width * (1.0 - _ROUNDING) / surface.face_size
-    return replace(
-        settings,
-        objective=replace(settings.objective, handle_size=size, max_neighbours=0.0),
-        groups=replace(settings.groups, groups=groups),
-    )
+def drawn_width(layout: Layout | None, part: str) -> float:
+    """The width of a part's handles in the existing layout; 0 where there is none, or it has none
+    of that part."""
+    width = layout.frame.handle_width_of(part) if layout is not None else 0.0
+    return width * (1.0 - _ROUNDING)
 
 
-def of_new_controls(
-    existing: Layout | None,
-    controls: tuple[Control, ...],
-    motions: tuple[Motion, ...],
-    candidates: Candidates,
-) -> Candidates:
+def of_new_controls(face: Face, requests: Requests, candidates: Candidates) -> Candidates:
     """The candidates of the controls that the existing layout does not have; of all where there is
     none."""
-    if existing is None:
+    if requests.existing is None:
         return candidates
-    new = new_controls(existing, controls)
+    new, motions = new_controls(requests.existing, face.rig.controls), face.trajectories.motions
     kept = tuple(each for each in candidates.sets if motions[each.motion].control in new)
     return Candidates(kept, candidates.left_off)
 

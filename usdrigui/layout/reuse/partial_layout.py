@@ -6,61 +6,49 @@ Fixed anchors (``controls."name".anchor``) are kept to the point, and the rest i
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import replace
 
-import numpy as np
-
 from usdrigui.errors import meant, refuse
-from usdrigui.layout.reuse.requests import Requests
-from usdrigui.layout.symmetry.mirror_plane import plane_distance, reflected
-from usdrigui.model import Body, Element, Floats, Indices, Layout, Rig, RigMesh, Symmetry
+from usdrigui.model import Body, Element, Indices, Layout, Rig, RigMesh
 from usdrigui.model.levels import outer_first
 from usdrigui.settings import ControlSettings
 
 MIRROR = "mirror:"
 """In front of what ``near`` names: its mirror image."""
-_SAME = 0.5
-"""Earlier places of two twins mirror each other when they are nearer to it than this, in handle
-widths."""
 
 
-def fixed_by(
-    layout: Layout, rig: Rig, controls: Mapping[str, ControlSettings]
-) -> dict[str, ControlSettings]:
-    """What the configuration says of controls, with every anchor of `layout` fixed.
+def with_fixed(
+    rig: Rig, overrides: Sequence[ControlSettings], layout: Layout
+) -> tuple[ControlSettings, ...]:
+    """(controls,) the `overrides` with every anchor of `layout` fixed; a place that the
+    configuration itself gives a control is stronger.
 
-    A place that the configuration itself gives a control is stronger.  Raises FIXED_IMPOSSIBLE
-    where the layout was made for other points, CONFIG_UNKNOWN_CONTROL where it has a control that
-    the rig lacks.
+    Raises FIXED_IMPOSSIBLE where the layout was made for other points, CONFIG_UNKNOWN_CONTROL where
+    it has a control that the rig lacks.
     """
-    known = rig.control_names
-    renamed = {each.rename: name for name, each in controls.items() if each.rename}
-    found = dict(controls)
-    placed: set[str] = set()
+    index = {control.name: i for i, control in enumerate(rig.controls)}
+    found, placed = list(overrides), set[int]()
     for element in outer_first(layout.elements):
-        for member in element.manipulator.members:
-            if member.control not in known:
+        for name in (member.control for member in element.manipulator.members):
+            if name not in index:
                 where = f"{layout.character.root} element {element.name}"
-                raise refuse(
-                    "CONFIG_UNKNOWN_CONTROL",
-                    where,
-                    f"{rig.skel_root.path} has no control {member.control!r}",
+                what = f"{rig.skel_root.path} has no control {name!r}"
+                raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
+            control = index[name]
+            override = found[control]
+            if control in placed:
+                if not (override.inner_anchor or element.anchor.on_board):
+                    inner = _anchor_of(element, rig.body.meshes)
+                    found[control] = replace(override, inner_anchor=inner)
+            elif not (override.anchor or override.place):
+                placed.add(control)
+                found[control] = (
+                    replace(override, place="board")
+                    if element.anchor.on_board
+                    else replace(override, anchor=_anchor_of(element, rig.body.meshes))
                 )
-            name = renamed.get(member.control, member.control)
-            override = found.get(name, ControlSettings())
-            if name in placed:
-                found[name] = _anchored_again(override, element, rig.body.meshes)
-                continue
-            if override.anchor or override.place:
-                continue
-            placed.add(name)
-            found[name] = (
-                replace(override, place="board")
-                if element.anchor.on_board
-                else _anchored(override, element, rig.body.meshes)
-            )
-    return found
+    return tuple(found)
 
 
 def fixed_anchor(rig: Rig, name: str, anchor: str) -> int | None:
@@ -115,65 +103,12 @@ def moves(points: Indices, name: str, override: ControlSettings, point: int) -> 
     )
 
 
-def has_own_place(
-    rig: Rig, base: Floats, symmetry: Symmetry, requests: Requests, width: float, control: int
-) -> bool:
-    """Whether a control of a pair has a place that is not the mirror image of its twin's, so that
-    the two cannot be one decision: a fixed anchor, or an earlier place that was moved on one side
-    only.
-
-    `base` (n, 3) are the points of the base pose, `width` that of a handle.
-    """
-    twin, overrides, prior = int(symmetry.twins[control]), requests.overrides, requests.prior
-    if twin >= 0 and _region(overrides[control]) != _region(overrides[twin]):
-        return True
-    if overrides[control].anchor:
-        return not _fixed_in_mirror(rig, base, symmetry, requests, control)
-    mine, other = prior.places.get(control), prior.places.get(twin)
-    if mine is None or other is None or prior.cutoff_distance > 0.0:
-        return False
-    if mine.on_board or other.on_board:
-        return mine.on_board != other.on_board
-    apart = np.linalg.norm(reflected(mine.position, symmetry.plane) - other.position)
-    return bool(apart > _SAME * width)
-
-
-def _region(override: ControlSettings) -> tuple[str, str, float]:
-    """The configured place of a control, apart from a fixed anchor."""
-    return override.place, override.near.removeprefix(MIRROR), override.within
-
-
-def _anchored(
-    override: ControlSettings, element: Element, meshes: tuple[RigMesh, ...]
-) -> ControlSettings:
+def _anchor_of(element: Element, meshes: tuple[RigMesh, ...]) -> str:
+    """Its anchor as ``MESH_PATH#POINT``; raises FIXED_IMPOSSIBLE where that is another point by
+    now."""
     anchor = element.anchor
     mesh = next((each for each in meshes if each.path == anchor.mesh), None)
     if mesh is None or not anchor.fits(mesh.topology.hash):
         change = "is gone" if mesh is None else "has other points or faces by now"
         raise refuse("FIXED_IMPOSSIBLE", element.name, f"its mesh {anchor.mesh} {change}")
-    return replace(override, anchor=f"{anchor.mesh}#{anchor.point}")
-
-
-def _anchored_again(
-    override: ControlSettings, element: Element, meshes: tuple[RigMesh, ...]
-) -> ControlSettings:
-    """The override with the anchor of the slider that the control has of its own under a coarse
-    element."""
-    if override.inner_anchor or element.anchor.on_board:
-        return override
-    return replace(override, inner_anchor=_anchored(override, element, meshes).anchor)
-
-
-def _fixed_in_mirror(
-    rig: Rig, base: Floats, symmetry: Symmetry, requests: Requests, control: int
-) -> bool:
-    """Whether both twins are fixed, and the right one exactly at the mirror partner of the left
-    one."""
-    twin, overrides = int(symmetry.twins[control]), requests.overrides
-    if twin < 0 or not overrides[twin].anchor:
-        return False
-    pair = [fixed_anchor(rig, rig.controls[c].name, overrides[c].anchor) for c in (control, twin)]
-    points = np.array([point for point in pair if point is not None])
-    apart = plane_distance(base[points], symmetry.plane)
-    left, right = points if apart[0] >= apart[1] else points[::-1]
-    return bool(symmetry.partner[left] == right)
+    return f"{anchor.mesh}#{anchor.point}"

@@ -1,51 +1,38 @@
-"""What a new layout is asked for: the configuration of its controls, and the layouts that exist."""
+"""Why a new layout is asked for: what a person, or a layout that exists, fixes, prefers or leaves
+out, by control."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
 
-from usdrigui.conventions import Meaning
-from usdrigui.layout.canonical_face import Expectation
+from usdrigui.layout.control_overrides import Named, controls_named
+from usdrigui.layout.reuse.pinned import Pins
 from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout
-from usdrigui.model import Element, Layout
+from usdrigui.model import Control, Element, Layout
 from usdrigui.settings import ControlSettings
-
-
-@dataclass(frozen=True)
-class Names:
-    """The meanings of controls' names by the conventions of the field."""
-
-    meanings: tuple[Meaning | None, ...] = ()
-    """(controls,) how each is read; None where it means nothing or is not read."""
-    expected: tuple[Expectation | None, ...] = ()
-    """(controls,) where each is expected; empty before the face is known."""
-
-
-NO_NAMES = Names()
 
 
 @dataclass(frozen=True, eq=False)
 class Requests:
-    """What the rigger and earlier layouts ask for."""
+    """What the rigger and earlier layouts ask for; made once for a character."""
 
-    overrides: tuple[ControlSettings, ...]
+    configured: tuple[ControlSettings, ...]
     """(controls,) the configuration of each control."""
+    overrides: tuple[ControlSettings, ...]
+    """(controls,) with what layouts, decisions and twins fix, and what animation weighs."""
+    groups: Named = field(default_factory=dict)
+    """The controls that are to share an element, by its name."""
+    levels: Named = field(default_factory=dict)
+    """The members of coarse elements."""
     prior: PriorLayout = NO_PRIOR
     """An earlier layout that the new one should be like."""
     existing: Layout | None = None
     """A layout that stays as it is and to which the new one adds elements."""
     neighbours: tuple[Element, ...] = ()
     """Elements of other parts of the character, from which the new ones keep clear."""
-    names: Names = NO_NAMES
-    """The meanings of the controls' names."""
-
-    def meaning(self, control: int) -> Meaning | None:
-        """How the name of a control is read; None where it means nothing or is not read."""
-        return self.names.meanings[control] if self.names.meanings else None
-
-    def expectation(self, control: int) -> Expectation | None:
-        """Where a control is expected; None where its name means nothing."""
-        return self.names.expected[control] if self.names.expected else None
+    pins: Pins = field(default_factory=Pins)
+    """Decisions of a person in the layout that the new one succeeds."""
 
     @property
     def fixed_elements(self) -> tuple[Element, ...]:
@@ -64,4 +51,22 @@ class Requests:
         overrides = tuple(replace(each, anchor=each.inner_anchor) for each in self.overrides)
         return replace(
             self, overrides=overrides, prior=replace(self.prior, places=self.prior.axis_places)
+        )
+
+    def of_part(
+        self, controls: tuple[Control, ...], part: frozenset[int], neighbours: Iterable[Element]
+    ) -> Requests:
+        """Without the groups and levels that only controls of other parts have; `part` are those of
+        this one, `neighbours` the elements of the parts that are laid out already."""
+        index = {control.name: i for i, control in enumerate(controls)}
+
+        def concerns(names: Iterable[str]) -> bool:
+            named = controls_named(names, self.groups, index)
+            return not named or not part.isdisjoint(named)
+
+        return replace(
+            self,
+            groups={name: own for name, own in self.groups.items() if concerns(own)},
+            levels={name: own for name, own in self.levels.items() if concerns((name, *own))},
+            neighbours=tuple(neighbours),
         )

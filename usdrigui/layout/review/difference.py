@@ -14,11 +14,10 @@ import numpy as np
 
 from usdrigui.errors import listed
 from usdrigui.layout.element.elements import names_of_copies
-from usdrigui.layout.face import Face
+from usdrigui.layout.measured import Measured
 from usdrigui.layout.place.problem import PlacementProblem, penalties_of_leaving
 from usdrigui.layout.reuse.identity import Matching, match_layouts
 from usdrigui.layout.reuse.renaming import with_names
-from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.review.review import cost_given_others
 from usdrigui.model import Element, Floats, Indices, Layout
 from usdrigui.model.levels import inner_names, outer_first
@@ -315,9 +314,7 @@ def _crowd(
             yield f"its place is taken by {element.name}{decided}"
 
 
-def cost_savings(
-    face: Face, requests: Requests, placement: PlacementProblem, labels: Indices
-) -> dict[str, float]:
+def cost_savings(known: Measured, placement: PlacementProblem, labels: Indices) -> dict[str, float]:
     """By element: cost at its earlier place less cost where it is, all others being where they
     are now.
 
@@ -325,7 +322,7 @@ def cost_savings(
     out.
     """
     found: dict[str, float] = {}
-    problem = placement.problem
+    problem, face, requests = placement.problem, known.face, known.requests
     for index, choice in enumerate(placement.choices):
         group = placement.groups[choice.group]
         stay, leave = penalties_of_leaving(

@@ -14,6 +14,7 @@ import numpy as np
 
 from usdrigui.errors import Faults, Issue, RigUIError, by_cause, catalogue, issue, of_character
 from usdrigui.layout.face import Face
+from usdrigui.layout.measured import Measured
 from usdrigui.layout.place.problem import placement_problem
 from usdrigui.layout.place.terms import LinearTerms, linear_cost
 from usdrigui.layout.reuse.identity import match_layout
@@ -39,7 +40,7 @@ from usdrigui.model import (
 )
 from usdrigui.model.levels import inner_names, states
 from usdrigui.overlap import pair_costs, total_cost
-from usdrigui.settings import ReadSettings, Settings
+from usdrigui.settings import ReadSettings
 
 _MOVED = 1e-4
 """An anchor is out of place when it is further off than this share of the face size."""
@@ -82,31 +83,31 @@ class Review:
     """Objective of the elements on the face at their places; inf if two handles are too near."""
 
 
-def review(
-    face: Face,
-    candidates: Candidates,
-    requests: Requests,
-    settings: Settings,
-    layout: Layout,
-    whole: Layout | None = None,
-    listed: frozenset[str] = frozenset(),
-) -> Review:
-    """Rate `layout` on the rig of `face`; faults come first, and what is faulty is not rated.
+@dataclass(frozen=True, eq=False)
+class Whole:
+    """The layout of the character, of which a part is reviewed."""
 
-    `whole`: the layout of the character, where `layout` is that of one part; `listed`: the names of
-    the controls that its author knew, with and without an element; empty where unknown.
-    """
+    layout: Layout
+    listed: frozenset[str] = frozenset()
+    """The names of the controls that its author knew, with and without an element; empty where
+    unknown."""
+
+
+def review(
+    known: Measured, candidates: Candidates, layout: Layout, whole: Whole | None = None
+) -> Review:
+    """Rate `layout` on the rig that was measured; faults come first, and what is faulty is not
+    rated.  `whole` where it is not the layout of all of the character."""
+    face, whole = known.face, whole or Whole(layout)
     faults = [
-        *_stale(face.rig, face.trajectories, layout, settings.rig.read, whole or layout),
-        *_unplaced(face, layout, requests, listed),
+        *_stale(face.rig, face.trajectories, (layout, whole.layout), known.settings.rig.read),
+        *_unplaced(face, layout, known.requests, whole.listed),
         *_crowded(layout.elements, layout.frame.handle_width or face.handle_width),
     ]
     sound = _sound(face, layout.elements)
     pinned = {element.name for element in layout.elements if "anchor" in element.placement.pinned}
     issues = [*faults, *_hidden(face, tuple(each for each in sound if each.name not in pinned))]
-    problem, choices, labels = _as_problem(
-        face, candidates, layout.elements, sound, requests, settings
-    )
+    problem, choices, labels = _as_problem(known, candidates, layout.elements, sound)
     mates = _mates(face, layout.elements, problem, choices, labels)
     rated = tuple(
         _rated(face, problem, choices, labels, index, mates[index]) for index in range(len(choices))
@@ -138,7 +139,7 @@ def refuse_stale(
     """Raise every error for which a layout does not fit the rig any more (LAYOUT_...), by cause."""
     faults = Faults()
     stale = of_character(
-        rig.skel_root.path_in_variants, _stale(rig, trajectories, layout, settings, layout)
+        rig.skel_root.path_in_variants, _stale(rig, trajectories, (layout, layout), settings)
     )
     for found in by_cause(stale):
         with faults.collected():
@@ -151,8 +152,10 @@ def refuse_stale(
 
 
 def _stale(
-    rig: Rig, trajectories: Trajectories, layout: Layout, settings: ReadSettings, whole: Layout
+    rig: Rig, trajectories: Trajectories, layouts: tuple[Layout, Layout], settings: ReadSettings
 ) -> Iterator[Issue]:
+    """Why a layout, and with it the whole of which it is a part, does not fit the rig any more."""
+    layout, whole = layouts
     comparable = not _custom_base(layout.character.base_values, settings)
     meshes = {mesh.path: mesh for mesh in rig.body.meshes}
     known = rig.control_names
@@ -270,21 +273,20 @@ def _sound(face: Face, elements: tuple[Element, ...]) -> tuple[Element, ...]:
 
 
 def _as_problem(
-    face: Face,
+    known: Measured,
     candidates: Candidates,
     every: tuple[Element, ...],
     elements: tuple[Element, ...],
-    requests: Requests,
-    settings: Settings,
 ) -> tuple[LayoutProblem, tuple[Choice, ...], Indices]:
     """The problem in which each of the `elements` is one variable, its own anchor among the
     candidates; `every` element of the layout defines of what they are states and parts."""
+    face, settings = known.face, known.settings
     groups = _as_groups(face.rig.controls, every, elements)
     points = [
         face.rig.body.point_of(element.anchor.mesh, element.anchor.point) for element in elements
     ]
     sets = _with_points(face, candidates, groups, points, LinearTerms.of(settings.layout))
-    placement = placement_problem(face, sets, groups, requests, settings)
+    placement = placement_problem(face, sets, groups, known.requests, settings)
     labels, kept = [], []
     for number, choice in enumerate(placement.choices):
         at = np.flatnonzero(choice.anchors[:, 0] == points[choice.group])

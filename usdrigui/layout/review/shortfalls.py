@@ -6,32 +6,29 @@ from collections.abc import Iterator
 
 from usdrigui.errors import Issue, issue
 from usdrigui.layout.face import Face
+from usdrigui.layout.measured import Measured
 from usdrigui.model import Element
-from usdrigui.settings import ObjectiveSettings, Settings
+from usdrigui.settings import ObjectiveSettings
 
 
-def shortfalls(face: Face, elements: tuple[Element, ...], asked: Settings) -> tuple[Issue, ...]:
+def shortfalls(known: Measured, elements: tuple[Element, ...]) -> tuple[Issue, ...]:
     """PLACE_KEEPS_LITTLE where a control is where it was asked to be and hardly moves there,
     HANDLES_NARROWER where handles that were asked to be wider than usual are not."""
     return (
-        *_still_places(face, elements, asked),
-        *_narrow_handles(face, asked.layout.objective),
+        *_still_places(known, elements),
+        *_narrow_handles(known.face, known.settings.layout.objective),
     )
 
 
-def _still_places(face: Face, elements: tuple[Element, ...], asked: Settings) -> Iterator[Issue]:
+def _still_places(known: Measured, elements: tuple[Element, ...]) -> Iterator[Issue]:
+    face, least = known.face, known.settings.layout.candidates.least_kept
+    names = [control.name for control in face.rig.controls]
+    asked = dict(zip(names, known.requests.configured, strict=True))
     peaks = {face.control_name(each.control): each.peak for each in face.trajectories.motions}
-    least = asked.layout.candidates.least_kept
     for element in elements:
-        for member in element.manipulator.members:
-            override, peak = asked.rig.controls.get(member.control), peaks.get(member.control, 0.0)
-            if (
-                override is None
-                or not (override.near or override.anchor)
-                or element.anchor.on_board
-            ):
-                continue
-            if member.arc_length < least * peak:
+        for member in element.manipulator.members if not element.anchor.on_board else ():
+            override, peak = asked[member.control], peaks[member.control]
+            if (override.near or override.anchor) and member.arc_length < least * peak:
                 key = f'controls."{member.control}".{"anchor" if override.anchor else "near"}'
                 kept = f"keeps {member.arc_length / peak:.0%} of its peak displacement there"
                 yield issue("PLACE_KEEPS_LITTLE", key, f"{member.control} {kept}")

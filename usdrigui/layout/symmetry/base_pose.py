@@ -3,7 +3,6 @@ neutral pose."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -11,9 +10,11 @@ import numpy as np
 from usdrigui.layout.motion.similarity import DisplacementFields, displacement_fields
 from usdrigui.layout.motion.trajectory import of_controls
 from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
+from usdrigui.layout.parts.joint_regions import FACE
 from usdrigui.layout.symmetry.mirror_plane import find_symmetry, plane_distance
+from usdrigui.layout.symmetry.twins import paired
 from usdrigui.model import BaseSurface, Floats, MirrorPlane, Rig, Symmetry, Trajectories
-from usdrigui.settings import SymmetrySettings, TrajectorySettings
+from usdrigui.settings import Settings, TrajectorySettings
 
 _APART = 0.05
 """Pairs nearer to each other than this share of the face determine the plane badly."""
@@ -25,48 +26,49 @@ character."""
 
 
 def symmetry_at_pose(
-    rig: Rig,
-    trajectories: Trajectories,
-    fields: DisplacementFields,
-    settings: SymmetrySettings,
-    configured: Mapping[int, int],
-    sampling: TrajectorySettings,
-    base_values: Floats | None,
+    rig: Rig, trajectories: Trajectories, fields: DisplacementFields, settings: Settings
 ) -> Symmetry:
     """`find_symmetry`, but for a base pose of its own with the partners and twins of the neutral
     pose.
 
     A pose with one eye closed has no mirror image there: pairs would find no common candidate and
-    leave the face. `fields` are those of `trajectories`, `base_values` (controls,) is their base
-    pose; at the controls' defaults nothing differs from `find_symmetry`, nor where the neutral pose
-    has no symmetry.
+    leave the face. `fields` are those of `trajectories`; at the controls' defaults nothing differs
+    from `find_symmetry`, nor where the neutral pose has no symmetry.
     """
-    defaults = np.array([control.default for control in rig.controls], dtype=np.float64)
-    if base_values is None or np.array_equal(base_values, defaults):
-        found = find_symmetry(rig, trajectories, fields, settings, configured)
-        return _or_at_bind_pose(rig, trajectories, found, settings, configured, sampling)
-    neutral = _same_controls(rig, trajectories, sampling)
-    symmetry = find_symmetry(rig, neutral, displacement_fields(neutral), settings, configured)
+    pose = settings.rig.read.pose
+    if all(pose.get(each.name, each.default) == each.default for each in rig.controls):
+        found = find_symmetry(rig, trajectories, fields, settings)
+        return _or_at_bind_pose(rig, trajectories, found, settings)
+    neutral = _same_controls(rig, trajectories, settings.character.trajectories)
+    symmetry = find_symmetry(rig, neutral, displacement_fields(neutral), settings)
     if not symmetry.plane.normal.any():
-        return find_symmetry(rig, trajectories, fields, settings, configured)
+        return find_symmetry(rig, trajectories, fields, settings)
     return _at_pose(symmetry, neutral.surface, trajectories.surface.points)
 
 
+def symmetry_of_part(
+    rig: Rig, trajectories: Trajectories, of_whole: tuple[str, Symmetry], settings: Settings
+) -> Symmetry:
+    """The symmetry of one part, whose name is given with the symmetry `of_whole` the character: a
+    face has a plane of its own, a hand by itself is nearly symmetric about its middle finger."""
+    (part, whole), fields = of_whole, displacement_fields(trajectories)
+    if part == FACE or not whole.plane.normal.any():
+        own = symmetry_at_pose(rig, trajectories, fields, settings)
+        if own.plane.normal.any():
+            return own
+    return paired(rig, trajectories.motions, (fields, whole.plane, whole.partner), settings)
+
+
 def _or_at_bind_pose(
-    rig: Rig,
-    trajectories: Trajectories,
-    found: Symmetry,
-    settings: SymmetrySettings,
-    configured: Mapping[int, int],
-    sampling: TrajectorySettings,
+    rig: Rig, trajectories: Trajectories, found: Symmetry, settings: Settings
 ) -> Symmetry:
     """What was found, or what the skeleton's bind pose shows where the base pose mirrors few
     points: a character may rest in a pose of its own."""
-    bound = _bound(rig)
-    if bound is None or not settings.enabled or float((found.partner >= 0).mean()) >= _MIRRORED:
+    bound, enabled = _bound(rig), settings.character.symmetry.enabled
+    if bound is None or not enabled or float((found.partner >= 0).mean()) >= _MIRRORED:
         return found
-    neutral = _same_controls(bound, trajectories, sampling)
-    symmetry = find_symmetry(bound, neutral, displacement_fields(neutral), settings, configured)
+    neutral = _same_controls(bound, trajectories, settings.character.trajectories)
+    symmetry = find_symmetry(bound, neutral, displacement_fields(neutral), settings)
     if (symmetry.partner >= 0).sum() <= (found.partner >= 0).sum():
         return found
     return _at_pose(symmetry, neutral.surface, trajectories.surface.points)
@@ -100,9 +102,10 @@ def _same_controls(
     if len(trajectories.motions) >= len(neutral.motions):
         return neutral
     own, excluded = (
-        {each.control for each in of} for of in (trajectories.motions, trajectories.excluded)
+        frozenset(each.control for each in of)
+        for of in (trajectories.motions, trajectories.excluded)
     )
-    return of_controls(rig, neutral, own, excluded, sampling)
+    return of_controls(rig, neutral, (own, excluded), sampling)
 
 
 def _at_pose(symmetry: Symmetry, surface: BaseSurface, base: Floats) -> Symmetry:

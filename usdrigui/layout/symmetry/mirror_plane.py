@@ -7,8 +7,7 @@ reflection to pairs of nearest points, and the far pairs (hair, clothes) are tri
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -17,19 +16,17 @@ from usdrigui.layout.motion.similarity import DisplacementFields
 from usdrigui.layout.motion.trajectory import total_motion
 from usdrigui.layout.symmetry.front import front
 from usdrigui.layout.symmetry.sides_of_joints import ahead_of_head, plane_of_names
-from usdrigui.layout.symmetry.twins import agreements, find_twins, pairable
+from usdrigui.layout.symmetry.twins import agreements, pairable, paired
 from usdrigui.model import (
-    Control,
     Flags,
     Floats,
     Indices,
     MirrorPlane,
-    Motion,
     Rig,
     Symmetry,
     Trajectories,
 )
-from usdrigui.settings import SymmetrySettings
+from usdrigui.settings import Settings
 from usdrigui.ties import axis_across, rounded, towards
 
 _SAMPLE = 2000
@@ -81,20 +78,20 @@ def find_symmetry(
     rig: Rig,
     trajectories: Trajectories,
     fields: DisplacementFields,
-    settings: SymmetrySettings,
-    configured: Mapping[int, int],
+    settings: Settings,
 ) -> Symmetry:
     """Mirror plane, partner points and twin controls of `rig`; `fields` are those of
-        `trajectories`, `configured` the twins of the configuration (`configured_twins`).
+    `trajectories`.
 
     The normal points to the character's left.  Where less than half of the moving region has a
     mirror image within ``symmetry.tolerance`` there is no symmetry: normal zero, partners -1, twins
     by the configuration or -1.
     """
     count = len(trajectories.surface.points)
-    tolerance = settings.tolerance * trajectories.surface.face_size
+    mirror = settings.character.symmetry
+    tolerance = mirror.tolerance * trajectories.surface.face_size
     plane = named = None
-    if settings.enabled and trajectories.motions:
+    if mirror.enabled and trajectories.motions:
         named = plane_of_names(rig.body.skeletons, rig.body.joints)
         found = _find_plane(rig.skel_root.up, trajectories, fields, tolerance)
         plane = _named_instead(named, found, trajectories)
@@ -107,32 +104,9 @@ def find_symmetry(
         middle = trajectories.surface.points.mean(axis=0)
         normal = plane.normal
         origin = middle - (middle @ plane.normal - plane.offset) * plane.normal
-    twins, sources, turned = find_twins(
-        rig.controls,
-        trajectories.motions,
-        fields,
-        (partner, normal),
-        configured,
-        settings.twin_similarity,
+    return paired(
+        rig, trajectories.motions, (fields, MirrorPlane(origin, normal), partner), settings
     )
-    return Symmetry(MirrorPlane(origin, normal), partner, twins, sources, turned)
-
-
-def about_plane_of(
-    controls: tuple[Control, ...],
-    motions: tuple[Motion, ...],
-    fields: DisplacementFields,
-    whole: Symmetry,
-    twin_similarity: float,
-    configured: Mapping[int, int],
-) -> Symmetry:
-    """The symmetry of a part of a character about the plane of the `whole`; parameters as of
-    `find_symmetry`."""
-    mirror = whole.partner, whole.plane.normal
-    twins, sources, turned = find_twins(
-        controls, motions, fields, mirror, configured, twin_similarity
-    )
-    return replace(whole, twins=twins, sources=sources, reversed=turned)
 
 
 def reflected(points: Floats, plane: MirrorPlane) -> Floats:

@@ -17,8 +17,17 @@ from usdrigui.conventions.sides import has_side, hints_at_twin
 from usdrigui.errors import Faults, meant, refuse
 from usdrigui.layout.control_overrides import control_index, control_overrides
 from usdrigui.layout.motion.similarity import DisplacementFields, bidirectional
-from usdrigui.model import Control, Flags, Floats, Indices, Motion, Rig, Singles
-from usdrigui.settings import ControlSettings
+from usdrigui.model import (
+    Flags,
+    Floats,
+    Indices,
+    MirrorPlane,
+    Motion,
+    Rig,
+    Singles,
+    Symmetry,
+)
+from usdrigui.settings import ControlSettings, Settings
 
 _NAME_BONUS = 0.15
 """What a matching name adds to the agreement of two controls."""
@@ -28,36 +37,34 @@ _DIGITS = 6
 """Of an agreement: vectors in single precision leave noise from the eighth digit on."""
 
 
-def find_twins(
-    controls: tuple[Control, ...],
+def paired(
+    rig: Rig,
     motions: tuple[Motion, ...],
-    fields: DisplacementFields,
-    mirror: tuple[Indices, Floats],
-    configured: Mapping[int, int],
-    least: float,
-) -> tuple[Indices, tuple[str, ...], Flags]:
-    """Twin of every control, how it was decided, and whether it goes the other way, as in
-    `Symmetry`.
+    mirror: tuple[DisplacementFields, MirrorPlane, Indices],
+    settings: Settings,
+) -> Symmetry:
+    """The symmetry with the twin of every control.
 
-    `mirror` are the partners (n,) of all points and the normal (3,) of the mirror plane,
-    `configured` as of `configured_twins`; motions agree by `least` to be twins.
+    `mirror` are the fields of the motions, the mirror plane and the partners (n,) of all points.
     """
-    partner, normal = mirror
-    count = len(controls)
+    fields, plane, partner = mirror
+    configured = configured_twins(rig, settings.rig.controls)
+    least = settings.character.symmetry.twin_similarity
+    count = len(rig.controls)
     twins, sources = np.full(count, -1, dtype=np.int64), [""] * count
     reversed_twins = np.zeros(count, dtype=bool)
-    for own, other in configured.items():
-        twins[own], sources[own] = other, "config"
-    if normal.any():
-        raw = agreements(fields, partner, normal)
+    for control, twin in configured.items():
+        twins[control], sources[control] = twin, "config"
+    if plane.normal.any():
+        raw = agreements(fields, partner, plane.normal)
         raw = 0.5 * (raw + raw.T)
         free = [i for i, motion in enumerate(motions) if motion.control not in configured]
-        names = [controls[motion.control].name for motion in motions]
+        names = [rig.controls[motion.control].name for motion in motions]
         for a, b, source in _matched(names, motions, raw, free, least):
             twins[a], twins[b] = b, a
             sources[a] = sources[b] = source
         reversed_twins = _reversed(motions, twins, raw)
-    return twins, tuple(sources), reversed_twins
+    return Symmetry(plane, partner, twins, tuple(sources), reversed_twins)
 
 
 def _reversed(motions: tuple[Motion, ...], twins: Indices, raw: Floats) -> Flags:

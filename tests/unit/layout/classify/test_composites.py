@@ -89,8 +89,7 @@ def test_an_emotion_with_a_shape_of_its_own_is_still_a_spread():
     measured = chain.measured(makers.face_with(emotion=brow + smile + own))
     face = measured.face
     coverage = np.array([each.coverage for each in measured.classification])
-    alike, told = measured.similarity, measured.requests.names.meanings
-    found = composites(face.rig, face.trajectories, face.symmetry, alike, coverage, told)
+    found = composites(face, measured.similarity, coverage)
     assert [face.rig.controls[face.trajectories.motions[i].control].name for i in found] == ["emotion"]
     assert next(iter(found.values())).kind == "spread"
 

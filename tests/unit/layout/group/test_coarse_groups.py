@@ -9,13 +9,11 @@ import pytest
 from chain import by_name, lay_out, problem_of, settings
 
 from usdrigui.errors import RigUIError
-from usdrigui.layout.reuse.partial_layout import fixed_by
-from usdrigui.layout.reuse.prior_layout import PriorLayout, kept_groups, prior_of_previous
+from usdrigui.layout.reuse.prior_layout import prior_of_previous
 from usdrigui.layout.review.difference import difference
 from usdrigui.layout.review.review import _crowded, review
 from usdrigui.model import Control
 from usdrigui.model.levels import inner_names, outer_first, shown, states
-from usdrigui.settings import with_sections
 
 FACE = makers.face()
 
@@ -37,7 +35,7 @@ def mouth(**more):
 
 def reviewed(line, layout):
     inputs = line.inputs
-    return review(inputs.face, inputs.candidates, inputs.requests, inputs.settings, layout)
+    return review(inputs.measured, inputs.candidates, layout)
 
 
 def test_without_a_word_of_levels_nothing_changes():
@@ -162,10 +160,7 @@ def test_two_handles_on_one_spot_are_a_fault_only_where_both_are_visible():
 
 def test_a_layout_with_levels_can_be_fixed_and_kept():
     first = lay_out(FACE, joystick()).layout
-    fixed = fixed_by(first, FACE, {})
-    again = lay_out(
-        FACE, with_sections(joystick(), controls=fixed), prior=PriorLayout(kept_groups(first.elements, FACE))
-    ).layout
+    again = lay_out(FACE, joystick(), fixed=first).layout
     assert anchors(again) == anchors(first)
     kept = lay_out(FACE, joystick(), prior=prior_of_previous(first.elements, FACE, 0.2)).layout
     assert anchors(kept) == anchors(first)

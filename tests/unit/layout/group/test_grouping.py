@@ -116,7 +116,12 @@ def test_joints_make_a_joystick_of_one_joint_only(turns, shared):
     """What a joint carries with it where the joints of a hand are all roots is no turn of another joint."""
     line = chain.problem_of(swinging(), chain.settings())
     face = turning(line.face, turns)
-    assert any(len(group.controls) == 2 for group in find_groups(face, *line.grouping[1:], {})) == shared
+    assert (
+        any(
+            len(group.controls) == 2 for group in find_groups(replace(line.inputs.measured, face=face), line.candidates)
+        )
+        == shared
+    )
 
 
 AT = (0.0, -0.55)
@@ -126,7 +131,10 @@ def test_axes_of_two_joints_are_no_opposites_by_convention():
     ends = {name: makers.bump(POINTS, AT, (0, 1, 0), 0.3, 0.1) for name in ("mouthDown", "mouthUp")}
     line = chain.problem_of(makers.rig(POINTS, QUADS, ends), chain.settings(candidates={"board_composite": False}))
     face = turning(line.face, ({0: 1.0}, {1: 1.0}))
-    assert [group.reason for group in find_groups(face, *line.grouping[1:], {})] == ["", ""]
+    assert [group.reason for group in find_groups(replace(line.inputs.measured, face=face), line.candidates)] == [
+        "",
+        "",
+    ]
 
 
 @pytest.mark.parametrize(
@@ -208,8 +216,8 @@ def test_patches_and_fans_by_the_jaccard_index():
 
 
 def test_nothing_is_suggested_for_a_part_of_which_nothing_can_stand():
-    face, candidates, *others = chain.problem_of(gazing(), chain.settings()).grouping
-    assert suggested_groups(face, replace(candidates, sets=()), *others, ()) == ()
+    known, candidates = chain.problem_of(gazing(), chain.settings()).grouping
+    assert suggested_groups(known, replace(candidates, sets=()), ()) == ()
 
 
 def test_the_users_groups_are_kept_and_their_image_is_made():

@@ -17,7 +17,9 @@ from usdrigui.layout.parts import joint_regions
 from usdrigui.layout.parts.division import divide
 from usdrigui.layout.parts.own_pieces import _is_eye
 from usdrigui.model import LayoutPart, Step
-from usdrigui.pipeline.stages import divided, joined, joined_assignment, part_problem
+from usdrigui.pipeline.joining import joined, joined_assignment
+from usdrigui.pipeline.records import Task
+from usdrigui.pipeline.stages import character_of, part_problem
 from usdrigui.rotation import rotations
 from usdrigui.settings import OutputSettings, Settings, load
 from usdrigui.usd import layer
@@ -160,7 +162,7 @@ def test_a_shape_of_an_eye_stays_with_the_face_and_one_of_a_prop_with_the_prop(m
 def test_a_body_does_not_change_the_scale_of_its_face():
     facial = named(BODY)["face"]
     alone = replace(BODY, controls=tuple(control for control in BODY.controls if control.name in facial))
-    character = divided(BODY, Settings())
+    character = character_of(BODY, Task(Settings()))
     face = part_problem(character, character.parts[0]).face
     sizes = [trajectories(rig, Settings().character.trajectories).surface.face_size for rig in (BODY, alone)]
     assert face.trajectories.surface.face_size == sizes[1]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from usdrigui.errors import RigUIError
-from usdrigui.layout.reuse.partial_layout import has_own_place
+from usdrigui.layout.group.own_places import has_own_place
 from usdrigui.layout.reuse.prior_layout import Place, PriorLayout
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import MirrorPlane
@@ -76,7 +76,8 @@ def test_what_is_said_of_one_twin_holds_for_it_and_for_it_alone():
 )
 def test_twins_whose_places_were_mirror_images_within_half_a_handle_are_one_decision(apart, boards, own):
     symmetry = SimpleNamespace(twins=[1, 0], plane=MirrorPlane(np.zeros(3), np.array([1.0, 0.0, 0.0])))
+    face = SimpleNamespace(symmetry=symmetry, handle_width=1.0)
     positions = np.array([2.0, 0, 0]), np.array([-2.0, apart, 0])
     places = {i: Place(-1, position, boards[i]) for i, position in enumerate(positions)}
-    requests = Requests((ControlSettings(), ControlSettings()), PriorLayout(places=places))
-    assert has_own_place(None, None, symmetry, requests, 1.0, 0) is own
+    asked = (ControlSettings(), ControlSettings())
+    assert has_own_place(face, Requests(asked, asked, prior=PriorLayout(places=places)), 0) is own

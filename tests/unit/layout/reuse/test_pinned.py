@@ -144,7 +144,7 @@ def test_check_does_not_argue_with_what_is_pinned():
         elements=tuple(replace(each, placement=replace(each.placement, pinned=())) for each in line.layout.elements),
     )
     for layout, argued in ((free, True), (line.layout, False)):
-        found = review(rated.face, rated.candidates, rated.requests, rated.settings, layout)
+        found = review(rated.measured, rated.candidates, layout)
         named = {each.path for each in found.issues if each.code == "LAYOUT_BETTER_PLACE"}
         assert bool(named & {"brow_L", "brow_R"}) is argued
 

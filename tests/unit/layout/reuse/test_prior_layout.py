@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from usdrigui.errors import RigUIError
-from usdrigui.layout.reuse.partial_layout import fixed_by
 from usdrigui.layout.reuse.prior_layout import (
     NO_PRIOR,
     KeptGroup,
@@ -23,8 +22,8 @@ from usdrigui.layout.review.difference import cost_savings, difference
 from usdrigui.settings import ControlSettings, Settings, with_sections
 
 
-def lay_out(rig, settings=None, prior=NO_PRIOR):
-    return chain.lay_out(rig, settings, prior=prior)
+def lay_out(rig, settings=None, prior=NO_PRIOR, fixed=None):
+    return chain.lay_out(rig, settings, prior=prior, fixed=fixed)
 
 
 def anchors(layout):
@@ -72,8 +71,7 @@ def at_another_place(line, name, column=0):
 
 
 def test_a_fixed_layout_comes_back_to_the_point_and_in_its_pairs(face, before):
-    settings = with_sections(Settings(), controls=fixed_by(before.layout, face, {}))
-    again = lay_out(face, settings, PriorLayout(kept_groups(before.layout.elements, face)))
+    again = lay_out(face, fixed=before.layout)
     assert anchors(again.layout) == anchors(before.layout)
     assert partners(again.layout) == partners(before.layout)
     mirrors = {element.name: element.manipulator.mirror for element in before.layout.elements}
@@ -96,8 +94,7 @@ def test_a_group_on_the_board_stays_together_whatever_takes_its_controls_off_the
 def test_the_rest_is_optimal_given_what_is_fixed(face, before):
     layout, point = at_another_place(before, "pucker")
     partial = replace(layout, elements=tuple(each for each in layout.elements if each.name == "pucker"))
-    settings = with_sections(Settings(), controls=fixed_by(partial, face, {}))
-    line = lay_out(face, settings)
+    line = lay_out(face, fixed=partial)
     assert anchors(line.layout)["pucker"] == point
     assert line.assignment.status == "optimal"
     assert line.assignment.cost - line.assignment.bound <= 1e-9 * abs(line.assignment.cost) + 1e-12
@@ -110,14 +107,15 @@ def test_the_rest_is_optimal_given_what_is_fixed(face, before):
 def test_fixing_beside_keeps_a_control_off_the_face(face, before):
     element = chain.by_name(before)["chin"]
     beside = replace(element, anchor=replace(element.anchor, on_board=True))
-    settings = with_sections(Settings(), controls=fixed_by(replace(before.layout, elements=(beside,)), face, {}))
-    assert anchors(lay_out(face, settings).layout)["chin"] == "board"
+    line = lay_out(face, fixed=replace(before.layout, elements=(beside,)))
+    assert anchors(line.layout)["chin"] == "board"
 
 
 def test_the_configuration_is_stronger_than_the_fixed_layer(face, before):
-    controls = fixed_by(before.layout, face, {"chin": ControlSettings(anchor="/Root/mesh#20")})
-    assert controls["chin"].anchor == "/Root/mesh#20"
-    assert controls["pucker"].anchor == f"/Root/mesh#{anchors(before.layout)['pucker']}"
+    settings = chain.settings(controls={"chin": {"anchor": "/Root/mesh#20"}})
+    found = anchors(lay_out(face, settings, fixed=before.layout).layout)
+    assert found["chin"] == 20
+    assert found["pucker"] == anchors(before.layout)["pucker"]
 
 
 def test_fixing_one_member_fixes_its_group(face):
@@ -152,9 +150,9 @@ def test_impossible_requests_are_refused_with_the_reason(face, controls, groups,
 def test_a_layer_fixed_on_other_points_is_refused(face, before):
     other = makers.face(columns=31)
     with pytest.raises(RigUIError, match="other points or faces"):
-        fixed_by(before.layout, other, {})
+        chain.problem_of(other, fixed=before.layout)
     with pytest.raises(RigUIError) as refused:
-        fixed_by(before.layout, without(face, "chin"), {})
+        chain.problem_of(without(face, "chin"), fixed=before.layout)
     assert refused.value.issue.code == "CONFIG_UNKNOWN_CONTROL"
 
 
@@ -173,7 +171,7 @@ def test_a_place_is_kept_until_leaving_it_saves_more_than_the_penalty(face, befo
     dear = lay_out(face, prior=prior_of_previous(layout.elements, face, 5.0))
     assert anchors(cheap.layout)["chin"] == anchors(before.layout)["chin"]
     assert anchors(dear.layout)["chin"] == point
-    saved = cost_savings(cheap.face, cheap.inputs.requests, cheap.inputs.placement, cheap.assignment.labels)
+    saved = cost_savings(cheap.inputs.measured, cheap.inputs.placement, cheap.assignment.labels)
     (change,) = [each for each in difference(layout, cheap.layout, saved).changes if each.control == "chin"]
     assert change.kind == "moved"
     assert change.distance > 0.0

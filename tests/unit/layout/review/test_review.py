@@ -11,7 +11,7 @@ from usdrigui.layout.review.review import review
 def test_the_nearest_handle_is_named_with_its_distance_in_handle_widths():
     line = chain.lay_out(makers.face())
     inputs = line.inputs
-    rated = review(line.face, line.candidates, inputs.requests, inputs.settings, line.layout).elements
+    rated = review(inputs.measured, line.candidates, line.layout).elements
     seen = line.face.drawing_axes.T
     places = {each.name: each.anchor.position @ seen for each in line.layout.elements if not each.anchor.on_board}
     assert {each.element for each in rated} == set(places)

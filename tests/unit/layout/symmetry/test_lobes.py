@@ -52,7 +52,7 @@ def test_a_name_that_tells_the_region_alone_leaves_it_to_the_motion_whether_it_h
     line = chain.problem_of(makers.rig(POINTS, QUADS, sides | {"jawOpen": SHAPES["chin"], name: lobes}))
     control = next(i for i, each in enumerate(line.face.rig.controls) if each.name == name)
     group = next(each for each in line.groups if control in each.controls)
-    assert line.inputs.requests.expectation(control) is not None
+    assert line.face.expected[control] is not None
     assert len(group.copies) == count
 
 

@@ -24,13 +24,7 @@ ROTATION *= np.sign(np.linalg.det(ROTATION))
 def symmetry_of(rig, settings=None):
     settings = settings or Settings()
     found = trajectories(rig, settings.character.trajectories)
-    return find_symmetry(
-        rig,
-        found,
-        displacement_fields(found),
-        settings.character.symmetry,
-        configured_twins(rig, settings.rig.controls),
-    )
+    return find_symmetry(rig, found, displacement_fields(found), settings)
 
 
 def apart(rig, symmetry):

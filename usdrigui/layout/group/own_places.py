@@ -1,0 +1,53 @@
+"""Controls of pairs that have places of their own: they cannot be one decision."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from usdrigui.layout.face import Face
+from usdrigui.layout.reuse.partial_layout import MIRROR, fixed_anchor
+from usdrigui.layout.reuse.requests import Requests
+from usdrigui.layout.symmetry.mirror_plane import plane_distance, reflected
+from usdrigui.settings import ControlSettings
+
+_SAME = 0.5
+"""Earlier places of two twins mirror each other when they are nearer to it than this, in handle
+widths."""
+
+
+def has_own_place(face: Face, requests: Requests, control: int) -> bool:
+    """Whether a control of a pair has a place that is not the mirror image of its twin's, so that
+    the two cannot be one decision: a fixed anchor, or an earlier place that was moved on one side
+    only."""
+    symmetry, overrides, prior = face.symmetry, requests.overrides, requests.prior
+    twin = int(symmetry.twins[control])
+    if twin >= 0 and _region(overrides[control]) != _region(overrides[twin]):
+        return True
+    if overrides[control].anchor:
+        return not _fixed_in_mirror(face, requests, control)
+    mine, other = prior.places.get(control), prior.places.get(twin)
+    if mine is None or other is None or prior.cutoff_distance > 0.0:
+        return False
+    if mine.on_board or other.on_board:
+        return mine.on_board != other.on_board
+    apart = np.linalg.norm(reflected(mine.position, symmetry.plane) - other.position)
+    return bool(apart > _SAME * face.handle_width)
+
+
+def _region(override: ControlSettings) -> tuple[str, str, float]:
+    """The configured place of a control, apart from a fixed anchor."""
+    return override.place, override.near.removeprefix(MIRROR), override.within
+
+
+def _fixed_in_mirror(face: Face, requests: Requests, control: int) -> bool:
+    """Whether both twins are fixed, and the right one exactly at the mirror partner of the left
+    one."""
+    rig, symmetry, overrides = face.rig, face.symmetry, requests.overrides
+    twin = int(symmetry.twins[control])
+    if twin < 0 or not overrides[twin].anchor:
+        return False
+    pair = [fixed_anchor(rig, rig.controls[c].name, overrides[c].anchor) for c in (control, twin)]
+    points = np.array([point for point in pair if point is not None])
+    apart = plane_distance(face.trajectories.surface.points[points], symmetry.plane)
+    left, right = points if apart[0] >= apart[1] else points[::-1]
+    return bool(symmetry.partner[left] == right)

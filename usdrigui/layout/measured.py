@@ -1,0 +1,23 @@
+"""What is known of a part of a character before its elements are placed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from usdrigui.layout.classify.classification import Classification
+from usdrigui.layout.face import Face
+from usdrigui.layout.motion.similarity import Similarity
+from usdrigui.layout.reuse.requests import Requests
+from usdrigui.settings import Settings
+
+
+@dataclass(frozen=True, eq=False)
+class Measured:
+    """What the stages of grouping and placing read."""
+
+    face: Face
+    similarity: Similarity
+    requests: Requests
+    classification: tuple[Classification, ...]
+    """(motions,)."""
+    settings: Settings

@@ -1,0 +1,144 @@
+"""What the stages hand to each other, from a character to the layouts of its parts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from usdrigui.errors import Issue, of_character
+from usdrigui.layout.face import Face
+from usdrigui.layout.measured import Measured
+from usdrigui.layout.place.problem import PlacementProblem
+from usdrigui.layout.reuse.identity import matching_issues
+from usdrigui.layout.reuse.requests import Requests
+from usdrigui.layout.visibility import Viewpoint
+from usdrigui.model import (
+    Assignment,
+    Candidates,
+    Floats,
+    Layout,
+    LeftOff,
+    Rig,
+    Symmetry,
+    Trajectories,
+)
+from usdrigui.pipeline.references import OwnReferences, ReferenceLayouts
+from usdrigui.settings import Settings
+
+
+@dataclass(frozen=True, eq=False)
+class Task:
+    """What is asked of the characters of a stage."""
+
+    settings: Settings
+    references: ReferenceLayouts = field(default_factory=ReferenceLayouts)
+    cameras: Mapping[str, Floats] = field(default_factory=dict)
+    """By SkelRoot, the direction to the viewer of the camera that ``candidates.view`` names."""
+
+
+@dataclass(frozen=True, eq=False)
+class CharacterPart:
+    """One part of a character, with what is found out about it by itself."""
+
+    name: str
+    trajectories: Trajectories
+    symmetry: Symmetry
+
+    @property
+    def controls(self) -> frozenset[int]:
+        """Indices of its controls."""
+        return frozenset(motion.control for motion in self.trajectories.motions)
+
+
+@dataclass(frozen=True, eq=False)
+class Character:
+    """A character with its parts, ready to be laid out one part after the other."""
+
+    rig: Rig
+    settings: Settings
+    base_values: Floats
+    """(controls,) the base pose."""
+    trajectories: Trajectories
+    symmetry: Symmetry
+    """Of the character as a whole."""
+    parts: tuple[CharacterPart, ...]
+    """In the order in which they are laid out."""
+    viewpoint: Viewpoint
+    references: OwnReferences
+    requests: Requests
+
+
+@dataclass(frozen=True, eq=False)
+class ProblemInputs:
+    """The layout problem of one part of a character, and what it was built from."""
+
+    character: Character
+    part: str
+    """Name of the part."""
+    measured: Measured
+    candidates: Candidates
+    placement: PlacementProblem
+
+    @property
+    def face(self) -> Face:
+        """The part as measured."""
+        return self.measured.face
+
+    @property
+    def requests(self) -> Requests:
+        """What holds for this part."""
+        return self.measured.requests
+
+    @property
+    def settings(self) -> Settings:
+        """Those of the run."""
+        return self.character.settings
+
+    @property
+    def issues(self) -> tuple[Issue, ...]:
+        """Findings about the rig and its controls."""
+        unexplained = (told for each in self.measured.classification for told in each.issues)
+        renamed = (
+            told
+            for which, matching in self.character.references.matchings.items()
+            for told in matching_issues(which, matching)
+        )
+        rig, odd = self.face.rig, self.face.trajectories.findings.issues
+        told = (*odd, *unexplained, *renamed, *self.requests.pins.issues)
+        return (*rig.findings.issues, *of_character(rig.skel_root.path_in_variants, told))
+
+    @property
+    def explained_by(self) -> dict[str, tuple[tuple[str, float], ...]]:
+        """Names of the controls that others explain, to those and how far each of them goes."""
+        names = [
+            self.face.control_name(motion.control) for motion in self.face.trajectories.motions
+        ]
+        named = zip(names, self.measured.classification, strict=True)
+        return {
+            name: tuple((names[i], amount) for i, amount in each.explained_by)
+            for name, each in named
+        }
+
+    @property
+    def left_off(self) -> tuple[LeftOff, ...]:
+        """Controls that the stages after reading left off, and why."""
+        return (*self.face.trajectories.findings.left_off, *self.candidates.left_off)
+
+    @property
+    def twin_names(self) -> dict[str, str]:
+        """Names of the controls that have a twin other than themselves, to its name."""
+        controls, twins = self.face.rig.controls, self.face.symmetry.twins
+        return {
+            control.name: controls[twin].name
+            for control, twin in zip(controls, twins, strict=True)
+            if twin >= 0 and controls[twin] is not control
+        }
+
+
+@dataclass(frozen=True, eq=False)
+class LaidPart:
+    """One part of a character, laid out."""
+
+    inputs: ProblemInputs
+    layout: Layout
+    assignment: Assignment
