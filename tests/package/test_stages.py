@@ -15,6 +15,8 @@ ONE_FIELD = 10
 they are handed on as values."""
 CHANGES = {"Budget"}
 """A solver's only object that changes: it counts the work, is no record of a stage, and goes to every search."""
+SHARED = {"Face", "Requests"}
+"""What is measured of a face and what is asked for, once each: what nearly every stage of placing reads."""
 TOGETHER = [("layout", "pipeline"), ("cli", "clients"), ("pose",), ("solve",), ("view",)]
 """Folders whose functions pass each other's records."""
 
@@ -30,7 +32,7 @@ def bags(trees):
     nodes = [node for tree in trees for node in ast.walk(tree)]
     classes = [node for node in nodes if isinstance(node, ast.ClassDef)]
     large = {each.name for each in classes if sum(isinstance(line, ast.AnnAssign) for line in each.body) > FIELDS}
-    large -= CHANGES
+    large -= CHANGES | SHARED
     taken = Counter()
     for node in nodes:
         if isinstance(node, ast.FunctionDef):
@@ -45,7 +47,7 @@ def taken(trees):
     where they pass it on or call it."""
     classes = {each.name: each for tree in trees for each in ast.walk(tree) if isinstance(each, ast.ClassDef)}
     large = {name for name, each in classes.items() if sum(isinstance(x, ast.AnnAssign) for x in each.body) > FIELDS}
-    large -= CHANGES
+    large -= CHANGES | SHARED
     for function in (each for tree in trees for each in tree.body if isinstance(each, ast.FunctionDef)):
         for each in (*function.args.posonlyargs, *function.args.args, *function.args.kwonlyargs):
             words = {each.annotation, *(ast.walk(each.annotation) if isinstance(each.annotation, ast.BinOp) else ())}
