@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -16,20 +16,18 @@ from usdrigui.layout.reuse.partial_layout import anchored_point
 from usdrigui.layout.symmetry.orbits import check_orbits
 from usdrigui.layout.symmetry.twins import configured_twins
 from usdrigui.model import Control, Floats, Layout, Rig
-from usdrigui.pipeline.references import ReferenceLayouts, check_like
+from usdrigui.pipeline.references import check_like
 from usdrigui.settings import Settings
 from usdrigui.settings.loading import UnsoundSettingsError
 from usdrigui.settings.parts import ControlSettings, PartSettings
 from usdrigui.usd.reader_process import read_rigs_isolated
 from usdrigui.usd.reader_records import ReadResult
 
-_NO_REFERENCES = ReferenceLayouts()
-
 
 def refuse_unsound(
     source: ReadResult,
     settings: Settings | None = None,
-    references: ReferenceLayouts = _NO_REFERENCES,
+    like: tuple[tuple[Rig, Layout], ...] = (),
 ) -> None:
     """Raise RigUIError with all CONFIG_ and GLYPH_ codes of what the configuration asks and the
     asset, or the character to imitate, does not allow; without `settings` of what reading needs.
@@ -39,7 +37,7 @@ def refuse_unsound(
     faults = Faults()
     faults.add(source.config_faults)
     if settings is not None:
-        _check(source, settings, references.like, faults)
+        _check(source, settings, like, faults)
     faults.raise_all()
 
 
@@ -89,7 +87,7 @@ def _check(
         check_terms(settings.layout.objective.terms)
     for rig in source.rigs:
         _check_rig(rig, settings, source.cameras, like, faults)
-    _check_parts(source, settings.character.parts, faults)
+    _check_parts(source.rigs, settings.character.parts, faults)
 
 
 def _check_rig(
@@ -131,10 +129,10 @@ def _check_places(
             check_near(rig, f"{where}.near", override.near)
 
 
-def _check_parts(source: ReadResult, settings: PartSettings, faults: Faults) -> None:
+def _check_parts(rigs: Sequence[Rig], settings: PartSettings, faults: Faults) -> None:
     """Collect CONFIG_UNKNOWN_CONTROL for names of ``[parts.controls]`` that no rig knows."""
-    known = {name for rig in source.rigs for name in rig.control_names}
-    known |= {left.control for rig in source.rigs for left in rig.findings.left_off}
+    known = {name for rig in rigs for name in rig.control_names}
+    known |= {left.control for rig in rigs for left in rig.findings.left_off}
     for name in settings.controls:
         with faults.collected():
             if name not in known:

@@ -42,7 +42,7 @@ def inspect(
         opening = Opening.of(settings.rig.read)
         clips = animation.performances(animations, opening)
         references = read_references(ReferenceLayers(like=like), opening)
-        refuse_unsound(source, settings, references)
+        refuse_unsound(source, settings, references.like)
     issues: list[Issue] = []
     characters = []
     for rig in source.rigs:

@@ -201,7 +201,7 @@ def _read_each(
 def _read(asset: Path, layers: ReferenceLayers, settings: Settings) -> AssetReading:
     source = read_rigs_isolated(asset, settings)
     references = read_references(layers, Opening.of(settings.rig.read))
-    refuse_unsound(source, settings, references)
+    refuse_unsound(source, settings, references.like)
     return AssetReading(settings, source, references)
 
 

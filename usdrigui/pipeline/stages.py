@@ -23,6 +23,7 @@ from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.similarity import displacement_fields, similarity
 from usdrigui.layout.motion.trajectory import of_controls, trajectories
 from usdrigui.layout.parts.division import divide
+from usdrigui.layout.parts.joint_regions import FLAT
 from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.place.handle_width import handle_width, on_face
 from usdrigui.layout.place.problem import placement_problem
