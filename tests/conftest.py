@@ -2,42 +2,19 @@
 
 import functools
 import os
-import sys
 
 import failures_at_once
 import pytest
 import skinned_stages
 import suites
 from hypothesis import settings
-from zygote import Forking
 
 from usdrigui.cli import main
-from usdrigui.usd import reader_process
 from usdrigui.view import sheet
 
 # Every run draws the same examples, so that a change is judged by itself; `--hypothesis-profile=default` draws others.
 settings.register_profile("same", derandomize=True)
 settings.load_profile("same")
-
-
-@pytest.fixture(scope="session", autouse=True)
-def forking():
-    """Readers are forked from one that has USD loaded: 10 ms each, not 400, of the same code under the same limits."""
-    if sys.platform != "linux":
-        yield None
-        return
-    made = Forking(reader_process._started)
-    reader_process._started = made.start
-    yield made
-    reader_process._started = made.fresh
-    made.close()
-
-
-@pytest.fixture
-def fresh_readers(forking, monkeypatch):
-    """Readers are started as users' are."""
-    if forking is not None:
-        monkeypatch.setattr(forking, "on", False)
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -23,8 +23,6 @@ GOLDEN = Path(__file__).parent / "golden.json"
 WRITE = os.environ.get("USDRIGUI_GOLDEN") == "write"
 PYTHONS_WORDS = re.compile(r"\bNone\b|\bnan\b| object at |<class |\{\w*\}")
 """What a message says when a value was put into it that nobody had."""
-FRESH = {"SOURCE_READER_LOST", "SOURCE_CRASHES_USD", "SOURCE_TIME_LIMIT", "SOURCE_MEMORY_LIMIT"}
-"""Read by a real child of its own."""
 
 
 def golden():
@@ -47,9 +45,7 @@ def test_no_golden_report_is_left_over():
 
 
 @pytest.mark.parametrize("code", triggers.TRIGGERS)
-def test_its_golden_report(code, tmp_path, monkeypatch, request):
-    if code in FRESH:
-        request.getfixturevalue("fresh_readers")
+def test_its_golden_report(code, tmp_path, monkeypatch):
     exit_code, issues = triggers.TRIGGERS[code](tmp_path, monkeypatch)
     monkeypatch.undo()
     found = [each for each in issues if each["code"] == code]

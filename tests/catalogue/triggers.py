@@ -83,7 +83,7 @@ def _impostor(script: str, *arguments: object) -> Trigger:
     """A reading process of another kind."""
 
     def trigger(folder: Path, patch: Any) -> Found:
-        _impersonated(folder, patch, reader_process.sys, script)
+        _impersonated(folder, patch, sys, script)
         return process(folder, "", *arguments)
 
     return trigger

@@ -143,7 +143,6 @@ def test_a_source_on_a_read_only_disk(character, tmp_path, small_disk):
     assert target.is_file()
 
 
-@pytest.mark.usefixtures("fresh_readers")  # another process asks: a reader forked for this one would wait for ever
 @pytest.mark.skipif(not ROOT, reason="changing the user needs root")
 @pytest.mark.parametrize("what", ["folder", "file", "source"])
 def test_a_missing_permission(what, laid_out):

@@ -2,8 +2,7 @@
 
     python tests/fuzz/fuzz.py --format usdc --count 10000
 
-The command runs in this process, as `usdrigui.cli.main`; every `--spawn-every`-th file is read by a freshly
-started child, the others by a forked one (see zygote.py).  Files that find a fault are kept in `--keep`.
+The command runs in this process, as `usdrigui.cli.main`.  Files that find a fault are kept in `--keep`.
 Prints one JSON document: how the runs ended, and the faults.
 """
 
@@ -22,10 +21,8 @@ from pathlib import Path
 import mutations
 from captured import called, captured
 from pxr import Sdf
-from zygote import Zygote
 
 from usdrigui.errors import Exit, catalogue
-from usdrigui.usd import reader_process
 
 SECONDS = 10.0
 """Limit on reading one file."""
@@ -113,11 +110,10 @@ def _code(out: bytes, exit_code: int, faults: list[str]) -> str:
     return code
 
 
-def campaign(form: str, numbers: range, seed: int, spawn_every: int, keep: Path | None) -> dict[str, object]:
+def campaign(form: str, numbers: range, seed: int, keep: Path | None) -> dict[str, object]:
     """Run many; returns the figures."""
     ends: collections.Counter[str] = collections.Counter()
     faulty, slowest = [], 0.0
-    fresh, zygote = reader_process._started, Zygote(reader_process.environment())
     with tempfile.TemporaryDirectory(dir=_MEMORY, prefix="fuzz-") as place:
         grounds = Path(place) / "run"
         grounds.mkdir()
@@ -126,7 +122,6 @@ def campaign(form: str, numbers: range, seed: int, spawn_every: int, keep: Path 
         for number in numbers:
             content = mutations.mutant(form, stock, number, seed)
             current.write_bytes(content)  # Should this very process die of it.
-            reader_process._started = fresh if number % spawn_every == 0 else zygote.start  # type: ignore[assignment]
             end = run(content, form, grounds)
             ends[f"{end.exit_code} {end.code}".strip()] += 1
             slowest = max(slowest, end.seconds)
@@ -137,7 +132,6 @@ def campaign(form: str, numbers: range, seed: int, spawn_every: int, keep: Path 
                 if keep is not None:
                     (keep / f"fault-{form}-{seed}-{number}.{form}").write_bytes(content)
         current.unlink()
-    zygote.close()
     return {"format": form, "count": len(numbers), "seed": seed, "ends": dict(sorted(ends.items())),
             "slowest_seconds": round(slowest, 2), "faults": faulty}  # fmt: skip
 
@@ -148,12 +142,11 @@ if __name__ == "__main__":
     parser.add_argument("--count", type=int, default=150)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--spawn-every", type=int, default=15)
     parser.add_argument("--keep", type=Path, help="folder for the files that find a fault")
     asked = parser.parse_args()
     if asked.keep:
         asked.keep.mkdir(parents=True, exist_ok=True)
     span = range(asked.first, asked.first + asked.count)
-    found = campaign(asked.format, span, asked.seed, asked.spawn_every, asked.keep)
+    found = campaign(asked.format, span, asked.seed, asked.keep)
     print(json.dumps(found, indent=2))
     sys.exit(bool(found["faults"]))

@@ -82,17 +82,3 @@ def test_a_run_that_is_cut_has_named_its_failures(tmp_path, workers):
     assert done.returncode == -9
     assert "test_cut.py::test_fails" in done.stdout
     assert "assert 'this' == 'that'" in done.stdout
-
-
-@pytest.mark.parametrize("change", ["executable", "environment", "switched off"])
-def test_a_reader_of_another_program_or_environment_is_not_forked(change, forking, monkeypatch):
-    if forking is None:
-        pytest.skip("readers are forked on Linux only")
-    monkeypatch.setattr(forking, "fresh", lambda *_: "fresh")
-    if change == "executable":
-        monkeypatch.setattr("sys.executable", "/bin/false")
-    elif change == "environment":
-        monkeypatch.setenv("PXR_PLUGINPATH_NAME", "/elsewhere")
-    else:
-        monkeypatch.setattr(forking, "on", False)
-    assert forking.start(None, None) == "fresh"

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import json
+import sys
 
 import minimal_assets
 import pytest
 from pxr import Sdf, Usd
 
 from usdrigui.cli import main
-from usdrigui.usd import reader_process
 from usdrigui.usd.reader_process import read_layer_isolated
 from usdrigui.usd.reader_records import Opening
 
@@ -41,7 +41,7 @@ def test_a_crash_in_any_command(line, tmp_path, monkeypatch, capfd):
     opened = []
     for owner, name in ((Usd.Stage, "Open"), (Sdf.Layer, "FindOrOpen"), (Sdf.Layer, "OpenAsAnonymous")):
         monkeypatch.setattr(owner, name, lambda *named: opened.append(named))
-    monkeypatch.setattr(reader_process.sys, "executable", str(impostor))
+    monkeypatch.setattr(sys, "executable", str(impostor))
     monkeypatch.chdir(tmp_path)
     code = main([*line.split(), "--json"])
     monkeypatch.undo()

@@ -20,8 +20,9 @@ from skel_stages import SIDE, add_animation, add_mesh, add_shape, add_skeleton, 
 
 from usdrigui.cli import main
 from usdrigui.errors import RigUIError, catalogue
+from usdrigui.isolation import record_stream
 from usdrigui.settings import Settings, load
-from usdrigui.usd import author, faults, reader_main, schema, serialization
+from usdrigui.usd import author, faults, reader_main, schema
 from usdrigui.usd.clips import read_performances
 from usdrigui.usd.reader_records import Limits, Request, Response
 
@@ -209,8 +210,8 @@ def variants(layer, path, folder, texts=TEXTS, values=VALUES):
 
 def refusal_of(task, path, settings=SETTINGS):
     """The refusal, or None for a result; the response can be handed over."""
-    response = reader_main.respond(Request(task, str(path), settings, Limits(), 0))
-    serialization.decode(b"".join(serialization.encode(response)), Response)
+    response = reader_main.answer(Request(task, str(path), settings, Limits()))
+    record_stream.decode(b"".join(record_stream.encode(response)), Response)
     return response.refusal
 
 

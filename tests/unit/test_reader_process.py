@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import contextlib
 import os
 import signal
@@ -19,14 +20,13 @@ from pxr import Sdf
 from skel_stages import character, head
 
 from usdrigui.errors import Exit, RigUIError
+from usdrigui.isolation import record_stream
 from usdrigui.isolation.foreign_file import check_unchanged
 from usdrigui.settings import Settings, load
-from usdrigui.usd import reader_main, reader_process, serialization
+from usdrigui.usd import reader_main
 from usdrigui.usd.reader_process import read_layouts_isolated, read_rigs_isolated
 from usdrigui.usd.reader_records import Limits, Opening, Request
 from usdrigui.usd.rig import read_characters, read_rigs
-
-pytestmark = pytest.mark.usefixtures("fresh_readers")
 
 HANG = '#usda 1.0\n(\n    subLayers = [@./pipe.usda@]\n)\ndef SkelRoot "A" {}\n'
 """Over a pipe that nobody writes to, this keeps USD waiting for ever."""
@@ -54,7 +54,7 @@ def readers():
             state = (entry / "stat").read_text().rpartition(")")[2].split()[0]
         except OSError:
             continue
-        if b"usdrigui.usd.reader_main" in command and state != "Z":
+        if b"usdrigui.isolation.reader" in command and state != "Z":
             found.add(int(entry.name))
     return found
 
@@ -96,7 +96,7 @@ def eventually(question, seconds=20.0):
 
 
 def encoded(record):
-    return b"".join(serialization.encode(record))
+    return b"".join(record_stream.encode(record))
 
 
 # --- the same as without -----------------------------------------------------------------------------
@@ -105,8 +105,8 @@ def encoded(record):
 def test_a_rig_is_the_same_to_the_bit(tmp_path):
     path = character(tmp_path / "char.usda")
     here, there = read_rigs(path, Settings()), read_rigs_isolated(path, Settings()).rigs
-    assert [b"".join(serialization.encode(rig)) for rig in here] == [
-        b"".join(serialization.encode(rig)) for rig in there
+    assert [b"".join(record_stream.encode(rig)) for rig in here] == [
+        b"".join(record_stream.encode(rig)) for rig in there
     ]
 
 
@@ -168,8 +168,8 @@ def test_a_layout_comes_back_too(tmp_path):
     layer = tmp_path / "char.rigui.usda"
     found = read_layouts_isolated(layer, Opening())
     here = read_layout(layer)
-    assert [b"".join(serialization.encode(each)) for each in found.layouts] == [
-        b"".join(serialization.encode(each)) for each in here
+    assert [b"".join(record_stream.encode(each)) for each in found.layouts] == [
+        b"".join(record_stream.encode(each)) for each in here
     ]
     assert Path(found.source) == path
 
@@ -203,7 +203,7 @@ def test_every_death_has_its_code(how, tmp_path, monkeypatch, capfd):
     impostor = tmp_path / "python"
     impostor.write_text(f"#!/bin/sh\n{script}\n")
     impostor.chmod(0o755)
-    monkeypatch.setattr(reader_process.sys, "executable", str(impostor))
+    monkeypatch.setattr(sys, "executable", str(impostor))
     error = refused(head(tmp_path / "char.usda"), Limits(seconds=0.5))
     assert (error.issue.code, error.exit_code) == (code, leaves)
     assert capfd.readouterr() == ("", "")
@@ -214,7 +214,7 @@ def test_every_death_has_its_code(how, tmp_path, monkeypatch, capfd):
     [("/no/such/python", "SOURCE_READER_LOST"), ("/", "PYTHON_PERMISSION"), (None, "SOURCE_READER_LOST")],
 )
 def test_a_reader_that_cannot_be_started(executable, code, tmp_path, monkeypatch):
-    monkeypatch.setattr(reader_process.sys, "executable", executable)
+    monkeypatch.setattr(sys, "executable", executable)
     assert refused(head(tmp_path / "char.usda")).issue.code == code
 
 
@@ -222,7 +222,7 @@ def test_grandchildren_die_with_the_reader(tmp_path, monkeypatch):
     impostor = tmp_path / "python"
     impostor.write_text(f"#!/bin/sh\nsleep 60 &\necho $! > {tmp_path}/grandchild\nwait\n")
     impostor.chmod(0o755)
-    monkeypatch.setattr(reader_process.sys, "executable", str(impostor))
+    monkeypatch.setattr(sys, "executable", str(impostor))
     assert refused(head(tmp_path / "char.usda"), Limits(seconds=0.5)).issue.code == "SOURCE_TIME_LIMIT"
     assert gone(int((tmp_path / "grandchild").read_text()))
 
@@ -274,10 +274,10 @@ def _is_bound(process):
 
 def test_the_reader_has_an_alarm_of_its_own(tmp_path):
     """Even where nothing watches it any more."""
-    request = Request("rigs", str(hanging(tmp_path)), Settings(), Limits(seconds=0.2), os.getpid())
+    request = Request("rigs", str(hanging(tmp_path)), Settings(), Limits(seconds=0.2))
     done = subprocess.run(
-        [sys.executable, "-m", "usdrigui.usd.reader_main"],
-        input=b"".join(serialization.encode(request)),
+        [sys.executable, "-m", "usdrigui.isolation.reader", "usdrigui.usd.reader_main"],
+        input=b"".join(record_stream.encode(request)),
         stdout=subprocess.DEVNULL,
         timeout=30,
         check=False,
@@ -290,8 +290,7 @@ def test_the_reader_has_an_alarm_of_its_own(tmp_path):
 
 def in_bounds(code, tmp_path):
     """Run code in a process that is bound as the reader is; what it prints."""
-    imports = "from usdrigui.usd import reader_main\nfrom usdrigui.usd.reader_records import Limits"
-    program = f"{imports}\nreader_main.bound(Limits())\n{code}"
+    program = f"from usdrigui.isolation.confinement import confine\nconfine(20.0, 1000)\n{code}"
     done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=False)
     return done.stdout + done.stderr
 
@@ -306,17 +305,76 @@ def in_bounds(code, tmp_path):
         "import os; os.fork()",
     ],
 )
-def test_it_opens_no_connection_and_starts_no_program(code, tmp_path):
+def test_python_opens_no_connection_and_starts_no_program(code, tmp_path):
     assert "is not allowed while an asset is read" in in_bounds(code, tmp_path)
 
 
-def test_it_writes_no_file(tmp_path):
-    assert "File too large" in in_bounds("import pathlib; pathlib.Path('out').write_text('x')", tmp_path)
-    assert (tmp_path / "out").read_bytes() == b""
+FORBIDDEN = {
+    "write": "open('new', 'w')",
+    "write to a file that is there": "open('old', 'r+')",
+    "empty": "os.open('old', os.O_RDONLY | os.O_TRUNC)",
+    "shorten": "os.truncate('old', 1)",
+    "remove": "os.unlink('old')",
+    "rename": "os.rename('old', 'new')",
+    "replace": "os.replace('other', 'old')",
+    "link": "os.link('old', 'new')",
+    "a symbolic link": "os.symlink('old', 'new')",
+    "a folder": "os.mkdir('new')",
+    "a pipe": "os.mkfifo('new')",
+    "permission": "os.chmod('old', 0)",
+    "a time": "os.utime('old', (0, 0))",
+    "connect": "__import__('socket').socket()",
+    "run": "os.execv('/bin/true', ['true'])",
+    "start": "os.posix_spawn('/bin/true', ['true'], {})",
+    "fork": "os.fork()",
+    "signal": "os.kill(os.getppid(), 0)",
+}
+"""What a reader has no business with."""
+ALLOWED = {
+    "read": "open('old').read()",
+    "list": "os.listdir('.')",
+    "thread": "threading.Thread(target=len, args=(,)).start()",
+    "signal itself": "signal.raise_signal(signal.SIGURG)",
+}
 
 
-def test_it_dumps_no_core(tmp_path):
-    assert in_bounds("import resource; print(resource.getrlimit(resource.RLIMIT_CORE))", tmp_path).strip() == "(0, 0)"
+@pytest.mark.skipif(sys.platform != "linux", reason="other kernels are not asked")
+@pytest.mark.parametrize("without", ["nothing", "Landlock"])
+def test_the_kernel_lets_it_read_and_no_more(without, tmp_path):
+    """Whatever code runs there: Python's own audit is left out.  An older kernel has no Landlock."""
+    for name in ("old", "other"):
+        (tmp_path / name).write_text("as before")
+    code = f"""
+import os, signal, sys, threading
+from usdrigui.isolation import confinement
+sys.addaudithook = lambda _: None
+if {without == "Landlock"}:
+    confinement._forbid_files = lambda: None
+confinement.confine(20.0, 1000)
+for kinds in ({FORBIDDEN!r}, {ALLOWED!r}):
+    for what, attempt in kinds.items():
+        try:
+            eval(attempt)
+            print(what, "done")
+        except OSError as error:
+            print(what, error.errno)
+print([line.split()[1] for line in open("/proc/self/status") if line.startswith(("NoNewPrivs", "Seccomp:"))])
+"""
+    done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=False)
+    said = done.stdout.split("\n")
+    assert [line.rpartition(" ")[0] for line in said if line.endswith((" 1", " 13"))] == list(FORBIDDEN), done
+    assert [line.rpartition(" ")[0] for line in said if line.endswith("done")] == list(ALLOWED)
+    assert said[-2] == "['1', '2']"
+    assert {each.name: each.read_text() for each in tmp_path.iterdir()} == {"old": "as before", "other": "as before"}
+
+
+def test_its_limits_are_hard(tmp_path):
+    names = ("CORE", "FSIZE", "DATA", "AS")
+    code = f"import resource; print([resource.getrlimit(getattr(resource, 'RLIMIT_' + name)) for name in {names}])"
+    core, files, data, addresses = ast.literal_eval(in_bounds(code, tmp_path))
+    assert (core, files) == ((0, 0), (0, 0))
+    assert data[0] == data[1] > 1000 << 20
+    assert addresses[0] == addresses[1] == data[0] + (4 << 30)
 
 
 def test_it_imports_nothing_from_the_working_directory(tmp_path, monkeypatch):
@@ -334,8 +392,8 @@ def test_a_mistake_of_ours_is_called_one(tmp_path, monkeypatch):
         raise IndexError("of ours")
 
     monkeypatch.setattr("usdrigui.usd.rig.read_characters", broken)
-    request = Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits(), os.getpid())
-    found = reader_main.respond(request)
+    request = Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits())
+    found = reader_main.answer(request)
     assert found.refusal is not None
     assert (found.refusal.code, found.exit_code) == ("BUG", Exit.BUG)
     assert "IndexError: of ours" in found.refusal.message
@@ -353,8 +411,8 @@ def test_what_usd_raises_blames_the_asset(error, code, tmp_path, monkeypatch):
         raise error
 
     monkeypatch.setattr("usdrigui.usd.rig.read_characters", broken)
-    request = Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits(), os.getpid())
-    assert reader_main.respond(request).refusal.code == code
+    request = Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits())
+    assert reader_main.answer(request).refusal.code == code
 
 
 # --- what is let in ----------------------------------------------------------------------------------
@@ -461,8 +519,8 @@ def test_a_sublayer_that_changes_around_its_reading_is_noticed(layered, when, mo
         return rigs
 
     monkeypatch.setattr("usdrigui.usd.rig.read_characters", read)
-    request = Request("rigs", str(layered), Settings(), Limits(), os.getpid())
-    found = reader_main.respond(request)
+    request = Request("rigs", str(layered), Settings(), Limits())
+    found = reader_main.answer(request)
     assert found.refusal is not None
     assert (found.refusal.code, found.refusal.path) == ("SOURCE_CHANGED", os.path.realpath(below))
 
@@ -475,7 +533,7 @@ def test_an_asset_of_one_file_is_parsed_once(tmp_path, monkeypatch):
         return read_characters(path, settings)
 
     monkeypatch.setattr("usdrigui.usd.rig.read_characters", read)
-    assert reader_main.respond(Request("rigs", str(path), Settings(), Limits(), os.getpid())).rigs is not None
+    assert reader_main.answer(Request("rigs", str(path), Settings(), Limits())).rigs is not None
 
 
 @pytest.mark.parametrize("referenced", [False, True])

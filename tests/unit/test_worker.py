@@ -9,8 +9,9 @@ import time
 
 import pytest
 
-from usdrigui import cli, pipeline, worker
+from usdrigui import cli, pipeline
 from usdrigui.errors import Exit
+from usdrigui.isolation import worker
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="interruptions are signals")
 

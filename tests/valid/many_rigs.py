@@ -2,7 +2,7 @@
 
     python tests/valid/many_rigs.py --count 1000
 
-The commands run in this process, as `usdrigui.cli.main`, with readers that are forked (tests/fuzz/zygote.py).
+The commands run in this process, as `usdrigui.cli.main`.
 Prints one JSON document: how each command ended and every end that is not exit 0.  With ``--digests`` the rigs are only
 laid out, and a digest of every layer is told, by which processors are compared (benchmarks/processors.py).  Rigs are
 made again from their seed: ``--first SEED --count 1 --keep FOLDER``.
@@ -24,9 +24,6 @@ if __name__ == "__main__":
 
 from captured import called, captured
 from valid_rigs import COUNTS, SMALL, make_rig
-from zygote import Zygote
-
-from usdrigui.usd import reader_process
 
 _SETTINGS = ("solve.work_limit=2000", "solve.time_limit=20")
 """The search for the best layout ends early: every other stage is as always."""
@@ -66,8 +63,6 @@ def campaign(seeds: range, counts: tuple[int, ...], keep: Path | None, most: int
     digests: dict[int, str] = {}
     tally: collections.Counter[str] = collections.Counter()
     others, slowest = [], (0.0, -1)
-    zygote = Zygote(reader_process.environment())
-    reader_process._started = zygote.start  # type: ignore[assignment]
     with tempfile.TemporaryDirectory() as place:
         for seed in seeds:
             start = time.monotonic()
@@ -81,7 +76,6 @@ def campaign(seeds: range, counts: tuple[int, ...], keep: Path | None, most: int
                 each.unlink()
             if seed % 50 == 49:
                 print(f"{seed + 1 - seeds.start} rigs: {dict(tally)}", file=sys.stderr, flush=True)
-    zygote.close()
     return {
         "rigs": len(seeds),
         "ends": dict(sorted(tally.items())),

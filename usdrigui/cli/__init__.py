@@ -12,12 +12,12 @@ import os
 import sys
 from collections.abc import Sequence
 
-from usdrigui import worker
 from usdrigui.cli import distributions
 from usdrigui.cli.lines import tell
 from usdrigui.cli.outcomes import broken, prepare_streams, refused
 from usdrigui.cli.parser import parsed
 from usdrigui.errors import Exit, RigUIError, refuse, sentences
+from usdrigui.isolation import worker
 
 
 def main(argv: Sequence[str] | None = None) -> int:

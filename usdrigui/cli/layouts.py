@@ -9,10 +9,10 @@ from collections.abc import Sequence
 from contextlib import AbstractContextManager, nullcontext
 from typing import TYPE_CHECKING
 
-from usdrigui import worker
 from usdrigui.cli.options import files_read, settings_of, settings_of_command_line
 from usdrigui.cli.outcomes import check_ending, screen_of, strict
 from usdrigui.errors import Exit, Issue
+from usdrigui.isolation import worker
 
 if TYPE_CHECKING:
     from usdrigui.cli.terminal.screen import ProgressCallback, Screen

@@ -11,10 +11,10 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from usdrigui import worker
 from usdrigui.cli.options import files_read, passed_on, settings_digest, settings_quietly
 from usdrigui.cli.outcomes import check_ending, say, screen_of
 from usdrigui.errors import Exit, RigUIError, refuse
+from usdrigui.isolation import worker
 
 if TYPE_CHECKING:
     from usdrigui.clients.batch.job import Job, Row

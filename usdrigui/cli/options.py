@@ -12,9 +12,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from usdrigui import worker
 from usdrigui.cli.parser import command_options
 from usdrigui.errors import NO_LAYOUT, RigUIError, refuse
+from usdrigui.isolation import worker
 
 if TYPE_CHECKING:
     from usdrigui.settings import ReadSettings, Settings, UnsoundSettingsError

@@ -11,9 +11,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from usdrigui import worker
 from usdrigui.cli.lines import tell
 from usdrigui.errors import Exit, RigUIError, failure_json, raised_at, refuse
+from usdrigui.isolation import worker
 
 if TYPE_CHECKING:
     from usdrigui.cli.terminal.screen import Screen

@@ -9,10 +9,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from usdrigui import worker
 from usdrigui.cli.options import files_read, settings_of
 from usdrigui.cli.outcomes import check_ending, say
 from usdrigui.errors import Exit, refuse
+from usdrigui.isolation import worker
 
 if TYPE_CHECKING:
     from usdrigui import pipeline

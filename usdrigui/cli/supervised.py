@@ -17,7 +17,7 @@ from usdrigui import cli
 from usdrigui.cli.outcomes import prepare_streams, refused
 from usdrigui.cli.parser import parsed
 from usdrigui.errors import RigUIError, refuse
-from usdrigui.supervision import Events, Outcome, supervise
+from usdrigui.isolation.supervising import Events, Outcome, supervise
 
 
 def run(argv: Sequence[str], events: Events) -> int:

@@ -1,5 +1,5 @@
 """The worker of a command, ``python -P -m usdrigui.cli.working COMMAND ...``: see
-`usdrigui.supervision`."""
+`usdrigui.isolation.supervising`."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ import os
 import sys
 from typing import NoReturn
 
-from usdrigui import worker
 from usdrigui.errors import Exit
+from usdrigui.isolation import worker
 
 _ALLOCATIONS = 50_000
 """Between two collections of garbage: what is loaded to start would be looked through again and

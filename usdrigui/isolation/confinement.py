@@ -135,9 +135,7 @@ def _forbid_files() -> None:
     """No file may be written, made, removed or run from now on, whatever its path."""
     version = _call(_CREATE_RULESET, None, ctypes.c_size_t(0), _VERSION_OF_LANDLOCK)
     kinds = (_RIGHTS, _CONNECTING, _BEYOND)
-    wanted = [
-        sum(right for first, right in rights.items() if first <= version) for rights in kinds
-    ]
+    wanted = [sum(right for first, right in rights.items() if first <= version) for rights in kinds]
     attributes = struct.pack("QQQ", *wanted)
     ruleset = _call(_CREATE_RULESET, attributes, ctypes.c_size_t(len(attributes)), 0)
     if ruleset >= 0:

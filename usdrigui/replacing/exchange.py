@@ -22,8 +22,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from usdrigui import worker
 from usdrigui.errors import refuse
+from usdrigui.isolation import worker
 from usdrigui.isolation.foreign_file import SourceFile, check_unchanged, open_regular
 from usdrigui.replacing import temporaries
 from usdrigui.replacing.transaction import Staged, Verify, file_error, sync_folder

@@ -17,8 +17,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal, Self
 
-from usdrigui import worker
 from usdrigui.errors import RigUIError, refuse
+from usdrigui.isolation import worker
 from usdrigui.replacing import temporaries
 from usdrigui.replacing.attributes import keep_attributes, mode_of
 

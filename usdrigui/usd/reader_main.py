@@ -1,27 +1,19 @@
-"""The reader's side of `usdrigui.usd.reader_process`: ``python -m usdrigui.usd.reader_main``.
-
-Takes one request on standard input and writes one answer to standard output, both in the format of
-`usdrigui.usd.serialization`.  While foreign data is being parsed, the process can write no file,
-open no connection from Python, and is bound to end: by its alarm, or with its parent.
-"""
+"""How a confined reader answers what it is asked about a USD file: a program of
+`usdrigui.isolation.reader`."""
 
 from __future__ import annotations
 
 import contextlib
 import os
-import signal
-import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
-from usdrigui import processes
 from usdrigui.errors import Issue, RigUIError, issue, raised_at, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_unchanged, hashed
 from usdrigui.model import Performance, Rig
 from usdrigui.settings import Settings
-from usdrigui.usd import serialization
 from usdrigui.usd.reader_records import (
     FaultsResult,
     LayerResult,
@@ -32,28 +24,25 @@ from usdrigui.usd.reader_records import (
     Response,
 )
 
-_GRACE = 1.0
-"""Seconds after the limit at which the alarm ends the child, should its parent not have done so."""
 _OUT_OF_MEMORY = ("bad_alloc", "Cannot allocate memory", "Resource temporarily unavailable")
 """What USD's messages hold when an allocation or a thread was refused."""
 
 
-def main() -> NoReturn:
-    """Answer one request and leave without the interpreter's farewell, which may crash on what was
-    read."""
-    outbox = os.fdopen(os.dup(1), "wb", buffering=0)
-    os.dup2(2, 1)
-    request = serialization.decode(sys.stdin.buffer.read(), Request)
-    processes.bind_to(request.parent)
-    load()
-    bound(request.limits)
-    response = respond(request)
-    _allow_output(request.limits)
-    write_response(response, outbox.fileno())
-    os._exit(0)
+QUESTION = Request
 
 
-def respond(request: Request) -> Response:
+def load() -> None:
+    """Import what the tasks need before the reader is confined: none of it is the asset's doing."""
+    import usdrigui.usd.clips
+    import usdrigui.usd.existing_layouts
+    import usdrigui.usd.faults
+    import usdrigui.usd.layer
+    import usdrigui.usd.read_layout
+    import usdrigui.usd.rig
+    import usdrigui.usd.variants  # noqa: F401
+
+
+def answer(request: Request) -> Response:
     """Do what is asked; every exception becomes a refusal."""
     path, peak = Path(request.path), _peak()
     try:
@@ -79,29 +68,6 @@ def respond(request: Request) -> Response:
         return _refusal(_starved(request))
     except Exception as error:
         return _refusal(_unexpected(error, request.path))
-
-
-def write_response(response: Response, descriptor: int) -> None:
-    """Write the whole response."""
-    for chunk in serialization.encode(response):
-        rest = chunk
-        while rest:
-            rest = rest[os.write(descriptor, rest) :]
-
-
-def bound(limits: Limits) -> None:
-    """Limit this process: private memory, no core dump, no file that grows, an alarm that ends
-    it."""
-    processes.stay_offline()
-    data = processes.limit_memory(limits.memory)
-    if sys.platform == "win32":
-        return
-    import resource
-
-    processes.lower(resource.RLIMIT_CORE, 0)
-    processes.lower(resource.RLIMIT_FSIZE, 0, data)
-    signal.signal(signal.SIGALRM, signal.SIG_DFL)
-    signal.setitimer(signal.ITIMER_REAL, limits.seconds + _GRACE)
 
 
 # --- the tasks ------------------------------------------------------------------------------------
@@ -420,20 +386,6 @@ def _unexpected(error: Exception, path: str) -> RigUIError:
     return refuse("BUG", path, f"{kind.__name__}: {_text(error)}{raised_at(error)}")
 
 
-# --- the bounds -----------------------------------------------------------------------------------
-
-
-def load() -> None:
-    """Import what the tasks need before the bounds are set: none of it is the asset's doing."""
-    import usdrigui.usd.clips
-    import usdrigui.usd.existing_layouts
-    import usdrigui.usd.faults
-    import usdrigui.usd.layer
-    import usdrigui.usd.read_layout
-    import usdrigui.usd.rig
-    import usdrigui.usd.variants  # noqa: F401
-
-
 def _peak() -> int:
     """Bytes of address space used at most so far; 0 if the system does not report them."""
     try:
@@ -441,15 +393,3 @@ def _peak() -> int:
     except OSError:
         return 0
     return next((int(line.split()[1]) << 10 for line in lines if line.startswith("VmPeak:")), 0)
-
-
-def _allow_output(limits: Limits) -> None:
-    """The response may be written now; nothing foreign runs any more."""
-    if sys.platform != "win32":
-        import resource
-
-        processes.lower(resource.RLIMIT_FSIZE, limits.memory << 20)
-
-
-if __name__ == "__main__":
-    main()

@@ -150,14 +150,12 @@ class LayerResult(Record):
 
 @dataclass(frozen=True, eq=False)
 class Request:
-    """What the reader is asked; JSON on its standard input."""
+    """What the reader is asked."""
 
     task: Task
     path: str
     settings: Settings
     limits: Limits
-    parent: int
-    """Process id: the reader ends with its parent."""
 
 
 @dataclass(frozen=True, eq=False)

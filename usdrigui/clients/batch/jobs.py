@@ -21,7 +21,7 @@ from typing import Any
 from usdrigui.clients.batch import state
 from usdrigui.clients.batch.job import Job, Row
 from usdrigui.errors import RigUIError, refuse
-from usdrigui.supervision import KILL, Events, Outcome, supervise
+from usdrigui.isolation.supervising import KILL, Events, Outcome, supervise
 
 _RUNNING: set[Events] = set()
 """Of each worker that runs: ends it when asked."""

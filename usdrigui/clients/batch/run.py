@@ -16,10 +16,10 @@ from concurrent.futures import Future, ThreadPoolExecutor, as_completed, wait
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
-from usdrigui import worker
 from usdrigui.clients.batch.job import Job, Row
 from usdrigui.clients.batch.jobs import end_all, failed, run_job
 from usdrigui.errors import Exit, catalogue, refuse
+from usdrigui.isolation import worker
 
 FORMAT = "usdrigui.batch"
 VERSION = 1

@@ -15,7 +15,7 @@ from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
 
-from usdrigui import worker
+from usdrigui.isolation import worker
 from usdrigui.errors import RigUIError, sentences
 from usdrigui.view.web.live import Content, LiveFile, is_animation
 

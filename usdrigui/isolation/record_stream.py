@@ -34,7 +34,7 @@ _ALIGNMENT = 64
 _T = TypeVar("_T")
 
 
-class SerializationError(Exception):
+class RecordStreamError(Exception):
     """A stream is not what it should be: cut off, damaged, or of another record."""
 
 
@@ -63,16 +63,16 @@ def encode(record: Any) -> Iterator[memoryview]:
 def decode(stream: Any, kind: type[_T]) -> _T:
     """The record of class `kind` in `stream`, any read-only buffer; its arrays are views of it.
 
-    Raises SerializationError for everything that `encode` of such a record would not have written.
+    Raises RecordStreamError for everything that `encode` of such a record would not have written.
     """
     view = memoryview(stream)
     try:
         magic, length, total, checksum = _PREAMBLE.unpack_from(view)
         if magic != MAGIC or total != len(view) or length > total - _PREAMBLE.size:
-            raise SerializationError("the stream is cut off or has another format")
+            raise RecordStreamError("the stream is cut off or has another format")
         header = bytes(view[_PREAMBLE.size : _PREAMBLE.size + length])
         if zlib.crc32(header) != checksum:
-            raise SerializationError("the header is damaged")
+            raise RecordStreamError("the header is damaged")
         content = json.loads(header)
         body = view[_PREAMBLE.size + length :]
         arrays = [
@@ -81,7 +81,7 @@ def decode(stream: Any, kind: type[_T]) -> _T:
         ]
         return typing.cast(_T, _record(kind, content["record"], arrays))
     except (struct.error, ValueError, TypeError, KeyError, IndexError, RecursionError) as error:
-        raise SerializationError(f"{type(error).__name__}: {error}") from error
+        raise RecordStreamError(f"{type(error).__name__}: {error}") from error
 
 
 def _padded(size: int) -> int:
@@ -109,12 +109,12 @@ def _span(entry: Any, available: int) -> tuple[np.dtype[Any], int, int]:
     code, shape, offset = entry
     dtype = np.dtype(code)
     if dtype.hasobject or any(not isinstance(size, int) or size < 0 for size in shape):
-        raise SerializationError("an array has a type that is never written")
+        raise RecordStreamError("an array has a type that is never written")
     count = 1
     for size in shape:
         count *= size
     if not 0 <= offset <= offset + count * dtype.itemsize <= available:
-        raise SerializationError("an array ends beyond the stream")
+        raise RecordStreamError("an array ends beyond the stream")
     return dtype, count, offset if count else 0
 
 
@@ -124,7 +124,7 @@ def _span(entry: Any, available: int) -> tuple[np.dtype[Any], int, int]:
 def _record(kind: Any, value: Any, arrays: list[Any]) -> Any:
     hints = _hints(kind)
     if not isinstance(value, dict) or value.keys() != hints.keys():
-        raise SerializationError(f"the fields of {kind.__name__} differ")
+        raise RecordStreamError(f"the fields of {kind.__name__} differ")
     return kind(**{name: _incoming(hint, value[name], arrays) for name, hint in hints.items()})
 
 
@@ -180,7 +180,5 @@ def _tuple(arguments: tuple[Any, ...], value: Any, arrays: list[Any]) -> Any:
 
 def _checked(right: bool, value: Any) -> Any:
     if not right:
-        raise SerializationError(
-            f"{str(value)[:80]!r} does not have the type of the record's field"
-        )
+        raise RecordStreamError(f"{str(value)[:80]!r} does not have the type of the record's field")
     return value

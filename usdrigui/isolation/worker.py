@@ -1,5 +1,5 @@
-"""A working process's side of `usdrigui.supervision`: its messages to its supervisor, and how it is
-asked to stop.
+"""A working process's side of `usdrigui.isolation.supervising`: its messages to its
+supervisor, and how it is asked to stop.
 
 Messages go to its standard output, one JSON document a line; what it prints is such a
 message, too, and its last line, the closing line, comes with the message that closes.  One byte
@@ -18,14 +18,18 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, NoReturn
 
-from usdrigui import processes
 from usdrigui.errors import Exit
+from usdrigui.isolation.confinement import bind_to, limit_memory
+from usdrigui.isolation.process import resident
 
 _AGAIN = 0.05
 """Seconds until an interruption that Python has dropped comes again."""
+_SIGNALS = [
+    getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
+]
 
 _worker: _Worker | None = None
 
@@ -35,17 +39,25 @@ def start() -> None:
     supervisor's."""
     global _worker
     greeting = json.loads(_line(0))
-    processes.bind_to(greeting["parent"])
+    bind_to(greeting["parent"])
     _worker = _Worker(os.dup(0), os.dup(1))
     os.dup2(2, 1)  # what libraries print is kept for the case that they crash
     os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
     sys.stdout = _Stream("out", greeting["out"], kept=True)
     sys.stderr = _Stream("err", greeting["err"], kept=False)
-    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
-        if hasattr(signal, name):
-            signal.signal(getattr(signal, name), _worker.on_signal)
+    for number in _SIGNALS:
+        signal.signal(number, _worker.on_signal)
     sys.unraisablehook = _worker.on_unraisable
     threading.Thread(target=_worker.listen, daemon=True).start()
+
+
+def resign() -> None:
+    """Be no worker any more: this process is one that was forked from it."""
+    global _worker
+    _worker = None
+    sys.unraisablehook = sys.__unraisablehook__
+    for number in _SIGNALS:
+        signal.signal(number, signal.SIG_DFL)
 
 
 def active() -> bool:
@@ -57,24 +69,8 @@ def budget(seconds: float, memory: int) -> None:
     """What the run may take: wall clock since its start, 0 for no limit, and MiB of private
     memory."""
     if _worker is not None:
-        _worker.tell(what="budget", seconds=seconds, memory=memory, base=_resident())
-        processes.limit_memory(memory)
-
-
-@contextlib.contextmanager
-def reading(path: str, seconds: float, memory: int, load: Callable[[], None]) -> Iterator[None]:
-    """A foreign file is read meanwhile, of which the process may die; `load` loads what that
-    needs."""
-    if _worker is None:
-        yield
-        return
-    load()
-    _worker.tell(what="reading", path=path, seconds=seconds, memory=memory, base=_resident())
-    try:
-        with processes.bounded(memory):
-            yield
-    finally:
-        _worker.tell(what="reading", path="")
+        _worker.tell(what="budget", seconds=seconds, memory=memory, base=resident())
+        limit_memory(memory)
 
 
 @contextlib.contextmanager
@@ -252,14 +248,3 @@ def _line(descriptor: int) -> bytes:
     while (byte := os.read(descriptor, 1)) not in (b"", b"\n"):
         line += byte
     return line
-
-
-def _resident() -> int:
-    """MiB resident at most so far."""
-    if sys.platform == "win32":
-        return 0
-    import resource
-
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss >> (
-        20 if sys.platform == "darwin" else 10
-    )

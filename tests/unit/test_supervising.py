@@ -15,7 +15,7 @@ import minimal_assets
 import pytest
 
 from usdrigui.errors import Exit, refuse
-from usdrigui.supervision import KILL, STOP, supervise
+from usdrigui.isolation.supervising import KILL, STOP, supervise
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="the workers are shell scripts")
 
@@ -24,8 +24,6 @@ def message(**fields):
     return f"echo '{json.dumps(fields)}'"
 
 
-READING = message(what="reading", path="char.usda", seconds=0.3, memory=100, base=0)
-READ = message(what="reading", path="")
 BUDGET = message(what="budget", seconds=0.3, memory=100, base=0)
 SEARCHING = message(what="patient", patient=True)
 WRITING = message(what="writing", paths=["out.usda"])
@@ -35,14 +33,9 @@ FULL = "echo std::bad_alloc >&2; kill -ABRT $$"
 
 DEATHS = {
     "a crash of ours": ("kill -SEGV $$", "WORKER_CRASHED", Exit.BUG),
-    "a crash on a foreign file": (f"{READING}; kill -SEGV $$", "SOURCE_CRASHES_USD", Exit.REFUSED),
-    "a crash after it": (f"{READING}; {READ}; kill -SEGV $$", "WORKER_CRASHED", Exit.BUG),
     "killed": ("kill -KILL $$", "WORKER_LOST", Exit.LIMIT),
-    "killed while reading": (f"{READING}; kill -KILL $$", "SOURCE_READER_LOST", Exit.LIMIT),
     "no memory": (f"{BUDGET}; {FULL}", "RUN_MEMORY_LIMIT", Exit.LIMIT),
-    "no memory to read": (f"{READING}; {FULL}", "SOURCE_MEMORY_LIMIT", Exit.LIMIT),
     "no time": (f"{BUDGET}; exec sleep 60", "RUN_TIME_LIMIT", Exit.LIMIT),
-    "no time to read": (f"{READING}; exec sleep 60", "SOURCE_TIME_LIMIT", Exit.LIMIT),
     "silence": ("exit 0", "WORKER_CRASHED", Exit.BUG),
     "another program": ("echo No module named pxr >&2; exit 1", "WORKER_CRASHED", Exit.BUG),
     "nonsense": ("head -c 5000 /dev/urandom", "WORKER_CRASHED", Exit.BUG),
@@ -97,12 +90,11 @@ def test_what_a_death_leaves_open_is_reported(run):
         pytest.param("exec sleep 60", (KILL,), id="told to"),
         pytest.param("exec sleep 60", (STOP, STOP), id="a second request"),
         pytest.param(f"{SEARCHING}; exec sleep 60", (STOP, STOP), id="a second request while it searches"),
-        pytest.param(f"{READING}; exec sleep 60", (STOP,), id="a file is read"),
         pytest.param("exec sleep 60", (STOP,), id="it does not hear"),
     ],
 )
 def test_a_request_to_stop_ends_a_worker(script, events, run, monkeypatch):
-    monkeypatch.setattr("usdrigui.supervision._PATIENCE", 0.5)
+    monkeypatch.setattr("usdrigui.isolation.supervising._PATIENCE", 0.5)
     before = time.monotonic()
     outcome, _ = run(script, *events)
     assert (outcome.death.issue.code, outcome.code) == ("INTERRUPTED", Exit.LIMIT)
@@ -111,7 +103,7 @@ def test_a_request_to_stop_ends_a_worker(script, events, run, monkeypatch):
 
 @pytest.mark.parametrize("state", [SEARCHING, WRITING])
 def test_a_search_and_a_write_may_finish(state, run, monkeypatch):
-    monkeypatch.setattr("usdrigui.supervision._PATIENCE", 0.05)
+    monkeypatch.setattr("usdrigui.isolation.supervising._PATIENCE", 0.05)
     outcome, _ = run(f"read greeting; {state}; head -c 1 >/dev/null; sleep 0.3; {END}", STOP)
     assert (outcome.code, outcome.out) == (0, "done")
 

@@ -23,14 +23,12 @@ from queue import Empty, SimpleQueue
 from typing import IO, Any
 
 from usdrigui.errors import RigUIError, refuse
-from usdrigui.processes import (
-    Printed,
+from usdrigui.isolation.process import (
+    Drain,
     ProcessEnd,
-    Reading,
     environment,
     kill,
     not_started,
-    reading_failed,
     reaped,
     signal_name,
     signals_later,
@@ -96,7 +94,7 @@ def supervise(
     watch = _Supervision(process, show, limit, alone)
     assert process.stdout is not None
     assert process.stderr is not None
-    printed = Printed(process.stderr)
+    printed = Drain(process.stderr)
     threading.Thread(target=_collect, args=(process.stdout, events), daemon=True).start()
     try:
         while not watch.ended:
@@ -111,7 +109,7 @@ def supervise(
         assert process.stdin is not None
         with contextlib.suppress(OSError):
             process.stdin.close()
-    return watch.outcome(ProcessEnd(code, watch.late, peak, printed.text))
+    return watch.outcome(ProcessEnd(code, peak, bytes(printed.content)))
 
 
 def _started(
@@ -154,15 +152,12 @@ class _Supervision:
     alone: bool
     start: float = field(default_factory=time.monotonic)
     ended: bool = False
-    late: bool = False
     base: int = 0
-    """MiB resident when the budget or the reading began."""
+    """MiB resident when the budget began."""
     memory: int = 0
     """MiB; 0 until the settings are known."""
     deadline: float = 0.0
     """When the run's own time is up; 0 for never."""
-    reading: Reading | None = None
-    reading_ends: float = 0.0
     kill_at: float = 0.0
     gone_by: float = 0.0
     """When a worker that was ended is waited for no longer: something that it started may hold its
@@ -183,7 +178,7 @@ class _Supervision:
 
     def _ends(self) -> list[float]:
         limit = self.start + self.limit[0] if self.limit is not None else 0.0
-        return [each for each in (limit, self.deadline, self.reading_ends, self.kill_at) if each]
+        return [each for each in (limit, self.deadline, self.kill_at) if each]
 
     def time_passed(self) -> None:
         """Something's time is up."""
@@ -194,9 +189,6 @@ class _Supervision:
             self._end(self.limit[1])
         elif self.kill_at and now >= self.kill_at:
             self._end(self.death or _interrupted())
-        elif self.reading_ends and now >= self.reading_ends:
-            self.late = True
-            self._end()
         elif self.deadline and now >= self.deadline:
             self._out_of_time()
 
@@ -221,9 +213,8 @@ class _Supervision:
             getattr(self, f"_on_{event['what']}")(event)
 
     def _stop(self) -> None:
-        """The first request asks; while a file is read, which changes nothing, and a second time it
-        ends."""
-        if self.death is not None or (self.reading is not None and not self.writing):
+        """The first request asks, a second one ends."""
+        if self.death is not None:
             self._end(_interrupted())
             return
         self.death = _interrupted()
@@ -239,7 +230,7 @@ class _Supervision:
 
     def _end(self, why: RigUIError | None = None) -> None:
         self.death = why or self.death
-        self.limit, self.deadline, self.reading_ends, self.kill_at = None, 0.0, 0.0, 0.0
+        self.limit, self.deadline, self.kill_at = None, 0.0, 0.0
         self.gone_by = time.monotonic() + _LAST_WORDS
         kill(self.process, group=self.alone)
 
@@ -249,13 +240,6 @@ class _Supervision:
     def _on_budget(self, message: dict[str, Any]) -> None:
         self.memory, self.base = message["memory"], message["base"]
         self.deadline = self.start + message["seconds"] if message["seconds"] else 0.0
-
-    def _on_reading(self, message: dict[str, Any]) -> None:
-        if not message["path"]:
-            self.reading, self.reading_ends = None, 0.0
-            return
-        self.reading = Reading(message["path"], message["seconds"], message["memory"])
-        self.reading_ends, self.base = time.monotonic() + message["seconds"], message["base"]
 
     def _on_patient(self, message: dict[str, Any]) -> None:
         self.patient = message["patient"]
@@ -290,21 +274,19 @@ class _Supervision:
                 self.closing["err"],
                 written=tuple(self.written),
             )
-        own = ProcessEnd(end.code, end.late, max(0, end.peak - self.base), end.text)
-        return _dead(self._cause(own), self)
+        used = ProcessEnd(end.code, max(0, end.peak - self.base), end.text)
+        return _dead(self._cause(used), self)
 
     def _cause(self, end: ProcessEnd) -> RigUIError:
         if self.death is not None:
             return self.death
-        if self.reading is not None:
-            return reading_failed(end, self.reading)
         if end.starved(self.memory):
             return refuse(
                 "RUN_MEMORY_LIMIT",
                 "",
                 f"needs more than {self.memory} MiB" if self.memory else "no memory",
             )
-        if end.code < 0 and signal_name(-end.code) == "SIGKILL":
+        if end.was_killed_by("SIGKILL"):
             return refuse("WORKER_LOST", "", "the working process was killed from outside")
         if end.code < 0:
             return refuse(
