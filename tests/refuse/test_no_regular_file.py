@@ -5,7 +5,8 @@ import signal
 
 import pytest
 
-from usdrigui.cli import main, parser
+from usdrigui.cli import main
+from usdrigui.cli.parser import parser
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="POSIX pipes and devices")
 
@@ -60,6 +61,6 @@ def test_it_is_refused(what, folder, capsys, monkeypatch):
 
 
 def test_only_what_reads_nothing_runs_outside_of_a_worker():
-    (commands,) = (action.choices for action in parser()._actions if isinstance(action.choices, dict))
+    commands = parser().commands
     light = {name for name, command in commands.items() if command.get_default("light")}
     assert light == {"schema-path", "config-schema"}
