@@ -15,8 +15,8 @@ from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
 
-from usdrigui.isolation import worker
 from usdrigui.errors import RigUIError, sentences
+from usdrigui.isolation import worker
 from usdrigui.view.web.live import Content, LiveFile, is_animation
 
 _MOST_DRAINED = 1 << 20
