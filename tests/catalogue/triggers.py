@@ -35,7 +35,7 @@ from usdrigui.layout.classify import classification
 from usdrigui.layout.motion import trajectory
 from usdrigui.replacing import transaction
 from usdrigui.settings import Settings, SolveSettings
-from usdrigui.usd import layer, reader_process, rig, schema, skeleton
+from usdrigui.usd import clips, layer, reader_process, rig, schema
 
 Found = tuple[int, list[dict[str, Any]]]
 Trigger = Callable[[Path, Any], Found]
@@ -112,7 +112,7 @@ def _usd_error(folder: Path, patch: Any) -> Found:
 
 
 def _thinned(folder: Path, patch: Any) -> Found:
-    patch.setattr(skeleton, "_CLIP_BYTES", 600)
+    patch.setattr(clips, "_CLIP_BYTES", 600)
     path = minimal_assets.character(folder, "CLIP_THINNED")
     return 0, [asdict(each) for each in rig.read_rigs(path, Settings())[0].findings.issues]
 

@@ -7,7 +7,7 @@ import pytest
 import skel_stages
 from pxr import Usd, UsdSkel
 
-from usdrigui.usd import clips, skeleton
+from usdrigui.usd import clips
 from usdrigui.usd.clips import read_performances
 
 
@@ -34,7 +34,7 @@ def test_an_animation_is_sampled_about_each_frame_from_its_first_to_its_last(tmp
 def test_a_rotation_of_any_length_turns_alike_and_one_of_none_not_at_all(length):
     quarter = length * np.array([[[np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5)]]])
     turned = np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 1]]) if length else np.eye(3)
-    found = clips._matrices(quarter)[0, 0]
+    found = clips._turns(quarter)[0, 0]
     assert np.allclose(found, turned, atol=1e-6) or np.allclose(found, turned.T, atol=1e-6)
 
 
@@ -43,12 +43,12 @@ def test_of_a_long_animation_as_many_frames_are_kept_as_memory_allows_from_the_f
     monkeypatch, most, kept
 ):
     """A frame of two joints and three weights takes 280 bytes."""
-    monkeypatch.setattr(skeleton, "_CLIP_BYTES", 281 * most)
-    monkeypatch.setattr(skeleton, "_sampled", lambda _animated, times, _rate: times)
+    monkeypatch.setattr(clips, "_CLIP_BYTES", 281 * most)
+    monkeypatch.setattr(clips, "_sampled", lambda _animated, times, _rate: times)
     record, issues = SimpleNamespace(animation="/Anim"), []
     armatures = [SimpleNamespace(times=range(first, 10, 2), record=record) for first in (0, 1)]
     body = SimpleNamespace(joints=(None,) * 2, channels=(None,) * 3)
-    assert skeleton.read_clip(SimpleNamespace(armatures=armatures, body=body), 24.0, issues) == kept
+    assert clips.read_clip(SimpleNamespace(armatures=armatures, body=body), 24.0, issues) == kept
     assert [each.code for each in issues] == ["CLIP_THINNED"] * (most < 10)
     still = SimpleNamespace(armatures=[SimpleNamespace(times=(5.0,))], body=body)
-    assert skeleton.read_clip(still, 24.0, issues) is None
+    assert clips.read_clip(still, 24.0, issues) is None

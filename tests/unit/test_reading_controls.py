@@ -28,10 +28,11 @@ from usdrigui.errors import RigUIError
 from usdrigui.rotation import rotations
 from usdrigui.settings import JointSettings, Settings, load
 from usdrigui.usd import controls as drafts
-from usdrigui.usd import ranges
-from usdrigui.usd import rig as rig_reading
+from usdrigui.usd import poses, ranges, refusals
+from usdrigui.usd.clips import State
 from usdrigui.usd.controls import joint_settings
-from usdrigui.usd.rig import read_rigs, without_layout
+from usdrigui.usd.existing_layouts import without_layout
+from usdrigui.usd.rig import read_rigs
 
 
 def read(path, config=None):
@@ -483,8 +484,8 @@ def test_a_drive_added_to_the_base_pose_is_the_pose_at_every_key():
     placed[..., 3, :3] = random.random((3, 3)) + turned
     weights = np.tile(random.random(4), (3, 1))
     weights[1:, [0, 1, 3]] += random.random((2, 3))
-    base, states = drafts.State(weights[0], placed[0]), drafts.State(weights, placed)
-    (drive,) = drafts.pose_drives([drafts.NamedPose("clip", np.array([0.0, 0.5, 1.0]), states)], base)
+    base, states = State(weights[0], placed[0]), State(weights, placed)
+    (drive,) = poses.pose_drives([poses.NamedPose("clip", np.array([0.0, 0.5, 1.0]), states)], base)
     assert (drive.channels.tolist(), drive.joints.tolist()) == ([0, 1, 3], [0, 1])
     assert np.allclose(weights[0, drive.channels] + drive.weights, weights[:, drive.channels])
     assert np.allclose(placed[0, drive.joints, 3, :3] + drive.translations, placed[:, drive.joints, 3, :3])
@@ -762,20 +763,20 @@ def test_joints_that_an_animation_translates_or_scales_by_more_than_a_thousandth
 def test_turns_go_on_beyond_a_half_turn():
     """From 170 to 190 degrees, which is -170 about the same axis."""
     turns = np.radians([170.0, -170.0, -150.0, 10.0])[:, None, None] * [[0.0, 0.0, 1.0]]
-    assert np.degrees(drafts.unwrapped(turns))[:, 0, 2] == pytest.approx([170.0, 190.0, 210.0, 370.0])
+    assert np.degrees(poses.unwrapped(turns))[:, 0, 2] == pytest.approx([170.0, 190.0, 210.0, 370.0])
     turns[1] = 0.0
-    assert np.degrees(drafts.unwrapped(turns))[1, 0] == pytest.approx([0.0, 0.0, 0.0])
+    assert np.degrees(poses.unwrapped(turns))[1, 0] == pytest.approx([0.0, 0.0, 0.0])
 
 
 def test_scales_are_read_along_the_axes_of_the_joint_whatever_it_turns():
     turn = np.array([[0.0, 1, 0], [-1, 0, 0], [0, 0, 1]])
     local = np.eye(4)
     local[:3, :3] = np.diag([2.0, 3.0, 0.0]) @ turn
-    assert np.exp(drafts._log_scales(local[None], turn[None]))[0] == pytest.approx([2.0, 3.0, 1e-9])
+    assert np.exp(poses._log_scales(local[None], turn[None]))[0] == pytest.approx([2.0, 3.0, 1e-9])
 
 
 def test_meshes_bound_in_vain_are_counted():
     vain = [SimpleNamespace(path=f"/M{i}", message="has no skeleton") for i in range(3)]
-    assert rig_reading._vain_clause([]) == ""
-    assert rig_reading._vain_clause(vain[:1]) == "; /M0 has no skeleton"
-    assert rig_reading._vain_clause(vain) == "; /M0 (and 2 more meshes) has no skeleton"
+    assert refusals._vain_clause([]) == ""
+    assert refusals._vain_clause(vain[:1]) == "; /M0 has no skeleton"
+    assert refusals._vain_clause(vain) == "; /M0 (and 2 more meshes) has no skeleton"

@@ -1,20 +1,151 @@
-"""Every SkelAnimation of a file, frame by frame, whatever character it is of."""
+"""Authored animation: the state of a character at any time, its clip, and SkelAnimations frame by
+frame."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
 from pxr import Usd, UsdSkel
 
-from usdrigui.errors import refuse
-from usdrigui.model import Floats, Performance
+from usdrigui.errors import Issue, RigUIError, issue, refuse
+from usdrigui.model import Body, Channel, Clip, Floats, Performance
 from usdrigui.rotation import quaternion_matrices
 from usdrigui.usd.arrays import floats, quaternions, tokens
+from usdrigui.usd.skeleton import Armature, locals_at
 from usdrigui.usd.stage import open_stage
 
+_CLIP_BYTES = 128 * 1024 * 1024
+"""Memory that a clip may take."""
 _MOST_FRAMES = 4096
 """Frames kept of one animation, evenly spread over its length."""
+
+
+@dataclass(frozen=True)
+class State:
+    """Everything a pose can set: (..., channels) weights and (..., joints, 4, 4) local
+    transforms."""
+
+    weights: Floats
+    locals: Floats
+
+
+@dataclass(frozen=True)
+class Animated:
+    """What poses a character, and whom to ask for its poses."""
+
+    armatures: tuple[Armature, ...]
+    body: Body
+
+    @cached_property
+    def base(self) -> State:
+        """The base pose."""
+        local = np.array([joint.base for joint in self.body.joints]).reshape(-1, 4, 4)
+        return State(self.body.base_weights, local)
+
+    def state(self, time: float, armatures: tuple[Armature, ...] = ()) -> State:
+        """The animation of `armatures`, all if none are given, at a time code; the rest stays in
+        the base pose.
+
+        Raises ANIMATION_LENGTH, ARRAY_TYPE and NOT_FINITE for weights.
+        """
+        weights, local = self.base.weights.copy(), self.base.locals.copy()
+        authored = weights_at(self.armatures, self.body.channels, time)
+        for armature in armatures or self.armatures:
+            part = slice(armature.first, armature.first + len(armature.joint_names))
+            rest = np.array([joint.rest for joint in self.body.joints[part]]).reshape(-1, 4, 4)
+            local[part] = locals_at(armature, time, rest)
+            for index, channel in enumerate(self.body.channels):
+                if channel.index >= 0 and channel.animation == armature.record.animation:
+                    weights[index] = authored[index]
+        return State(weights, local)
+
+
+def read_clip(animated: Animated, rate: float, issues: list[Issue]) -> Clip | None:
+    """The authored animation, or None where nothing has more than one time sample.
+
+    Raises ANIMATION_LENGTH, ARRAY_TYPE and NOT_FINITE.
+    """
+    armatures, body = animated.armatures, animated.body
+    times = sorted({time for armature in armatures for time in armature.times})
+    if len(times) < 2:
+        return None
+    most = max(2, _CLIP_BYTES // (128 * len(body.joints) + 8 * len(body.channels) + 1))
+    if len(times) > most:
+        path, what = armatures[0].record.animation, f"{most} of {len(times)} frames kept"
+        issues.append(issue("CLIP_THINNED", path, what))
+        times = [times[i] for i in np.linspace(0, len(times) - 1, most).round().astype(int)]
+    return _sampled(animated, times, rate)
+
+
+def read_still(animated: Animated, rate: float) -> Clip | None:
+    """The one frame that USD evaluates where nothing moves; None where it cannot be shown."""
+    time = min((time for armature in animated.armatures for time in armature.times), default=0.0)
+    try:
+        return _sampled(animated, [time], rate)
+    except RigUIError:
+        return None
+
+
+def _sampled(animated: Animated, times: list[float], rate: float) -> Clip:
+    """Weights and joints at each of `times`, which USD holds before the first and after the
+    last."""
+    states = [animated.state(time) for time in times]
+    local = np.stack([state.locals for state in states])
+    if not np.isfinite(local).all():
+        raise refuse(
+            "NOT_FINITE",
+            animated.armatures[0].record.animation,
+            "the animation holds NaN or infinity",
+        )
+    weights = np.stack([state.weights for state in states])
+    return Clip(np.array(times, dtype=np.float64), weights, local, rate)
+
+
+def weights_at(
+    armatures: tuple[Armature, ...], channels: tuple[Channel, ...], time: float | None
+) -> Floats:
+    """(channels,) authored weights at a time code; None for the default value.
+
+    Raises ANIMATION_LENGTH, ARRAY_TYPE and NOT_FINITE.
+    """
+    tables = {armature.record.animation: _weights(armature, time) for armature in armatures}
+    values = [
+        (
+            tables[each.animation][each.index]
+            if each.index >= 0 and len(tables[each.animation])
+            else 0.0
+        )
+        for each in channels
+    ]
+    return np.array(values, dtype=np.float64)
+
+
+def _weights(armature: Armature, time: float | None) -> Floats:
+    """Weights of the animation's tokens; empty where none are authored."""
+    if armature.animation is None or not armature.tokens:
+        return np.zeros(0)
+    code = Usd.TimeCode.Default() if time is None else Usd.TimeCode(time)
+    path, animation = armature.record.animation, UsdSkel.Animation(armature.animation.GetPrim())
+    authored = floats(animation.GetBlendShapeWeightsAttr().Get(code), path, "blendShapeWeights")
+    if not len(authored):
+        return np.zeros(0)
+    if len(authored) != len(armature.tokens):
+        raise refuse(
+            "ANIMATION_LENGTH",
+            path,
+            f"{len(armature.tokens)} blendShapes but {len(authored)} blendShapeWeights"
+            + ("" if time is None else f" at time {time:g}"),
+        )
+    values = np.asarray(authored, dtype=np.float64)
+    if not np.isfinite(values).all():
+        raise refuse("NOT_FINITE", path, "blendShapeWeights holds NaN or infinity")
+    return values
+
+
+# --- of any character -----------------------------------------------------------------------------
 
 
 def read_performances(path: Path) -> tuple[Performance, ...]:
@@ -29,23 +160,21 @@ def read_performances(path: Path) -> tuple[Performance, ...]:
         for prim in Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies())
         if prim.IsA(UsdSkel.Animation)
     ]
-    found = tuple(
-        _performance(path, UsdSkel.Animation(prim)) for prim in prims if len(_times(prim)) > 1
-    )
-    if not found:
+    moving = [UsdSkel.Animation(prim) for prim in prims if len(_authored_times(prim)) > 1]
+    if not moving:
         what = f"{len(prims)} SkelAnimations, none with" if prims else "no SkelAnimation with"
         raise refuse("ANIMATION_MISSING", str(path), f"has {what} more than one time sample")
-    return found
+    return tuple(_performance(path, animation) for animation in moving)
 
 
-def _times(prim: Usd.Prim) -> list[float]:
+def _authored_times(prim: Usd.Prim) -> list[float]:
     animation = UsdSkel.Animation(prim)
     attributes = (animation.GetBlendShapeWeightsAttr(), animation.GetRotationsAttr())
     return sorted({time for attribute in attributes for time in attribute.GetTimeSamples()})
 
 
 def _performance(path: Path, animation: UsdSkel.Animation) -> Performance:
-    times, where = _times(animation.GetPrim()), str(animation.GetPath())
+    times, where = _authored_times(animation.GetPrim()), str(animation.GetPath())
     length = times[-1] - times[0]
     if not np.isfinite(length):
         raise refuse(
@@ -59,13 +188,13 @@ def _performance(path: Path, animation: UsdSkel.Animation) -> Performance:
         path=where,
         times=frames,
         tokens=names,
-        weights=_sampled(animation.GetBlendShapeWeightsAttr(), frames, len(names)),
+        weights=_table(animation.GetBlendShapeWeightsAttr(), frames, len(names)),
         joints=joints,
-        rotations=_matrices(_sampled(animation.GetRotationsAttr(), frames, len(joints), 4)),
+        rotations=_turns(_table(animation.GetRotationsAttr(), frames, len(joints), 4)),
     )
 
 
-def _sampled(attribute: Usd.Attribute, frames: Floats, width: int, parts: int = 1) -> Floats:
+def _table(attribute: Usd.Attribute, frames: Floats, width: int, parts: int = 1) -> Floats:
     """(frames, width) values, or (frames, width, 4) quaternions, real part first; zero where
     nothing is authored."""
     table = np.zeros((len(frames), width, parts))
@@ -87,7 +216,7 @@ def _sampled(attribute: Usd.Attribute, frames: Floats, width: int, parts: int = 
     return table[..., 0] if parts == 1 else table
 
 
-def _matrices(quaternions: Floats) -> Floats:
+def _turns(quaternions: Floats) -> Floats:
     """(frames, joints, 3, 3) rotations; the identity for a quaternion of no length."""
     flat = quaternions.reshape(-1, 4)
     length = np.linalg.norm(flat, axis=1, keepdims=True)

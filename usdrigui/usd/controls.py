@@ -15,33 +15,17 @@ from usdrigui.joint_tree import Tree
 from usdrigui.model import Body, Clip, Control, ControlKind, Drive, Floats, Joint, LeftOff
 from usdrigui.rotation import rotation_part, rotation_vectors
 from usdrigui.settings import ControlSettings, JointSettings, ReadSettings
+from usdrigui.usd.clips import State
 from usdrigui.usd.joint_defaults import Turn, default_turns, posed_locals
+from usdrigui.usd.poses import NamedPose, pose_drives, unwrapped
 from usdrigui.usd.ranges import Range
-from usdrigui.usd.skeleton import State
 
 _AXES = "xyz"
-_STILL = 1e-7
-"""Radians, scene units relative to the skeleton, or logarithms of scale below which a pose moves
-nothing."""
-
-_DECIMALS = 12
-"""Of radians and of logarithms of scale."""
 _KEY_DEGREES = 10.0
 """Between the keys of a control that moves joints on arcs."""
 _SLIGHT = 1e-3
 """Share of the greatest translation, or of scale, by which an animation may move a joint
 unmentioned."""
-
-
-@dataclass(frozen=True)
-class NamedPose:
-    """A pose or clip to make a control of, as keys from 0 (base pose) to 1."""
-
-    name: str
-    values: Floats
-    """(k,) ascending from 0 to 1."""
-    states: State
-    """(k, ...) absolute."""
 
 
 @dataclass(frozen=True)
@@ -261,59 +245,6 @@ def names_in_configuration(joints: tuple[Joint, ...]) -> dict[str, int]:
     count = Counter(joint.name for joint in joints)
     leaves = {joint.name: i for i, joint in enumerate(joints) if count[joint.name] == 1}
     return leaves | {joint.path: i for i, joint in enumerate(joints)}
-
-
-def pose_drives(poses: list[NamedPose], base: State) -> list[Drive]:
-    """What each pose adds to the base pose, on the joints and channels that it changes."""
-    if not poses:
-        return []
-    local = np.concatenate([pose.states.locals for pose in poses])
-    frame, base_frame = rotation_part(local), rotation_part(base.locals)
-    # What is nearly still is the difference of numbers about one, whose last bits differ between
-    # processors.
-    turns = np.round(rotation_vectors(frame @ np.swapaxes(base_frame, -1, -2)), _DECIMALS) + 0.0
-    shifts = local[..., 3, :3] - base.locals[..., 3, :3]
-    scales = (
-        np.round(_log_scales(local, frame) - _log_scales(base.locals, base_frame), _DECIMALS) + 0.0
-    )
-    ends = np.cumsum([len(pose.values) for pose in poses])[:-1]
-    parts = zip(poses, *(np.split(table, ends) for table in (turns, shifts, scales)), strict=True)
-    size = max(float(np.abs(base.locals[..., 3, :3]).max(initial=0.0)), 1e-30)
-    return [
-        _pose_drive(pose, base, unwrapped(turn), shift, scale, size)
-        for pose, turn, shift, scale in parts
-    ]
-
-
-def _pose_drive(
-    pose: NamedPose, base: State, turns: Floats, shifts: Floats, scales: Floats, size: float
-) -> Drive:
-    moving = np.flatnonzero(
-        (np.abs(turns) > _STILL).any(axis=(0, 2))
-        | (np.abs(shifts) > _STILL * size).any(axis=(0, 2))
-        | (np.abs(scales) > _STILL).any(axis=(0, 2))
-    )
-    weights = pose.states.weights - base.weights
-    channels = np.flatnonzero((np.abs(weights) > _STILL).any(axis=0))
-    moves = (table[:, moving] for table in (turns, shifts, scales))
-    return Drive(pose.values, channels, weights[:, channels], moving, *moves)
-
-
-def unwrapped(vectors: Floats) -> Floats:
-    """Rotation vectors (k, j, 3) of the same rotations, each the one nearest to its predecessor."""
-    out = vectors.copy()
-    for k in range(1, len(out)):
-        angle = np.linalg.norm(out[k], axis=-1, keepdims=True)
-        unit = np.divide(out[k], angle, out=np.zeros_like(out[k]), where=angle > 0.0)
-        along = (out[k - 1] * unit).sum(axis=-1, keepdims=True)
-        out[k] = unit * (angle + 2.0 * np.pi * np.round((along - angle) / (2.0 * np.pi)))
-    return out
-
-
-def _log_scales(local: Floats, frame: Floats) -> Floats:
-    stretch = local[..., :3, :3] @ np.swapaxes(frame, -1, -2)
-    diagonal = np.abs(np.diagonal(stretch, axis1=-2, axis2=-1))
-    return np.asarray(np.log(np.maximum(diagonal, 1e-9)), dtype=np.float64)
 
 
 # --- drives and ranges ----------------------------------------------------------------------------

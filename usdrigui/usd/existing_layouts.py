@@ -1,16 +1,19 @@
-"""The prims of an existing layout, as far as a layer over it must know them to let them follow new
-shapes."""
+"""The prims of existing layouts, as far as a layer over them must know them to let them follow new
+shapes, and the characters that have no layout."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import replace
 
 from pxr import Usd, UsdGeom, UsdSkel
 
+from usdrigui.errors import Issue, issue
 from usdrigui.usd import schema
 from usdrigui.usd.properties import element_name, has
-from usdrigui.usd.read_layout import element_prims, layout_scopes, points_of_subset
+from usdrigui.usd.read_layout import element_prims, layout_scopes, points_of_subset, switched_off
 from usdrigui.usd.reader_records import ExistingPrim, ExistingSpan
+from usdrigui.usd.rig import skel_roots
 from usdrigui.usd.shapes import shape_tokens
 
 
@@ -50,4 +53,39 @@ def _existing(root: str, prim: Usd.Prim, spans: tuple[ExistingSpan, ...]) -> Exi
             str(target)
             for target in UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets()
         ),
+    )
+
+
+# --- characters without one -----------------------------------------------------------------------
+
+
+_BINDINGS = ("skel:blendShapes", "primvars:skel:jointIndices")
+"""Attributes by which a mesh is moved."""
+
+
+def without_layout(stage: Usd.Stage, laid_out: Collection[str], wanted: str) -> tuple[Issue, ...]:
+    """LAYOUT_OFF or LAYOUT_NONE for each SkelRoot, or the one `wanted`, that something animates and
+    that is not `laid_out`."""
+    roots = [str(root.GetPath()) for root in skel_roots(stage, wanted) if _is_animated(root)]
+    off = {where: selected for selected, paths in switched_off(stage).items() for where in paths}
+    return tuple(_bare(root, off) for root in roots if root not in laid_out)
+
+
+def _bare(root: str, off: Mapping[str, str]) -> Issue:
+    """That a character has no layout, or has one that is switched off on it or above it."""
+    for where, selected in off.items():
+        if f"{root}/".startswith(f"{where}/"):
+            what = f"its layout is switched off, by rigUI = {selected} on {where}"
+            return replace(issue("LAYOUT_OFF", root, what, root), severity="info")
+    return issue("LAYOUT_NONE", root, "has no layout; other characters of the stage have one", root)
+
+
+def _is_animated(root: Usd.Prim) -> bool:
+    """Whether joints or blend shapes move a mesh below it; a prop without either is no
+    character."""
+    return any(
+        attribute.HasAuthoredValue()
+        for prim in Usd.PrimRange(root, Usd.TraverseInstanceProxies())
+        if prim.IsA(UsdGeom.Mesh)
+        for attribute in map(prim.GetAttribute, _BINDINGS)
     )

@@ -13,10 +13,11 @@ from pxr import Sdf, Usd
 from usdrigui.model import Layout
 from usdrigui.settings import Settings
 from usdrigui.usd.contradictions import contradictions
+from usdrigui.usd.existing_layouts import without_layout
 from usdrigui.usd.read_layout import composed_layouts, listed_controls, own_layouts, read_layout
 from usdrigui.usd.reader_main import cameras_toward
 from usdrigui.usd.reader_records import ReadResult
-from usdrigui.usd.rig import read_characters, without_layout
+from usdrigui.usd.rig import read_characters
 from usdrigui.usd.variants import select, variant_sets
 
 if TYPE_CHECKING:

@@ -12,7 +12,8 @@ from pxr import Tf, Usd, UsdSkel, Vt
 
 from usdrigui.errors import Issue, issue
 from usdrigui.model import Clip, Floats
-from usdrigui.usd.skeleton import Animated, Armature, weights_at
+from usdrigui.usd.clips import Animated, weights_at
+from usdrigui.usd.skeleton import Armature
 
 Source = Literal["config", "limits", "animation", "inbetweens", "metadata", "default"]
 

@@ -138,8 +138,9 @@ def _layouts_in(path: Path, stages: Any, before: Mapping[str, SourceFile]) -> La
 def _composed(path: Path, settings: Settings) -> Response:
     """The layouts of a stage and their characters as the stage composes them."""
     from usdrigui.usd.contradictions import contradictions
+    from usdrigui.usd.existing_layouts import without_layout
     from usdrigui.usd.read_layout import listed_controls
-    from usdrigui.usd.rig import read_characters, without_layout
+    from usdrigui.usd.rig import read_characters
     from usdrigui.usd.stage import open_stage
 
     read = settings.rig.read

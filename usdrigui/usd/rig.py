@@ -7,7 +7,7 @@ is asked of UsdSkel, so that a rig means here what it means in any other applica
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 from pxr import Gf, Tf, Usd, UsdGeom, UsdSkel
 
-from usdrigui.errors import Faults, Issue, RigUIError, issue, listed, meant, of_character, refuse
+from usdrigui.errors import Faults, Issue, issue, listed, of_character, refuse
 from usdrigui.model import (
     Body,
     Channel,
@@ -28,47 +28,33 @@ from usdrigui.model import (
     SkelRoot,
 )
 from usdrigui.settings import ReadSettings, RigSettings, Settings
-from usdrigui.usd.binding import bound_in_vain
+from usdrigui.usd.clips import Animated, read_clip, read_still, weights_at
 from usdrigui.usd.controls import (
     Draft,
     blend_shape_drafts,
     default_joint_drafts,
     ignored_motion,
     joint_drafts,
-    joint_names,
-    names_in_configuration,
     pose_drafts,
     settled,
 )
 from usdrigui.usd.glyphs import read_glyphs
-from usdrigui.usd.hidden import hidden_issues
-from usdrigui.usd.mesh import outside_issues, read_meshes
+from usdrigui.usd.mesh import hidden_issues, outside_issues, read_meshes
 from usdrigui.usd.poses import FrameNames, named_poses, read_frame_names
 from usdrigui.usd.ranges import read_ranges
-from usdrigui.usd.read_layout import switched_off
-from usdrigui.usd.schema import SCOPE
+from usdrigui.usd.refusals import Reading, check_names, in_variants, why_lost, without_controls
 from usdrigui.usd.shapes import Binding, Found, left_off_tokens
 from usdrigui.usd.skeleton import (
-    Animated,
     Armature,
     Frames,
+    bound_in_vain,
     read_armatures,
     read_channels,
-    read_clip,
     read_joints,
-    read_still,
-    weights_at,
 )
 from usdrigui.usd.stage import composition_issues, listening, open_stage, usd_message
 from usdrigui.usd.variant_paths import with_sets
 from usdrigui.usd.variants import variant_path
-
-_BINDINGS = ("skel:blendShapes", "primvars:skel:jointIndices")
-"""Attributes by which a mesh is moved."""
-_JOINTS_TOLD = 12
-"""Names of joints in one message."""
-_VARIANTS_TRIED = 64
-"""Variants that are looked into for a character that the selected ones lack."""
 
 
 def read_rigs(
@@ -112,13 +98,13 @@ def read_characters(
             source if isinstance(source, Usd.Stage) else open_stage(source, settings.read.variants)
         )
         path = Path(stage.GetRootLayer().identifier) if isinstance(source, Usd.Stage) else source
-        roots = _skel_roots(stage, settings.read.skel_root)
+        roots = skel_roots(stage, settings.read.skel_root)
         issues = (*composition_issues(stage, roots), *outside_issues(stage))
         if not roots:
             raise refuse(
                 "SKELROOT_MISSING",
                 str(path),
-                f"no prim on the stage is a SkelRoot{_in_variants(stage)}",
+                f"no prim on the stage is a SkelRoot{in_variants(stage)}",
             )
         if laid_out is not None:
             roots = _with_layout(roots, laid_out, path)
@@ -129,16 +115,16 @@ def read_characters(
                 readings.append(_read(root, settings, faults, instances=instances))
         with _usd_errors(str(path)):
             glyphs = read_glyphs(stage, path, settings, faults)
-    _check_names(readings, settings, faults)
+    check_names(readings, settings, faults)
     rigs = tuple(
         replace(reading.rig, configured=replace(reading.rig.configured, glyphs=glyphs))
         for reading in readings
         if reading.rig.controls and reading.rig.body.meshes
     )
-    lost = () if laid_out is None else _lost(stage, readings)
+    lost = () if laid_out is None else why_lost(stage, readings)
     if not (rigs or lost):
         faults.raise_all()
-        raise _without_controls(stage, readings)
+        raise without_controls(stage, readings)
     if not rigs:
         return Characters((), faults, lost)
     spoken = tuple(issue("USD_DIAGNOSTIC", str(path), text) for text in messages)
@@ -146,76 +132,6 @@ def read_characters(
     of_stage = (*issues, *_unit_issues(stage), *spoken, *found.issues)
     first = replace(rigs[0], findings=replace(found, issues=of_stage))
     return Characters((first, *rigs[1:]), faults, lost)
-
-
-def _without_controls(stage: Usd.Stage, readings: list[_Reading]) -> RigUIError:
-    """Why none of some characters has anything to control."""
-    broken = [fault for reading in readings for fault in reading.faults]
-    if broken:
-        return broken[0]
-    lost = [dropped for reading in readings for dropped in reading.rig.findings.left_off]
-    reasons = tuple({dropped.reason for dropped in lost})
-    bound = [finding for reading in readings for finding in reading.bound_in_vain]
-    vain = [finding for finding in bound if not finding.message.endswith(reasons)]
-    off = "".join(_inactive_clause(stage, reading.rig.skel_root.path) for reading in readings)
-    why = f"{_lost_clause(lost)}{_vain_clause(vain)}{off}" or _joints_clause(readings[0])
-    meshes = any(reading.rig.body.meshes for reading in readings)
-    what = "no blend shape, animated joint or named pose" if meshes else "no mesh to move"
-    return refuse("CONTROLS_MISSING", readings[0].rig.skel_root.path, f"{what}{why}")
-
-
-def _lost(stage: Usd.Stage, readings: list[_Reading]) -> tuple[Issue, ...]:
-    """Why characters that are laid out have nothing to control."""
-    found = []
-    for reading in readings:
-        root = reading.rig.skel_root.path
-        if not reading.rig.body.meshes:
-            what = f"none of its meshes is left{_inactive_clause(stage, root)}"
-            found.append(issue("LAYOUT_MESH_GONE", root, what, root))
-        elif not reading.rig.controls:
-            found += of_character(root, _without_controls(stage, [reading]).issues)
-    return tuple(found)
-
-
-def without_layout(stage: Usd.Stage, laid_out: Collection[str], wanted: str) -> tuple[Issue, ...]:
-    """LAYOUT_OFF or LAYOUT_NONE for each SkelRoot, or the one `wanted`, that something animates and
-    that is not `laid_out`."""
-    roots = [str(root.GetPath()) for root in _skel_roots(stage, wanted) if _is_animated(root)]
-    off = {where: selected for selected, paths in switched_off(stage).items() for where in paths}
-    return tuple(_bare(root, off) for root in roots if root not in laid_out)
-
-
-def _bare(root: str, off: Mapping[str, str]) -> Issue:
-    """That a character has no layout, or has one that is switched off on it or above it."""
-    for where, selected in off.items():
-        if f"{root}/".startswith(f"{where}/"):
-            what = f"its layout is switched off, by rigUI = {selected} on {where}"
-            return replace(issue("LAYOUT_OFF", root, what, root), severity="info")
-    return issue("LAYOUT_NONE", root, "has no layout; other characters of the stage have one", root)
-
-
-def _is_animated(root: Usd.Prim) -> bool:
-    """Whether joints or blend shapes move a mesh below it; a prop without either is no
-    character."""
-    return any(
-        attribute.HasAuthoredValue()
-        for prim in Usd.PrimRange(root, Usd.TraverseInstanceProxies())
-        if prim.IsA(UsdGeom.Mesh)
-        for attribute in map(prim.GetAttribute, _BINDINGS)
-    )
-
-
-@dataclass(frozen=True)
-class _Reading:
-    """A rig and what only refusals tell of it."""
-
-    rig: Rig
-    known: frozenset[str]
-    """The names that the configuration may use for its controls."""
-    bound_in_vain: tuple[Issue, ...]
-    """Meshes with joint influences that no Skeleton moves although one is named."""
-    faults: tuple[RigUIError, ...]
-    """Why parts were left off."""
 
 
 @dataclass(frozen=True)
@@ -248,7 +164,7 @@ def _usd_errors(path: str) -> Iterator[None]:
         raise refuse("USD_ERROR", path, usd_message(error)) from None
 
 
-def _read(root: Usd.Prim, settings: RigSettings, faults: Faults, *, instances: bool) -> _Reading:
+def _read(root: Usd.Prim, settings: RigSettings, faults: Faults, *, instances: bool) -> Reading:
     if not instances and (root.IsInstance() or root.IsInstanceProxy()):
         reason = (
             f"is an instance: no layer can add prims below {root.GetPath()}{_others_clause(root)}"
@@ -280,7 +196,7 @@ def _read(root: Usd.Prim, settings: RigSettings, faults: Faults, *, instances: b
         configured=Configured(excluded),
     )
     known = {draft.name for draft in drafts} | {dropped.control for dropped in lost}
-    return _Reading(rig, frozenset(known), scene.bound_in_vain, tuple(found.faults))
+    return Reading(rig, frozenset(known), scene.bound_in_vain, tuple(found.faults))
 
 
 def _scene(root: Usd.Prim, settings: ReadSettings, *, instances: bool) -> _Scene:
@@ -365,7 +281,8 @@ def _with_unanimated(
     return (*channels, *(Channel(token, "", -1) for token in more))
 
 
-def _skel_roots(stage: Usd.Stage, wanted: str) -> tuple[Usd.Prim, ...]:
+def skel_roots(stage: Usd.Stage, wanted: str = "") -> tuple[Usd.Prim, ...]:
+    """The SkelRoots of a stage, or the one `wanted`; raises SKELROOT_UNKNOWN where it is none."""
     roots = tuple(
         prim
         for prim in Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies())
@@ -380,27 +297,6 @@ def _skel_roots(stage: Usd.Stage, wanted: str) -> tuple[Usd.Prim, ...]:
     return chosen
 
 
-def _in_variants(stage: Usd.Stage) -> str:
-    """A clause with the variants that would bring in a SkelRoot, each being selected by itself;
-    empty without."""
-    places = [
-        (prim.GetPath(), name, variant)
-        for prim in stage.Traverse()
-        for name in prim.GetVariantSets().GetNames()
-        for variant in prim.GetVariantSet(name).GetVariantNames()
-        if variant != prim.GetVariantSet(name).GetVariantSelection()
-    ]
-    found = []
-    with Usd.EditContext(stage, stage.GetSessionLayer()):
-        for path, name, variant in places[:_VARIANTS_TRIED]:
-            stage.GetPrimAtPath(path).GetVariantSet(name).SetVariantSelection(variant)
-            below = Usd.PrimRange(stage.GetPrimAtPath(path), Usd.TraverseInstanceProxies())
-            if any(prim.IsA(UsdSkel.Root) for prim in below):
-                found.append(f"{variant!r} of the variant set {name!r} of {path}")
-            stage.GetPrimAtPath(path).GetVariantSet(name).ClearVariantSelection()
-    return f"; there is one in {listed(found)}" if found else ""
-
-
 def _instance(prim: Usd.Prim) -> Usd.Prim:
     """The instance that a prim is or lies in."""
     while not prim.IsInstance() and prim.GetParent():
@@ -411,7 +307,7 @@ def _instance(prim: Usd.Prim) -> Usd.Prim:
 def _others_clause(instance: Usd.Prim) -> str:
     """A clause with the SkelRoots beside one in an instance that are in none; empty if there are no
     such."""
-    roots = _skel_roots(instance.GetStage(), "")
+    roots = skel_roots(instance.GetStage())
     free = [
         str(each.GetPath())
         for each in roots
@@ -445,61 +341,3 @@ def _unit_issues(stage: Usd.Stage) -> tuple[Issue, ...]:
     layer = stage.GetRootLayer()
     what = f"metersPerUnit is {layer.pseudoRoot.GetInfo('metersPerUnit')!r}; 0.01 is taken"
     return (issue("UNITS_TYPE", layer.identifier, what),)
-
-
-def _check_names(readings: list[_Reading], settings: RigSettings, faults: Faults) -> None:
-    """Collect CONFIG_UNKNOWN_CONTROL for names in the configuration that no rig knows."""
-    known = frozenset[str]().union(*(reading.known for reading in readings))
-    controls = [control.name for reading in readings for control in reading.rig.controls]
-    unknown = [
-        (f'controls."{name}"', f"no rig of the asset has this control{meant(name, controls)}")
-        for name in settings.controls
-        if name not in known
-    ]
-    bodies = [reading.rig.body for reading in readings]
-    joints = [joint for body in bodies for joint in body.joints]
-    for name in settings.joints:
-        if not any(name in names_in_configuration(body.joints) for body in bodies):
-            spellings = (*(joint.name for joint in joints), *(joint.path for joint in joints))
-            hint = meant(name, spellings) or "".join(map(_joints_clause, readings))
-            unknown.append((f'joints."{name}"', f"no rig of the asset has this joint{hint}"))
-    faults.add([issue("CONFIG_UNKNOWN_CONTROL", where, what) for where, what in unknown])
-
-
-def _joints_clause(reading: _Reading) -> str:
-    """A clause with the names of the first joints of a rig, empty if it has none."""
-    names = joint_names(reading.rig.body.joints)
-    more = f" and {len(names) - _JOINTS_TOLD} more" if len(names) > _JOINTS_TOLD else ""
-    return (
-        f"; {reading.rig.skel_root.path} has the joints {', '.join(names[:_JOINTS_TOLD])}{more}"
-        if names
-        else ""
-    )
-
-
-def _lost_clause(lost: list[LeftOff]) -> str:
-    """A clause with the reasons for which everything was left off, and how many controls share
-    each; empty if none."""
-    names: dict[str, list[str]] = {}
-    for dropped in lost:
-        names.setdefault(dropped.reason, []).append(dropped.control)
-    reasons = [
-        f"{same[0]}{f' and {len(same) - 1} more' if len(same) > 1 else ''} ({reason})"
-        for reason, same in names.items()
-    ]
-    return f"; left off: {listed(reasons)}" if reasons else ""
-
-
-def _inactive_clause(stage: Usd.Stage, root: str) -> str:
-    """A clause with the prims below a SkelRoot that are not active; empty if none."""
-    walk = Usd.PrimRange(stage.GetPrimAtPath(root), Usd.PrimAllPrimsPredicate)
-    off = [str(prim.GetPath()) for prim in walk if not prim.IsActive() and prim.GetName() != SCOPE]
-    return f"; not active: {listed(off)}" if off else ""
-
-
-def _vain_clause(vain: list[Issue]) -> str:
-    """A clause with the first mesh that is bound in vain, and how many are; empty if none."""
-    if not vain:
-        return ""
-    more = f" (and {len(vain) - 1} more meshes)" if len(vain) > 1 else ""
-    return f"; {vain[0].path}{more} {vain[0].message}"

@@ -14,8 +14,7 @@ from pxr import Sdf, Usd, UsdSkel
 from usdrigui.errors import Issue, RigUIError, issue, refuse
 from usdrigui.model import Body, Indices, LeftOff, Shape, Singles, Skeleton
 from usdrigui.usd.arrays import check_range, integers, tokens, vectors
-from usdrigui.usd.binding import why_unbound
-from usdrigui.usd.skeleton import Armature, repeated
+from usdrigui.usd.skeleton import Armature, repeated, why_unbound
 
 PART_FAULTS = {
     "ARRAY_TYPE",

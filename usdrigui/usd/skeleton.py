@@ -1,21 +1,18 @@
-"""Skeletons, joints and authored animation of one SkelRoot."""
+"""Skeletons and joints of one SkelRoot, and why UsdSkel moves a mesh by none although one is named
+for it."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Container, Iterable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel
 
-from usdrigui.errors import Issue, RigUIError, issue, refuse
-from usdrigui.model import Body, Channel, Clip, Floats, Joint, Skeleton
-from usdrigui.usd.arrays import floats, quaternions, tokens, vector_count
-
-_CLIP_BYTES = 128 * 1024 * 1024
-"""Memory that a clip may take."""
+from usdrigui.errors import Issue, issue, refuse
+from usdrigui.model import Channel, Floats, Joint, Skeleton
+from usdrigui.usd.arrays import quaternions, tokens, vector_count
 
 
 @dataclass(frozen=True)
@@ -42,46 +39,6 @@ class Armature:
             *self.animation.GetBlendShapeWeightTimeSamples(),
             *self.animation.GetJointTransformTimeSamples(),
         }
-
-
-@dataclass(frozen=True)
-class State:
-    """Everything a pose can set: (..., channels) weights and (..., joints, 4, 4) local
-    transforms."""
-
-    weights: Floats
-    locals: Floats
-
-
-@dataclass(frozen=True)
-class Animated:
-    """What poses a character, and whom to ask for its poses."""
-
-    armatures: tuple[Armature, ...]
-    body: Body
-
-    @cached_property
-    def base(self) -> State:
-        """The base pose."""
-        local = np.array([joint.base for joint in self.body.joints]).reshape(-1, 4, 4)
-        return State(self.body.base_weights, local)
-
-    def state(self, time: float, armatures: tuple[Armature, ...] = ()) -> State:
-        """The animation of `armatures`, all if none are given, at a time code; the rest stays in
-        the base pose.
-
-        Raises ANIMATION_LENGTH, ARRAY_TYPE and NOT_FINITE for weights.
-        """
-        weights, local = self.base.weights.copy(), self.base.locals.copy()
-        authored = weights_at(self.armatures, self.body.channels, time)
-        for armature in armatures or self.armatures:
-            part = slice(armature.first, armature.first + len(armature.joint_names))
-            rest = np.array([joint.rest for joint in self.body.joints[part]]).reshape(-1, 4, 4)
-            local[part] = _locals_at(armature, time, rest)
-            for index, channel in enumerate(self.body.channels):
-                if channel.index >= 0 and channel.animation == armature.record.animation:
-                    weights[index] = authored[index]
-        return State(weights, local)
 
 
 class Frames:
@@ -172,7 +129,7 @@ def _joints(armature: Armature, time: float | None, issues: list[Issue]) -> list
         inner = np.flatnonzero(parents >= 0)
         rest[inner] = bind[inner] @ np.linalg.inv(bind[parents[inner]])
         issues.append(issue("REST_MISSING", path, f"{len(names)} joints"))
-    base = rest if time is None else _locals_at(armature, time, rest)
+    base = rest if time is None else locals_at(armature, time, rest)
     if not (np.isfinite(rest).all() and np.isfinite(base).all()):
         raise refuse("NOT_FINITE", path, "a joint transform holds NaN or infinity")
     above = np.where(parents >= 0, parents + armature.first, -1).tolist()
@@ -199,88 +156,6 @@ def repeated(names: Sequence[str], path: str, name: str) -> list[Issue]:
         for token, count in Counter(names).items()
         if count > 1
     ]
-
-
-def read_clip(animated: Animated, rate: float, issues: list[Issue]) -> Clip | None:
-    """The authored animation, or None where nothing has more than one time sample.
-
-    Raises ANIMATION_LENGTH, ARRAY_TYPE and NOT_FINITE.
-    """
-    armatures, body = animated.armatures, animated.body
-    times = sorted({time for armature in armatures for time in armature.times})
-    if len(times) < 2:
-        return None
-    most = max(2, _CLIP_BYTES // (128 * len(body.joints) + 8 * len(body.channels) + 1))
-    if len(times) > most:
-        path, what = armatures[0].record.animation, f"{most} of {len(times)} frames kept"
-        issues.append(issue("CLIP_THINNED", path, what))
-        times = [times[i] for i in np.linspace(0, len(times) - 1, most).round().astype(int)]
-    return _sampled(animated, times, rate)
-
-
-def read_still(animated: Animated, rate: float) -> Clip | None:
-    """The one frame that USD evaluates where nothing moves; None where it cannot be shown."""
-    time = min((time for armature in animated.armatures for time in armature.times), default=0.0)
-    try:
-        return _sampled(animated, [time], rate)
-    except RigUIError:
-        return None
-
-
-def _sampled(animated: Animated, times: list[float], rate: float) -> Clip:
-    """Weights and joints at each of `times`, which USD holds before the first and after the
-    last."""
-    states = [animated.state(time) for time in times]
-    local = np.stack([state.locals for state in states])
-    if not np.isfinite(local).all():
-        raise refuse(
-            "NOT_FINITE",
-            animated.armatures[0].record.animation,
-            "the animation holds NaN or infinity",
-        )
-    weights = np.stack([state.weights for state in states])
-    return Clip(np.array(times, dtype=np.float64), weights, local, rate)
-
-
-def weights_at(
-    armatures: tuple[Armature, ...], channels: tuple[Channel, ...], time: float | None
-) -> Floats:
-    """(channels,) authored weights at a time code; None for the default value.
-
-    Raises ANIMATION_LENGTH, ARRAY_TYPE and NOT_FINITE.
-    """
-    tables = {armature.record.animation: _weights(armature, time) for armature in armatures}
-    values = [
-        (
-            tables[each.animation][each.index]
-            if each.index >= 0 and len(tables[each.animation])
-            else 0.0
-        )
-        for each in channels
-    ]
-    return np.array(values, dtype=np.float64)
-
-
-def _weights(armature: Armature, time: float | None) -> Floats:
-    """Weights of the animation's tokens; empty where none are authored."""
-    if armature.animation is None or not armature.tokens:
-        return np.zeros(0)
-    code = Usd.TimeCode.Default() if time is None else Usd.TimeCode(time)
-    path, animation = armature.record.animation, UsdSkel.Animation(armature.animation.GetPrim())
-    authored = floats(animation.GetBlendShapeWeightsAttr().Get(code), path, "blendShapeWeights")
-    if not len(authored):
-        return np.zeros(0)
-    if len(authored) != len(armature.tokens):
-        raise refuse(
-            "ANIMATION_LENGTH",
-            path,
-            f"{len(armature.tokens)} blendShapes but {len(authored)} blendShapeWeights"
-            + ("" if time is None else f" at time {time:g}"),
-        )
-    values = np.asarray(authored, dtype=np.float64)
-    if not np.isfinite(values).all():
-        raise refuse("NOT_FINITE", path, "blendShapeWeights holds NaN or infinity")
-    return values
 
 
 def _in_instance(path: Sdf.Path, beside: Usd.Prim) -> Sdf.Path:
@@ -357,8 +232,97 @@ def _matrices(values: object, count: int) -> Floats | None:
     return matrices if len(matrices) == count else None
 
 
-def _locals_at(armature: Armature, time: float, rest: Floats) -> Floats:
+def locals_at(armature: Armature, time: float, rest: Floats) -> Floats:
     """(joints, 4, 4) local transforms of the animation, rest transforms where it has none."""
     values = armature.query.ComputeJointLocalTransforms(Usd.TimeCode(time), False)
     matrices = _matrices(values, len(rest))
     return rest if matrices is None else matrices
+
+
+# --- bound in vain --------------------------------------------------------------------------------
+#
+# UsdSkel ignores a binding without a message, and the repairs differ: applying a schema, giving a
+# prim a type, or correcting a path.  Here the walk of `UsdSkel.Cache.Populate` is retraced to name
+# the cause.
+
+
+_SKELETON = "skel:skeleton"
+_API = "SkelBindingAPI"
+
+
+def why_unbound(prim: Usd.Prim) -> str:
+    """What keeps the Skeleton that is named for a prim from it; empty where none is named.
+
+    Only for prims below a SkelRoot that UsdSkel has bound to nothing.
+    """
+    chain = _up_to_skel_root(prim)
+    named = [each for each in chain if each.GetRelationship(_SKELETON).HasAuthoredTargets()]
+    if not named:
+        return ""
+    chosen = next((each for each in named if each.HasAPI(UsdSkel.BindingAPI)), None)
+    if chosen is None:
+        faults = [
+            f"{_SKELETON} is authored on {named[0].GetPath()}, but {_API} is not applied there:"
+            " apply it"
+        ]
+    else:
+        faults = [_without_skeleton(chosen)]
+    faults.append(_cut_off(chain[1:]))
+    return "; ".join(filter(None, faults))
+
+
+def bound_in_vain(
+    stage: Usd.Stage, meshes: Iterable[str], bound: Container[Sdf.Path]
+) -> tuple[Issue, ...]:
+    """One for each of `meshes` that has joint influences and a Skeleton named, but none in `bound`.
+
+    Meshes with blend shapes are left to `read_shapes`, which reports the same of them.
+    """
+    found = []
+    for path in meshes:
+        prim = stage.GetPrimAtPath(path)
+        api = UsdSkel.BindingAPI(prim)
+        if prim.GetPath() in bound or api.GetBlendShapeTargetsRel().HasAuthoredTargets():
+            continue
+        # Not asked of the API, whose primvars are invalid objects where it is not applied.
+        indices = prim.GetAttribute("primvars:skel:jointIndices")
+        if indices and indices.HasAuthoredValue() and (why := why_unbound(prim)):
+            found.append(issue("MESH_UNBOUND", path, f"has joint influences; {why}"))
+    return tuple(found)
+
+
+def _up_to_skel_root(prim: Usd.Prim) -> list[Usd.Prim]:
+    """The prim and those above it, the SkelRoot last: UsdSkel looks at nothing above that."""
+    chain = [prim]
+    while chain[-1].GetParent() and not chain[-1].IsA(UsdSkel.Root):
+        chain.append(chain[-1].GetParent())
+    return chain
+
+
+def _without_skeleton(prim: Usd.Prim) -> str:
+    """What is wrong with a binding that UsdSkel reads; empty if it leads to a Skeleton."""
+    targets = prim.GetRelationship(_SKELETON).GetTargets()
+    if not targets:
+        return f"{_SKELETON} of {prim.GetPath()} has no target"
+    skeleton = prim.GetStage().GetPrimAtPath(targets[0])
+    if skeleton and skeleton.IsActive() and skeleton.IsA(UsdSkel.Skeleton):
+        return ""
+    return (
+        f"{_SKELETON} of {prim.GetPath()} leads to {targets[0]}, which is not an active Skeleton:"
+        " correct it"
+    )
+
+
+def _cut_off(above: list[Usd.Prim]) -> str:
+    """Which of the prims above one, nearest first, UsdSkel does not look below; empty if none."""
+    for prim in reversed(above):
+        path, kind = prim.GetPath(), prim.GetTypeName()
+        if not prim.IsA(UsdGeom.Imageable):
+            what = f"is a {kind}, which is not imageable" if kind else "has no type"
+            return f"{path} {what}, so that UsdSkel ignores all prims below it: make it an Xform"
+        if prim.IsA(UsdGeom.PointBased):
+            return (
+                f"{path} is a {kind} itself, so that UsdSkel ignores all prims below it: move the"
+                " mesh out"
+            )
+    return ""
