@@ -7,7 +7,7 @@ import contextlib
 import io
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -30,6 +30,15 @@ def say(line: str, arguments: argparse.Namespace) -> None:
     """Print one line, unless the command owes a JSON document."""
     if not arguments.json:
         tell(line, sys.stdout)
+
+
+def write(
+    content: bytes, path: Path, read: Iterable[Path | str], arguments: argparse.Namespace
+) -> None:
+    """Write a file that replaces none of those that were `read`, and say so."""
+    from usdrigui.pipeline import write_file
+
+    say(f"usdrigui: {write_file(content, path, tuple(read))} {path}", arguments)
 
 
 def check_ending(option: str, path: Path | None, *endings: str) -> None:

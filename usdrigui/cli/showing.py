@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from usdrigui.cli.options import files_read, settings_of
-from usdrigui.cli.outcomes import check_ending, say
+from usdrigui.cli.outcomes import check_ending, say, write
 from usdrigui.errors import Exit, refuse
 from usdrigui.isolation import worker
 
@@ -76,8 +76,7 @@ def view(arguments: argparse.Namespace) -> Exit:
         reviews,
     )
     if arguments.html:
-        state = pipeline.write_file(html.encode(), arguments.html, read)
-        say(f"usdrigui: {state} {arguments.html}", arguments)
+        write(html.encode(), arguments.html, read, arguments)
         return Exit.OK
     worker.budget(0.0, settings.run.memory_limit)  # it ends when the user says so
     serve.serve(
@@ -113,8 +112,8 @@ def picture(arguments: argparse.Namespace) -> Exit:
     else:
         pose = settings.rig.read.pose
         content = sheet.sheet_png(characters, labels=arguments.labels, pose=pose)
-    state = pipeline.write_file(content, arguments.output, read)
-    for line in (f"{state} {arguments.output}", *sheet.spelt_out(characters)):
+    write(content, arguments.output, read, arguments)
+    for line in sheet.spelt_out(characters):
         say(f"usdrigui: {line}", arguments)
     return Exit.OK
 
@@ -135,17 +134,13 @@ def picker(arguments: argparse.Namespace) -> Exit:
     characters = _visible(loaded.characters, arguments)
     made = picker.picker(characters, labels=arguments.labels)
     if arguments.svg is not None:
-        content = svg(made).encode()
-        say(f"{pipeline.write_file(content, arguments.svg, read)} {arguments.svg}", arguments)
+        write(svg(made).encode(), arguments.svg, read, arguments)
     if arguments.dwpicker is not None:
         name = arguments.layer.name.partition(".")[0]
         place = f"$DWPICKER_PROJECT_DIRECTORY/{behind.name}"
         content = picker.to_dwpicker(made, name, place).encode()
-        say(f"{pipeline.write_file(picker.background_png(made), behind, read)} {behind}", arguments)
-        say(
-            f"{pipeline.write_file(content, arguments.dwpicker, read)} {arguments.dwpicker}",
-            arguments,
-        )
+        write(picker.background_png(made), behind, read, arguments)
+        write(content, arguments.dwpicker, read, arguments)
     count = sum(len(layout.elements) for _, layout in characters)
     say(f"usdrigui: picker of {arguments.layer}: {count} elements", arguments)
     return Exit.OK

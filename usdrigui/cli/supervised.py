@@ -11,7 +11,7 @@ import contextlib
 import io
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from usdrigui import cli
 from usdrigui.cli.outcomes import prepare_streams, refused
@@ -24,10 +24,7 @@ def run(argv: Sequence[str], events: Events) -> int:
     """Run a command line; `events` receives signals.  Returns the exit code."""
     arguments = argparse.Namespace(json="--json" in argv, patterns=argv[:2])
     try:
-        with (
-            contextlib.redirect_stdout(io.StringIO()) as out,
-            contextlib.redirect_stderr(io.StringIO()) as err,
-        ):
+        with _captured() as (out, err):
             arguments = parsed(argv)
     except SystemExit as ended:
         outcome = Outcome(int(ended.code or 0), out.getvalue(), err.getvalue())
@@ -67,20 +64,22 @@ def _account(outcome: Outcome) -> str:
 
 def _alone(argv: Sequence[str]) -> Outcome:
     """A command that needs no worker."""
-    with (
-        contextlib.redirect_stdout(io.StringIO()) as out,
-        contextlib.redirect_stderr(io.StringIO()) as err,
-    ):
+    with _captured() as (out, err):
         code = cli.main(argv)
     return Outcome(code, out.getvalue(), err.getvalue())
 
 
+@contextlib.contextmanager
+def _captured() -> Iterator[tuple[io.StringIO, io.StringIO]]:
+    """What is printed within, on each of the two streams."""
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        yield out, err
+
+
 def _refusal(error: RigUIError, arguments: argparse.Namespace) -> Outcome:
     """The closing line of a command whose worker has none."""
-    with (
-        contextlib.redirect_stdout(io.StringIO()) as out,
-        contextlib.redirect_stderr(io.StringIO()) as err,
-    ):
+    with _captured() as (out, err):
         refused(error, arguments)
     return Outcome(int(error.exit_code), out.getvalue(), err.getvalue())
 

@@ -9,15 +9,15 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 from statistics import fmean, stdev
 
 from usdrigui.errors import refuse
 from usdrigui.isolation.foreign_file import whole_content
+from usdrigui.report.documents import document, plain
 
 INTERFACES = {"list": "slider list", "beside": "on a copy", "face": "on the face"}
 """In the order of the table; the paper's second is its layout off the face."""
@@ -117,7 +117,7 @@ def as_text(study: Study) -> str:
 
 def as_json(study: Study) -> str:
     """The same as one JSON document."""
-    return json.dumps(asdict(study), indent=2, ensure_ascii=False) + "\n"
+    return document("study", **plain(study))
 
 
 def _cell(each: Measure) -> str:

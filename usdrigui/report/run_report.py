@@ -9,16 +9,13 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
-from usdrigui.errors import Exit, Issue
+from usdrigui.errors import Issue
 from usdrigui.model import Assignment, Element, Floats, Layout, LeftOff, Rig
 from usdrigui.model.levels import outer_first
 from usdrigui.report.documents import document, plain
 from usdrigui.report.markup import markup
-
-if TYPE_CHECKING:
-    import networkx as nx
 
 Outcome = Literal["written", "unchanged", "dry run", "in memory"]
 Place = Literal["face", "board", "left off"]
@@ -101,20 +98,6 @@ class CharacterReport:
         )
 
     @property
-    def explanations(self) -> nx.DiGraph:
-        """Which controls explain which: an edge from a composite to each of its parts, `amount`
-        with how far that goes.  Acyclic; it ends at controls that explain themselves."""
-        import networkx as nx
-
-        graph = nx.DiGraph()
-        graph.add_nodes_from(row.control for row in self.rows)
-        for row in self.rows:
-            graph.add_edges_from(
-                (row.control, part, {"amount": amount}) for part, amount in row.explained_by
-            )
-        return graph
-
-    @property
     def kept(self) -> float:
         """Mean share of their peak displacement that the controls on the face keep; nan if there
         are none."""
@@ -168,11 +151,6 @@ class Report:
             for each in self.issues
         )
         return f"<p>{markup(repr(self)[1:-1])}</p>{tables}<ul>{issues}</ul>"
-
-    @property
-    def exit_code(self) -> Exit:
-        """Exit code of the command, before `--strict`."""
-        return Exit.OK
 
 
 def _html_table(character: CharacterReport) -> str:
@@ -236,7 +214,7 @@ def to_json(report: Report) -> str:
         asset=report.asset,
         output=report.output,
         outcome=report.outcome,
-        exit=int(report.exit_code),
+        exit=0,
         characters=[_character(each) for each in report.characters],
         issues=report.issues,
         settings=report.settings,

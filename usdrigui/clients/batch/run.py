@@ -7,22 +7,19 @@ which must see the same files under the same paths and have usdrigui installed.
 from __future__ import annotations
 
 import importlib
-import json
-import math
 import os
 import time
 from collections.abc import Generator, Iterable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed, wait
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 from usdrigui.clients.batch.job import Job, Row
 from usdrigui.clients.batch.jobs import end_all, failed, run_job
 from usdrigui.errors import Exit, catalogue, refuse
 from usdrigui.isolation import worker
+from usdrigui.report.documents import document, plain
 
-FORMAT = "usdrigui.batch"
-VERSION = 1
 OUTCOMES = ("written", "unchanged", "skipped", "refused", "failed", "part")
 _ENDING = 2.0
 """Seconds in which what runs must have ended."""
@@ -153,24 +150,22 @@ def run_on_dask(jobs: Sequence[Job], address: str) -> Generator[Row, None, None]
 
 def to_json(summary: Summary) -> str:
     """The summary as a JSON document."""
-    document: dict[str, Any] = {
-        "format": FORMAT,
-        "version": VERSION,
-        "exit": int(summary.exit_code),
-        "where": summary.where,
-        "workers": summary.workers,
-        "seconds": round(summary.seconds, 3),
-        "counts": {each: summary.count(each) for each in OUTCOMES},
-        "assets": [_plain(row) for row in summary.rows],
-    }
-    return json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    return document(
+        "batch",
+        exit=int(summary.exit_code),
+        where=summary.where,
+        workers=summary.workers,
+        seconds=round(summary.seconds, 3),
+        counts={outcome: summary.count(outcome) for outcome in OUTCOMES},
+        assets=[_asset(row) for row in summary.rows],
+    )
 
 
-def _plain(row: Row) -> dict[str, Any]:
-    gap = row.gap if math.isfinite(row.gap) else None
+def _asset(row: Row) -> dict[str, Any]:
+    """A row with the repair of what is wrong, and without the files of the asset."""
     repair = catalogue()[row.code].repair if row.code in catalogue() else ""
-    columns = {key: value for key, value in asdict(row).items() if key != "sources"}
-    return {**columns, "gap": gap, "repair": repair}
+    columns = {key: value for key, value in plain(row).items() if key != "sources"}
+    return {**columns, "repair": repair}
 
 
 def _lost(job: Job, error: BaseException | None) -> Row:

@@ -9,8 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from usdrigui import pipeline
-from usdrigui.errors import Issue, RigUIError, by_cause, catalogue
-from usdrigui.settings import Settings
+from usdrigui.errors import Issue, RigUIError, by_cause, issue
 from usdrigui.settings.loading import load_beside
 from usdrigui.usd.attach import write_bare
 
@@ -26,12 +25,6 @@ The layout layer of `{asset}` cannot be published:
 """
 
 
-def settings_of(asset: Path) -> Settings:
-    """The settings that `usdrigui process` would take for an asset: environment and
-    ``CHAR.rigui.toml``."""
-    return load_beside(asset)
-
-
 def judge(asset: Path, layer: Path) -> tuple[Issue, ...]:
     """Everything that is wrong with the layout of an asset; empty when it may be published.
 
@@ -39,10 +32,10 @@ def judge(asset: Path, layer: Path) -> tuple[Issue, ...]:
     and the refusal if the layer cannot be read, is missing, or sublayers another asset.
     """
     try:
-        loaded = pipeline.load_layer(layer, settings_of(asset))
+        loaded = pipeline.load_layer(layer, load_beside(asset))
         if Path(loaded.source).resolve() != asset.resolve():
-            return (_issue("LAYOUT_STALE", str(layer), f"sublayers {loaded.source}, not {asset}"),)
-        found = pipeline.check(layer, settings_of(asset)).issues
+            return (issue("LAYOUT_STALE", str(layer), f"sublayers {loaded.source}, not {asset}"),)
+        found = pipeline.check(layer, load_beside(asset)).issues
     except RigUIError as error:
         return (error.issue,)
     return tuple(each for each in found if each.severity != "info")
@@ -53,7 +46,7 @@ def repair(asset: Path, layer: Path) -> str:
 
     Raises `usdrigui.errors.RigUIError`; then nothing has been written.
     """
-    return pipeline.process(asset, settings_of(asset), output=layer).outcome
+    return pipeline.process(asset, load_beside(asset), output=layer).outcome
 
 
 def stage(layer: Path, folder: Path) -> Path:
@@ -82,8 +75,3 @@ def described(asset: Path, found: Sequence[Issue]) -> str:
         findings="\n".join(lines + more),
         repair="; or: ".join([advice, *repairs[:3]]),
     )
-
-
-def _issue(code: str, path: str, message: str) -> Issue:
-    entry = catalogue()[code]
-    return Issue(code, entry.severity, path, message, entry.repair)

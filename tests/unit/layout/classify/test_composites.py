@@ -5,7 +5,6 @@ from types import SimpleNamespace
 
 import chain
 import makers
-import networkx
 import numpy as np
 import pytest
 
@@ -13,7 +12,6 @@ from usdrigui.layout.classify import classification
 from usdrigui.layout.classify.basis import Basis, Explanation
 from usdrigui.layout.classify.composites import _composite, _contained, _costs, _distant, _Spreads, composites
 from usdrigui.layout.motion.similarity import DisplacementFields
-from usdrigui.report.run_report import CharacterReport, ControlRow
 
 POINTS, QUADS = makers.mask()
 
@@ -116,12 +114,8 @@ def test_composites_say_of_what_they_consist_and_their_chains_end_at_atoms():
     told = {name: dict(parts) for name, parts in inputs.explained_by.items()}
     assert told["both"] == pytest.approx({"smile_L": 2.0, "smile_R": 2.0}, rel=1e-2)
     assert told["viseme_O"] == pytest.approx({"chin": 1.0, "pucker": 0.5}, rel=1e-2)
-    rows = tuple(ControlRow(name, "", "face", "", "", 1.0, "", tuple(parts.items())) for name, parts in told.items())
-    graph = CharacterReport("/Root", None, None, None, rows, ()).explanations
-    assert networkx.is_directed_acyclic_graph(graph)
-    ends = {name for name in graph if not graph.out_degree(name)}
-    assert ends == set(SHAPES)
-    assert graph.edges["viseme_aa", "chin"]["amount"] == pytest.approx(0.8, rel=1e-2)
+    assert told["viseme_aa"] == pytest.approx({"chin": 0.8}, rel=1e-2)
+    assert {part for parts in told.values() for part in parts} <= set(SHAPES)
 
 
 @pytest.mark.parametrize(
