@@ -9,7 +9,7 @@ from usdrigui.errors import Issue, issue
 from usdrigui.model.assignment import Status
 from usdrigui.model.candidates import ElementKind, axes_of
 from usdrigui.model.motion import MirrorPlane
-from usdrigui.model.record import Floats, Record
+from usdrigui.model.record import Floats, Indices, Record
 from usdrigui.model.rig import Glyph, LeftOff
 
 Side = Literal["left", "right", "middle", "none"]
@@ -242,3 +242,33 @@ class Anchor(Record):
         counts = f": {self.point_count} points then, {points} now"
         known = self.point_count and points
         return f"{self.mesh} has other points or faces{counts if known else ''}"
+
+
+@dataclass(frozen=True, eq=False)
+class ExistingSpan(Record):
+    """Points that draw one element of a layout that exists."""
+
+    element: str
+    """Its name."""
+    role: Literal["handle", "track"]
+    """An area is one of the tracks."""
+    points: Indices
+    """(n,) ascending, into the points of the prim."""
+
+
+@dataclass(frozen=True, eq=False)
+class ExistingPrim(Record):
+    """One drawn prim of a layout that exists."""
+
+    root: str
+    """Of the character: its SkelRoot."""
+    path: str
+    in_variant: bool
+    """Whether a variant brings it in, so that layers over it must speak in it too, or be weaker."""
+    names: tuple[str, ...]
+    """Of prims about it, which new ones must not have."""
+    spans: tuple[ExistingSpan, ...]
+    shapes: tuple[str, ...]
+    """``skel:blendShapes``."""
+    targets: tuple[str, ...]
+    """``skel:blendShapeTargets``."""

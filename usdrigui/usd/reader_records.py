@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 from usdrigui.errors import Issue
 from usdrigui.isolation.foreign_file import SourceFile
-from usdrigui.model import Floats, Indices, Layout, Performance, Record, Rig
+from usdrigui.model import ExistingPrim, Floats, Layout, Performance, Record, Rig
 from usdrigui.settings import ReadSettings, Settings
 
 Task = Literal["rigs", "layouts", "composed", "clips", "faults", "layer", "variants"]
@@ -78,36 +78,6 @@ class ReadResult(Record):
     """By SkelRoot, the names of the controls that its layout knows, with and without an element."""
     config_faults: tuple[Issue, ...] = ()
     """Errors of the configuration that only the asset shows."""
-
-
-@dataclass(frozen=True, eq=False)
-class ExistingSpan(Record):
-    """Points that draw one element of a layout that exists."""
-
-    element: str
-    """Its name."""
-    role: Literal["handle", "track"]
-    """An area is one of the tracks."""
-    points: Indices
-    """(n,) ascending, into the points of the prim."""
-
-
-@dataclass(frozen=True, eq=False)
-class ExistingPrim(Record):
-    """One drawn prim of a layout that exists."""
-
-    root: str
-    """Of the character: its SkelRoot."""
-    path: str
-    in_variant: bool
-    """Whether a variant brings it in, so that layers over it must speak in it too, or be weaker."""
-    names: tuple[str, ...]
-    """Of prims about it, which new ones must not have."""
-    spans: tuple[ExistingSpan, ...]
-    shapes: tuple[str, ...]
-    """``skel:blendShapes``."""
-    targets: tuple[str, ...]
-    """``skel:blendShapeTargets``."""
 
 
 @dataclass(frozen=True, eq=False)

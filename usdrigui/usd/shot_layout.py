@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from pxr import Sdf
 
-from usdrigui.model import Element, Indices, Layout, Rig
+from usdrigui.model import Element, ExistingPrim, ExistingSpan, Indices, Layout, Rig
 from usdrigui.replacing.transaction import State
 from usdrigui.usd import author, schema
 from usdrigui.usd.control_api import author_limits
@@ -33,7 +33,6 @@ from usdrigui.usd.layer import (
     layer_bytes,
     relative_asset_path,
 )
-from usdrigui.usd.reader_records import ExistingPrim, ExistingSpan
 from usdrigui.usd.skin_binding import PointShape, SkinBinding
 
 
