@@ -143,7 +143,7 @@ def test_a_layer_that_usd_has_written_anew_gives_its_keys_back(replayed):
     rewritten = Sdf.Layer.CreateAnonymous(".usda")
     rewritten.ImportFromString(layers[0])
     script = (
-        "import { stringsNamed } from './viewer/src/animation_layer.js'; import { text } from 'node:stream/consumers';"
+        "import { stringsNamed } from './viewer/src/usda.js'; import { text } from 'node:stream/consumers';"
         "process.stdout.write(stringsNamed('work', await text(process.stdin))[0])"
     )
     root = Path(__file__).resolve().parents[2]

@@ -3,7 +3,7 @@
 // handled once per drawn frame.
 
 import { dragTo, movedAlong } from './drag.js';
-import { FINGER } from './overlay.js';
+import { FINGER } from './arrangement.js';
 import { Pull } from './pull.js';
 
 const SLOP = 3; // pixels that a click may wander

@@ -5,7 +5,7 @@
 import { animationLayerOf, saidKeys, worksOf } from './animation_layer.js';
 import { make } from './dom.js';
 import { NOTHING, differing, merged } from './merging.js';
-import { keysFrom, sayKeys } from './work.js';
+import { keysFrom, sayKeys } from './by_name.js';
 
 const EVERY = 300; // milliseconds between writes, at least
 const LOOKS = 3; // a look at the file, or another try after a refusal, comes after so many turns

@@ -3,8 +3,8 @@
 // so that it stands on the same place of the face in a page of any size.
 
 import { cross, dot, minus, normalised, plus, scaled } from './camera.js';
-import { nested, number, quoted, rendered, stringsNamed } from './animation_layer.js';
-import { byName, valuesByName } from './work.js';
+import { nested, number, quoted, rendered, stringsNamed } from './usda.js';
+import { byName, valuesByName } from './by_name.js';
 
 const APERTURE = 24; // height of the picture behind a camera's lens, in its own tenths of units
 const WIDTH = 0.004; // of a stroke, in heights of the view

@@ -1,8 +1,9 @@
 // Poses as a USD layer, and back: below /Poses a Scope for each, with its name, its picture, and a SkelAnimation of default
 // values for each animation of the character that it reaches.  A pose of some controls lists the channels of these alone.
 
-import { poseAnimations, quoted, stringsNamed } from './animation_layer.js';
-import { byName, valuesByName } from './work.js';
+import { poseAnimations } from './animation_layer.js';
+import { byName, valuesByName } from './by_name.js';
+import { quoted, stringsNamed } from './usda.js';
 
 /** The layer of `poses` ({name, values: control index -> value, picture}) as usda text, and controls that it cannot hold. */
 export function posesLayer(session, poses) {

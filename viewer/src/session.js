@@ -1,49 +1,15 @@
-// One character in the hand: its pose, its keys, what is selected, pinned, locked and hidden, and how it is shown.
+// The work on one character: its keys, kept poses, notes and sound over time, and every change as a step that can be undone.
 // Everything on the page reads the session and changes it through these methods; listeners hear of it.
 
 import { Animation } from './animation.js';
-import { Deformer } from './deform.js';
-import { Elements } from './elements.js';
-import { Influence } from './heat.js';
 import { History } from './history.js';
 import { withKey, withoutKey } from './interpolation.js';
 import { flipped, mirroredFrom, tweened } from './keying.js';
-import { Levels } from './levels.js';
+import { Posing } from './posing.js';
 
-export const DEFAULT_OPTIONS = {
-  arrangement: 'face', // 'face': controls on the face; 'beside': on a copy of it, the clean face next to it
-  handles: true,
-  labels: 'hover', // or 'all'
-  opacity: 0.9,
-  fade: true,
-  occlusion: 'ghost', // 'overlay' draws all, 'ghost' hidden ones faintly, 'hide' not at all
-  follow: true,
-  heat: true,
-  symmetric: false,
-  rearrange: false,
-  autoKey: false,
-  draw: false, // strokes of a review over the view
-  onion: false,
-  interpolation: 'linear', // of the first key of a control
-  locality: 0.1,
-  skinDrag: true,
-};
-
-const WIDE = new Set(['global', 'composite']);
-
-export class Session {
+export class Session extends Posing {
   constructor(character) {
-    this.character = character;
-    this.controls = character.controls;
-    this.deformer = new Deformer(character);
-    this.elements = new Elements(character, this.deformer);
-    this.levels = new Levels(this.elements.list);
-    this.rest = this.elements.rest;
-    this.colours = character.layout.colours; // by side
-    this.values = Float64Array.from(this.rest);
-    this.influence = new Influence(character, this.deformer, this.rest);
-    this.opposites = oppositesOf(this.elements.list, this.controls.length);
-    this.twins = twinsOf(this.elements.list, this.opposites);
+    super(character);
     this.animation = new Animation(character, this.rest);
     this.history = new History();
     this.frame = this.animation.first;
@@ -59,34 +25,10 @@ export class Session {
     this.sound = null; // {name, start: the frame at which it begins, seconds}
     this.given = Float64Array.from(this.rest); // the values before any change at this frame
     this.moved = new Map(); // element index -> where it was put by hand
-    this.options = { ...DEFAULT_OPTIONS };
-    this.selection = new Set();
-    this.hidden = new Set();
-    this.locks = new Set();
-    this.pins = [];
-    this.hover = null;
-    this.quiet = false; // influence stays away after a release, until something else is pointed at
-    this.affected = new Map();
-    this.dragging = null;
     this.present = null; // the values, while others are shown
     this.looks = false; // at a note's pose, until an edit goes on from it or time moves
-    this.listeners = new Map();
     this.show(0);
     this.reshape();
-  }
-
-  on(event, listener) {
-    if (!this.listeners.has(event)) this.listeners.set(event, new Set());
-    this.listeners.get(event).add(listener);
-  }
-
-  /** A name for a file of this character. */
-  fileNamed(what) {
-    return `${this.character.root.split('/').at(-1) || 'character'}.${what}`;
-  }
-
-  emit(event) {
-    this.listeners.get(event)?.forEach((listener) => listener());
   }
 
   /** Forget who listens, and what the pointer does: another character comes to be shown. */
@@ -94,40 +36,6 @@ export class Session {
     this.compare(false);
     this.listeners.clear();
     Object.assign(this, { hover: null, dragging: null, affected: new Map() });
-  }
-
-  /** Recompute points and elements from the values. */
-  reshape() {
-    this.deformer.pose(this.values);
-    this.elements.follow(this.values, !this.options.follow);
-    this.emit('pose');
-  }
-
-  // --- values ----------------------------------------------------------------------------------------
-
-  /** Set control values (Map or entries of index to value): bounded, locks kept, mirrored if asked. */
-  set(changes) {
-    for (const [index, value] of changes) {
-      this.setOne(index, value);
-      const twin = this.twins[index];
-      if (this.options.symmetric && twin >= 0) this.setOne(twin, this.mirrored(index, twin));
-    }
-    this.reshape();
-  }
-
-  setOne(index, value) {
-    const { minimum, maximum } = this.controls[index];
-    if (!this.locks.has(index) && Number.isFinite(value)) {
-      this.values[index] = Math.min(maximum, Math.max(minimum, value));
-    }
-  }
-
-  /** The twin's value for this control's: the same share of its own range about rest. */
-  mirrored(index, twin, values = this.values) {
-    const away = values[index] - this.rest[index];
-    const span = (control, end) => Math.abs(this.controls[control][end] - this.rest[control]) || 1;
-    const end = away < 0 ? 'minimum' : 'maximum';
-    return this.rest[twin] + (away * span(twin, end)) / span(index, end);
   }
 
   /** Do `change` as one undoable step, if it changes any value. */
@@ -480,211 +388,4 @@ export class Session {
     const { weights, locals } = this.neutral ? { weights: null, locals: null } : this.animation.clipAt(this.frame);
     this.deformer.setBase(weights, locals);
   }
-
-  // --- selection -------------------------------------------------------------------------------------
-
-  select(elements, mode = 'replace') {
-    if (mode === 'replace') this.selection.clear();
-    for (const element of elements) {
-      if (mode === 'toggle' && this.selection.has(element.index)) this.selection.delete(element.index);
-      else this.selection.add(element.index);
-    }
-    this.emit('selection');
-  }
-
-  get selectedElements() {
-    return [...this.selection].map((index) => this.elements.list[index]);
-  }
-
-  /** Controls of the selected elements; all controls when nothing is selected. */
-  get chosenControls() {
-    const chosen = this.selectedElements.flatMap((element) => element.members.map((member) => member.control));
-    return chosen.length ? chosen : [...this.controls.keys()];
-  }
-
-  setHover(element) {
-    if (this.hover === element) return;
-    this.hover = element;
-    this.quiet = false;
-    this.emit('hover');
-  }
-
-  setOption(name, value) {
-    this.options[name] = value;
-    if (name === 'follow') this.reshape();
-    this.emit('options');
-  }
-
-  hide(elements) {
-    elements.forEach((element) => this.hidden.add(element.index));
-    this.selection.clear();
-    this.emit('selection');
-    this.emit('options');
-  }
-
-  showAll() {
-    this.hidden.clear();
-    this.emit('options');
-  }
-
-  /** Look at one of the character's sections: of a character in several parts, a part or one side of it. */
-  show(index) {
-    const { sections } = this.character.layout;
-    this.section = sections[index] ?? null;
-    this.within = this.section && new Set(this.section.elements);
-    if (this.section) this.elements.width = this.section.handleWidth;
-    this.selection.clear();
-    this.emit('section');
-  }
-
-  /** Whether an element is shown: in the section that is, not hidden by hand, and on the level that is open. */
-  isShown(element) {
-    if (this.within && !this.within.has(element.name)) return false;
-    return !this.hidden.has(element.index) && this.levels.shows(element);
-  }
-
-  /** Show the members of the coarse elements among `elements` in their place or, of members, the coarse ones again. */
-  openOrClose(elements = this.selectedElements) {
-    const coarse = elements.filter((element) => element.inner.length);
-    const closing = elements.flatMap((element) => (element.inner.length ? [] : this.levels.coarseOf(element)));
-    if (!coarse.length && !closing.length) return false;
-    this.levels.toggle(coarse, true);
-    this.levels.toggle(coarse.length ? [] : closing, false);
-    this.select(this.elements.list.filter((each) => this.isShown(each) && this.replaced(each, coarse, closing)));
-    this.emit('options');
-    return true;
-  }
-
-  /** Select an element, and open a coarse one that it is a member of. */
-  reveal(element, mode) {
-    const { sections } = this.character.layout;
-    if (this.within && !this.within.has(element.name)) this.show(sections.findIndex(({ elements }) => elements.includes(element.name)));
-    if (!this.levels.shows(element)) {
-      this.levels.toggle(this.levels.coarseOf(element).slice(0, 1), !element.inner.length);
-      this.emit('options');
-    }
-    this.select([element], mode);
-  }
-
-  /** Whether an element has come in place of what was opened, or closed. */
-  replaced(element, coarse, closing) {
-    return coarse.length ? coarse.some(({ inner }) => inner.includes(element.name)) : closing.includes(element);
-  }
-
-  toggleLock(control) {
-    if (!this.locks.delete(control)) this.locks.add(control);
-    this.emit('options');
-  }
-
-  // --- points of the skin ----------------------------------------------------------------------------
-
-  /** Mesh index and local point of a point of the character. */
-  meshOf(point) {
-    const meshes = this.character.meshes;
-    const index = meshes.findIndex((mesh) => point < mesh.start + mesh.count);
-    return [index, point - meshes[index].start];
-  }
-
-  tracer(point) {
-    return this.deformer.tracer(...this.meshOf(point));
-  }
-
-  /** A place on the skin, as a picked triangle gives it, that can be traced through poses. */
-  place({ corners, shares }) {
-    return { corners, shares, tracers: corners.map((corner) => this.tracer(corner)) };
-  }
-
-  /** Where a place is at the weights and moves last driven. */
-  traced(place) {
-    const out = [0, 0, 0];
-    place.tracers.forEach((tracer, k) => {
-      this.deformer.trace(tracer).forEach((value, axis) => (out[axis] += place.shares[k] * value));
-    });
-    return out;
-  }
-
-  /** Where a place is on the shown skin. */
-  shown(place) {
-    const { points } = this.deformer;
-    return [0, 1, 2].map((axis) =>
-      place.corners.reduce((sum, corner, k) => sum + place.shares[k] * points[3 * corner + axis], 0),
-    );
-  }
-
-  addPin(hit) {
-    const place = this.place(hit);
-    this.pins.push({ ...place, at: this.shown(place) });
-    this.emit('options');
-  }
-
-  removePin(pin) {
-    this.pins = this.pins.filter((each) => each !== pin);
-    this.emit('options');
-  }
-
-  /**
-   * Controls that may change in a pull of the skin, those that change together in one list: not the locked
-   * ones, and without `wide` none of the whole face's, nor any that repeats what others do together.  What
-   * keeps its value away from its default keeps the other end of its axis, too.
-   */
-  groups(wide) {
-    return this.besideFreeEnds(this.unlocked(wide));
-  }
-
-  /** The groups of which no control has an opposite end away from its default that is in no group. */
-  besideFreeEnds(groups) {
-    const free = new Set(groups.flat());
-    const held = (end) => !free.has(end) && this.values[end] !== this.controls[end].default;
-    const left = groups.filter((group) => !group.some((control) => this.opposites[control].some(held)));
-    return left.length < groups.length ? this.besideFreeEnds(left) : left;
-  }
-
-  unlocked(wide) {
-    const groups = [];
-    for (let index = 0; index < this.controls.length; index++) {
-      const twin = this.options.symmetric ? this.twins[index] : -1;
-      if (twin >= 0 && twin < index) continue;
-      const group = twin > index ? [index, twin] : [index];
-      if (group.some((control) => this.locks.has(control))) continue;
-      if (this.options.symmetric && twin < 0 && this.crosses(index)) continue;
-      if (wide || !this.isWide(index)) groups.push(group);
-    }
-    return groups;
-  }
-
-  /** Whether a control moves the whole face, or repeats what others do together. */
-  isWide(index) {
-    return WIDE.has(this.elements.byControl.get(index)?.category) || this.influence.isWide(index);
-  }
-
-  /** Whether a control without a twin moves the face to one side, which alone is not symmetric. */
-  crosses(index) {
-    return this.influence.sidewaysOf(index, this.character.layout.planeNormal) > 0.5;
-  }
-}
-
-/** Per control the other ends of its axes: one at most of an opposed pair is away from its default. */
-export function oppositesOf(elements, count) {
-  const opposites = Array.from({ length: count }, () => []);
-  for (const { members, axes } of elements) {
-    for (const [a, b] of axes.filter((axis) => axis.length === 2).map((axis) => axis.map((m) => members[m].control))) {
-      if (!opposites[a].includes(b)) [opposites[a], opposites[b]].forEach((each, k) => each.push([b, a][k]));
-    }
-  }
-  return opposites;
-}
-
-/** Twin of each control, or -1, from the elements that mirror each other; the other end of an axis is none. */
-export function twinsOf(elements, opposites) {
-  const twins = new Int32Array(opposites.length).fill(-1);
-  const named = new Map(elements.map((element) => [element.name, element]));
-  for (const element of elements) {
-    const mirror = named.get(element.mirror);
-    if (!mirror || mirror === element || mirror.members.length !== element.members.length) continue;
-    element.members.forEach(({ control }, m) => {
-      const twin = mirror.members[m].control;
-      if (!element.reversed?.includes(m) && !opposites[control].includes(twin)) twins[control] = twin;
-    });
-  }
-  return twins;
 }

@@ -1,30 +1,10 @@
 // An animator's work on one character as JSON: keys, constant values, what is changed and not keyed, locks, and
 // elements put elsewhere.  Controls and elements go by name, so that a new layout of the character can take it up.
 
+import { byName, keysFrom, sayKeys, valuesByName } from './by_name.js';
 import { counted } from './dom.js';
-import { WAYS, wayOf } from './interpolation.js';
 import { joined, noteFrom, saidNote } from './notes.js';
 import { poseFrom } from './pose_library.js';
-
-/** Keys and constant values by names of controls, in the controls' order, and the frames as set by hand.  A file calls constants `standing`. */
-export function sayKeys({ controls }, { keys, constants, span = null }) {
-  const byNames = (map, say) => Object.fromEntries([...map].sort(([a], [b]) => a - b).map(([control, value]) => [controls[control].name, say(value)]));
-  return {
-    keys: byNames(keys, (track) => track.map(([frame, value, ...way]) => [rounded(frame), rounded(value), ...way])),
-    standing: byNames(constants, rounded),
-    ...(span && { span }),
-  };
-}
-
-/** The opposite of `sayKeys`; controls that the character lacks and values that are none are left out. */
-export function keysFrom({ keys, standing, span }, { controls, animation }) {
-  const own = animation.isFree && isSpan(span) ? span : null;
-  return { keys: byControl(keys, controls, isTrack), constants: byControl(standing, controls, Number.isFinite), span: own };
-}
-
-/** Values by names of controls, and back; what the character lacks and what is no number is left out. */
-export const valuesByName = (session, values) => sayKeys(session, { keys: new Map(), constants: values }).standing;
-export const byName = (values, controls) => byControl(values, controls, Number.isFinite);
 
 /** All work of a session; null where there is none. */
 export function workOf(session) {
@@ -69,7 +49,7 @@ export function resume(session, work) {
   const frame = Number.isFinite(work.frame) ? work.frame : session.frame;
   const given = neutral ? Float64Array.from(session.rest) : session.animation.at(frame, { keys, constants }).values;
   const values = Float64Array.from(given);
-  byControl(work.changed, controls, Number.isFinite).forEach((value, index) => (values[index] = value));
+  byName(work.changed, controls).forEach((value, index) => (values[index] = value));
   const shelf = (work.shelf ?? []).map((pose) => poseFrom(pose, session)).filter(Boolean);
   const sound = isSound(work.sound) ? work.sound : null;
   const since = session.notes.filter(({ id }) => !work.received?.includes(id)); // what came after this work was kept
@@ -97,15 +77,4 @@ export function worded({ keys, standing, changed, moved, shelf, notes, sound, sp
   ].filter(Boolean).join(', ') || 'locks';
 }
 
-function byControl(entries, controls, isValid) {
-  const index = new Map(controls.map(({ name }, i) => [name, i]));
-  const known = Object.entries(entries ?? {}).filter(([name, value]) => index.has(name) && isValid(value));
-  return new Map(known.map(([name, value]) => [index.get(name), value]));
-}
-
-const isSpan = (span) => Array.isArray(span) && span.length === 2 && span.every(Number.isInteger) && span[0] < span[1];
 const isSound = (sound) => typeof sound?.name === 'string' && Number.isFinite(sound.start) && sound.seconds >= 0;
-const isKey = (key) =>
-  Array.isArray(key) && [2, 3].includes(key.length) && key.slice(0, 2).every(Number.isFinite) && WAYS.includes(wayOf(key));
-const isTrack = (track) => Array.isArray(track) && track.length > 0 && track.every(isKey);
-const rounded = (value) => Number(value.toPrecision(9));

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { boundedLeastSquares, fitPull, oneEndOfEach } from '../src/direct.js';
-import { oppositesOf, twinsOf } from '../src/session.js';
+import { oppositesOf, twinsOf } from '../src/posing.js';
 import { random, scene } from '../../tests/pulled_scenes.mjs';
 
 const VECTORS = JSON.parse(readFileSync(new URL('../../tests/drag_vectors.json', import.meta.url)));
