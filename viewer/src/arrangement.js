@@ -16,6 +16,8 @@ export const FINGER = 44; // pixels that fingertips need
 export class Arrangement {
   constructor(session) {
     this.session = session;
+    this.enlarged = 1; // how much larger handles are drawn than they are
+    this.leftward = 0; // where the character's left is on the screen: -1, 0 or 1
     this.dock = new Dock(session);
     this.lens = null;
     this.look = '';

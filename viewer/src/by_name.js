@@ -8,7 +8,7 @@ export function sayKeys({ controls }, { keys, constants, span = null }) {
   return {
     keys: byNames(keys, (track) => track.map(([frame, value, ...way]) => [rounded(frame), rounded(value), ...way])),
     standing: byNames(constants, rounded),
-    ...(span && { span }),
+    ...(span ? { span } : {}),
   };
 }
 

@@ -4,6 +4,10 @@ const FIELD = (14 * Math.PI) / 180; // a long lens: what stands on the board doe
 const STEEPEST = (88 * Math.PI) / 180;
 
 export class OrbitCamera {
+  /** @type {number[]} */ right;
+  /** @type {number[]} */ above;
+  /** @type {number[]} */ towards;
+
   constructor(up, view) {
     this.up = normalised(up);
     const ahead = normalised(minus(view, scaled(this.up, dot(view, this.up))));
@@ -11,6 +15,7 @@ export class OrbitCamera {
     this.side = cross(this.up, this.front);
     this.target = [0, 0, 0];
     this.distance = 1;
+    this.size = 1;
     this.turn(0, 0);
   }
 
@@ -20,7 +25,7 @@ export class OrbitCamera {
     this.elevation = Math.min(STEEPEST, Math.max(-STEEPEST, elevation));
     const level = plus(scaled(this.front, Math.cos(azimuth)), scaled(this.side, Math.sin(azimuth)));
     this.towards = plus(scaled(level, Math.cos(this.elevation)), scaled(this.up, Math.sin(this.elevation)));
-    this.right = normalised(cross(this.up, this.towards));
+    this.right = /** @type {number[]} */ (normalised(cross(this.up, this.towards)));
     this.above = cross(this.towards, this.right);
   }
 
@@ -109,7 +114,7 @@ export function cross(a, b) {
   return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 }
 
-/** Unit vector; null for a zero one. */
+/** Unit vector; null for a zero one. @returns {number[] | null} */
 export function normalised(a) {
   const length = Math.hypot(...a);
   return length > 1e-12 ? scaled(a, 1 / length) : null;

@@ -13,6 +13,8 @@ export class Curves {
   /** `sheet`: whose keys are shown, picked and changed. */
   constructor(sheet) {
     this.sheet = sheet;
+    this.size = [0, 0];
+    this.moved = [0, 0]; // frames and shares of the range, while keys are dragged
     this.node = /** @type {SVGSVGElement} */ (svg('svg', { class: 'curves', role: 'img', 'aria-label': 'Curves' }));
     this.node.addEventListener('pointerdown', (event) => this.press(event));
     new ResizeObserver(() => this.sheet.shows === 'curves' && !this.sheet.node.hidden && this.draw()).observe(this.node);
@@ -92,6 +94,7 @@ export class Curves {
 
   /** The shown key nearest to a place, as [control, frame], or null. */
   keyAt(x, y, reach) {
+    /** @type {[number[] | null, number]} */
     let [best, nearest] = [null, reach];
     for (const control of this.controls) {
       for (const [frame, value] of this.session.keys.get(control)) {
@@ -145,7 +148,7 @@ export class Curves {
     const frame = svg('rect', { class: 'curve-band' });
     sheet.follow(event, (now) => {
       const to = [now.clientX - box.left, now.clientY - box.top];
-      const [low, high] = [0, 1].map((axis) => [Math.min(from[axis], to[axis]), Math.max(from[axis], to[axis])]).reduce(([l, h], [a, b]) => [[...l, a], [...h, b]], [[], []]);
+      const [low, high] = [Math.min, Math.max].map((end) => [0, 1].map((axis) => end(from[axis], to[axis])));
       const within = ([control, when]) => {
         const at = this.place(control, when, session.keys.get(control).find(([each]) => each === when)[1]);
         return at.every((value, axis) => value >= low[axis] && value <= high[axis]);

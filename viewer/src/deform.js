@@ -91,7 +91,7 @@ export class Deformer {
       const row = indexOf(shape.points, point);
       if (row >= 0) shapes.push({ shape, row });
     }
-    const tracer = { mesh, point, shapes, row: 0, chain: [], skin: mesh.skin };
+    const tracer = { mesh, point, shapes, row: 0, chain: /** @type {number[]} */ ([]), skin: mesh.skin };
     if (mesh.skin && joint >= 0) {
       tracer.skin = { ...mesh.skin, joints: Uint16Array.of(joint), weights: Float64Array.of(1), rows: 1, width: 1 };
       tracer.chain = this.skeletons.chainOf([joint]);

@@ -38,6 +38,7 @@ const SAME = 1e-9; // shares of the range nearer to each other than this are one
 export function fitPull({ model, start, now, targets, groups, towards, locality }) {
   const weights = rowWeights(targets.length, towards);
   const away = (at) => weighted(targets.map((target, i) => target - at[i]), weights);
+  /** @type {any} */
   let problem = null;
   let acting = null;
   let solution = null;
@@ -193,7 +194,7 @@ export function oneEndOfEach(problem) {
   let best = rounded(problem, relaxed);
   let work = WORK;
   for (const open = [relaxed]; open.length && work > 0; ) {
-    const here = open.pop();
+    const here = /** @type {ReturnType<typeof solved>} */ (open.pop());
     if (here.cost >= best.cost) continue;
     const pair = mostBroken(problem, here.x);
     if (!pair) best = here;
@@ -233,6 +234,7 @@ function mostBroken(problem, x) {
 
 /** The first of those that cost least; undefined where there are none. */
 function least(all, costed) {
+  /** @type {[any, number]} */
   let [best, lowest] = [undefined, Infinity];
   for (const each of all) {
     const own = costed(each);

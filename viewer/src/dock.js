@@ -17,6 +17,7 @@ export class Dock {
   constructor(session) {
     this.session = session;
     this.scroll = 0;
+    this.most = 0; // that it can be scrolled
     this.cells = new Map(); // element -> {left, top, height, map, tracks}
     this.headings = [];
     const { up, layout } = session.character;
@@ -122,7 +123,7 @@ export class Dock {
   /** Scroll by pixels; false where there is nothing more. */
   scrollBy(by) {
     const before = this.scroll;
-    this.scroll = Math.min(this.most ?? 0, Math.max(0, this.scroll + by));
+    this.scroll = Math.min(this.most, Math.max(0, this.scroll + by));
     return this.scroll !== before;
   }
 

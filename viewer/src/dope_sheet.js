@@ -16,6 +16,11 @@ export class DopeSheet {
     this.picked = new Set(); // 'control frame'
     this.preview = null; // keys as they are while some are dragged
     this.copied = null;
+    /** @type {any[]} */
+    this.rows = [];
+    /** @type {{controls: Set<number>, frames: number[]} | null} */
+    this.range = null; // that a drag from an empty place picks
+    this.by = 0; // frames that dragged keys have moved
     this.shows = 'rows';
     this.body = make('div', { class: 'dope-rows', onpointerdown: (event) => this.press(event) });
     this.curves = new Curves(this);
@@ -133,8 +138,9 @@ export class DopeSheet {
 
   /** The range that is being picked. */
   band(controls) {
-    if (!this.range || !controls.some((control) => this.range.controls.has(control))) return [];
-    const [from, to] = this.range.frames.map((frame) => this.along(frame));
+    const { range } = this;
+    if (!range || !controls.some((control) => range.controls.has(control))) return [];
+    const [from, to] = range.frames.map((frame) => this.along(frame));
     return [make('i', { class: 'dope-band', style: { left: from, width: `calc(${to} - ${from})` } })];
   }
 

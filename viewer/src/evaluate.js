@@ -125,7 +125,12 @@ const quoted = (answer) => (typeof answer === 'number' ? answer : `"${answer.rep
 export class Evaluation {
   constructor(app) {
     this.app = app;
+    /** @type {any} */
     this.running = null;
+    /** @type {any[]} */
+    this.trials = [];
+    /** @type {any[]} */
+    this.results = [];
     this.panel = make('div', { class: 'evaluation', hidden: true, role: 'dialog', 'aria-label': 'Evaluation' });
     app.session.on('edited', () => this.running && this.running.edits++);
   }

@@ -13,6 +13,7 @@ export class History {
    * Record a change that has already happened.  Changes in quick succession with the same `merge` name
    * (presses of an arrow key, steps of a list's slider) become one.  `states` are those that the functions give back.
    */
+  /** @param {string | null} [merge] */
   push(label, undo, redo, merge = null, states = []) {
     const now = performance.now();
     const last = this.done.at(-1);

@@ -18,6 +18,8 @@ export class Inspector {
     this.say = say;
     this.updates = [];
     this.kept = null;
+    /** @type {any[]} */
+    this.numbers = [];
     this.chosen = make('div', { class: 'chosen' });
     this.ranked = make('div', { class: 'ranked' });
     this.influences = section('Acts here', this.ranked, false);
@@ -127,7 +129,7 @@ export class Inspector {
   }
 
   updateNumbers() {
-    for (const { input, index, range } of this.numbers ?? []) {
+    for (const { input, index, range } of this.numbers) {
       if (document.activeElement !== input) input.value = shownValue(this.session.values[index], range);
     }
   }
@@ -315,7 +317,7 @@ export class Inspector {
       }
       say('Pose loaded');
     } catch (error) {
-      say(error.message);
+      say(/** @type {Error} */ (error).message);
     }
   }
 

@@ -48,9 +48,16 @@ const SHORTCUTS = [
 ];
 
 class App {
+  /** @type {View} */ view;
+  /** @type {Timeline} */ timeline;
+  /** @type {ControlList} */ list;
+  /** @type {Inspector} */ inspector;
+  /** @type {Review} */ review;
+  /** @type {Evaluation} */ evaluation;
+
   constructor(scene) {
     this.scene = scene;
-    this.node = document.getElementById('app');
+    this.node = /** @type {HTMLElement} */ (document.getElementById('app'));
     this.notice = make('div', { class: 'notice', role: 'status', hidden: true });
     this.offer = make('div', { class: 'offer', role: 'alertdialog', 'aria-label': 'Work from before', hidden: true });
     this.storage = browserStorage();
@@ -381,12 +388,13 @@ function publicInterface(app) {
 }
 
 async function begin() {
-  const text = document.getElementById('scene').textContent;
+  const text = document.getElementById('scene')?.textContent;
   try {
     const scene = await readScene(text);
     window.usdrigui = publicInterface(new App(scene));
   } catch (error) {
-    document.getElementById('app').replaceChildren(make('p', { class: 'loading' }, `The scene could not be shown: ${error.message}`));
+    const told = `The scene could not be shown: ${/** @type {Error} */ (error).message}`;
+    document.getElementById('app')?.replaceChildren(make('p', { class: 'loading' }, told));
     throw error;
   }
 }

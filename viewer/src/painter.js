@@ -20,6 +20,15 @@ const SAME = 0.5; // of 255 that a colour changes unseen
 const EDGE = 1e-3; // pixels by which neighbours overlap, so that no gap opens between them
 
 export class Painter {
+  /** @type {Int32Array} */ pixels;
+  /** @type {Float32Array} */ nearness;
+  /** @type {Uint8Array} */ tiles;
+  /** @type {number} */ across;
+  /** @type {number} */ wide;
+  /** @type {number} */ high;
+  /** @type {number[] | null} */ box;
+  /** @type {number[]} */ size;
+
   constructor(canvas, surface) {
     this.canvas = canvas;
     this.pen = canvas.getContext('2d', { alpha: false });

@@ -21,7 +21,7 @@ export function portrait(session, stage) {
   painter.draw([{ left: 0, top: 0, width: SIZE, height: SIZE }], camera, () => bare);
   const small = make('canvas', { width: SIZE, height: SIZE });
   const pen = small.getContext('2d');
-  const [left, top, right, bottom] = painter.box;
+  const [left, top, right, bottom] = /** @type {number[]} */ (painter.box);
   pen.fillStyle = GROUND;
   pen.fillRect(0, 0, SIZE, SIZE);
   pen.drawImage(painter.canvas, left, top, right - left, bottom - top);

@@ -154,6 +154,7 @@ export class Posing extends Display {
 
 /** Per control the other ends of its axes: one at most of an opposed pair is away from its default. */
 export function oppositesOf(elements, count) {
+  /** @type {number[][]} */
   const opposites = Array.from({ length: count }, () => []);
   for (const { members, axes } of elements) {
     for (const [a, b] of axes.filter((axis) => axis.length === 2).map((axis) => axis.map((m) => members[m].control))) {

@@ -17,6 +17,7 @@ export class Review {
     this.roots = roots;
     this.partsOf = partsOf;
     view.review = this;
+    /** @type {any} */
     this.line = null; // the stroke being drawn, as pairs
     this.shown = null; // the notes and the chosen one that the list is made of
     this.list = make('div', { class: 'notes' });
@@ -85,6 +86,7 @@ export class Review {
     this.list.querySelector('.chosen textarea')?.focus();
   }
 
+  /** @param {string | null} [merge] */
   change(label, note, change, merge = null) {
     this.session.renote(label, this.session.notes.map((each) => (each.id === note.id ? { ...each, ...change } : each)), merge);
   }
@@ -211,7 +213,7 @@ export class Review {
       this.session.renote(`Open ${file.name}`, joined(this.session.notes, found));
       this.say(`${counted(found.length, 'note')} opened`);
     } catch (error) {
-      this.say(error.message);
+      this.say(/** @type {Error} */ (error).message);
     }
   }
 }

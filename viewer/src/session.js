@@ -38,7 +38,7 @@ export class Session extends Posing {
     Object.assign(this, { hover: null, dragging: null, affected: new Map() });
   }
 
-  /** Do `change` as one undoable step, if it changes any value. */
+  /** Do `change` as one undoable step, if it changes any value. @param {string | null} [merge] */
   edit(label, change, merge = null) {
     const before = this.beginEdit();
     change();
@@ -54,6 +54,7 @@ export class Session extends Posing {
     return own ?? Float64Array.from(this.values);
   }
 
+  /** @param {string | null} [merge] */
   endEdit(label, values, merge = null) {
     const changed = [...values.keys()].filter((i) => this.values[i] !== values[i]);
     if (!changed.length) return;
@@ -118,7 +119,7 @@ export class Session extends Posing {
     this.restore({ ...this.snapshot(), neutral: true, keys: new Map(), constants: new Map(), values: rest, given: rest });
   }
 
-  /** Record what has happened since `before` as one undoable step. */
+  /** Record what has happened since `before` as one undoable step. @param {string | null} [merge] */
   step(label, before, merge = null) {
     const after = this.snapshot();
     this.history.push(label, () => this.restore(before), () => this.restore(after), merge, [before, after]);
@@ -212,7 +213,7 @@ export class Session extends Posing {
     this.step(label, before);
   }
 
-  /** Other notes of the review, as one undoable step. */
+  /** Other notes of the review, as one undoable step. @param {string | null} [merge] */
   renote(label, notes, merge = null) {
     const before = this.snapshot();
     this.notes = notes;
@@ -348,7 +349,7 @@ export class Session extends Posing {
   compare(on) {
     if (on === Boolean(this.present)) return;
     if (on) this.emit('editing');
-    const shown = on ? this.given : this.present;
+    const shown = /** @type {Float64Array} */ (on ? this.given : this.present);
     this.present = on ? Float64Array.from(this.values) : null;
     this.looks = false;
     this.values.set(shown);

@@ -89,7 +89,7 @@ export class Shelf {
       this.session.reshelve(`Open ${file.name}`, [...this.session.shelf, ...found]);
       this.say(`${counted(found.length, 'pose')} added`);
     } catch (error) {
-      this.say(error.message);
+      this.say(/** @type {Error} */ (error).message);
     }
   }
 }

@@ -12,6 +12,9 @@ const TARGET = [0.8, 0.95, 1.08]; // a cooler face, so that it is not taken for 
 
 export class Stage {
   /** `how`: 'webgl' or 'canvas' to insist on one, null to take what is faster. */
+  /** @type {any} */ drawer;
+
+  /** @param {string | null} [how] */
   constructor(character, points, how = null) {
     this.node = make('div', { class: 'skin' });
     this.onlost = null;

@@ -6,6 +6,8 @@ import { askForFile, counted, download, make, toggle } from './dom.js';
 import { Sound } from './sound.js';
 
 export class Timeline {
+  /** @type {HTMLInputElement[]} */ ends;
+
   constructor(session, say) {
     this.session = session;
     this.say = say;
@@ -126,7 +128,7 @@ export class Timeline {
     try {
       await this.sound.read(file.file);
     } catch (error) {
-      this.say(error.message);
+      this.say(/** @type {Error} */ (error).message);
     }
   }
 

@@ -17,6 +17,9 @@ const SMOOTH = 2; // how much finer the processor draws at rest, for smooth outl
 const MOST_SMOOTHED = 150000; // triangles up to which it does
 
 export class View {
+  /** @type {number} */ ratio;
+  /** @type {number} */ closeness;
+
   constructor(session) {
     this.session = session;
     const marks = make('canvas', { class: 'marks' });
@@ -127,7 +130,10 @@ export class View {
     this.picker.invalidate();
   }
 
-  /** Show these columns instead of what the options say; null goes back. */
+  /**
+   * Show these columns instead of what the options say; null goes back.
+   * @param {((kind: string) => string) | null} [captionOf]
+   */
   setColumns(kinds, captionOf = null) {
     this.kinds = kinds;
     this.captionOf = captionOf;
