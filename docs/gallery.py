@@ -30,7 +30,7 @@ from usdrigui.view.picture import contact_sheet, render
 DOCS = Path(__file__).resolve().parent
 IMAGES, PAGE, ROWS = (
     DOCS / "images" / "gallery",
-    DOCS / "gallery.md",
+    DOCS / "internals" / "gallery.md",
     DOCS / "images" / "gallery" / "rows.json",
 )
 WIDTH, PANEL, QUALITY = 760, (760, 620), 72
@@ -157,7 +157,7 @@ def page(rows: dict[str, list[dict[str, str]]]) -> str:
             "",
             f"## {name}",
             "",
-            f"![{name}](images/gallery/{name}.jpg)",
+            f"![{name}](../images/gallery/{name}.jpg)",
             "",
             REMARKS[name].strip(),
         ]

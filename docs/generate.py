@@ -1,7 +1,7 @@
 """Write the reference pages that are made from the source: ``python docs/generate.py [--check]``.
 
-settings.md comes from usdrigui/settings (parts.py and about.toml), issue-codes.md from
-usdrigui/codes.toml, schema.md and the table at the end of schemas/CONTRACT.md from
+settings.md comes from usdrigui/settings (parts.py and about.toml), codes.md from
+usdrigui/codes.toml, layer.md and the table at the end of schemas/CONTRACT.md from
 schemas/generatedSchema.usda.  With ``--check`` nothing is written and the exit code is 1 if a page
 is out of date.
 """
@@ -22,8 +22,8 @@ from pxr import Sdf
 
 from usdrigui.errors import catalogue
 from usdrigui.settings import PRESETS
+from usdrigui.settings.about import About, settings_table
 from usdrigui.settings.config_sections import section_types
-from usdrigui.settings.table import About, settings_table
 
 ROOT = Path(__file__).resolve().parents[1]
 TEN = (
@@ -65,8 +65,8 @@ def pages() -> dict[str, str]:
     """File name below docs/ to its text."""
     return {
         "settings.md": settings_page(),
-        "issue-codes.md": codes_page(),
-        "schema.md": schema_page(),
+        "codes.md": codes_page(),
+        "layer.md": schema_page(),
         "../schemas/CONTRACT.md": contract_page(),
     }
 
@@ -146,7 +146,7 @@ def schema_page() -> str:
         " prints in `PXR_PLUGINPATH_NAME`,\nUSD itself knows these schemas; without it every value"
         " still reads, but for fallbacks.\n"
     )
-    return "# Schema\n\n" + NOTE + intro + "".join(map(_schema, _schemas()))
+    return "# The layer\n\n" + NOTE + intro + "".join(map(_schema, _schemas()))
 
 
 _MUST = {

@@ -31,7 +31,7 @@ from usdrigui.view.picture import render
 DOCS = Path(__file__).resolve().parent
 SAMPLE = DOCS.parent / "sample_assets" / "char.usda"
 FOLDER = DOCS / "images" / "elements"
-PAGE = DOCS / "elements.md"
+PAGE = DOCS / "internals" / "elements.md"
 PANEL = (560, 500)
 QUALITY = 84
 GAP = 8
@@ -248,7 +248,7 @@ def _write_character(
 
 
 def page() -> str:
-    """docs/elements.md."""
+    """docs/internals/elements.md."""
     parts = [
         "<!-- Made by docs/pictures.py; do not edit. -->\n",
         "# What a layout is made of, in pictures\n",
@@ -265,7 +265,7 @@ def page() -> str:
         parts += [
             f"## {scene.heading}\n",
             f"{scene.text}\n",
-            f"![{scene.heading}](images/elements/{scene.name}.jpg)\n",
+            f"![{scene.heading}](../images/elements/{scene.name}.jpg)\n",
         ]
         parts += [_said(panel) for panel in scene.panels]
     return "\n".join(parts)

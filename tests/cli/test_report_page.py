@@ -1,4 +1,4 @@
-"""docs/report.md names every field of the report."""
+"""docs/internals/report.md names every field of the report."""
 
 import re
 from pathlib import Path
@@ -9,7 +9,7 @@ import skinned_stages
 from usdrigui import load_settings, process
 from usdrigui.report.run_report import to_json
 
-PAGE = Path(__file__).resolve().parents[2] / "docs" / "report.md"
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "internals" / "report.md"
 
 
 def test_every_field_is_documented(tmp_path):
@@ -33,7 +33,8 @@ def test_a_control_says_the_part_on_which_it_stands(tmp_path):
 
 
 def test_reference_pages_are_up_to_date():
-    with scripts.loaded(PAGE.parent / "generate.py") as generate:
+    docs = PAGE.parents[1]
+    with scripts.loaded(docs / "generate.py") as generate:
         pages = generate.pages()
     for name, text in pages.items():
-        assert (PAGE.parent / name).read_text(encoding="utf-8") == text, "run: python docs/generate.py"
+        assert (docs / name).read_text(encoding="utf-8") == text, "run: python docs/generate.py"

@@ -18,7 +18,7 @@ BLOCK = re.compile(r"^<!-- run(?:: (?P<needs>\S+))? -->\n```sh\n(?P<text>.*?)^``
 SAMPLE = DOCS.parent / "sample_assets"
 OF_THE_SAMPLE = ("animator.md", "pipeline.md", "rigger.md")
 """Pages that name controls of the sample; for the others a smaller character will do."""
-PAGES = ("animator.md", "assets.md", "blender.md", "pipeline.md", "rigger.md")
+PAGES = ("animator.md", "hosts.md", "internals/assets.md", "pipeline.md", "rigger.md")
 
 
 def blocks(page):
@@ -60,7 +60,8 @@ def test_the_ten_settings_are_those_that_riggers_are_shown():
 
 
 def test_every_page_with_commands_to_run_is_listed():
-    marked = {path.name for path in DOCS.glob("*.md") if "<!-- run" in path.read_text(encoding="utf-8")}
+    pages = [*DOCS.glob("*.md"), *DOCS.glob("internals/*.md")]
+    marked = {str(page.relative_to(DOCS)) for page in pages if "<!-- run" in page.read_text(encoding="utf-8")}
     assert marked == set(PAGES)
     assert all(len(blocks(page)) == (DOCS / page).read_text(encoding="utf-8").count("<!-- run") for page in PAGES), (
         "a mark must stand right above its block"
@@ -89,7 +90,7 @@ def _sample(folder):
 def test_the_commands_of_a_page(page, tmp_path):
     if page in OF_THE_SAMPLE:
         _sample(tmp_path)
-    elif page == "assets.md":
+    elif page == "internals/assets.md":
         studio_assets.asset(tmp_path)
     else:
         skinned_stages.character(tmp_path / "char.usda")

@@ -1,4 +1,4 @@
-"""docs/elements.md and its pictures: of an age with the script that makes them, and small."""
+"""docs/internals/elements.md and its pictures: of an age with the script that makes them, and small."""
 
 import sys
 import tomllib

@@ -15,6 +15,6 @@ def test_the_page_has_a_row_a_picture_and_a_remark_of_every_rig_that_was_laid_ou
         assert "| godette | face, body | 5/9 → 7/9 | 90% → 95% | 1.0e-02 → 9.0e-05 | 3/7 → 6/7 |" in page
         assert page.rstrip().endswith(gallery.REMARKS["godette"].strip())
         assert page.count("images/gallery/") == 1
-        assert (DOCS / "gallery.md").read_text("utf-8").startswith(page.partition("|")[0])
+        assert (DOCS / "internals" / "gallery.md").read_text("utf-8").startswith(page.partition("|")[0])
         shown = [name for name in gallery.REMARKS if (gallery.IMAGES / f"{name}.jpg").is_file()]
         assert all(gallery.REMARKS[name] for name in shown)

@@ -11,9 +11,9 @@ import pytest
 
 from usdrigui.errors import RigUIError
 from usdrigui.settings import Settings, load
+from usdrigui.settings.about import settings_table
 from usdrigui.settings.config_sections import section_types, sections
 from usdrigui.settings.editor_schema import editor_schema
-from usdrigui.settings.table import settings_table
 
 
 def _settings(kinds=object):

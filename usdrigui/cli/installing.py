@@ -1,10 +1,32 @@
-"""`schema-path`, `config-schema` and `blender-extension`: what other programs are given of us."""
+"""`sample`, and what other programs are given of us: `schema-path`, `config-schema` and
+`blender-extension`."""
 
 from __future__ import annotations
 
 import argparse
+from pathlib import Path
 
-from usdrigui.errors import Exit
+from usdrigui.errors import Exit, refuse
+
+
+def sample(arguments: argparse.Namespace) -> Exit:
+    """Copy the sample character into a folder."""
+    import usdrigui
+    from usdrigui.isolation.foreign_file import whole_content
+    from usdrigui.replacing.transaction import commit
+
+    # In an installed package it lies inside the package, in a source tree beside it.
+    package = Path(usdrigui.__file__).resolve().parent
+    folders = (package / "sample_assets", package.parent / "sample_assets")
+    sources = next(filter(None, (sorted(each.glob("*.usda")) for each in folders)))
+    contents = {arguments.folder / each.name: each.read_bytes() for each in sources}
+    for target, content in contents.items():
+        if target.exists() and whole_content(target) != content:
+            raise refuse("FILE_TARGET", str(target), "is not the sample's, and is left as it is")
+    arguments.folder.mkdir(parents=True, exist_ok=True)
+    for target, content in contents.items():
+        print(f"usdrigui: {commit(content, target)} {target}")
+    return Exit.OK
 
 
 def schema_path(_: argparse.Namespace) -> Exit:

@@ -67,11 +67,12 @@ def _all_of(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.Names
     rows: list[Row] = []
     processes = arguments.jobs or os.cpu_count() or 1
     working = run.run_on_dask(jobs, address) if address else run.run_local(jobs, processes)
-    shown = screen.batch_progress(len(jobs))
+    width = len(str(len(jobs)))
     with contextlib.closing(working), _until_interrupted():
-        for row in working:
+        for number, row in enumerate(working, 1):
             rows.append(row)
-            shown(row)
+            outcome = f"{row.outcome:<9} {row.seconds:7.2f} s {row.asset} {row.code}"
+            screen.note(f"[{number:>{width}}/{len(jobs)}] {outcome}".rstrip())
     ordered = run.with_parts(run.in_order(rows, jobs), jobs)
     summary = run.Summary(
         ordered, time.perf_counter() - start, address or "local", 0 if address else processes

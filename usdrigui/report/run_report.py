@@ -1,7 +1,8 @@
 """The account of a run: what became of every control, at what cost, proven how well, in what time.
 
 `Report` is what `usdrigui.process` returns; `to_json` is the document that `--report` and `--json`
-write, described in docs/report.md.  Timings are the only part that differs between identical runs.
+write, described in docs/internals/report.md.  Timings are the only part that differs between
+identical runs.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from usdrigui.errors import meant, refuse
-from usdrigui.settings.table import settings_table
+from usdrigui.settings.about import settings_table
 
 _VIEWS = ("", "front", "side")
 """Views with names; others are a camera's prim path, or two angles."""

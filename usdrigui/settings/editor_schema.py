@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from dataclasses import MISSING, Field, fields
 from typing import Any, Literal
 
+from usdrigui.settings.about import About, settings_table
 from usdrigui.settings.config_sections import section_types
-from usdrigui.settings.table import About, settings_table
 
 _TYPES = {bool: "boolean", int: "integer", float: "number", str: "string"}
 

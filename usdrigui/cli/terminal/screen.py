@@ -12,7 +12,6 @@ from usdrigui.cli.lines import columns, tell
 from usdrigui.cli.terminal.table import Table, Verbatim
 
 if TYPE_CHECKING:
-    from usdrigui.clients.batch.job import Row
     from usdrigui.pipeline import Event
 
 _LOG_WIDTH = 160
@@ -72,16 +71,7 @@ class Screen:
             self._printed = time.monotonic()
             tell(f"{event.stage:<14} {event.detail}", sys.stderr)
 
-    def batch_progress(self, count: int) -> Callable[[Row], None]:
-        """Prints one line an asset, as they are done; nothing when quiet."""
-        done = 0
-
-        def tell_row(row: Row) -> None:
-            nonlocal done
-            done += 1
-            if not self._silent:
-                number = f"[{done:>{len(str(count))}}/{count}]"
-                text = f"{number} {row.outcome:<9} {row.seconds:7.2f} s {row.asset} {row.code}"
-                tell(text.rstrip(), sys.stderr)
-
-        return tell_row
+    def note(self, text: str) -> None:
+        """A line of progress, unless quiet."""
+        if not self._silent:
+            tell(text, sys.stderr)

@@ -1,6 +1,6 @@
 """Terms of other packages: entry points of the group ``usdrigui.terms``.
 
-An entry point loads an object with one or both of two methods (see docs/terms.md for a worked
+An entry point loads an object with one or both of two methods (docs/internals/terms.md has a worked
 example):
 
 * ``linear(face, motion, points) -> (p,)`` costs >= 0 of anchoring the motion's control at `points`;
