@@ -150,6 +150,7 @@ def schema_page() -> str:
 
 
 _MUST = {
+    "layout:handleWidth": "",
     "layout:skeleton": ", where anything is bound",
     "anchor:prim": " on the character; without it the element is on the board",
     "anchor:carrier": " on the board",

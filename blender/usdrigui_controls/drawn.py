@@ -5,10 +5,10 @@ from __future__ import annotations
 import itertools
 import math
 
-from pxr import Usd, UsdGeom
+from pxr import UsdGeom
 
 from .layout import LayoutError
-from .properties import applied, carriers_of, floats, get
+from .properties import carriers_of, floats, get
 
 _INSET = 0.05
 """Of the way from a corner of an area to its middle: so far areas stay away from the tracks."""
@@ -151,16 +151,3 @@ def joint_table(of, name):
     if name == "Scale":
         return [tuple(math.log(each) for each in row) for row in of("jointScaleFactors", ())]
     return [floats(row) for row in of("jointTranslations", ())]
-
-
-def drawn_width(scope):
-    """Width of the first handle that is drawn."""
-    for prim in Usd.PrimRange(scope, Usd.PrimAllPrimsPredicate):
-        faces = _corners(prim, ("handle",)) if "RigUIElementAPI" in applied(prim) else ()
-        points = [get(prim.GetParent(), "points", ())[point] for face in faces for point in face]
-        if points:
-            return max(
-                max(point[axis] for point in points) - min(point[axis] for point in points)
-                for axis in range(3)
-            )
-    raise LayoutError(f"{scope.GetPath()} does not say how wide its handles are")

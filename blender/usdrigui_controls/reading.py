@@ -75,7 +75,7 @@ def _layout(scope):
     ]
     return Layout(
         root=str(root.GetPath()),
-        handle_width=get(scope, "rigUI:layout:handleWidth", 0.0) or drawn.drawn_width(scope),
+        handle_width=get(scope, "rigUI:layout:handleWidth", 0.0),
         controls=tuple(controls.values()),
         elements=tuple(elements),
         meshes=_meshes(root, scope),

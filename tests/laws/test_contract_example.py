@@ -72,6 +72,7 @@ def test_values_of_the_base_pose_are_those_of_the_names_beside_them(layer):
             "error",
             "does not hold tokens",
         ),
+        (r"int\[\] indices = \[0\]", "int[] indices = [1]", "error", "its faces are not those of its mesh"),
         (r".*familyName.*\n", "", "warning", "familyName"),
         (r".*anchor:position.*\n", "", "warning", "pass rigUI:anchor:position by 12.5"),
         (r"(trackPoints = )\[\(0, -10.0787, 7.4466\)", r"\1[(0, -10.0787, 9.9)", "warning", "by 2.45 at the base pose"),

@@ -408,6 +408,7 @@ over "Char"
         prepend apiSchemas = ["RigUILayoutAPI_1"]
     )
     {
+        double rigUI:layout:handleWidth = 0.5
         def Mesh "knobs" (
             prepend apiSchemas = ["RigUIDrawingAPI"]
         )
@@ -445,7 +446,7 @@ def test_a_layer_written_by_hand_takes_the_fallbacks():
         "/Char",
         "object",
         "stopped",
-        2.0,
+        0.5,
     )
     assert layout.proof.bound == -np.inf
     assert (element.name, element.look.label, element.manipulator.kind, element.look.adapt) == (
@@ -479,7 +480,7 @@ CONTRADICTIONS = [
     (ELEMENT, f'token rigUI:control:smile:opposes = "smile"\n{ELEMENT}', "LAYOUT_INVALID", "opposes"),
     (ELEMENT, f"double[] rigUI:control:smile:trackValues = [0, 1, 2]\n{ELEMENT}", "LAYOUT_INVALID", "trackValues"),
     (ELEMENT, f"double[] rigUI:control:smile:trackValues = [0, nan]\n{ELEMENT}", "LAYOUT_INVALID", "NaN"),
-    ("indices = [0]", "indices = [1]", "LAYOUT_INVALID", "faces"),
+    ("double rigUI:layout:handleWidth = 0.5", "", "LAYOUT_INVALID", "handleWidth is missing"),
     ("RigUILayoutAPI_1", "RigUILayoutAPI_99", "LAYOUT_VERSION", "99"),
     (AT, f"double[] rigUI:layout:baseValues = [1]\n{AT}", "LAYOUT_INVALID", "baseValues"),
     ('_1"]\n', '_1"]\ncustomData = {\ndictionary usdrigui = {\ndictionary solution = {\nint cost = 1\n}\n}\n}\n',

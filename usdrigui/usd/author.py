@@ -35,18 +35,8 @@ _SCALARS: Mapping[str, Callable[[Any], Any]] = {
     "string": str,
     "bool": bool,
 }
-_DIGITS = {
-    **{
-        name: 7
-        for name in _ARRAYS
-        if name.partition("[")[0] in ("float3", "point3f", "vector3f", "color3f", "float")
-    },
-    **dict.fromkeys(("point3f", "vector3f"), 7),
-    **dict.fromkeys(("vector3d[]", "double[]", "double"), 7),
-    "matrix4d": 12,
-}
-"""Significant digits authored of numbers of each type: as many as a source in single precision
-has."""
+_DIGITS, _MATRIX_DIGITS = 7, 12
+"""Significant digits authored of numbers: as many as a source in single precision has."""
 _NOT_PLAIN = re.compile(r"[^A-Za-z0-9_]")
 _LISTS = {"token[]": Vt.TokenArray, "string[]": Vt.StringArray}
 
@@ -183,7 +173,7 @@ def settled(value: Any, type_name: str) -> Any:
 
     Kept are 7 digits (12 of matrices) of the largest number of the value.
     """
-    if type_name not in _DIGITS:
+    if type_name.startswith(("int", "token", "string", "bool")):
         return value
     numbers = np.asarray(value, dtype=np.float64)
     largest = np.abs(numbers[np.isfinite(numbers)]).max(initial=0.0)
@@ -191,7 +181,8 @@ def settled(value: Any, type_name: str) -> Any:
     # kept.
     mantissa, exponent = np.frexp(largest)
     scale = (exponent + (1.5 * mantissa >= 1.0)) * np.log10(2.0) if largest > 0.0 else 0.0
-    decimals = min(_DIGITS[type_name] - int(np.ceil(scale)), 290)  # ten to that power is finite
+    digits = _MATRIX_DIGITS if type_name == "matrix4d" else _DIGITS
+    decimals = min(digits - int(np.ceil(scale)), 290)  # ten to that power is finite
     kept = np.round(numbers, decimals) + 0.0  # no -0
     return kept if kept.ndim else kept.item()
 

@@ -28,7 +28,6 @@ from usdrigui.usd.properties import (
 from usdrigui.usd.read_layout import (
     base_controls,
     element_prims,
-    handle_points,
     layout_scopes,
     points_of_subset,
 )
@@ -60,6 +59,7 @@ class _Character:
     """Blend shapes of the meshes and SkelAnimations of its stage."""
     base: Mapping[str, float]
     """Values of controls in the base pose, by name."""
+    handle_width: float
 
 
 def _of_scope(scope: Usd.Prim, known: frozenset[str]) -> tuple[Issue, ...]:
@@ -77,7 +77,8 @@ def _of_layout(scope: Usd.Prim, known: frozenset[str]) -> Iterator[Issue]:
     values = value_of(scope, schema.LAYOUT, "baseValues")
     names = base_controls(scope)
     base = dict(zip(names, values if len(values) else [0.0] * len(names), strict=True))
-    character = _Character(known, base)
+    width = float(value_of(scope, schema.LAYOUT, "handleWidth"))
+    character = _Character(known, base, width)
     elements = element_prims(scope)
     for mesh in dict.fromkeys(each.GetParent() for each in elements):
         yield from _of_drawing(mesh)
@@ -178,21 +179,12 @@ def _of_track(prim: Usd.Prim, instance: str, character: _Character) -> Iterator[
     at = character.base.get(str(get("name")) or instance, float(get("default")))
     here = np.array([np.interp(at, values, column) for column in track.T])
     anchor = array_of(value_of(prim, schema.ANCHOR, "position"))
-    away, width = float(np.linalg.norm(here - anchor)), _width(prim)
+    away = float(np.linalg.norm(here - anchor))
     length = float(np.linalg.norm(np.diff(track, axis=0), axis=1).sum())
-    if width > 0.0 and away > width + _ASTRAY * length:
+    if away > character.handle_width + _ASTRAY * length:
         where = f"rigUI:control:{instance}:trackPoints"
         clause = f"{where} pass rigUI:anchor:position by {away:.3g} at the base pose ({at:g})"
         yield replace(_invalid(prim, clause), severity="warning")
-
-
-def _width(prim: Usd.Prim) -> float:
-    """Width of the handle as drawn; 0 where it is not."""
-    try:
-        points = handle_points(prim)
-    except RigUIError:
-        return 0.0
-    return float(np.ptp(points, axis=0).max()) if len(points) else 0.0
 
 
 def _invalid(prim: Usd.Prim, message: str) -> Issue:

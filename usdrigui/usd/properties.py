@@ -257,14 +257,3 @@ def integers_of(attribute: Usd.Attribute) -> Indices:
     """(n,) what an array of USD's own schemas holds; empty for any other type."""
     values = value_at(attribute, Usd.TimeCode.Default()) if attribute else None
     return np.array(values if isinstance(values, Vt.IntArray) else (), dtype=np.int64)
-
-
-def vectors_of(attribute: Usd.Attribute) -> Floats:
-    """(n, 3) what an array of USD's own schemas holds; raises LAYOUT_INVALID."""
-    values = value_at(attribute, Usd.TimeCode.Default()) if attribute else None
-    if not isinstance(values, (Vt.Vec3fArray, Vt.Vec3dArray, Vt.Vec3hArray, type(None))):
-        raise invalid(attribute, "does not hold 3-vectors")
-    points = array_of(values or ()).reshape(-1, 3)
-    if not np.isfinite(points).all():
-        raise invalid(attribute, "holds NaN or infinity")
-    return points

@@ -53,7 +53,6 @@ from usdrigui.usd.properties import (
     strings,
     targets,
     value_of,
-    vectors_of,
 )
 from usdrigui.usd.stage import open_stage
 from usdrigui.usd.variant_paths import asset_selections, with_sets
@@ -262,11 +261,18 @@ def _layout(scope: Usd.Prim) -> Layout:
             space=get("space"),
             view=array_of(get("viewDirection")),
             plane=MirrorPlane(array_of(get("planeOrigin")), array_of(get("planeNormal"))),
-            handle_width=float(get("handleWidth")) or _drawn_width(scope),
+            handle_width=_handle_width(scope),
             parts=_parts(scope),
         ),
         proof=_proof(scope),
     )
+
+
+def _handle_width(scope: Usd.Prim) -> float:
+    width = float(value_of(scope, schema.LAYOUT, "handleWidth"))
+    if not width > 0.0:
+        raise refuse("LAYOUT_INVALID", str(scope.GetPath()), "rigUI:layout:handleWidth is missing")
+    return width
 
 
 def _variant_path(scope: Usd.Prim) -> str:
@@ -455,28 +461,6 @@ def _glyph(prim: Usd.Prim) -> Glyph | None:
     if get("glyphType") == "curve":
         indices = np.arange(counts.sum(), dtype=np.int64)
     return checked_glyph(prim, Glyph(str(get("glyph")), get("glyphType"), points, counts, indices))
-
-
-def _drawn_width(scope: Usd.Prim) -> float:
-    """Width of the first handle drawn, for layers without a handle width; 0 if none is."""
-    for prim in element_prims(scope):
-        points = handle_points(prim)
-        if len(points):
-            return float(np.ptp(points, axis=0).max())
-    return 0.0
-
-
-def handle_points(prim: Usd.Prim) -> Floats:
-    """(n, 3) what is drawn of an element's handle, each point once; none where nothing is.  Raises
-    LAYOUT_INVALID."""
-    mesh = UsdGeom.Mesh(prim.GetParent())
-    handle, _ = (
-        points_of_subset(prim)
-        if mesh and prim.IsA(UsdGeom.Subset)
-        else (np.zeros(0, dtype=np.int64),) * 2
-    )
-    points = vectors_of(mesh.GetPointsAttr()) if len(handle) else np.zeros((0, 3))
-    return points[handle[handle < len(points)]]
 
 
 def points_of_subset(prim: Usd.Prim) -> tuple[Indices, Indices]:
