@@ -149,6 +149,7 @@ def test_words_can_be_read_on_every_ground():
     ("given", "short"),
     [
         (["h_expressions.AE_h", "h_expressions.AA_h", "h_expressions.Oh_h"], ["AE", "AA", "Oh"]),
+        (["rig_face_browUp", "rig_face_browDown", "rig_face_jaw"], ["browUp", "browDown", "jaw"]),
         (["AU_01", "AU_02", "jawOpen", "AU_12"], ["01", "02", "jawOpen", "12"]),
         (["AU_01", "AU_02"], ["AU_01", "AU_02"]),
         (["a_x", "a_y", "a_z", "x"], ["a_x", "y", "z", "x"]),

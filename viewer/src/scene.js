@@ -43,21 +43,10 @@ function decodeCharacter(character, body) {
     if (mesh.skin) decodeSkin(mesh.skin, body);
   }
   character.pointCount = start;
-  shorten([...character.controls, ...character.layout.elements]);
   if (character.clip) {
     character.clip.weights = decodeArray(character.clip.weights, body);
     character.clip.locals = decodeArray(character.clip.locals, body);
   }
-}
-
-/** Take from labels what all of them begin with, up to the end of a word: it tells nothing apart. */
-export function shorten(named) {
-  const labels = named.map(({ label }) => label);
-  if (new Set(labels).size < 2) return;
-  let length = 0;
-  while (labels.every((label) => length < label.length && label[length] === labels[0][length])) length++;
-  const shared = /^.*[_.:\-\s|]/.exec(labels[0].slice(0, length))?.[0] ?? '';
-  for (const each of named) each.label = each.label.slice(shared.length) || each.label;
 }
 
 /** Influences as Float64 weights of rows that sum to one where they did before rounding. */

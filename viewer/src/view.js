@@ -164,18 +164,17 @@ export class View {
     const on = tracks.find((points) => points.length);
     const skin = everyPoint(this.session.deformer.points, this.stage.triangles);
     if (!on) return skin;
-    const [sideways, upright] = this.columns.length > 1 ? [0.5, 0.5] : [0.25, 0.12];
-    return [...on, ...this.surroundings(on, skin, sideways, upright)];
+    return [...on, ...this.surroundings(on, skin)];
   }
 
-  /** The skin around some points, as far as these shares of their height to the sides and up and down. */
-  surroundings(points, skin, sideways, upright) {
+  /** The skin around some points, as far as the layout's shares of their height to the sides and up and down. */
+  surroundings(points, skin) {
     const { right, above } = this.camera;
     const spans = [right, above].map((axis) => {
       const along = points.map((point) => dot(point, axis));
       return [Math.min(...along), Math.max(...along)];
     });
-    const reach = [sideways, upright].map((share) => share * (spans[1][1] - spans[1][0]));
+    const reach = this.session.character.layout.surroundings.map((share) => share * (spans[1][1] - spans[1][0]));
     const near = (point) => [right, above].every((axis, i) => {
       const at = dot(point, axis);
       return at > spans[i][0] - reach[i] && at < spans[i][1] + reach[i];

@@ -1,7 +1,6 @@
 // The law of the lens: under the pointer no two handles overlap, what is aimed at stays, and so does what is far.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { shorten } from '../src/scene.js';
 import { leastDistance, lensAt, spread } from '../src/spread.js';
 
 const APART = 13;
@@ -34,13 +33,4 @@ test('handles that are apart are left alone', () => {
   const points = [[0, 0], [20, 0], [0, 20]];
   assert.equal(lensAt(points, [1, 1], APART), null);
   assert.deepEqual(spread(points, APART), points);
-});
-
-test('labels lose what all of them begin with, at the end of a word', () => {
-  const named = ['rig_face_browUp', 'rig_face_browDown', 'rig_face_jaw'].map((label) => ({ label }));
-  shorten(named);
-  assert.deepEqual(named.map(({ label }) => label), ['browUp', 'browDown', 'jaw']);
-  const alone = ['browUp', 'browDown'].map((label) => ({ label }));
-  shorten(alone);
-  assert.deepEqual(alone.map(({ label }) => label), ['browUp', 'browDown']);
 });

@@ -46,6 +46,8 @@ from usdrigui.view.body.complexion import complexion
 from usdrigui.view.body.shading import EYE, IRIS, PUPIL, Complexion, encoded
 from usdrigui.view.clip import ClipReading, reading
 from usdrigui.view.flat.board import heading, rank
+from usdrigui.view.flat.framing import SURROUNDINGS
+from usdrigui.view.flat.names import shortened
 from usdrigui.view.sections import main_layout, sections
 
 Json = dict[str, Any]
@@ -138,7 +140,7 @@ def _character(arrays: _Arrays, rig: Rig, layout: Layout) -> Json:
             for each in body.channels
         ],
         "baseWeights": _list(body.base_weights),
-        "controls": [_control(each) for each in rig.controls],
+        "controls": _controls(rig.controls),
         "clip": _clip(arrays, rig.skel_root.clip, rig.findings.issues),
         "layout": _layout(rig, layout),
     }
@@ -235,10 +237,15 @@ def _skin(arrays: _Arrays, skin: Skin) -> Json:
     }
 
 
-def _control(control: Control) -> Json:
+def _controls(controls: tuple[Control, ...]) -> list[Json]:
+    labels = shortened([control.label for control in controls])
+    return [_control(control, label) for control, label in zip(controls, labels, strict=True)]
+
+
+def _control(control: Control, label: str) -> Json:
     return {
         "name": control.name,
-        "label": control.label,
+        "label": label,
         "kind": control.kind,
         "source": control.source,
         "minimum": control.minimum,
@@ -290,6 +297,7 @@ def _layout(rig: Rig, layout: Layout) -> Json:
     meshes = {mesh.path: index for index, mesh in enumerate(rig.body.meshes)}
     return {
         "handleWidth": layout.frame.handle_width,
+        "surroundings": list(SURROUNDINGS),
         "view": _list(layout.frame.view),
         "planeOrigin": _list(layout.frame.plane.origin),
         "planeNormal": _list(layout.frame.plane.normal),
@@ -329,7 +337,9 @@ def _elements(
     rows = [rig.body.starts[packed["mesh"]] + packed["point"] for packed in found]
     on_board = np.array([packed["onBoard"] for packed in found], dtype=bool)
     all_of = shared(rig, own, np.array(rows, dtype=np.int64), on_board)
-    for packed, mine, element in zip(found, own, layout.elements, strict=True):
+    labels = shortened([element.look.label for element in layout.elements])
+    for packed, mine, label, element in zip(found, own, labels, layout.elements, strict=True):
+        packed["label"] = label
         static = element.look.adapt == "static"
         places = [following(mine, all_of, on_board=board, static=static) for board in (False, True)]
         packed["follows"] = {"character": _follows(places[0]), "board": _follows(places[1])}
@@ -359,7 +369,6 @@ def _element(
         )
     return {
         "name": element.name,
-        "label": element.look.label,
         "kind": element.manipulator.kind,
         "members": [_member(element.name, controls, each) for each in element.manipulator.members],
         "axes": [list(axis) for axis in element.manipulator.axes],
