@@ -1,17 +1,17 @@
-"""Lay out every rig of a folder and write the gallery of them, before and after.
+"""Lay out every rig of a folder and write the gallery of them.
 
-    python docs/gallery.py ASSETS [NAME ...] [--before FOLDER] [--judge SCRIPT]
+    python docs/gallery.py ASSETS [NAME ...] [--judge SCRIPT]
 
 ASSETS holds the real rigs by the names in gallery.toml; absent ones are skipped, and where names
-are given all others. FOLDER holds earlier layers of the same rigs and their reports
-(NAME.rigui.usda, NAME.json).  SCRIPT is a program that prints how many controls of a layer stand
-where an animator expects them.
+are given all others. SCRIPT is a program that prints how many controls of a layer stand where an
+animator expects them.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+import math
 import re
 import subprocess
 import sys
@@ -23,9 +23,8 @@ from pathlib import Path
 from PIL import Image
 
 from usdrigui.pipeline import load_layer, process
-from usdrigui.report.run_report import to_json
 from usdrigui.settings import Settings
-from usdrigui.view.picture import contact_sheet, render
+from usdrigui.view.picture import render
 
 DOCS = Path(__file__).resolve().parent
 IMAGES, PAGE, ROWS = (
@@ -33,17 +32,17 @@ IMAGES, PAGE, ROWS = (
     DOCS / "internals" / "gallery.md",
     DOCS / "images" / "gallery" / "rows.json",
 )
-WIDTH, PANEL, QUALITY = 760, (760, 620), 72
+PANEL, QUALITY = (760, 620), 72
 
 REMARKS: dict[str, str] = tomllib.loads((DOCS / "gallery.toml").read_text("utf-8"))
 """By rig, in the order of the page: what is still wrong on it, looked at by eye."""
 
 _INTRODUCTION = """\
-Layouts of real rigs with default settings: by an earlier version → by this one. Each rig has its
-remaining faults listed. *On the character*: controls with an element on the character, of all;
-*kept*: mean displacement at the handle as a share of the control's peak; *gap*: proven distance of
-the cost from the optimum; *placed*: controls (of joints: axes) that are where an animator expects
-them, judged by a separate program; - where it knows no place for any.
+Layouts of real rigs with default settings: each with its remaining faults. *On the character*:
+controls with an element on the character, of all; *kept*: mean displacement at the handle as a
+share of the control's peak; *gap*: proven distance of the cost from the optimum; *placed*:
+controls (of joints: axes) that are where an animator expects them, judged by a separate program;
+- where it knows no place for any.
 
 Sources and licences are in the `customLayerData` of each file. `ict_*`: ICT FaceKit, MIT; `mh_*`:
 MakeHuman, CC0; vitruvian: CharMorph Vitruvian, CC0; godette: Godette by SirRichard94, VRM by Lyuma,
@@ -67,7 +66,6 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("assets", type=Path)
     parser.add_argument("names", nargs="*")
-    parser.add_argument("--before", type=Path)
     parser.add_argument("--judge", type=Path)
     given = parser.parse_args()
     IMAGES.mkdir(parents=True, exist_ok=True)
@@ -77,50 +75,34 @@ def main() -> int:
         if asset is None:
             print(f"{name}: absent, skipped")
             continue
-        rows[name] = [asdict(each) for each in _results(name, asset, given.before, given.judge)]
+        rows[name] = asdict(_result(name, asset, given.judge))
     ROWS.write_text(json.dumps(rows, indent=1) + "\n", "utf-8")
     PAGE.write_text(page(rows), "utf-8")
     return 0
 
 
-def _results(name: str, asset: Path, before: Path | None, judge: Path | None) -> list[Result]:
-    """Of the earlier layer, if there is one, and of today's; their picture is drawn."""
+def _result(name: str, asset: Path, judge: Path | None) -> Result:
+    """What today's layout comes to; its picture is drawn."""
     with tempfile.TemporaryDirectory() as scratch:
         layer = Path(scratch) / f"{name}.rigui.usda"
-        (Path(scratch) / f"{name}.json").write_text(
-            to_json(process(asset, Settings(), output=layer)), "utf-8"
-        )
-        layers = [layer]
-        if before is not None and (before / layer.name).is_file():
-            layers.insert(0, before / layer.name)
-        images = [_picture(each) for each in layers]
-        titles = ["before", "now"][-len(layers) :]
-        contact_sheet(images, titles, len(images), WIDTH * len(images)).save(
-            IMAGES / f"{name}.jpg", quality=QUALITY
-        )
-        return [_result(each, judge) for each in layers]
+        report = process(asset, Settings(), output=layer)
+        _picture(layer).save(IMAGES / f"{name}.jpg", quality=QUALITY)
+        judged = _judged(layer, judge)
+    (character, *_) = report.characters
+    on_face, kept = character.count("face"), character.kept
+    return Result(
+        ", ".join(part.name for part in character.parts),
+        f"{on_face}/{len(character.rows)}",
+        f"{kept:.0%}" if math.isfinite(kept) else "-",
+        f"{character.assignment.gap:.1e}",
+        judged,
+    )
 
 
 def _picture(layer: Path) -> Image.Image:
     (rig, layout), *_ = load_layer(layer, Settings()).characters
     parts = len(layout.frame.parts) > 1
     return render(rig, layout, views=None if parts else ("front",), size=PANEL)
-
-
-def _result(layer: Path, judge: Path | None) -> Result:
-    character = json.loads(
-        layer.with_name(layer.name.replace(".rigui.usda", ".json")).read_text("utf-8")
-    )["characters"][0]
-    counts, solution = character["counts"], character["solution"]
-    parts = ", ".join(part["name"] for part in character.get("parts", ())) or "one"
-    kept = character["displacement_kept"]
-    return Result(
-        parts,
-        f"{counts['face']}/{sum(counts.values())}",
-        "-" if kept is None else f"{kept:.0%}",
-        f"{solution['gap']:.1e}",
-        _judged(layer, judge),
-    )
 
 
 def _judged(layer: Path, judge: Path | None) -> str:
@@ -133,7 +115,7 @@ def _judged(layer: Path, judge: Path | None) -> str:
     return next((each for each in found.groups() if each), "-") if found else "-"
 
 
-def page(rows: dict[str, list[dict[str, str]]]) -> str:
+def page(rows: dict[str, dict[str, str]]) -> str:
     """The page: a table, then a picture of each rig with what is still wrong on it."""
     lines = [
         "# Gallery",
@@ -147,11 +129,9 @@ def page(rows: dict[str, list[dict[str, str]]]) -> str:
     ]
     shown = [name for name in REMARKS if name in rows]
     for name in shown:
-        cells = [
-            [each[key] for each in rows[name]] for key in ("on_character", "kept", "gap", "judged")
-        ]
-        columns = [" → ".join(each) for each in cells]
-        lines.append(f"| {name} | {rows[name][-1]['parts']} | {' | '.join(columns)} |")
+        row = rows[name]
+        columns = (row[key] for key in ("parts", "on_character", "kept", "gap", "judged"))
+        lines.append(f"| {name} | {' | '.join(columns)} |")
     for name in shown:
         lines += [
             "",
