@@ -31,8 +31,9 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
+from usdrigui.character import Floats, Indices
 from usdrigui.layout.place.problem import placement_problem
-from usdrigui.model import Assignment, Candidates, Floats, Indices, Layout, LayoutProblem, Variable
+from usdrigui.model import Assignment, Candidates, Layout, LayoutProblem, Variable
 from usdrigui.overlap import total_cost
 from usdrigui.pipeline.records import ProblemInputs, Task
 from usdrigui.pipeline.stages import build_problem, layout_of

@@ -8,17 +8,9 @@ from types import MappingProxyType
 
 import numpy as np
 
+from usdrigui.character import Floats, Indices, Rig, RigMesh, Shape
 from usdrigui.layout.place.handle_width import KEPT, around, fitting_width
-from usdrigui.model import (
-    Floats,
-    Indices,
-    LayoutProblem,
-    MeanOverlap,
-    Rig,
-    RigMesh,
-    Shape,
-    Variable,
-)
+from usdrigui.model import LayoutProblem, MeanOverlap, Variable
 from usdrigui.overlap import own_costs
 from usdrigui.settings import ObjectiveSettings
 

@@ -14,7 +14,10 @@ from pathlib import Path
 
 import numpy as np
 
-from usdrigui.deform import knots, posed, sweep
+from usdrigui.character import Rig
+from usdrigui.character.deform import knots, posed, sweep
+from usdrigui.character.rays import GridCaster, make_caster
+from usdrigui.character.surface import mesh_triangles, vertex_normals
 from usdrigui.model import (
     Anchor,
     Element,
@@ -27,12 +30,9 @@ from usdrigui.model import (
     MirrorPlane,
     Placement,
     Proof,
-    Rig,
 )
-from usdrigui.rays import GridCaster, make_caster
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
-from usdrigui.surface import mesh_triangles, vertex_normals
-from usdrigui.usd.rig import read_rigs
 from usdrigui.view.body import shading
 from usdrigui.view.picture import render
 

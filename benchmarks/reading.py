@@ -24,8 +24,8 @@ import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel, Vt
 
 from usdrigui.layout.motion.trajectory import trajectories
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
-from usdrigui.usd.rig import read_rigs
 
 
 def usd_alone(path: Path) -> int:

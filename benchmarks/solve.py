@@ -40,8 +40,9 @@ import numpy as np
 from instances import CROWDED, TABLE_1, face_like, subdivided, viseme_like
 from problem_file import load_problem, save_problem
 
+from usdrigui.character import Floats
 from usdrigui.errors import RigUIError
-from usdrigui.model import Assignment, Element, Floats, LayoutProblem
+from usdrigui.model import Assignment, Element, LayoutProblem
 from usdrigui.overlap import total_cost
 from usdrigui.settings import Settings, SolveSettings, load
 from usdrigui.solve import solve

@@ -30,13 +30,14 @@ from typing import Any
 
 import numpy as np
 
-from usdrigui.model import Assignment, Layout, Rig
+from usdrigui.character import Rig
+from usdrigui.model import Assignment, Layout
 from usdrigui.pipeline.joining import joined
 from usdrigui.pipeline.records import LaidPart, Task
 from usdrigui.pipeline.stages import character_of, layout_of, part_problem
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings, load
 from usdrigui.solve import solve
-from usdrigui.usd.rig import read_rigs
 
 ROOT = Path(__file__).resolve().parents[1]
 FACTORS = (0.5, 2.0)

@@ -11,7 +11,7 @@ from pxr import Sdf, Usd, UsdGeom
 from usdskel_oracle import Oracle
 from viewer_layouts import member_at
 
-from usdrigui.deform import channel_state, posed
+from usdrigui.character.deform import channel_state, posed
 from usdrigui.model import (
     Anchor,
     Element,
@@ -25,9 +25,9 @@ from usdrigui.model import (
     Placement,
     Proof,
 )
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, Settings
 from usdrigui.usd.layer import stage_metadata, write_layout
-from usdrigui.usd.rig import read_rigs
 
 SAMPLE = Path(__file__).resolve().parents[1] / "sample_assets" / "char.usda"
 Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])

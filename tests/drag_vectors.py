@@ -360,7 +360,7 @@ def real_elements(folder):
 def _seen(stage, name, turn):
     from pxr import UsdGeom
 
-    from usdrigui.usd import schema
+    from usdrigui.stages import schema
     from usdrigui.usd.properties import value_of
     from usdrigui.usd.read_layout import element_prims, layout_scopes, read_layout
 

@@ -6,7 +6,8 @@ import math
 
 import numpy as np
 
-from usdrigui.model import Assignment, Floats, LayoutProblem
+from usdrigui.character import Floats
+from usdrigui.model import Assignment, LayoutProblem
 from usdrigui.overlap import pair_costs
 
 MOST = 4_000_000

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
 
-from usdrigui.deform import channel_state, knots, posed, sweep
+from usdrigui.character import LeftOff
+from usdrigui.character.deform import channel_state, knots, posed, sweep
 from usdrigui.model import (
     Anchor,
     Element,
     Layout,
     LayoutCharacter,
     LayoutFrame,
-    LeftOff,
     Look,
     Manipulator,
     Member,

@@ -7,9 +7,9 @@ from dataclasses import replace
 import makers
 import numpy as np
 
-from usdrigui.model import Control, Drive, Joint, Skeleton, Skin
-from usdrigui.rotation import rotations
-from usdrigui.usd.controls import default_joint_drafts
+from usdrigui.character import Control, Drive, Joint, Skeleton, Skin
+from usdrigui.character.rotation import rotations
+from usdrigui.reading.control import default_joint_drafts
 
 _AROUND = 12
 _RINGS = 8

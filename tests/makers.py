@@ -10,7 +10,7 @@ from dataclasses import fields, is_dataclass, replace
 
 import numpy as np
 
-from usdrigui.model import (
+from usdrigui.character import (
     Body,
     Channel,
     Configured,

@@ -10,9 +10,9 @@ import makers
 import numpy as np
 from pxr import Gf, Usd, UsdGeom, UsdSkel, Vt
 
-from usdrigui.model import Channel
+from usdrigui.character import Channel
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings, load
-from usdrigui.usd.rig import read_rigs
 
 ASSETS = Path(__file__).resolve().parents[2] / "shared" / "assets"
 WORK = 100_000

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 from makers import changed
 
-from usdrigui.model import RigMesh, Shape
+from usdrigui.character import RigMesh, Shape
 
 _SIDE = re.compile("(?:_|-)?(L|R|Left|Right|left|right)$")
 

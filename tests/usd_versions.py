@@ -22,11 +22,11 @@ import numpy as np
 import skinned_stages
 from pxr import Sdf
 
-from usdrigui.deform import deform
+from usdrigui.character.deform import deform
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, Settings
+from usdrigui.stages.schema import schema_path
 from usdrigui.usd.layer import stage_metadata, write_layout
-from usdrigui.usd.rig import read_rigs
-from usdrigui.usd.schema import schema_path
 
 CLOSE = 1e-5
 """Of the diagonal of the character's box."""

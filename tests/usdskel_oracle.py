@@ -1,4 +1,4 @@
-"""UsdSkel's own answer to where a rig's points are: the reference for `usdrigui.deform`.
+"""UsdSkel's own answer to where a rig's points are: the reference for `usdrigui.character.deform`.
 
 `Oracle` asks UsdSkel's queries, pose after pose, without writing points; `baked` goes through
 `UsdSkel.BakeSkinning`, the whole of UsdSkel, for small stages.  Both write the pose into SkelAnimations of

@@ -5,7 +5,7 @@ from __future__ import annotations
 import makers
 import numpy as np
 
-from usdrigui.deform import deform, knots, posed, sweep
+from usdrigui.character.deform import deform, knots, posed, sweep
 from usdrigui.model import (
     Anchor,
     Element,

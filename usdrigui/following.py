@@ -12,8 +12,8 @@ from itertools import compress
 
 import numpy as np
 
-from usdrigui.model import Flags, Indices, Record, Rig
-from usdrigui.skinning import carrying_joint
+from usdrigui.character import Flags, Indices, Record, Rig
+from usdrigui.character.skinning import carrying_joint
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,8 +15,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
 from usdrigui import pipeline
+from usdrigui.character import Control, Rig
 from usdrigui.errors import meant, refuse
-from usdrigui.model import Control, Element, Layout, Rig
+from usdrigui.model import Element, Layout
 from usdrigui.pipeline import LayerDifference, LayerReview, Loaded, ProgressCallback
 from usdrigui.pipeline.references import ReferenceLayers
 from usdrigui.pose.evaluate import PosedLayout, evaluate, prepare, values_of

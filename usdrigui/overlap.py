@@ -15,16 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from usdrigui.model import (
-    AnyOverlap,
-    Flags,
-    Floats,
-    Indices,
-    LayoutProblem,
-    MeanOverlap,
-    Overlap,
-    Variable,
-)
+from usdrigui.character import Flags, Floats, Indices
+from usdrigui.model import AnyOverlap, LayoutProblem, MeanOverlap, Overlap, Variable
 
 ROUNDING = 1e-12
 """Share of lengths and costs by which rounding may be off: bounds leave so much room."""

@@ -8,8 +8,9 @@ the first of equals is taken.
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
-from usdrigui.model import Floats
+Floats = NDArray[np.float64]
 
 _DIGITS = 9
 """Of the largest number; the noise is some six digits below."""

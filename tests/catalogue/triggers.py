@@ -33,9 +33,12 @@ from usdrigui.errors import RigUIError, issue, refuse
 from usdrigui.isolation import foreign_file
 from usdrigui.layout.classify import classification
 from usdrigui.layout.motion import trajectory
+from usdrigui.reading import character as rig
+from usdrigui.reading import clips
 from usdrigui.replacing import transaction
 from usdrigui.settings import Settings, SolveSettings
-from usdrigui.usd import clips, layer, reader_process, rig, schema
+from usdrigui.stages import schema
+from usdrigui.usd import layer, reader_process
 
 Found = tuple[int, list[dict[str, Any]]]
 Trigger = Callable[[Path, Any], Found]
@@ -492,7 +495,7 @@ def _schema_late(*_: object) -> Found:
     program = (
         "from pxr import Usd; keep = Usd.SchemaRegistry()\n"
         "import json; from dataclasses import asdict; from usdrigui.errors import RigUIError\n"
-        "from usdrigui.usd import schema\n"
+        "from usdrigui.stages import schema\n"
         "try: schema.register()\n"
         "except RigUIError as error: print(json.dumps([int(error.exit_code), [asdict(error.issue)]]))\n"
     )

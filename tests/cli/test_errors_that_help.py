@@ -8,8 +8,8 @@ import pytest
 from usdrigui.cli import main
 from usdrigui.cli.options import files_read, passed_on, settings_of
 from usdrigui.cli.parser import hint, options_of, parser
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
-from usdrigui.usd.rig import read_rigs
 
 
 def run(capsys, *arguments, expected):

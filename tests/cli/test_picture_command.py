@@ -9,8 +9,8 @@ from PIL import Image
 from pxr import Usd, UsdSkel
 
 from usdrigui.cli import main
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
-from usdrigui.usd.rig import read_rigs
 from usdrigui.view.clip import clip_values
 
 

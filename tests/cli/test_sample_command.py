@@ -1,8 +1,8 @@
 """`usdrigui sample DIR`: the character that the documents work on."""
 
 from usdrigui.cli import main
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
-from usdrigui.usd.rig import read_rigs
 
 
 def test_the_sample_is_written_and_again_and_takes_no_place_of_another_file(tmp_path, capsys):

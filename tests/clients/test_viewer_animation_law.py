@@ -19,8 +19,8 @@ from pxr import Sdf, Usd, UsdSkel
 from random_characters import composed, off, random_character
 from skel_stages import character
 
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
-from usdrigui.usd.rig import read_rigs
 from usdrigui.view.web.packing import pack
 
 REPLAY = Path(__file__).with_name("replay.mjs")

@@ -13,8 +13,8 @@ from skel_stages import character
 from viewer_layouts import peak_layout
 
 from usdrigui.pose.evaluate import evaluate, prepare
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
-from usdrigui.usd.rig import read_rigs
 from usdrigui.view.web.packing import pack
 
 TOLERANCE = 6e-5

@@ -9,11 +9,11 @@ import numpy as np
 from browser_pages import Viewer
 from skel_stages import character
 
-from usdrigui.deform import deform
-from usdrigui.model import Glyph
+from usdrigui.character import Glyph
+from usdrigui.character.deform import deform
 from usdrigui.pose.evaluate import evaluate, prepare
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
-from usdrigui.usd.rig import read_rigs
 from usdrigui.view.web.page import page_html
 
 FLAG = np.array([[0.0, 1, 0], [-0.6, 0, 0.3], [0.8, -0.6, 0]])

@@ -24,8 +24,8 @@ from random_characters import composed, off, random_character
 from viewer_layouts import MIRRORS, peak_layout
 
 from usdrigui.errors import RigUIError
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
-from usdrigui.usd.rig import read_rigs
 from usdrigui.view.web.live import LiveFile
 from usdrigui.view.web.packing import pack
 from usdrigui.view.web.page import page_html

@@ -11,8 +11,8 @@ from browser_pages import Viewer
 from makers import changed
 
 from usdrigui import pipeline
+from usdrigui.character.deform import deform
 from usdrigui.cli import main
-from usdrigui.deform import deform
 from usdrigui.settings import Settings
 
 REPOSITORY = Path(__file__).resolve().parents[2]

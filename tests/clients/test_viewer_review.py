@@ -11,7 +11,7 @@ from browser_pages import Viewer
 from pxr import Gf, Usd, UsdGeom
 from viewer_layouts import peak_layout
 
-from usdrigui.model import Clip
+from usdrigui.character import Clip
 from usdrigui.view.web.page import page_html, read_review
 
 ARROW = [[0.0, 0.0], [60.0, -10.0], [45.0, 12.0]]

@@ -12,8 +12,8 @@ from browser_pages import Viewer
 from pxr import Usd
 from viewer_layouts import peak_layout
 
-from usdrigui.deform import deform
-from usdrigui.model import Clip
+from usdrigui.character import Clip
+from usdrigui.character.deform import deform
 from usdrigui.view.web.page import page_html
 
 FAN = ("mouth", "fan", ("chin", "jawLeft", "jawRight"), ())

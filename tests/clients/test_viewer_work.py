@@ -10,10 +10,10 @@ from browser_pages import Viewer
 from skel_stages import character
 from viewer_layouts import peak_layout
 
-from usdrigui.deform import deform
-from usdrigui.model import Clip
+from usdrigui.character import Clip
+from usdrigui.character.deform import deform
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
-from usdrigui.usd.rig import read_rigs
 from usdrigui.view.web.page import page_html
 
 

@@ -8,10 +8,10 @@ import pytest
 import skinned_stages
 from pxr import Sdf, UsdGeom
 
-from usdrigui.deform import deform
+from usdrigui.character.deform import deform
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, Settings, load
 from usdrigui.usd.layer import layer_for, stage_metadata
-from usdrigui.usd.rig import read_rigs
 
 pytestmark = pytest.mark.usefixtures("every_point_drawn")
 CLOSE = 1e-5

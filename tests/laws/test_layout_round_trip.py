@@ -14,7 +14,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from pxr import Sdf
 
-from usdrigui.model import LayoutPart, LeftOff
+from usdrigui.character import LeftOff
+from usdrigui.model import LayoutPart
 from usdrigui.settings import OutputSettings
 from usdrigui.usd.layer import layer_bytes, layer_for
 from usdrigui.usd.read_layout import read_layout

@@ -11,9 +11,9 @@ import skinned_stages
 from pxr import Sdf
 
 from usdrigui.pose.evaluate import evaluate, prepare
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, Settings
 from usdrigui.usd.layer import layer_for, stage_metadata
-from usdrigui.usd.rig import read_rigs
 
 pytestmark = pytest.mark.usefixtures("every_point_drawn")
 KINDS = {

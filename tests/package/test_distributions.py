@@ -89,7 +89,7 @@ def test_the_schema_distribution_needs_nothing_and_serves_beside_the_package(tmp
         "from pxr import Usd\n"
         "assert Usd.SchemaRegistry().FindAppliedAPIPrimDefinition('RigUIElementAPI')\n"
     )
-    beside = alone.replace("from pxr", "from usdrigui.usd import schema\nschema.register()\nfrom pxr")
+    beside = alone.replace("from pxr", "from usdrigui.stages import schema\nschema.register()\nfrom pxr")
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(tmp_path), *sys.path])}
     for script in (alone, beside):
         done = subprocess.run(

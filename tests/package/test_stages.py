@@ -93,7 +93,7 @@ def test_tests_of_the_layout_stand_in_the_folders_of_its_packages():
     assert [str(folder) for folder in folders if not (packages / folder / "__init__.py").is_file()] == []
 
 
-PAIRS = ("model", None), ("cli", "pipeline"), ("usd", "pipeline")
+PAIRS = ("model", None), ("cli", "pipeline"), ("stages", "pipeline"), ("character", "reading")
 """Where two modules of one name are about one thing: its record and what makes it, a command and its steps."""
 
 

@@ -17,9 +17,9 @@ from real_rigs import (
     with_whole_head_shapes,
 )
 
+from usdrigui.character.surface import mesh_triangles
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
-from usdrigui.surface import mesh_triangles
-from usdrigui.usd.rig import read_rigs
 
 WHOLE = {"headUp", "headSize", "headWide", "headFuller", "hideEarrings"}
 FRONTS = {

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from usdskel_oracle import Oracle
 
-from usdrigui.deform import channel_state, deform, knots, posed, sweep
+from usdrigui.character.deform import channel_state, deform, knots, posed, sweep
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings, load
-from usdrigui.usd.rig import read_rigs
 
 ASSETS = Path(__file__).resolve().parents[2].parent / "shared" / "assets"
 RIGS = sorted(ASSETS.glob("*.usd*"))

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from usdskel_oracle import Oracle
 
-from usdrigui.deform import channel_state
+from usdrigui.character.deform import channel_state
 from usdrigui.pose.evaluate import evaluate, prepare
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
-from usdrigui.usd.rig import read_rigs
 
 ASSETS = Path(__file__).resolve().parents[3] / "shared" / "assets"
 RIGS = sorted(path for path in ASSETS.glob("*") if path.suffix in (".usda", ".usdc"))

@@ -13,10 +13,10 @@ from hypothesis import strategies as st
 from pxr import Gf, Sdf
 from test_values_of_any_type import CASES, SETTINGS, STOCK, check, end_of
 
-from usdrigui.deform import deform
+from usdrigui.character.deform import deform
 from usdrigui.errors import RigUIError
+from usdrigui.reading.character import read_characters, read_rigs
 from usdrigui.settings import Settings
-from usdrigui.usd.rig import read_characters, read_rigs
 
 BAD = (float("nan"), float("inf"), float("-inf"))
 

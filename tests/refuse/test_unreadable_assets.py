@@ -10,8 +10,8 @@ from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel, Vt
 from skel_stages import SIDE, add_mesh, add_shape, add_skeleton, add_skin, character, head, matrix, new_stage
 
 from usdrigui.errors import Exit, RigUIError
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings, load
-from usdrigui.usd.rig import read_rigs
 
 
 def refused(path, config=None):

@@ -21,9 +21,10 @@ from skel_stages import SIDE, add_animation, add_mesh, add_shape, add_skeleton, 
 from usdrigui.cli import main
 from usdrigui.errors import RigUIError, catalogue
 from usdrigui.isolation import record_stream
+from usdrigui.reading.clips import read_performances
 from usdrigui.settings import Settings, load
-from usdrigui.usd import author, faults, reader_main, schema
-from usdrigui.usd.clips import read_performances
+from usdrigui.stages import schema
+from usdrigui.usd import author, faults, reader_main
 from usdrigui.usd.reader_records import Limits, Request, Response
 
 SETTINGS = load(

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from usdrigui.errors import RigUIError
-from usdrigui.usd.arrays import check_finite, check_range
+from usdrigui.stages.arrays import check_finite, check_range
 
 
 def test_one_number_that_is_not_finite_is_told_by_its_place():

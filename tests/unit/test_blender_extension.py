@@ -22,10 +22,10 @@ from usdrigui.clients import blender_extension
 from usdrigui.errors import RigUIError
 from usdrigui.model import LayoutPart
 from usdrigui.pose.evaluate import elements_at, prepare
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, Settings
 from usdrigui.usd.layer import stage_metadata, write_layout
 from usdrigui.usd.read_layout import read_layout
-from usdrigui.usd.rig import read_rigs
 
 ROOMS = ("layout", "reading", "screen", "tracking", "joints")
 VECTORS = drag_vectors.vectors()
@@ -85,7 +85,7 @@ def test_it_brings_nothing_of_ours_and_says_one_version():
 
 
 @pytest.mark.parametrize(
-    "name", ["pose/drag.py", "pose/handle_track.py", "palette.py", "rotation.py", "model/visible.py"]
+    "name", ["pose/drag.py", "pose/handle_track.py", "palette.py", "character/rotation.py", "model/visible.py"]
 )
 def test_the_rules_it_shares_are_our_own_files(name):
     shared = blender_extension.extension_files()[f"maths/{Path(name).name}"]

@@ -7,8 +7,8 @@ import pytest
 import skel_stages
 from pxr import Usd, UsdSkel
 
-from usdrigui.usd import clips
-from usdrigui.usd.clips import read_performances
+from usdrigui.reading import clips
+from usdrigui.reading.clips import read_performances
 
 
 @pytest.mark.parametrize(

@@ -11,10 +11,10 @@ from makers import changed
 from PIL import Image
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdShade, Vt
 
-from usdrigui.model import Topology
+from usdrigui.character import Topology
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
-from usdrigui.usd.colours import point_colours
-from usdrigui.usd.rig import read_rigs
+from usdrigui.stages.colours import point_colours
 from usdrigui.view.body import complexion, shading
 
 SAMPLE = Path(__file__).resolve().parents[2] / "sample_assets" / "char.usda"

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from pxr import Sdf, Usd
 
-from usdrigui.model import Channel
+from usdrigui.character import Channel
 from usdrigui.usd import control_api
 from usdrigui.usd.control_api import _driven_joints, _driven_weights, _is_plain, _weight_ranges
 

@@ -1,4 +1,4 @@
-"""`usdrigui.deform` gives UsdSkel's points on a stage that has everything."""
+"""`usdrigui.character.deform` gives UsdSkel's points on a stage that has everything."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ import pytest
 from skel_stages import character
 from usdskel_oracle import baked
 
-from usdrigui.deform import channel_state, deform, knots, posed, sweep
+from usdrigui.character.deform import channel_state, deform, knots, posed, sweep
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
-from usdrigui.usd.rig import read_rigs
 
 CONFIG = {
     "poses": {

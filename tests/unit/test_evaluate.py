@@ -9,7 +9,7 @@ import makers
 import numpy as np
 import pytest
 
-from usdrigui.deform import deform
+from usdrigui.character.deform import deform
 from usdrigui.errors import RigUIError
 from usdrigui.pose.evaluate import checked_values, evaluate, prepare, values_of
 from usdrigui.pose.subset import subset

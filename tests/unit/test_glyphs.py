@@ -16,18 +16,18 @@ import skinned_stages
 from pxr import Sdf, Usd, UsdGeom
 from scipy.interpolate import BSpline
 
-from usdrigui.deform import deform
+from usdrigui.character import Glyph
+from usdrigui.character.deform import deform
 from usdrigui.errors import Exit, RigUIError
 from usdrigui.layout import glyph_fitting as fitting
-from usdrigui.model import Glyph
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare
+from usdrigui.reading import glyph as glyphs
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, load
-from usdrigui.usd import glyphs
 from usdrigui.usd.layer import layer_for, stage_metadata
 from usdrigui.usd.read_layout import read_layout
 from usdrigui.usd.reader_process import read_layouts_isolated, read_rigs_isolated
 from usdrigui.usd.reader_records import Opening
-from usdrigui.usd.rig import read_rigs
 from usdrigui.view.body import shading
 from usdrigui.view.flat import marks
 from usdrigui.view.flat.pillow import painted

@@ -8,12 +8,12 @@ import limbs
 import numpy as np
 import pytest
 
-from usdrigui.deform import posed
-from usdrigui.joint_tree import Tree
-from usdrigui.rotation import rotation_part, rotations
-from usdrigui.usd import joint_defaults
-from usdrigui.usd.controls import default_joint_drafts
-from usdrigui.usd.joint_defaults import default_turns, posed_locals
+from usdrigui.character.deform import posed
+from usdrigui.character.joint_tree import Tree
+from usdrigui.character.rotation import rotation_part, rotations
+from usdrigui.reading import joint as joint_defaults
+from usdrigui.reading.control import default_joint_drafts
+from usdrigui.reading.joint import default_turns, posed_locals
 
 HAND = limbs.hand_rig()
 

@@ -7,10 +7,10 @@ import pytest
 from pxr import UsdGeom
 from skel_stages import SIDE, add_mesh, add_shape, add_skeleton, add_skin, matrix, new_stage
 
-from usdrigui import surface
-from usdrigui.deform import deform
+from usdrigui.character import surface
+from usdrigui.character.deform import deform
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
-from usdrigui.usd.rig import read_rigs
 
 MIRROR, BOTH = matrix(scale=(-1, 1, 1)), matrix(scale=(-1, -1, 1))
 

@@ -14,10 +14,10 @@ import pytest
 from PIL import Image
 
 from usdrigui import palette
+from usdrigui.character.rays import GridCaster
 from usdrigui.errors import RigUIError
 from usdrigui.pipeline.joining import joined
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare, values_of
-from usdrigui.rays import GridCaster
 from usdrigui.view import picture, sheet
 from usdrigui.view.body import shading
 from usdrigui.view.flat import framing, lettering, marks, names

@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 from skel_stages import character
 
-from usdrigui.deform import deform
+from usdrigui.character.deform import deform
 from usdrigui.pose.subset import subset
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
-from usdrigui.usd.rig import read_rigs
 
 
 @pytest.fixture(scope="module")

@@ -7,7 +7,15 @@ import importlib.util
 import numpy as np
 import pytest
 
-from usdrigui.rays import Caster, EmbreeCaster, GridCaster, blocked, hidden_share, make_caster, visible_from
+from usdrigui.character.rays import (
+    Caster,
+    EmbreeCaster,
+    GridCaster,
+    blocked,
+    hidden_share,
+    make_caster,
+    visible_from,
+)
 
 HAS_EMBREE = importlib.util.find_spec("embreex") is not None
 NEEDS_EMBREE = pytest.mark.skipif(not HAS_EMBREE, reason="embreex not installed")
@@ -104,7 +112,7 @@ def test_visibility_does_not_depend_on_scale_or_place(method: type[Caster], scal
 def test_the_fall_back_is_exact_in_small_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
     soup, starts, toward = sphere(), random_directions(300) * 2, np.array([0.1, 0.7, 0.2])
     whole = GridCaster(soup).first_hits(starts, toward)
-    monkeypatch.setattr("usdrigui.rays._PAIRS", 50)
+    monkeypatch.setattr("usdrigui.character.rays._PAIRS", 50)
     pieces = GridCaster(soup).first_hits(starts, toward)
     assert (whole.triangle == pieces.triangle).all()
     assert (whole.distance == pieces.distance).all()
@@ -133,5 +141,5 @@ def test_a_direction_has_a_length() -> None:
 
 
 def test_numpy_casts_where_embree_is_not_installed(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("usdrigui.rays.find_spec", lambda _: None)
+    monkeypatch.setattr("usdrigui.character.rays.find_spec", lambda _: None)
     assert isinstance(make_caster(sphere()), GridCaster)

@@ -22,11 +22,11 @@ from skel_stages import character, head
 from usdrigui.errors import Exit, RigUIError
 from usdrigui.isolation import record_stream
 from usdrigui.isolation.foreign_file import check_unchanged
+from usdrigui.reading.character import read_characters, read_rigs
 from usdrigui.settings import Settings, load
 from usdrigui.usd import reader_main
 from usdrigui.usd.reader_process import read_layouts_isolated, read_rigs_isolated
 from usdrigui.usd.reader_records import Limits, Opening, Request
-from usdrigui.usd.rig import read_characters, read_rigs
 
 HANG = '#usda 1.0\n(\n    subLayers = [@./pipe.usda@]\n)\ndef SkelRoot "A" {}\n'
 """Over a pipe that nobody writes to, this keeps USD waiting for ever."""
@@ -391,7 +391,7 @@ def test_a_mistake_of_ours_is_called_one(tmp_path, monkeypatch):
     def broken(*_):
         raise IndexError("of ours")
 
-    monkeypatch.setattr("usdrigui.usd.rig.read_characters", broken)
+    monkeypatch.setattr("usdrigui.reading.character.read_characters", broken)
     request = Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits())
     found = reader_main.answer(request)
     assert found.refusal is not None
@@ -410,7 +410,7 @@ def test_what_usd_raises_blames_the_asset(error, code, tmp_path, monkeypatch):
     def broken(*_):
         raise error
 
-    monkeypatch.setattr("usdrigui.usd.rig.read_characters", broken)
+    monkeypatch.setattr("usdrigui.reading.character.read_characters", broken)
     request = Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits())
     assert reader_main.answer(request).refusal.code == code
 
@@ -518,7 +518,7 @@ def test_a_sublayer_that_changes_around_its_reading_is_noticed(layered, when, mo
             meddle()
         return rigs
 
-    monkeypatch.setattr("usdrigui.usd.rig.read_characters", read)
+    monkeypatch.setattr("usdrigui.reading.character.read_characters", read)
     request = Request("rigs", str(layered), Settings(), Limits())
     found = reader_main.answer(request)
     assert found.refusal is not None
@@ -532,7 +532,7 @@ def test_an_asset_of_one_file_is_parsed_once(tmp_path, monkeypatch):
         assert Sdf.Layer.Find(str(path)) is not None
         return read_characters(path, settings)
 
-    monkeypatch.setattr("usdrigui.usd.rig.read_characters", read)
+    monkeypatch.setattr("usdrigui.reading.character.read_characters", read)
     assert reader_main.answer(Request("rigs", str(path), Settings(), Limits())).rigs is not None
 
 

@@ -23,16 +23,18 @@ from skel_stages import (
     posed,
 )
 
-from usdrigui.deform import channel_state, deform
+from usdrigui.character.deform import channel_state, deform
+from usdrigui.character.rotation import rotations
 from usdrigui.errors import RigUIError
-from usdrigui.rotation import rotations
+from usdrigui.reading import control as drafts
+from usdrigui.reading import pose as poses
+from usdrigui.reading import range as ranges
+from usdrigui.reading import refusal as refusals
+from usdrigui.reading.character import read_rigs
+from usdrigui.reading.clips import State
+from usdrigui.reading.control import joint_settings
 from usdrigui.settings import JointSettings, Settings, load
-from usdrigui.usd import controls as drafts
-from usdrigui.usd import poses, ranges, refusals
-from usdrigui.usd.clips import State
-from usdrigui.usd.controls import joint_settings
 from usdrigui.usd.existing_layouts import without_layout
-from usdrigui.usd.rig import read_rigs
 
 
 def read(path, config=None):

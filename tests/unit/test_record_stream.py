@@ -15,9 +15,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from usdrigui.character import Floats, Indices, Record, Rig
 from usdrigui.errors import Issue
 from usdrigui.isolation.record_stream import RecordStreamError, decode, encode
-from usdrigui.model import Floats, Indices, Record, Rig
 from usdrigui.settings import Settings, load
 
 
@@ -154,7 +154,7 @@ class Opaque(typing.Generic[typing.TypeVar("T")]):
     pass
 numpy.typing.NDArray = Opaque
 import makers
-from usdrigui.model import Rig
+from usdrigui.character import Rig
 from usdrigui.isolation.record_stream import decode, encode
 rig = makers.face()
 points = decode(b"".join(encode(rig)), Rig).body.meshes[0].points

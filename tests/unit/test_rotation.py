@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from pxr import Gf
 
-from usdrigui.rotation import (
+from usdrigui.character.rotation import (
     quaternion_matrices,
     quaternion_product,
     quaternions,

@@ -15,7 +15,8 @@ import numpy as np
 import pytest
 from pxr import Sdf, Usd
 
-from usdrigui.usd import author, schema
+from usdrigui.stages import schema
+from usdrigui.usd import author
 
 SOURCE = Path(__file__).resolve().parents[2] / "schemas"
 
@@ -30,7 +31,7 @@ def run(code: str, **environment: str) -> str:
 
 
 def test_the_path_is_found_without_loading_usd():
-    code = "import sys; from usdrigui.usd.schema import schema_path; print(schema_path(), 'pxr' in sys.modules)"
+    code = "import sys; from usdrigui.stages.schema import schema_path; print(schema_path(), 'pxr' in sys.modules)"
     path, loaded = run(code).rsplit(" ", 1)
     assert {"plugInfo.json", "generatedSchema.usda"} <= {each.name for each in Path(path).iterdir()}
     assert loaded == "False"
@@ -86,7 +87,7 @@ def test_every_bound_of_a_number_is_a_limit_of_its_type():
 
 def test_registration_in_time_brings_fallbacks():
     code = """
-from usdrigui.usd import schema
+from usdrigui.stages import schema
 schema.register()
 schema.register()
 from pxr import Usd
@@ -106,7 +107,7 @@ def test_registration_too_late_refuses(early):
 from pxr import Usd
 keep = {early}
 from usdrigui.errors import RigUIError
-from usdrigui.usd import schema
+from usdrigui.stages import schema
 try:
     schema.register()
 except RigUIError as error:
@@ -119,7 +120,7 @@ def test_the_environment_variable_registers_too():
     code = """
 from pxr import Usd
 stage = Usd.Stage.CreateInMemory()
-from usdrigui.usd import schema
+from usdrigui.stages import schema
 schema.register()
 print(Usd.SchemaRegistry().FindAppliedAPIPrimDefinition("RigUIDrawingAPI") is not None)
 """

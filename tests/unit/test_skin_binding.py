@@ -8,13 +8,11 @@ import makers
 import numpy as np
 import pytest
 
+from usdrigui.character import Control, Drive, Joint, Skeleton, Skin
 from usdrigui.errors import RigUIError
 from usdrigui.model import (
     Anchor,
-    Control,
-    Drive,
     Element,
-    Joint,
     Layout,
     LayoutCharacter,
     LayoutFrame,
@@ -24,8 +22,6 @@ from usdrigui.model import (
     MirrorPlane,
     Placement,
     Proof,
-    Skeleton,
-    Skin,
 )
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.usd import skin_binding

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 from pxr import Gf, UsdSkel, Vt
 
-from usdrigui.deform import deform
-from usdrigui.model import (
+from usdrigui.character import (
     Body,
     Configured,
     Findings,
@@ -21,6 +20,7 @@ from usdrigui.model import (
     Skin,
     Topology,
 )
+from usdrigui.character.deform import deform
 
 COUNT, JOINTS, WIDTH = 60, 4, 3
 

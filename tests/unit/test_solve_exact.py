@@ -19,8 +19,16 @@ from enumeration import best_of_all
 from layout_problems import crowd, random_problem
 from scipy.sparse import csr_array
 
+from usdrigui.character import Floats, Indices
 from usdrigui.errors import RigUIError
-from usdrigui.model import GAP_FLOOR, Assignment, ExtraPairs, Floats, Indices, LayoutProblem, MeanOverlap, Variable
+from usdrigui.model import (
+    GAP_FLOOR,
+    Assignment,
+    ExtraPairs,
+    LayoutProblem,
+    MeanOverlap,
+    Variable,
+)
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import Progress, exact, local_search, milp, partition, reduce, solve, triplets

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
 
+from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings, load
-from usdrigui.usd.rig import read_rigs
 
 
 @pytest.fixture

@@ -1,10 +1,10 @@
-"""usdrigui.surface: triangulation, normals, welding and distances on meshes small enough to reason about."""
+"""usdrigui.character.surface: triangulation, normals, welding and distances on meshes small enough to reason about."""
 
 import makers
 import numpy as np
 import pytest
 
-from usdrigui import surface
+from usdrigui.character import surface
 
 SQUARE = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
 """Seen from +z, counter-clockwise."""

@@ -31,7 +31,7 @@ def sample(arguments: argparse.Namespace) -> Exit:
 
 def schema_path(_: argparse.Namespace) -> Exit:
     """Print where the schema lies."""
-    from usdrigui.usd.schema import schema_path
+    from usdrigui.stages.schema import schema_path
 
     print(schema_path())
     return Exit.OK

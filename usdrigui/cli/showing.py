@@ -16,7 +16,8 @@ from usdrigui.isolation import worker
 
 if TYPE_CHECKING:
     from usdrigui import pipeline
-    from usdrigui.model import Layout, Rig
+    from usdrigui.character import Rig
+    from usdrigui.model import Layout
     from usdrigui.view.web.live import LiveFile
 
 

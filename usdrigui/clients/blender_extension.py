@@ -17,7 +17,13 @@ from usdrigui.pipeline import write_file
 
 NAME = "usdrigui_controls"
 """Folder in the archive, and the extension's id."""
-_SHARED = ("pose/drag.py", "pose/handle_track.py", "palette.py", "rotation.py", "model/visible.py")
+_SHARED = (
+    "pose/drag.py",
+    "pose/handle_track.py",
+    "palette.py",
+    "character/rotation.py",
+    "model/visible.py",
+)
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 
 

@@ -14,7 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from usdrigui.model import Element, Floats, Layout, Rig
+from usdrigui.character import Floats, Rig
+from usdrigui.model import Element, Layout
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.view.body.complexion import complexion
 from usdrigui.view.body.shading import Camera, Subject, look, subject_of

@@ -25,7 +25,7 @@ from typing import Any, Literal, TypeVar
 
 import numpy as np
 
-from usdrigui.model.record import ARRAY_TYPES
+from usdrigui.character.record import ARRAY_TYPES
 
 MAGIC = b"RIGUIREC"
 _PREAMBLE = struct.Struct("<8sQQI4x")

@@ -15,19 +15,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from usdrigui.character import Flags, Floats, Record
 from usdrigui.conventions import Meaning
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.layout.visibility import Views
-from usdrigui.model import (
-    BaseSurface,
-    Flags,
-    Floats,
-    MirrorPlane,
-    Motion,
-    Record,
-    Symmetry,
-    Trajectories,
-)
+from usdrigui.model import BaseSurface, MirrorPlane, Motion, Symmetry, Trajectories
 
 _LEAST = 4
 """Different places that it takes to lay the canonical face over a character."""

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
-from usdrigui.model import Rig
+from usdrigui.character import Rig
 from usdrigui.settings import ControlSettings
 
 Named = Mapping[str, Sequence[str]]

@@ -6,10 +6,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
+from usdrigui.character import Flags, Floats, Rig
 from usdrigui.conventions import Meaning
 from usdrigui.layout.canonical_face import Expectation
 from usdrigui.layout.visibility import Views, clear_handles
-from usdrigui.model import Flags, Floats, Rig, Symmetry, Trajectories
+from usdrigui.model import Symmetry, Trajectories
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,9 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from usdrigui.character import Floats, Glyph, Indices
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.tracks import lengths
-from usdrigui.model import Anchor, Floats, Glyph, Indices, Member
+from usdrigui.model import Anchor, Member
 from usdrigui.settings import ControlSettings
 from usdrigui.ties import axis_across
 

@@ -6,20 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from usdrigui.character import Flags, Floats, Record, Rig
+from usdrigui.character.rays import Caster, blocked, hidden_share, make_caster, visible_from
+from usdrigui.character.surface import mesh_triangles
 from usdrigui.layout.symmetry.front import front_of, three_quarter
 from usdrigui.layout.symmetry.mirror_plane import projected
-from usdrigui.model import (
-    BaseSurface,
-    Flags,
-    Floats,
-    MirrorPlane,
-    Record,
-    Rig,
-    Trajectories,
-)
-from usdrigui.rays import Caster, blocked, hidden_share, make_caster, visible_from
+from usdrigui.model import BaseSurface, MirrorPlane, Trajectories
 from usdrigui.settings import view_angles
-from usdrigui.surface import mesh_triangles
 from usdrigui.ties import axis_across
 
 _ACROSS = 0.1

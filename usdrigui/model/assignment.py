@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from usdrigui.model.record import Indices, Record
+from usdrigui.character.record import Indices, Record
 
 Status = Literal["optimal", "stopped"]
 

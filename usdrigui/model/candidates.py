@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from usdrigui.model.record import Floats, Indices, Record
-from usdrigui.model.rig import LeftOff
+from usdrigui.character.record import Floats, Indices, Record
+from usdrigui.character.rig import LeftOff
 
 ElementKind = Literal["slider", "patch", "fan"]
 Category = Literal[

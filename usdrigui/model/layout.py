@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from usdrigui.character.record import Floats, Indices, Record
+from usdrigui.character.rig import Glyph, LeftOff
 from usdrigui.errors import Issue, issue
 from usdrigui.model.assignment import Status
 from usdrigui.model.candidates import ElementKind, axes_of
 from usdrigui.model.motion import MirrorPlane
-from usdrigui.model.record import Floats, Indices, Record
-from usdrigui.model.rig import Glyph, LeftOff
 
 Side = Literal["left", "right", "middle", "none"]
 Decision = Literal["anchor", "place", "grouping"]

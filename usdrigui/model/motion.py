@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.model.record import Flags, Floats, Indices, Record, Singles
-from usdrigui.model.rig import Findings
+from usdrigui.character.record import Flags, Floats, Indices, Record, Singles
+from usdrigui.character.rig import Findings
 
 _STANDS = 0.75
 """A control of a joint is where the joint owns this share of the most that it owns anywhere."""

@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from usdrigui.model.record import Flags, Floats, Indices, Record
+from usdrigui.character.record import Flags, Floats, Indices, Record
 
 
 @dataclass(frozen=True, eq=False)

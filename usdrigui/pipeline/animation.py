@@ -11,6 +11,7 @@ import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
+from usdrigui.character import Control, Indices, Performance, Rig
 from usdrigui.errors import Issue
 from usdrigui.layout.group.grouping import share_a_place
 from usdrigui.layout.measured import Measured
@@ -21,7 +22,7 @@ from usdrigui.layout.motion.activity import (
     together,
     with_importances,
 )
-from usdrigui.model import Candidates, Control, Indices, Performance, Rig
+from usdrigui.model import Candidates
 from usdrigui.report.inspection import AnimationFacts, TogetherFacts, UseFacts
 from usdrigui.settings import ControlSettings
 from usdrigui.usd.reader_process import read_performances_isolated

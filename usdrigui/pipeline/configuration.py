@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from usdrigui.character import Control, Floats, Rig
 from usdrigui.errors import Faults, RigUIError, meant, refuse
 from usdrigui.layout.control_overrides import control_index, control_overrides
 from usdrigui.layout.group.grouping import check_groups
@@ -15,7 +16,7 @@ from usdrigui.layout.place.locality import check_near
 from usdrigui.layout.reuse.partial_layout import anchored_point
 from usdrigui.layout.symmetry.orbits import check_orbits
 from usdrigui.layout.symmetry.twins import configured_twins
-from usdrigui.model import Control, Floats, Layout, Rig
+from usdrigui.model import Layout
 from usdrigui.pipeline.references import check_like
 from usdrigui.settings import Settings
 from usdrigui.settings.loading import UnsoundSettingsError

@@ -6,10 +6,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from usdrigui.character import Control
 from usdrigui.errors import Issue, of_character
 from usdrigui.layout.group.grouping import suggested_groups
 from usdrigui.layout.reuse.identity import names_draft
-from usdrigui.model import CandidateSet, Control, Motion
+from usdrigui.model import CandidateSet, Motion
 from usdrigui.pipeline import animation
 from usdrigui.pipeline.configuration import refuse_unsound
 from usdrigui.pipeline.joining import issues_of

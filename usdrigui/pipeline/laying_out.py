@@ -14,12 +14,13 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from usdrigui.character import Rig
 from usdrigui.errors import Issue, explained, issue, of_character, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_unchanged
 from usdrigui.layout.reuse import existing_layout
 from usdrigui.layout.review.difference import Difference, cost_savings, difference
 from usdrigui.layout.review.shortfalls import shortfalls
-from usdrigui.model import Element, Layout, Rig
+from usdrigui.model import Element, Layout
 from usdrigui.pipeline import variants
 from usdrigui.pipeline.configuration import refuse_unsound
 from usdrigui.pipeline.joining import issues_of, joined, joined_assignment
@@ -41,10 +42,10 @@ from usdrigui.report.run_report import CharacterReport, Outcome, PartRow, Report
 from usdrigui.settings import Settings
 from usdrigui.settings import document as settings_document
 from usdrigui.settings.parts import OutputSettings
+from usdrigui.stages.schema import SCOPE
+from usdrigui.stages.variant_paths import asset_selections, with_sets
 from usdrigui.usd.reader_process import read_rigs_isolated, read_variants_isolated
 from usdrigui.usd.reader_records import Opening, ReadResult
-from usdrigui.usd.schema import SCOPE
-from usdrigui.usd.variant_paths import asset_selections, with_sets
 
 if TYPE_CHECKING:
     from pxr import Sdf, Usd

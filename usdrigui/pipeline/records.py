@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from usdrigui.character import Floats, LeftOff, Rig
 from usdrigui.errors import Issue, of_character
 from usdrigui.layout.face import Face
 from usdrigui.layout.measured import Measured
@@ -12,16 +13,7 @@ from usdrigui.layout.place.problem import PlacementProblem
 from usdrigui.layout.reuse.identity import matching_issues
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.visibility import Viewpoint
-from usdrigui.model import (
-    Assignment,
-    Candidates,
-    Floats,
-    Layout,
-    LeftOff,
-    Rig,
-    Symmetry,
-    Trajectories,
-)
+from usdrigui.model import Assignment, Candidates, Layout, Symmetry, Trajectories
 from usdrigui.pipeline.references import OwnReferences, ReferenceLayouts
 from usdrigui.settings import Settings
 

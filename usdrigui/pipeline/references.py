@@ -10,13 +10,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from usdrigui.character import Performance, Rig
 from usdrigui.errors import Faults, issue, meant, of_character, refuse
 from usdrigui.isolation.foreign_file import SourceFile
 from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
 from usdrigui.layout.reuse.existing_layout import layout_of
 from usdrigui.layout.reuse.identity import Matching, match_layout
 from usdrigui.layout.reuse.pinned import Pins
-from usdrigui.model import Layout, Performance, Rig, Trajectories
+from usdrigui.model import Layout, Trajectories
 from usdrigui.pipeline.animation import performances
 from usdrigui.settings import Settings, TrajectorySettings
 from usdrigui.usd.reader_process import read_composed_isolated, read_layouts_isolated

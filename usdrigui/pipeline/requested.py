@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from usdrigui.deform import posed
+from usdrigui.character import Rig
+from usdrigui.character.deform import posed
 from usdrigui.errors import refuse
 from usdrigui.layout.control_overrides import control_overrides, with_anchors_of_groups
 from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
@@ -24,7 +25,7 @@ from usdrigui.layout.reuse.prior_layout import (
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.reuse.retargeting import of_another
-from usdrigui.model import Layout, Rig, Trajectories
+from usdrigui.model import Layout, Trajectories
 from usdrigui.pipeline.animation import weighted
 from usdrigui.pipeline.records import CharacterPart
 from usdrigui.pipeline.references import OwnReferences, ReferenceLayouts, check_like, imitated

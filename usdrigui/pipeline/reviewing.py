@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from usdrigui.character import Floats, Rig
 from usdrigui.errors import NO_LAYOUT, Issue, RigUIError, issue, of_character, refuse
 from usdrigui.layout.review import difference as difference_stage
 from usdrigui.layout.review import review as review_stage
-from usdrigui.model import Element, Floats, Layout, Rig
+from usdrigui.model import Element, Layout
 from usdrigui.pipeline import variants
 from usdrigui.pipeline.configuration import refuse_unsound
 from usdrigui.pipeline.progress import Clock, ProgressCallback

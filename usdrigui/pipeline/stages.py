@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from usdrigui.character import Rig
+from usdrigui.character.deform import posed
 from usdrigui.conventions import meanings
-from usdrigui.deform import posed
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.layout.canonical_face import expectations
 from usdrigui.layout.classify.classification import classify
@@ -33,7 +34,7 @@ from usdrigui.layout.reuse.existing_layout import drawn_width, of_new_controls
 from usdrigui.layout.review.review import refuse_stale
 from usdrigui.layout.symmetry.base_pose import symmetry_at_pose, symmetry_of_part
 from usdrigui.layout.visibility import Viewpoint, find_views
-from usdrigui.model import Assignment, Element, Layout, Rig, Symmetry, Trajectories
+from usdrigui.model import Assignment, Element, Layout, Symmetry, Trajectories
 from usdrigui.pipeline.configuration import base_values_of, camera_of
 from usdrigui.pipeline.progress import Clock
 from usdrigui.pipeline.records import Character, CharacterPart, ProblemInputs, Task

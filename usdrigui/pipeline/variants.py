@@ -10,7 +10,7 @@ from typing import TypeVar
 from usdrigui.errors import NO_LAYOUT, Issue, RigUIError, issue
 from usdrigui.settings import Settings, with_sections
 from usdrigui.settings.parts import ReadSettings
-from usdrigui.usd.variant_paths import unknown_set
+from usdrigui.stages.variant_paths import unknown_set
 
 T = TypeVar("T")
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from usdrigui.character import Rig
 from usdrigui.errors import refuse
 from usdrigui.layout.reuse.existing_layout import root_in_base
-from usdrigui.model import Rig
 from usdrigui.pipeline.targets import make_folder
 from usdrigui.replacing.transaction import Transaction, same_file
 from usdrigui.report.run_report import CharacterReport, Outcome

@@ -15,20 +15,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from usdrigui.deform import Posed, channel_state, deform, posed, sweep
+from usdrigui.character import Body, Floats, Indices, Record, Rig, RigMesh, Singles
+from usdrigui.character.deform import Posed, channel_state, deform, posed, sweep
 from usdrigui.errors import meant, refuse
 from usdrigui.following import Following, following, shared
-from usdrigui.model import (
-    Body,
-    Element,
-    Floats,
-    Indices,
-    Layout,
-    Record,
-    Rig,
-    RigMesh,
-    Singles,
-)
+from usdrigui.model import Element, Layout
 from usdrigui.pose.handle_track import carried, facing, slid
 from usdrigui.pose.subset import subset
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from usdrigui.model import Control, Drive, Flags, Indices, Rig, RigMesh, Shape
+from usdrigui.character import Control, Drive, Flags, Indices, Rig, RigMesh, Shape
 
 
 def subset(rig: Rig, points: Indices) -> tuple[Rig, Indices]:

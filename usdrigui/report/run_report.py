@@ -12,8 +12,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+from usdrigui.character import Floats, LeftOff, Rig
 from usdrigui.errors import Issue
-from usdrigui.model import Assignment, Element, Floats, Layout, LeftOff, Rig
+from usdrigui.model import Assignment, Element, Layout
 from usdrigui.model.levels import outer_first
 from usdrigui.report.documents import document, plain
 from usdrigui.report.markup import markup

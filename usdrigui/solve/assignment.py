@@ -6,8 +6,9 @@ import itertools
 
 import numpy as np
 
+from usdrigui.character import Indices
 from usdrigui.errors import refuse
-from usdrigui.model import GAP_FLOOR, Assignment, Indices, LayoutProblem
+from usdrigui.model import GAP_FLOOR, Assignment, LayoutProblem
 from usdrigui.overlap import ROUNDING, pair_costs, total_cost
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import LabelSet

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from usdrigui.model import Flags, Floats, Indices
+from usdrigui.character import Flags, Floats, Indices
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.reduced_problem import LARGEST_TESTED, ReducedProblem, Solution, reduced
 

@@ -8,7 +8,8 @@ from typing import Literal
 import numpy as np
 from scipy.spatial.distance import cdist
 
-from usdrigui.model import Floats, LayoutProblem, Variable
+from usdrigui.character import Floats
+from usdrigui.model import LayoutProblem, Variable
 
 Linkage = Literal["single", "sum"]
 

@@ -14,7 +14,8 @@ from functools import cached_property
 
 import numpy as np
 
-from usdrigui.model import Flags, Floats, Indices, LayoutProblem, Record, Variable
+from usdrigui.character import Flags, Floats, Indices, Record
+from usdrigui.model import LayoutProblem, Variable
 from usdrigui.overlap import ROUNDING, Drawn, least_costs
 
 CHUNK = 32768

@@ -12,7 +12,8 @@ from collections.abc import Iterable
 import numpy as np
 from scipy.sparse import csr_array
 
-from usdrigui.model import Floats, Indices, LayoutProblem
+from usdrigui.character import Floats, Indices
+from usdrigui.model import LayoutProblem
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import LabelSet, meeting, pair_bounds
 from usdrigui.solve.pair_costs import pair_costs

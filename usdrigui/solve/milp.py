@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from usdrigui.model import Flags, Floats, Indices
+from usdrigui.character import Flags, Floats, Indices
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.reduced_problem import EPSILON, ReducedProblem, Solution
 

@@ -13,7 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.sparse import coo_array, csr_array
 
-from usdrigui.model import ExtraPairs, Flags, Floats, Indices, LayoutProblem, Record
+from usdrigui.character import Flags, Floats, Indices, Record
+from usdrigui.model import ExtraPairs, LayoutProblem
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import CHUNK, LabelSet, meeting, pair_bounds
 

@@ -12,7 +12,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from usdrigui.model import Assignment, Flags, Floats, Indices, LayoutProblem
+from usdrigui.character import Flags, Floats, Indices
+from usdrigui.model import Assignment, LayoutProblem
 from usdrigui.overlap import pair_costs
 from usdrigui.solve.assignment import assignment
 from usdrigui.solve.budget import Budget

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.model import Flags, Floats, Indices, Record
+from usdrigui.character import Flags, Floats, Indices, Record
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import SEVERAL, LabelSet, bounding
 from usdrigui.solve.pair_costs import NearPairs

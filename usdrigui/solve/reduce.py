@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from usdrigui.model import Floats, Indices, LayoutProblem
+from usdrigui.character import Floats, Indices
+from usdrigui.model import LayoutProblem
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import LabelSet
 from usdrigui.solve.local_search import KnownRows, LocalSearch

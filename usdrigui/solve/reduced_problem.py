@@ -18,7 +18,7 @@ import numpy as np
 from scipy.sparse import csr_array
 from scipy.spatial.distance import cdist
 
-from usdrigui.model import Flags, Floats, Indices, Singles
+from usdrigui.character import Flags, Floats, Indices, Singles
 
 EPSILON = 1e-11
 """A cost that is not above is none."""

@@ -15,8 +15,8 @@ from contextlib import suppress
 
 import numpy as np
 
+from usdrigui.character import Floats, Indices
 from usdrigui.errors import refuse
-from usdrigui.model import Floats, Indices
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.reduced_problem import ReducedProblem, Solution
 

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from usdrigui.model import Floats
+from usdrigui.character import Floats
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.reduced_problem import (
     DEAREST,

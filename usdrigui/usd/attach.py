@@ -19,12 +19,15 @@ from typing import Literal
 
 from pxr import Sdf
 
+from usdrigui.character import Rig
 from usdrigui.errors import Issue, RigUIError, issue, listed, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_source
-from usdrigui.model import Layout, Rig
+from usdrigui.model import Layout
 from usdrigui.replacing.exchange import Original, editing, replace_source
 from usdrigui.replacing.transaction import commit, same_file
 from usdrigui.settings import Settings, with_sections
+from usdrigui.stages.opening import open_layer
+from usdrigui.stages.variant_paths import asset_selections
 from usdrigui.usd import layer_text, payloads
 from usdrigui.usd.layer import layer_bytes, relative_asset_path
 from usdrigui.usd.reader_process import (
@@ -33,8 +36,6 @@ from usdrigui.usd.reader_process import (
     read_rigs_isolated,
 )
 from usdrigui.usd.reader_records import Opening
-from usdrigui.usd.stage import open_layer
-from usdrigui.usd.variant_paths import asset_selections
 
 Outcome = Literal["written", "unchanged"]
 

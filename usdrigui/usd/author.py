@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from pxr import Gf, Sdf, Vt
 
-from usdrigui.usd import schema
+from usdrigui.stages import schema
 
 _ARRAYS = {
     "float3[]": (Vt.Vec3fArray, np.float32),

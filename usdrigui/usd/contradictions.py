@@ -15,8 +15,9 @@ import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import Issue, RigUIError, issue
-from usdrigui.usd import schema
-from usdrigui.usd.arrays import tokens
+from usdrigui.reading.blend_shape import shape_tokens
+from usdrigui.stages import schema
+from usdrigui.stages.arrays import tokens
 from usdrigui.usd.properties import (
     applied,
     array_of,
@@ -31,7 +32,6 @@ from usdrigui.usd.read_layout import (
     layout_scopes,
     points_of_subset,
 )
-from usdrigui.usd.shapes import shape_tokens
 
 _FAMILY = "rigUI"
 _ASTRAY = 0.25

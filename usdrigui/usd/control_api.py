@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, Usd, Vt
 
-from usdrigui.model import Body, Control, Drive, Floats, Rig, Skeleton
-from usdrigui.usd import author, schema
-from usdrigui.usd.variants import within
+from usdrigui.character import Body, Control, Drive, Floats, Rig, Skeleton
+from usdrigui.stages import schema
+from usdrigui.stages.variants import within
+from usdrigui.usd import author
 
 _NOISE = 1e-6
 """Weights, rotations (radians), logarithms of scales, and translations relative to the longest

@@ -15,9 +15,11 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, UsdGeom, Vt
 
-from usdrigui.model import Body, Channel, Element, Floats, Indices, Joint, Record, Skeleton
+from usdrigui.character import Body, Channel, Floats, Indices, Joint, Record, Skeleton
+from usdrigui.model import Element
 from usdrigui.palette import linear
-from usdrigui.usd import author, schema
+from usdrigui.stages import schema
+from usdrigui.usd import author
 from usdrigui.usd.drawn import Drawn
 from usdrigui.usd.skin_binding import JointBinding, PointShape
 

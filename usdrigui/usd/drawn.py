@@ -15,7 +15,8 @@ from typing import Literal
 
 import numpy as np
 
-from usdrigui.model import Drive, Element, Floats, Indices, LayoutFrame, Member, Record
+from usdrigui.character import Drive, Floats, Indices, Record
+from usdrigui.model import Element, LayoutFrame, Member
 from usdrigui.ties import axis_across
 from usdrigui.usd.polyline import fewest_points
 from usdrigui.usd.skin_binding import AnchorBinding, JointBinding, PointShape, SkinBinding

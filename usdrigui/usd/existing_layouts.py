@@ -10,11 +10,11 @@ from pxr import Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import Issue, issue
 from usdrigui.model import ExistingPrim, ExistingSpan
-from usdrigui.usd import schema
+from usdrigui.reading.blend_shape import shape_tokens
+from usdrigui.reading.character import skel_roots
+from usdrigui.stages import schema
 from usdrigui.usd.properties import element_name, has
 from usdrigui.usd.read_layout import element_prims, layout_scopes, points_of_subset, switched_off
-from usdrigui.usd.rig import skel_roots
-from usdrigui.usd.shapes import shape_tokens
 
 
 def existing_prims(stage: Usd.Stage) -> tuple[ExistingPrim, ...]:

@@ -11,21 +11,21 @@ from typing import TYPE_CHECKING
 from pxr import Sdf, Usd
 
 from usdrigui.model import Layout
+from usdrigui.reading.character import read_characters
 from usdrigui.settings import Settings
+from usdrigui.stages.variants import select, variant_sets
 from usdrigui.usd.contradictions import contradictions
 from usdrigui.usd.existing_layouts import without_layout
 from usdrigui.usd.read_layout import composed_layouts, listed_controls, own_layouts, read_layout
 from usdrigui.usd.reader_main import cameras_toward
 from usdrigui.usd.reader_records import ReadResult
-from usdrigui.usd.rig import read_characters
-from usdrigui.usd.variants import select, variant_sets
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Mapping
 
 
 def read_open_rigs(source: Usd.Stage | Sdf.Layer, settings: Settings) -> ReadResult:
-    """What an open stage or layer holds; raises as `usdrigui.usd.rig.read_rigs`."""
+    """What an open stage or layer holds; raises as `usdrigui.reading.character.read_rigs`."""
     stage = _copy(source, settings.rig.read.variants)
     return _result(stage, settings, own_layouts(stage), None)
 

@@ -17,24 +17,14 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, Tf, UsdGeom
 
+from usdrigui.character import Body, Control, Floats, Rig, Skeleton
 from usdrigui.errors import refuse
-from usdrigui.model import (
-    Anchor,
-    Body,
-    Control,
-    Element,
-    Floats,
-    Layout,
-    LayoutFrame,
-    Look,
-    Member,
-    Rig,
-    Skeleton,
-)
+from usdrigui.model import Anchor, Element, Layout, LayoutFrame, Look, Member
 from usdrigui.model.levels import inner_names
 from usdrigui.replacing.transaction import State, commit, file_error
 from usdrigui.settings import OutputSettings
-from usdrigui.usd import author, schema
+from usdrigui.stages import schema
+from usdrigui.usd import author
 from usdrigui.usd.control_api import author_control_api, author_limits
 from usdrigui.usd.drawing import DrawnElement, author_drawing, drawing_about, drawing_name, drawings
 from usdrigui.usd.drawn import drawn_parts

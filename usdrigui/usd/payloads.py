@@ -13,10 +13,10 @@ from pathlib import Path
 from pxr import Sdf
 
 from usdrigui.errors import refuse
-from usdrigui.usd import schema
+from usdrigui.stages import schema
+from usdrigui.stages.variant_paths import asset_selections
 from usdrigui.usd.layer import author_variant
 from usdrigui.usd.layer_text import PayloadOf
-from usdrigui.usd.variant_paths import asset_selections
 
 
 def payloads_of(asset: Sdf.Layer, leads: Callable[[str], bool]) -> tuple[PayloadOf, ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from usdrigui.model import Floats, Indices
+from usdrigui.character import Floats, Indices
 
 _DIGITS = 6
 """Departures are compared with the tolerance to so many digits: no last bit of a processor

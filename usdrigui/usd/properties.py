@@ -12,10 +12,12 @@ from typing import Any, get_args
 import numpy as np
 from pxr import Sdf, Usd, Vt
 
+from usdrigui.character import Floats, Glyph, Indices
 from usdrigui.errors import refuse
-from usdrigui.model import Anchor, Decision, Element, Floats, Glyph, Indices, Placement
-from usdrigui.usd import author, schema
-from usdrigui.usd.arrays import value_at
+from usdrigui.model import Anchor, Decision, Element, Placement
+from usdrigui.stages import schema
+from usdrigui.stages.arrays import value_at
+from usdrigui.usd import author
 
 
 def applied(prim: Usd.Prim) -> list[str]:

@@ -16,17 +16,14 @@ import numpy as np
 from numpy.typing import NDArray
 from pxr import Sdf, Usd, UsdGeom, Vt
 
+from usdrigui.character import Floats, Glyph, Indices, LeftOff
 from usdrigui.errors import RigUIError, listed, refuse
 from usdrigui.model import (
     Element,
-    Floats,
-    Glyph,
-    Indices,
     Layout,
     LayoutCharacter,
     LayoutFrame,
     LayoutPart,
-    LeftOff,
     Look,
     Manipulator,
     Member,
@@ -34,7 +31,10 @@ from usdrigui.model import (
     Proof,
     Status,
 )
-from usdrigui.usd import schema
+from usdrigui.stages import schema
+from usdrigui.stages.opening import open_stage
+from usdrigui.stages.variant_paths import asset_selections, with_sets
+from usdrigui.stages.variants import variant_path
 from usdrigui.usd.properties import (
     applied,
     array_of,
@@ -54,9 +54,6 @@ from usdrigui.usd.properties import (
     targets,
     value_of,
 )
-from usdrigui.usd.stage import open_stage
-from usdrigui.usd.variant_paths import asset_selections, with_sets
-from usdrigui.usd.variants import variant_path
 
 _EVERYTHING = Usd.TraverseInstanceProxies(Usd.PrimAllPrimsPredicate)
 _FLATTENED = "Flattened_Prototype_"

@@ -10,9 +10,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from usdrigui.character import Performance, Rig
 from usdrigui.errors import Issue, RigUIError, issue, raised_at, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_unchanged, hashed
-from usdrigui.model import Performance, Rig
 from usdrigui.settings import Settings
 from usdrigui.usd.reader_records import (
     FaultsResult,
@@ -33,13 +33,6 @@ QUESTION = Request
 
 def load() -> None:
     """Import what the tasks need before the reader is confined: none of it is the asset's doing."""
-    import usdrigui.usd.clips
-    import usdrigui.usd.existing_layouts
-    import usdrigui.usd.faults
-    import usdrigui.usd.layer
-    import usdrigui.usd.read_layout
-    import usdrigui.usd.rig
-    import usdrigui.usd.variants  # noqa: F401
 
 
 def answer(request: Request) -> Response:
@@ -74,10 +67,10 @@ def answer(request: Request) -> Response:
 
 
 def _rigs(path: Path, settings: Settings) -> ReadResult:
+    from usdrigui.reading.character import read_characters
+    from usdrigui.stages.variants import variant_path
     from usdrigui.usd.layer import stage_metadata
     from usdrigui.usd.read_layout import composed_layouts, own_layouts, source_of
-    from usdrigui.usd.rig import read_characters
-    from usdrigui.usd.variants import variant_path
 
     with (
         _hashed_before(path, settings.rig.read.variants) as (before, diagnostics),
@@ -111,9 +104,9 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
 
 
 def _layouts(path: Path, variants: Mapping[str, str]) -> LayoutsResult:
+    from usdrigui.stages.opening import open_stage
+    from usdrigui.stages.variants import select_unselected
     from usdrigui.usd.read_layout import layout_paths, with_corrections
-    from usdrigui.usd.stage import open_stage
-    from usdrigui.usd.variants import select_unselected
 
     with _hashed_before(path, variants) as (before, _), _kept_stages() as stages:
         stage = open_stage(path, variants)  # kept, so that what opens it next finds it so
@@ -137,11 +130,11 @@ def _layouts_in(path: Path, stages: Any, before: Mapping[str, SourceFile]) -> La
 
 def _composed(path: Path, settings: Settings) -> Response:
     """The layouts of a stage and their characters as the stage composes them."""
+    from usdrigui.reading.character import read_characters
+    from usdrigui.stages.opening import open_stage
     from usdrigui.usd.contradictions import contradictions
     from usdrigui.usd.existing_layouts import without_layout
     from usdrigui.usd.read_layout import listed_controls
-    from usdrigui.usd.rig import read_characters
-    from usdrigui.usd.stage import open_stage
 
     read = settings.rig.read
     with (
@@ -172,31 +165,31 @@ def _composed(path: Path, settings: Settings) -> Response:
 
 
 def _performances(path: Path) -> tuple[Performance, ...]:
-    from usdrigui.usd.clips import read_performances
+    from usdrigui.reading.clips import read_performances
 
     return read_performances(path)
 
 
 def _variants(path: Path, variants: Mapping[str, str]) -> Mapping[str, tuple[str, ...]]:
-    from usdrigui.usd.stage import open_stage
-    from usdrigui.usd.variants import variant_sets
+    from usdrigui.stages.opening import open_stage
+    from usdrigui.stages.variants import variant_sets
 
     return variant_sets(open_stage(path, variants))
 
 
 def _faults(path: Path, variants: Mapping[str, str]) -> FaultsResult:
+    from usdrigui.stages.opening import open_stage
     from usdrigui.usd.faults import stage_faults
-    from usdrigui.usd.stage import open_stage
 
     stage = open_stage(path, variants)
     return FaultsResult(stage_faults(stage), not stage.GetPseudoRoot().GetAllChildren())
 
 
 def _layer(path: Path) -> LayerResult:
+    from usdrigui.stages.opening import open_layer
+    from usdrigui.stages.variant_paths import asset_selections
     from usdrigui.usd.layer import SIGNATURE
     from usdrigui.usd.read_layout import layout_paths
-    from usdrigui.usd.stage import open_layer
-    from usdrigui.usd.variant_paths import asset_selections
 
     needed: dict[str, str] = {}
 
@@ -252,7 +245,7 @@ def _hashed_before(
     of one file was hashed by the parent: its layer is kept for the reading, which will not hear
     the issues of USD while it parses the file; that comes second.
     """
-    from usdrigui.usd.stage import listening, open_stage
+    from usdrigui.stages.opening import listening, open_stage
 
     with listening() as diagnostics:
         stage = open_stage(path, variants)
@@ -286,7 +279,7 @@ def _sources(
 
     Raises RigUIError SOURCE_CHANGED where one is not what it was `before` it was read.
     """
-    from usdrigui.usd.stage import check_archive
+    from usdrigui.stages.opening import check_archive
 
     check_unchanged(before.values())
     found = tuple(before.get(each) or hashed(each) for each in _files(path, stages))

@@ -8,10 +8,10 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TypeVar
 
+from usdrigui.character import Performance
 from usdrigui.errors import Exit, RigUIError, refuse
 from usdrigui.isolation.foreign_file import check_source, check_unchanged
 from usdrigui.isolation.reading import answer_invalid, answered
-from usdrigui.model import Performance
 from usdrigui.settings import ReadSettings, Settings, with_sections
 from usdrigui.usd.reader_records import (
     FaultsResult,
@@ -31,7 +31,8 @@ _PROGRAM = "usdrigui.usd.reader_main"
 
 
 def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> ReadResult:
-    """As `usdrigui.usd.rig.read_rigs`, in a child process that may crash or hang without harm.
+    """As `usdrigui.reading.character.read_rigs`, in a child process that may crash or hang without
+    harm.
 
     Raises RigUIError with what the reader raises, unchanged, and FILE_NOT_FOUND, SOURCE_NOT_A_FILE,
     SOURCE_TOO_LARGE, SOURCE_LFS_POINTER, SOURCE_CRASHES_USD, SOURCE_TIME_LIMIT,
@@ -79,7 +80,8 @@ def read_composed_isolated(
 
 
 def read_performances_isolated(path: Path, opening: Opening) -> tuple[Performance, ...]:
-    """As `usdrigui.usd.clips.read_performances`, in a reader; raises as `read_rigs_isolated`."""
+    """As `usdrigui.reading.clips.read_performances`, in a reader; raises as
+    `read_rigs_isolated`."""
     return _understood(_asked("clips", path, opening).performances or None, path)
 
 
@@ -96,7 +98,7 @@ def read_layer_isolated(path: Path, opening: Opening) -> LayerResult:
 
 
 def read_variants_isolated(path: Path, opening: Opening) -> Mapping[str, tuple[str, ...]]:
-    """As `usdrigui.usd.variants.variant_sets`, in a reader; raises as `read_rigs_isolated` and
+    """As `usdrigui.stages.variants.variant_sets`, in a reader; raises as `read_rigs_isolated` and
     VARIANT_UNKNOWN."""
     return _understood(_asked("variants", path, opening).variants, path)
 

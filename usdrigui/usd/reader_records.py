@@ -7,9 +7,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+from usdrigui.character import Floats, Performance, Record, Rig
 from usdrigui.errors import Issue
 from usdrigui.isolation.foreign_file import SourceFile
-from usdrigui.model import ExistingPrim, Floats, Layout, Performance, Record, Rig
+from usdrigui.model import ExistingPrim, Layout
 from usdrigui.settings import ReadSettings, Settings
 
 Task = Literal["rigs", "layouts", "composed", "clips", "faults", "layer", "variants"]

@@ -17,9 +17,11 @@ from typing import Any
 import numpy as np
 from pxr import Sdf
 
-from usdrigui.model import Element, ExistingPrim, ExistingSpan, Indices, Layout, Rig
+from usdrigui.character import Indices, Rig
+from usdrigui.model import Element, ExistingPrim, ExistingSpan, Layout
 from usdrigui.replacing.transaction import State
-from usdrigui.usd import author, schema
+from usdrigui.stages import schema
+from usdrigui.usd import author
 from usdrigui.usd.control_api import author_limits
 from usdrigui.usd.drawing import author_shapes
 from usdrigui.usd.drawn import Drawn, drawn_parts

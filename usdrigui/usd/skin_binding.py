@@ -14,17 +14,12 @@ from typing import Literal
 
 import numpy as np
 
-from usdrigui.deform import channel_state, posed
-from usdrigui.errors import refuse
-from usdrigui.following import following, shared
-from usdrigui.model import (
+from usdrigui.character import (
     Body,
     Control,
-    Element,
     Floats,
     Indices,
     Joint,
-    Layout,
     MeshBinding,
     MeshDisplay,
     Record,
@@ -33,6 +28,10 @@ from usdrigui.model import (
     Skin,
     Topology,
 )
+from usdrigui.character.deform import channel_state, posed
+from usdrigui.errors import refuse
+from usdrigui.following import following, shared
+from usdrigui.model import Element, Layout
 
 Method = Literal["classicLinear", "dualQuaternion"]
 

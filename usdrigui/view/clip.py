@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from usdrigui.character import Body, Clip, Control, Floats, Record, Rig
+from usdrigui.character.rotation import rotation_part, rotation_vectors
 from usdrigui.errors import refuse
-from usdrigui.model import Body, Clip, Control, Floats, Record, Rig
-from usdrigui.rotation import rotation_part, rotation_vectors
 
 
 def clip_values(rig: Rig, count: int = 0) -> Floats:

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from usdrigui.model import Floats, Layout
+from usdrigui.character import Floats
+from usdrigui.model import Layout
 from usdrigui.view.body.shading import look
 
 TURN = 35.0

@@ -7,7 +7,8 @@ from collections.abc import Iterable
 import numpy as np
 from PIL import Image
 
-from usdrigui.model import Floats, Layout
+from usdrigui.character import Floats
+from usdrigui.model import Layout
 from usdrigui.pose.evaluate import PosedLayout
 from usdrigui.view.body.shading import Camera, Subject, encoded, look, shade
 from usdrigui.view.flat.board import RADIUS, board

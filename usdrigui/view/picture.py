@@ -14,8 +14,9 @@ from numpy.typing import ArrayLike
 from PIL import Image, ImageDraw
 
 from usdrigui import palette
+from usdrigui.character import Floats, Rig
 from usdrigui.errors import refuse
-from usdrigui.model import Element, Floats, Layout, Rig
+from usdrigui.model import Element, Layout
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.view import directions
 from usdrigui.view.body.complexion import complexion

@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.model import Element, Floats, Layout, LayoutPart, Side
+from usdrigui.character import Floats
+from usdrigui.model import Element, Layout, LayoutPart, Side
 from usdrigui.pose.evaluate import PosedLayout
 from usdrigui.view import directions
 

@@ -1,4 +1,4 @@
-// Evaluation of the character at a pose, on the CPU with active shapes only; mirrors usdrigui/deform.py.
+// Evaluation of the character at a pose, on the CPU with active shapes only; mirrors usdrigui/character/deform.py.
 
 import * as matrix from './matrix.js';
 import { Skeletons, prepareSkin, usedJoints } from './skeleton.js';

@@ -1,5 +1,5 @@
 // Joints: what control values do to them, and the affine map by which a skinned point follows them.
-// Mirrors usdrigui/deform.py: a local transform S R moves to exp(scales) S exp(rotations) R.
+// Mirrors usdrigui/character/deform.py: a local transform S R moves to exp(scales) S exp(rotations) R.
 
 import * as matrix from './matrix.js';
 

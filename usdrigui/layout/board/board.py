@@ -14,24 +14,14 @@ from typing import Literal
 
 import numpy as np
 
+from usdrigui.character import Control, Floats
 from usdrigui.layout.board.board_place import anchor_point, face_middle, silhouette
 from usdrigui.layout.face import Face
 from usdrigui.layout.glyph_fitting import fitted_glyph
 from usdrigui.layout.names import common_label, element_name
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.visibility import screen
-from usdrigui.model import (
-    Anchor,
-    Control,
-    Element,
-    Floats,
-    Group,
-    Look,
-    Manipulator,
-    Member,
-    Placement,
-    Side,
-)
+from usdrigui.model import Anchor, Element, Group, Look, Manipulator, Member, Placement, Side
 
 CATEGORIES = (
     "global", "hidden", "interior", "composite", "viseme",

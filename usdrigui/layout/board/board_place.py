@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from usdrigui.character import Body, Floats, Indices, Skin
 from usdrigui.layout.face import Face
 from usdrigui.layout.symmetry.mirror_plane import projected
-from usdrigui.model import Body, Floats, Indices, MirrorPlane, Skin, Trajectories
+from usdrigui.model import MirrorPlane, Trajectories
 from usdrigui.ties import first_largest
 
 

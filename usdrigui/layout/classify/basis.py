@@ -25,7 +25,7 @@ import numpy as np
 from scipy.optimize import Bounds, LinearConstraint, milp, nnls
 from scipy.sparse import coo_array
 
-from usdrigui.model import Flags, Floats, Indices, Record
+from usdrigui.character import Flags, Floats, Indices, Record
 from usdrigui.ties import rounded
 
 PARALLEL = 0.98

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from usdrigui.character import Control, Flags, Floats
 from usdrigui.conventions import Meaning
 from usdrigui.errors import Issue, explained
 from usdrigui.layout.classify.composites import Composite, composites, explanation
@@ -16,15 +17,7 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.motion.coverage import coverage_of_smaller, shares_of_face
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.model import (
-    BaseSurface,
-    Category,
-    Control,
-    Flags,
-    Floats,
-    Motion,
-    Symmetry,
-)
+from usdrigui.model import BaseSurface, Category, Motion, Symmetry
 from usdrigui.settings import CandidateSettings
 
 _UNMOVED_SHARE = 0.1

@@ -21,9 +21,10 @@ from dataclasses import replace
 import numpy as np
 from scipy.optimize import lsq_linear
 
+from usdrigui.character import Flags, Floats, Indices
 from usdrigui.layout.classify.basis import least_squares
 from usdrigui.layout.motion.similarity import Similarity
-from usdrigui.model import Flags, Floats, Indices, Trajectories
+from usdrigui.model import Trajectories
 from usdrigui.ties import first_largest
 
 _RANGE = 2.0

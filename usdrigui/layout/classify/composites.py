@@ -23,6 +23,7 @@ from typing import Literal
 
 import numpy as np
 
+from usdrigui.character import Flags, Floats, Indices
 from usdrigui.conventions import Meaning
 from usdrigui.layout.classify.basis import Basis, Explanation, best_sum, choose_basis
 from usdrigui.layout.classify.families import Family, find_families
@@ -35,14 +36,7 @@ from usdrigui.layout.motion.similarity import (
     sparse_rows,
 )
 from usdrigui.layout.names import is_step_of, spelling_style
-from usdrigui.model import (
-    BaseSurface,
-    Category,
-    Flags,
-    Floats,
-    Indices,
-    Motion,
-)
+from usdrigui.model import BaseSurface, Category, Motion
 
 _NAMED = 3
 """Parts of a mixture that its explanation names."""

@@ -18,9 +18,9 @@ from typing import Literal
 
 import numpy as np
 
+from usdrigui.character import Flags, Floats
 from usdrigui.conventions import Meaning, distinctive_words, without_last_side
 from usdrigui.layout.classify.basis import best_sum
-from usdrigui.model import Flags, Floats
 
 FamilyKind = Literal["viseme", "emotion", "identity", "interior", "combination"]
 

@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from usdrigui.character import Flags, Floats, Indices, RigMesh
+from usdrigui.character.rays import make_caster, visible_from
+from usdrigui.character.surface import components, mesh_triangles, vertex_normals
 from usdrigui.layout.visibility import Views
-from usdrigui.model import BaseSurface, Flags, Floats, Indices, Motion, RigMesh, Trajectories
-from usdrigui.rays import make_caster, visible_from
-from usdrigui.surface import components, mesh_triangles, vertex_normals
+from usdrigui.model import BaseSurface, Motion, Trajectories
 
 _COLLAPSED = 0.1
 """A part collapses when its extent shrinks below this share."""

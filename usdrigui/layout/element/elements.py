@@ -7,6 +7,7 @@ from dataclasses import fields, replace
 
 import numpy as np
 
+from usdrigui.character import Floats, Rig
 from usdrigui.layout.board.board import BoardEntry, board_elements
 from usdrigui.layout.element.fans import fan_order
 from usdrigui.layout.face import Face
@@ -23,7 +24,6 @@ from usdrigui.model import (
     Assignment,
     Choice,
     Element,
-    Floats,
     Group,
     Layout,
     LayoutCharacter,
@@ -34,7 +34,6 @@ from usdrigui.model import (
     Member,
     Placement,
     Proof,
-    Rig,
     Side,
 )
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from usdrigui.model import Floats
+from usdrigui.character import Floats
 from usdrigui.ties import axis_across
 
 

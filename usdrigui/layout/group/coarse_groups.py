@@ -12,10 +12,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import chain
 
+from usdrigui.character import Control, Rig
 from usdrigui.errors import Faults, meant, refuse
 from usdrigui.layout.names import element_name
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.model import Control, Element, Group, Rig
+from usdrigui.model import Element, Group
 from usdrigui.settings import LevelSettings
 
 

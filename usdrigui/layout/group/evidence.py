@@ -16,11 +16,11 @@ from typing import Literal
 
 import numpy as np
 
+from usdrigui.character import Body, Control
+from usdrigui.character.rotation import rotation_part
 from usdrigui.conventions import Meaning, joysticks
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.similarity import Similarity
-from usdrigui.model import Body, Control
-from usdrigui.rotation import rotation_part
 from usdrigui.settings import CandidateSettings
 
 Relation = Literal["convention", "open", ""]

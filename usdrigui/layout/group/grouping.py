@@ -14,6 +14,7 @@ from itertools import chain, combinations
 
 import numpy as np
 
+from usdrigui.character import Flags, Indices
 from usdrigui.conventions.sides import has_side
 from usdrigui.errors import Faults, meant, refuse
 from usdrigui.layout.control_overrides import control_index
@@ -26,7 +27,7 @@ from usdrigui.layout.symmetry.lobes import all_aside, two_lobed
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.layout.symmetry.orbits import configured_orbits
 from usdrigui.layout.visibility import screen
-from usdrigui.model import Candidates, CandidateSet, ElementKind, Flags, Group, Indices
+from usdrigui.model import Candidates, CandidateSet, ElementKind, Group
 from usdrigui.ties import first_largest
 
 _TWIN_LEEWAY = 0.8

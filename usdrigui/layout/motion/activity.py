@@ -13,9 +13,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from usdrigui.character import Control, Floats, Joint, Performance, Record, Rig
+from usdrigui.character.rotation import rotation_part, rotation_vectors
 from usdrigui.errors import Issue, issue, refuse
-from usdrigui.model import Control, Floats, Joint, Performance, Record, Rig
-from usdrigui.rotation import rotation_part, rotation_vectors
 from usdrigui.settings import ControlSettings
 
 _LEAST_USE = 1e-3

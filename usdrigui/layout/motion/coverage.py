@@ -14,7 +14,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from usdrigui.model import Flags, Floats, Indices, Motion
+from usdrigui.character import Flags, Floats, Indices
+from usdrigui.model import Motion
 from usdrigui.ties import rounded
 
 NOTABLE = 0.25

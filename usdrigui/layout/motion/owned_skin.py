@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.joint_tree import Hanging
-from usdrigui.model import Body, Control, Flags, Floats, Joint, Skeleton
+from usdrigui.character import Body, Control, Flags, Floats, Joint, Skeleton
+from usdrigui.character.joint_tree import Hanging
 
 _SPAN = (0.2, 0.7)
 """Share of the way from a joint to the next one between which its control is."""

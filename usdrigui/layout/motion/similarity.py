@@ -8,7 +8,8 @@ from functools import cached_property
 import numpy as np
 from scipy.sparse import csr_array
 
-from usdrigui.model import Floats, Indices, Motion, Record, Singles, Trajectories
+from usdrigui.character import Floats, Indices, Record, Singles
+from usdrigui.model import Motion, Trajectories
 from usdrigui.ties import rounded
 
 _ENTRIES = 12_000_000

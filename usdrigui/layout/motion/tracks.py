@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from usdrigui.model import Floats, Indices, Motion
+from usdrigui.character import Floats, Indices
+from usdrigui.model import Motion
 
 _ENLARGED = 3.0
 """How many times its motion a track is drawn at most."""

@@ -7,29 +7,31 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.deform import Posed, knots, posed, sweep, sweep_start
-from usdrigui.errors import Issue, issue
-from usdrigui.joint_tree import Hanging, hanging
-from usdrigui.layout.motion.coverage import NOTABLE, coverage_of_smaller
-from usdrigui.layout.motion.owned_skin import owned_skin
-from usdrigui.model import (
-    BaseSurface,
+from usdrigui.character import (
     Control,
     Findings,
     Flags,
     Floats,
     Indices,
     LeftOff,
-    Motion,
-    Polylines,
     Rig,
     RigMesh,
-    Shares,
     Singles,
-    Trajectories,
 )
+from usdrigui.character.deform import Posed, knots, posed, sweep, sweep_start
+from usdrigui.character.joint_tree import Hanging, hanging
+from usdrigui.character.surface import (
+    faces_inward,
+    mesh_triangles,
+    point_areas,
+    vertex_normals,
+    weld,
+)
+from usdrigui.errors import Issue, issue
+from usdrigui.layout.motion.coverage import NOTABLE, coverage_of_smaller
+from usdrigui.layout.motion.owned_skin import owned_skin
+from usdrigui.model import BaseSurface, Motion, Polylines, Shares, Trajectories
 from usdrigui.settings import CandidateSettings, TrajectorySettings
-from usdrigui.surface import faces_inward, mesh_triangles, point_areas, vertex_normals, weld
 
 STAGE = "trajectories"
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
+from usdrigui.character import Control, Flags, Indices, Record, Rig
 from usdrigui.conventions import meanings
 from usdrigui.layout.control_overrides import controls_named
 from usdrigui.layout.parts.joint_regions import (
@@ -27,7 +28,7 @@ from usdrigui.layout.parts.joint_regions import (
     joint_regions,
     owner_of_points,
 )
-from usdrigui.model import Control, Flags, Indices, Motion, Record, Rig, Trajectories
+from usdrigui.model import Motion, Trajectories
 from usdrigui.settings import Settings
 from usdrigui.ties import first_largest
 

@@ -12,10 +12,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from usdrigui.character import Control, Flags, Floats, Indices, Rig, RigMesh
+from usdrigui.character.joint_tree import Fan, Tree, fans, unit
 from usdrigui.conventions import words
-from usdrigui.joint_tree import Fan, Tree, fans, unit
 from usdrigui.layout.parts.own_pieces import eyes, pieces_of, props
-from usdrigui.model import Control, Flags, Floats, Indices, Rig, RigMesh, Trajectories
+from usdrigui.model import Trajectories
 from usdrigui.ties import first_largest
 
 FACE, EYES, HANDS, FEET, PROPS, BODY = "face", "eyes", "hands", "feet", "props", "body"

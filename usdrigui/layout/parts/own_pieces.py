@@ -13,10 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import ConvexHull, QhullError
 
-from usdrigui.joint_tree import Tree
-from usdrigui.model import Body, Flags, Floats, Indices
-from usdrigui.skinning import bound_points
-from usdrigui.surface import components, mesh_triangles
+from usdrigui.character import Body, Flags, Floats, Indices
+from usdrigui.character.joint_tree import Tree
+from usdrigui.character.skinning import bound_points
+from usdrigui.character.surface import components, mesh_triangles
 
 _WHOLE = 0.9
 """Share of the weights of a piece by which it is held as a whole."""

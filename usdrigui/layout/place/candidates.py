@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from usdrigui.character import Flags, Indices, LeftOff
 from usdrigui.layout.canonical_face import Expectation
 from usdrigui.layout.classify.classification import Classification
 from usdrigui.layout.face import Face
@@ -17,7 +18,7 @@ from usdrigui.layout.reuse.partial_layout import fixed_anchor, moves
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.lobes import in_the_middle
 from usdrigui.layout.visibility import mostly_hidden
-from usdrigui.model import Candidates, CandidateSet, Flags, Indices, LeftOff, Motion
+from usdrigui.model import Candidates, CandidateSet, Motion
 from usdrigui.settings import CandidateSettings
 from usdrigui.ties import first_largest
 

@@ -20,9 +20,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from usdrigui.character import Floats, Indices
 from usdrigui.errors import Faults, refuse
 from usdrigui.layout.face import Face
-from usdrigui.model import Choice, ExtraPairs, Floats, Indices, LayoutProblem, Motion
+from usdrigui.model import Choice, ExtraPairs, LayoutProblem, Motion
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint

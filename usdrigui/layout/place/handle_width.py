@@ -13,9 +13,10 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.spatial import cKDTree
 
+from usdrigui.character import Flags, Floats
 from usdrigui.layout.classify.classification import Classification
 from usdrigui.layout.visibility import Views
-from usdrigui.model import Flags, Floats, Motion, Trajectories
+from usdrigui.model import Motion, Trajectories
 from usdrigui.settings import ControlSettings, ObjectiveSettings
 
 KEPT = 0.85

@@ -13,6 +13,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from usdrigui.character import Floats, Indices
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.tracks import (
     arc_lengths,
@@ -24,7 +25,7 @@ from usdrigui.layout.motion.tracks import (
 from usdrigui.layout.place.terms import LinearTerms, displacement_unit, linear_cost, off_plane
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.layout.symmetry.orbits import orbit_points
-from usdrigui.model import CandidateSet, Choice, Floats, Group, Indices, Motion
+from usdrigui.model import CandidateSet, Choice, Group, Motion
 from usdrigui.settings import ControlSettings, SymmetrySettings
 
 

@@ -8,13 +8,13 @@ import re
 import numpy as np
 from scipy.spatial import cKDTree
 
+from usdrigui.character import Flags, Floats, Indices, Joint, Rig
+from usdrigui.character.surface import mesh_triangles, surface_distances
 from usdrigui.errors import listed, meant, refuse
 from usdrigui.layout.face import Face
 from usdrigui.layout.reuse.partial_layout import MIRROR, point_index
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.mirror_plane import reflected
-from usdrigui.model import Flags, Floats, Indices, Joint, Rig
-from usdrigui.surface import mesh_triangles, surface_distances
 from usdrigui.ties import first_smallest
 
 _PROXIES = 24

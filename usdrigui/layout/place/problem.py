@@ -13,6 +13,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from usdrigui.character import Floats
+from usdrigui.character.surface import mean_edge_length, mesh_triangles
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.layout.face import Face
 from usdrigui.layout.place.candidates import SHARED_LEAST, candidates_of_axis, loosened
@@ -27,7 +29,6 @@ from usdrigui.model import (
     Candidates,
     CandidateSet,
     Choice,
-    Floats,
     Group,
     LayoutProblem,
     MeanOverlap,
@@ -36,7 +37,6 @@ from usdrigui.model import (
 )
 from usdrigui.overlap import own_costs
 from usdrigui.settings import ControlSettings, ObjectiveSettings, Settings
-from usdrigui.surface import mean_edge_length, mesh_triangles
 
 _NEEDED = 5.0
 """What it costs besides, per copy, that a control leaves the face that is needed there: more than

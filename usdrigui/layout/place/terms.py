@@ -11,11 +11,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from usdrigui.character import Floats, Indices, Singles
 from usdrigui.layout.face import Face
 from usdrigui.layout.place.extensions import user_linear_cost
 from usdrigui.layout.symmetry.lobes import ON_PLANE
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
-from usdrigui.model import Floats, Indices, Motion, Singles
+from usdrigui.model import Motion
 from usdrigui.settings import LayoutSettings
 
 _MIDDLE = 1e-3

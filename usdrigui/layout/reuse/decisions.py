@@ -7,9 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from usdrigui.character import Floats, Rig
 from usdrigui.layout.reuse.pinned import NEAR, Pin, Pins
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.model import Decision, Element, Floats, Layout, Rig
+from usdrigui.model import Decision, Element, Layout
 from usdrigui.model.levels import outer_first
 
 

@@ -12,21 +12,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from usdrigui.character import Body, Control, Floats, Rig
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.tracks import resampled
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.model import (
-    AnyOverlap,
-    Body,
-    Candidates,
-    Control,
-    Element,
-    Floats,
-    Layout,
-    LayoutProblem,
-    Rig,
-    Variable,
-)
+from usdrigui.model import AnyOverlap, Candidates, Element, Layout, LayoutProblem, Variable
 from usdrigui.overlap import pair_costs
 
 _ROUNDING = 1e-9

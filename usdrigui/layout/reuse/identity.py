@@ -19,11 +19,12 @@ from scipy.optimize import linear_sum_assignment
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 
+from usdrigui.character import Floats, Indices, Rig
 from usdrigui.conventions import spellings
 from usdrigui.errors import Issue, issue
 from usdrigui.layout.reuse.motion_evidence import at_anchors, between_anchors, over_faces
 from usdrigui.layout.reuse.name_evidence import name_evidence, same_meaning
-from usdrigui.model import Element, Floats, Indices, Layout, Rig, Trajectories
+from usdrigui.model import Element, Layout, Trajectories
 from usdrigui.model.levels import outer_first
 from usdrigui.ties import rounded
 

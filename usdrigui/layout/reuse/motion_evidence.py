@@ -15,21 +15,10 @@ import numpy as np
 from scipy.sparse import csr_array
 from scipy.spatial import cKDTree
 
+from usdrigui.character import Body, Flags, Floats, Indices, Rig
 from usdrigui.layout.reuse.prior_layout import points_of_meshes, same_point
 from usdrigui.layout.reuse.retargeting import face_map
-from usdrigui.model import (
-    BaseSurface,
-    Body,
-    Element,
-    Flags,
-    Floats,
-    Indices,
-    Layout,
-    Member,
-    Motion,
-    Rig,
-    Trajectories,
-)
+from usdrigui.model import BaseSurface, Element, Layout, Member, Motion, Trajectories
 from usdrigui.model.levels import outer_first
 
 _SAMPLES = 1.0 / 30.0

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from usdrigui.character import Flags, Floats
 from usdrigui.conventions import Meaning, Spelling, meanings, same_act, spellings
-from usdrigui.model import Flags, Floats
 
 _SAME_NAME = 9.5
 _SAME_SPELLING = 9.0

@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from usdrigui.character import Body, Indices, Rig, RigMesh
 from usdrigui.errors import meant, refuse
-from usdrigui.model import Body, Element, Indices, Layout, Rig, RigMesh
+from usdrigui.model import Element, Layout
 from usdrigui.model.levels import outer_first
 from usdrigui.settings import ControlSettings
 

@@ -13,20 +13,12 @@ from typing import Literal
 
 import numpy as np
 
+from usdrigui.character import Floats, Indices, Rig
 from usdrigui.errors import Issue, RigUIError, issue
 from usdrigui.layout.reuse.partial_layout import MIRROR, fixed_anchor, place_of
 from usdrigui.layout.reuse.prior_layout import points_of_meshes, same_point
 from usdrigui.layout.symmetry.mirror_plane import reflected
-from usdrigui.model import (
-    Decision,
-    Element,
-    Floats,
-    Indices,
-    Layout,
-    Rig,
-    Symmetry,
-    Trajectories,
-)
+from usdrigui.model import Decision, Element, Layout, Symmetry, Trajectories
 from usdrigui.model.levels import outer_first
 from usdrigui.settings import ControlSettings
 from usdrigui.ties import first_smallest

@@ -12,7 +12,8 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from usdrigui.model import Anchor, Element, Floats, Indices, Record, Rig, RigMesh
+from usdrigui.character import Floats, Indices, Record, Rig, RigMesh
+from usdrigui.model import Anchor, Element
 from usdrigui.model.levels import inner_names, outer_first
 from usdrigui.ties import first_smallest
 

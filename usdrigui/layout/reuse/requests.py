@@ -6,10 +6,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
+from usdrigui.character import Control
 from usdrigui.layout.control_overrides import Named, controls_named
 from usdrigui.layout.reuse.pinned import Pins
 from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout
-from usdrigui.model import Control, Element, Layout
+from usdrigui.model import Element, Layout
 from usdrigui.settings import ControlSettings
 
 

@@ -13,9 +13,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from usdrigui.character import Floats, Rig
 from usdrigui.layout.reuse.prior_layout import Place, PriorLayout, kept_groups
 from usdrigui.layout.reuse.renaming import with_names
-from usdrigui.model import BaseSurface, Floats, Layout, Motion, Rig, Trajectories
+from usdrigui.model import BaseSurface, Layout, Motion, Trajectories
 from usdrigui.model.levels import inner_names
 from usdrigui.ties import axis_across
 

@@ -12,6 +12,7 @@ from typing import Literal
 
 import numpy as np
 
+from usdrigui.character import Floats, Indices
 from usdrigui.errors import listed
 from usdrigui.layout.element.elements import names_of_copies
 from usdrigui.layout.measured import Measured
@@ -19,7 +20,7 @@ from usdrigui.layout.place.problem import PlacementProblem, penalties_of_leaving
 from usdrigui.layout.reuse.identity import Matching, match_layouts
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.layout.review.review import cost_given_others
-from usdrigui.model import Element, Floats, Indices, Layout
+from usdrigui.model import Element, Layout
 from usdrigui.model.levels import inner_names, outer_first
 
 ChangeKind = Literal["added", "removed", "renamed", "moved", "to the face", "board", "regrouped"]

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from usdrigui.character import Body, Control, Floats, Indices, Rig, RigMesh
 from usdrigui.errors import Faults, Issue, RigUIError, by_cause, catalogue, issue, of_character
 from usdrigui.layout.face import Face
 from usdrigui.layout.measured import Measured
@@ -23,19 +24,13 @@ from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import (
     Anchor,
     BaseSurface,
-    Body,
     Candidates,
     CandidateSet,
     Choice,
-    Control,
     Element,
-    Floats,
     Group,
-    Indices,
     Layout,
     LayoutProblem,
-    Rig,
-    RigMesh,
     Trajectories,
 )
 from usdrigui.model.levels import inner_names, states

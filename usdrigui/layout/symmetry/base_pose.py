@@ -7,13 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 
+from usdrigui.character import Floats, Rig
 from usdrigui.layout.motion.similarity import DisplacementFields, displacement_fields
 from usdrigui.layout.motion.trajectory import of_controls
 from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
 from usdrigui.layout.parts.joint_regions import FACE
 from usdrigui.layout.symmetry.mirror_plane import find_symmetry, plane_distance
 from usdrigui.layout.symmetry.twins import paired
-from usdrigui.model import BaseSurface, Floats, MirrorPlane, Rig, Symmetry, Trajectories
+from usdrigui.model import BaseSurface, MirrorPlane, Symmetry, Trajectories
 from usdrigui.settings import Settings, TrajectorySettings
 
 _APART = 0.05

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from usdrigui.model import Floats, Trajectories
+from usdrigui.character import Floats
+from usdrigui.model import Trajectories
 from usdrigui.ties import axis_across, towards
 
 _THREE_QUARTER = np.radians(40.0)

@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from usdrigui.character import Flags, Indices
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
-from usdrigui.model import BaseSurface, Flags, Indices, MirrorPlane, Motion, Symmetry
+from usdrigui.model import BaseSurface, MirrorPlane, Motion, Symmetry
 
 ON_PLANE = 0.5
 """Distance from the plane, in handle widths, up to which a handle covers it."""

@@ -12,20 +12,13 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
+from usdrigui.character import Flags, Floats, Indices, Rig
 from usdrigui.layout.motion.similarity import DisplacementFields
 from usdrigui.layout.motion.trajectory import total_motion
 from usdrigui.layout.symmetry.front import front
 from usdrigui.layout.symmetry.sides_of_joints import ahead_of_head, plane_of_names
 from usdrigui.layout.symmetry.twins import agreements, pairable, paired
-from usdrigui.model import (
-    Flags,
-    Floats,
-    Indices,
-    MirrorPlane,
-    Rig,
-    Symmetry,
-    Trajectories,
-)
+from usdrigui.model import MirrorPlane, Symmetry, Trajectories
 from usdrigui.settings import Settings
 from usdrigui.ties import axis_across, rounded, towards
 

@@ -8,8 +8,9 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from scipy.spatial import cKDTree
 
+from usdrigui.character import Control, Floats, Indices
 from usdrigui.errors import Faults, meant, refuse
-from usdrigui.model import BaseSurface, Control, Floats, Indices, Motion, Trajectories
+from usdrigui.model import BaseSurface, Motion, Trajectories
 from usdrigui.settings import ControlSettings
 
 

@@ -8,10 +8,11 @@ from collections import Counter
 
 import numpy as np
 
+from usdrigui.character import Floats, Joint, Rig, Skeleton
 from usdrigui.conventions.sides import mirrored, side_of
 from usdrigui.layout.motion.owned_skin import joint_places
 from usdrigui.layout.parts.joint_regions import FACE, joint_regions, owner_of_points
-from usdrigui.model import Floats, Joint, Rig, Skeleton, Trajectories
+from usdrigui.model import Trajectories
 
 _PAIRS = 2
 """Least number of pairs of joints whose names have a side."""

@@ -13,20 +13,12 @@ from collections.abc import Mapping, Sequence
 import networkx as nx
 import numpy as np
 
+from usdrigui.character import Flags, Floats, Indices, Rig, Singles
 from usdrigui.conventions.sides import has_side, hints_at_twin
 from usdrigui.errors import Faults, meant, refuse
 from usdrigui.layout.control_overrides import control_index, control_overrides
 from usdrigui.layout.motion.similarity import DisplacementFields, bidirectional
-from usdrigui.model import (
-    Flags,
-    Floats,
-    Indices,
-    MirrorPlane,
-    Motion,
-    Rig,
-    Singles,
-    Symmetry,
-)
+from usdrigui.model import MirrorPlane, Motion, Symmetry
 from usdrigui.settings import ControlSettings, Settings
 
 _NAME_BONUS = 0.15

@@ -17,9 +17,10 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import KDTree
 
-from usdrigui.deform import deform
-from usdrigui.model import Flags, Floats, Indices, Layout, Record, Rig, RigMesh
-from usdrigui.surface import components, mesh_triangles, vertex_normals, weld
+from usdrigui.character import Flags, Floats, Indices, Record, Rig, RigMesh
+from usdrigui.character.deform import deform
+from usdrigui.character.surface import components, mesh_triangles, vertex_normals, weld
+from usdrigui.model import Layout
 from usdrigui.view.body.shading import SKIN, Complexion, look
 
 _TRIM, _TEETH, _GUMS, _HAIR = (

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from PIL import Image
 from scipy.ndimage import gaussian_filter, maximum_filter, minimum_filter
 
-from usdrigui.model import Flags, Floats, Indices, Record, RigMesh, Singles
-from usdrigui.rays import Caster, make_caster
-from usdrigui.surface import mesh_triangles, vertex_normals, weld
+from usdrigui.character import Flags, Floats, Indices, Record, RigMesh, Singles
+from usdrigui.character.rays import Caster, make_caster
+from usdrigui.character.surface import mesh_triangles, vertex_normals, weld
 
 SKIN = (0.61, 0.40, 0.31)
 """Linear albedo of what has no colour of its own."""

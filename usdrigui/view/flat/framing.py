@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.model import Flags, Floats, Indices, Record
+from usdrigui.character import Flags, Floats, Indices, Record
 from usdrigui.view.body.shading import Camera
 
 SURROUNDINGS = (0.25, 0.12)

@@ -6,7 +6,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from usdrigui.model import Element, Flags, Floats, Glyph, Manipulator
+from usdrigui.character import Flags, Floats, Glyph
+from usdrigui.model import Element, Manipulator
 from usdrigui.palette import BOARD, SIDES, Colour
 from usdrigui.pose.evaluate import PosedElement
 from usdrigui.ties import axis_across

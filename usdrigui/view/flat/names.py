@@ -10,7 +10,7 @@ from itertools import takewhile
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
-from usdrigui.model import Floats
+from usdrigui.character import Floats
 from usdrigui.view.flat.lettering import cut, width_of
 from usdrigui.view.flat.scene import Label, Mark
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 from PIL import Image, ImageDraw
 
-from usdrigui.model import Floats
+from usdrigui.character import Floats
 from usdrigui.view.flat.lettering import font, legible
 from usdrigui.view.flat.marks import handle_outlines, rings, runs
 from usdrigui.view.flat.scene import GROUND, PAPER, Mark, Page, Panel

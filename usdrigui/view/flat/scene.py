@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 
 from PIL import Image
 
-from usdrigui.model import Element, Flags, Floats, Record
+from usdrigui.character import Flags, Floats, Record
+from usdrigui.model import Element
 from usdrigui.palette import Colour
 
 INK, QUIET = (46, 50, 56), (88, 94, 104)

@@ -10,7 +10,8 @@ from collections.abc import Sequence
 
 from PIL import Image
 
-from usdrigui.model import Element, Floats
+from usdrigui.character import Floats
+from usdrigui.model import Element
 from usdrigui.report.markup import markup
 from usdrigui.view.flat.marks import handle_outlines, rings, runs
 from usdrigui.view.flat.scene import GROUND, PAPER, Label, Mark, Page, Panel

@@ -20,28 +20,26 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from usdrigui.errors import Issue, refuse
-from usdrigui.following import Following, following, shared
-from usdrigui.model import (
+from usdrigui.character import (
     Body,
     Clip,
     Control,
     Drive,
-    Element,
     Floats,
     Glyph,
     Indices,
-    Layout,
-    Member,
     Rig,
     RigMesh,
     Shape,
     Skin,
 )
+from usdrigui.character.surface import triangles
+from usdrigui.errors import Issue, refuse
+from usdrigui.following import Following, following, shared
+from usdrigui.model import Element, Layout, Member
 from usdrigui.palette import SIDES
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.settings import OutputSettings
-from usdrigui.surface import triangles
 from usdrigui.view.body.complexion import complexion
 from usdrigui.view.body.shading import EYE, IRIS, PUPIL, Complexion, encoded
 from usdrigui.view.clip import ClipReading, reading

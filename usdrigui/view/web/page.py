@@ -14,9 +14,10 @@ from collections.abc import Sequence
 from importlib.resources import files
 from pathlib import Path
 
+from usdrigui.character import Rig
 from usdrigui.errors import refuse
 from usdrigui.isolation.foreign_file import whole_content
-from usdrigui.model import Layout, Rig
+from usdrigui.model import Layout
 from usdrigui.report.markup import markup
 from usdrigui.view.web.packing import pack
 

@@ -7,8 +7,8 @@ import makers
 import numpy as np
 import pytest
 
+from usdrigui.character import MeshDisplay
 from usdrigui.layout.board import board, board_place
-from usdrigui.model import MeshDisplay
 
 POINTS, QUADS = makers.mask()
 
@@ -72,7 +72,7 @@ def test_a_crowded_face_sends_the_least_displaced_controls_to_the_board():
 
 
 def test_the_board_hangs_on_the_joint_that_holds_the_face():
-    from usdrigui.model import Joint, Skeleton, Skin
+    from usdrigui.character import Joint, Skeleton, Skin
 
     rig = makers.face_with(whole=np.full_like(POINTS, 0.2))
     head = (POINTS[:, 1] > -0.9).astype(float)

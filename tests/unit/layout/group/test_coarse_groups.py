@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from chain import by_name, lay_out, problem_of, settings
 
+from usdrigui.character import Control
 from usdrigui.errors import RigUIError
 from usdrigui.layout.reuse.prior_layout import prior_of_previous
 from usdrigui.layout.review.difference import difference
 from usdrigui.layout.review.review import _crowded, review
-from usdrigui.model import Control
 from usdrigui.model.levels import inner_names, outer_first, shown, states
 
 FACE = makers.face()

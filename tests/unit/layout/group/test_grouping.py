@@ -8,10 +8,10 @@ import makers
 import numpy as np
 import pytest
 
+from usdrigui.character import Joint
 from usdrigui.errors import RigUIError
 from usdrigui.layout.group.evidence import Evidence
 from usdrigui.layout.group.grouping import _Grouping, find_groups, suggested_groups
-from usdrigui.model import Joint
 
 POINTS, QUADS = makers.mask()
 

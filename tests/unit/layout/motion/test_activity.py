@@ -6,6 +6,8 @@ import makers
 import numpy as np
 import pytest
 
+from usdrigui.character import Performance
+from usdrigui.character.rotation import rotations
 from usdrigui.errors import RigUIError
 from usdrigui.layout.motion.activity import (
     Activity,
@@ -17,8 +19,6 @@ from usdrigui.layout.motion.activity import (
     together,
     with_importances,
 )
-from usdrigui.model import Performance
-from usdrigui.rotation import rotations
 from usdrigui.settings import ControlSettings
 
 FACE = makers.face()

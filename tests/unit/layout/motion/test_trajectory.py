@@ -7,9 +7,10 @@ import makers
 import numpy as np
 import pytest
 
+from usdrigui.character import Drive, Joint, Skeleton
 from usdrigui.layout.motion.coverage import _covered, coverage_of_smaller, notable_points, shares_of_face
 from usdrigui.layout.motion.trajectory import _beyond_drift, _split, trajectories
-from usdrigui.model import Drive, Joint, Motion, Polylines, Shares, Skeleton
+from usdrigui.model import Motion, Polylines, Shares
 from usdrigui.settings import TrajectorySettings
 
 POINTS, QUADS = makers.mask(9, 11)

@@ -11,7 +11,8 @@ import makers
 import numpy as np
 import pytest
 
-from usdrigui.joint_tree import Tree
+from usdrigui.character.joint_tree import Tree
+from usdrigui.character.rotation import rotations
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.parts import joint_regions
 from usdrigui.layout.parts.division import divide
@@ -20,7 +21,6 @@ from usdrigui.model import LayoutPart, Step
 from usdrigui.pipeline.joining import joined, joined_assignment
 from usdrigui.pipeline.records import Task
 from usdrigui.pipeline.stages import character_of, part_problem
-from usdrigui.rotation import rotations
 from usdrigui.settings import OutputSettings, Settings, load
 from usdrigui.usd import layer
 

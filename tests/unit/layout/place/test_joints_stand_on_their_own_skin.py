@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from makers import changed
 
-from usdrigui.model import Joint
+from usdrigui.character import Joint
 
 
 def candidates(rig, **parts):

@@ -154,8 +154,8 @@ def test_a_middle_control_may_be_doubled():
 
 
 def test_the_paper_preset_takes_the_constants_literally():
+    from usdrigui.character.surface import mean_edge_length, mesh_triangles
     from usdrigui.settings import load
-    from usdrigui.surface import mean_edge_length, mesh_triangles
 
     line = chain.problem_of(makers.face(), load(preset="paper"))
     edge = mean_edge_length(POINTS, mesh_triangles(line.face.rig.body.meshes))

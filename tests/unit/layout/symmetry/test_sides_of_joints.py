@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from makers import changed
 
+from usdrigui.character.rotation import rotations
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.symmetry.sides_of_joints import ahead_of_head
-from usdrigui.rotation import rotations
 from usdrigui.settings import Settings
 
 

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 from pxr import Usd, Vt
 
+from usdrigui.character import Drive, Floats, LeftOff
+from usdrigui.character.rotation import rotation_part, rotation_vectors
 from usdrigui.errors import Faults, Issue, issue, meant, refuse
-from usdrigui.model import Drive, Floats, LeftOff
-from usdrigui.rotation import rotation_part, rotation_vectors
+from usdrigui.reading.clips import Animated, State
+from usdrigui.reading.range import custom_data
+from usdrigui.reading.skeleton import Armature
 from usdrigui.settings import PoseSettings
-from usdrigui.usd.clips import Animated, State
-from usdrigui.usd.ranges import custom_data
-from usdrigui.usd.skeleton import Armature
 
 _LATEST = 1e15
 """No time code lies beyond."""

@@ -7,7 +7,7 @@ import re
 from collections.abc import Collection, Mapping
 
 from usdrigui.errors import RigUIError, meant, refuse
-from usdrigui.usd import schema
+from usdrigui.stages import schema
 
 _SELECTION = re.compile(r"\{([^={}]+)=([^{}]*)\}")
 

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 from pxr import Usd, UsdSkel
 
+from usdrigui.character import LeftOff, Rig
 from usdrigui.errors import Faults, Issue, RigUIError, issue, listed, meant, of_character, refuse
-from usdrigui.model import LeftOff, Rig
+from usdrigui.reading.control import joint_names, names_in_configuration
 from usdrigui.settings import RigSettings
-from usdrigui.usd.controls import joint_names, names_in_configuration
-from usdrigui.usd.schema import SCOPE
+from usdrigui.stages.schema import SCOPE
 
 _JOINTS_TOLD = 12
 """Names of joints in one message."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from usdrigui.model.record import Floats, Indices, Record
+from usdrigui.character.record import Floats, Indices, Record
 
 ControlKind = Literal["blendShape", "joint", "pose"]
 

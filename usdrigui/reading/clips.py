@@ -10,12 +10,12 @@ from pathlib import Path
 import numpy as np
 from pxr import Usd, UsdSkel
 
+from usdrigui.character import Body, Channel, Clip, Floats, Performance
+from usdrigui.character.rotation import quaternion_matrices
 from usdrigui.errors import Issue, RigUIError, issue, refuse
-from usdrigui.model import Body, Channel, Clip, Floats, Performance
-from usdrigui.rotation import quaternion_matrices
-from usdrigui.usd.arrays import floats, quaternions, tokens
-from usdrigui.usd.skeleton import Armature, locals_at
-from usdrigui.usd.stage import open_stage
+from usdrigui.reading.skeleton import Armature, locals_at
+from usdrigui.stages.arrays import floats, quaternions, tokens
+from usdrigui.stages.opening import open_stage
 
 _CLIP_BYTES = 128 * 1024 * 1024
 """Memory that a clip may take."""

@@ -10,10 +10,10 @@ from typing import Any, Literal
 import numpy as np
 from pxr import Tf, Usd, UsdSkel, Vt
 
+from usdrigui.character import Clip, Floats
 from usdrigui.errors import Issue, issue
-from usdrigui.model import Clip, Floats
-from usdrigui.usd.clips import Animated, weights_at
-from usdrigui.usd.skeleton import Armature
+from usdrigui.reading.clips import Animated, weights_at
+from usdrigui.reading.skeleton import Armature
 
 Source = Literal["config", "limits", "animation", "inbetweens", "metadata", "default"]
 

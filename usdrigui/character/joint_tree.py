@@ -13,9 +13,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from usdrigui.model import Floats, Joint, RigMesh
-from usdrigui.rotation import rotation_part
-from usdrigui.skinning import bound_points
+from usdrigui.character import Floats, Joint, RigMesh
+from usdrigui.character.rotation import rotation_part
+from usdrigui.character.skinning import bound_points
 
 FINGERS = 3
 """Chains of a fan, at least; and joints of a finger that curl, at most."""

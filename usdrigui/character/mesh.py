@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from usdrigui.model.record import Floats, Indices, Record, Singles
+from usdrigui.character.record import Floats, Indices, Record, Singles
 
 
 @dataclass(frozen=True, eq=False)

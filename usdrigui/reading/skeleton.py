@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel
 
+from usdrigui.character import Channel, Floats, Joint, Skeleton
 from usdrigui.errors import Issue, issue, refuse
-from usdrigui.model import Channel, Floats, Joint, Skeleton
-from usdrigui.usd.arrays import quaternions, tokens, vector_count
+from usdrigui.stages.arrays import quaternions, tokens, vector_count
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,7 @@ from pathlib import Path
 import numpy as np
 from pxr import Gf, Tf, Usd, UsdGeom, UsdSkel
 
-from usdrigui.errors import Faults, Issue, issue, listed, of_character, refuse
-from usdrigui.model import (
+from usdrigui.character import (
     Body,
     Channel,
     Clip,
@@ -27,9 +26,10 @@ from usdrigui.model import (
     Rig,
     SkelRoot,
 )
-from usdrigui.settings import ReadSettings, RigSettings, Settings
-from usdrigui.usd.clips import Animated, read_clip, read_still, weights_at
-from usdrigui.usd.controls import (
+from usdrigui.errors import Faults, Issue, issue, listed, of_character, refuse
+from usdrigui.reading.blend_shape import Binding, Found, left_off_tokens
+from usdrigui.reading.clips import Animated, read_clip, read_still, weights_at
+from usdrigui.reading.control import (
     Draft,
     blend_shape_drafts,
     default_joint_drafts,
@@ -38,13 +38,18 @@ from usdrigui.usd.controls import (
     pose_drafts,
     settled,
 )
-from usdrigui.usd.glyphs import read_glyphs
-from usdrigui.usd.mesh import hidden_issues, outside_issues, read_meshes
-from usdrigui.usd.poses import FrameNames, named_poses, read_frame_names
-from usdrigui.usd.ranges import read_ranges
-from usdrigui.usd.refusals import Reading, check_names, in_variants, why_lost, without_controls
-from usdrigui.usd.shapes import Binding, Found, left_off_tokens
-from usdrigui.usd.skeleton import (
+from usdrigui.reading.glyph import read_glyphs
+from usdrigui.reading.mesh import hidden_issues, outside_issues, read_meshes
+from usdrigui.reading.pose import FrameNames, named_poses, read_frame_names
+from usdrigui.reading.range import read_ranges
+from usdrigui.reading.refusal import (
+    Reading,
+    check_names,
+    in_variants,
+    why_lost,
+    without_controls,
+)
+from usdrigui.reading.skeleton import (
     Armature,
     Frames,
     bound_in_vain,
@@ -52,9 +57,10 @@ from usdrigui.usd.skeleton import (
     read_channels,
     read_joints,
 )
-from usdrigui.usd.stage import composition_issues, listening, open_stage, usd_message
-from usdrigui.usd.variant_paths import with_sets
-from usdrigui.usd.variants import variant_path
+from usdrigui.settings import ReadSettings, RigSettings, Settings
+from usdrigui.stages.opening import composition_issues, listening, open_stage, usd_message
+from usdrigui.stages.variant_paths import with_sets
+from usdrigui.stages.variants import variant_path
 
 
 def read_rigs(

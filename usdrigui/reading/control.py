@@ -9,16 +9,16 @@ from functools import partial
 
 import numpy as np
 
+from usdrigui.character import Body, Clip, Control, ControlKind, Drive, Floats, Joint, LeftOff
+from usdrigui.character.joint_tree import Tree
+from usdrigui.character.rotation import rotation_part, rotation_vectors
 from usdrigui.conventions.sides import twins_by_name
 from usdrigui.errors import Faults, Issue, issue, listed, refuse
-from usdrigui.joint_tree import Tree
-from usdrigui.model import Body, Clip, Control, ControlKind, Drive, Floats, Joint, LeftOff
-from usdrigui.rotation import rotation_part, rotation_vectors
+from usdrigui.reading.clips import State
+from usdrigui.reading.joint import Turn, default_turns, posed_locals
+from usdrigui.reading.pose import NamedPose, pose_drives, unwrapped
+from usdrigui.reading.range import Range
 from usdrigui.settings import ControlSettings, JointSettings, ReadSettings
-from usdrigui.usd.clips import State
-from usdrigui.usd.joint_defaults import Turn, default_turns, posed_locals
-from usdrigui.usd.poses import NamedPose, pose_drives, unwrapped
-from usdrigui.usd.ranges import Range
 
 _AXES = "xyz"
 _KEY_DEGREES = 10.0

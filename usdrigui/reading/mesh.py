@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, Usd, UsdGeom, UsdSkel
 
-from usdrigui.errors import Issue, issue, refuse
-from usdrigui.model import (
+from usdrigui.character import (
     Floats,
     Indices,
     MeshBinding,
@@ -20,11 +19,25 @@ from usdrigui.model import (
     Subset,
     Topology,
 )
-from usdrigui.usd import schema
-from usdrigui.usd.arrays import check_finite, check_range, floats, integers, value_at, vectors
-from usdrigui.usd.colours import point_colours
-from usdrigui.usd.shapes import Binding, Found, legible_tokens, note_tokens, read_shapes
-from usdrigui.usd.skeleton import Frames
+from usdrigui.errors import Issue, issue, refuse
+from usdrigui.reading.blend_shape import (
+    Binding,
+    Found,
+    legible_tokens,
+    note_tokens,
+    read_shapes,
+)
+from usdrigui.reading.skeleton import Frames
+from usdrigui.stages import schema
+from usdrigui.stages.arrays import (
+    check_finite,
+    check_range,
+    floats,
+    integers,
+    value_at,
+    vectors,
+)
+from usdrigui.stages.colours import point_colours
 
 
 def read_meshes(

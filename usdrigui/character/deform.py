@@ -14,9 +14,20 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from usdrigui.model import Body, Drive, Floats, Indices, Joint, Record, Rig, RigMesh, Shape, Singles
-from usdrigui.rotation import rotation_part, rotations
-from usdrigui.skinning import (
+from usdrigui.character import (
+    Body,
+    Drive,
+    Floats,
+    Indices,
+    Joint,
+    Record,
+    Rig,
+    RigMesh,
+    Shape,
+    Singles,
+)
+from usdrigui.character.rotation import rotation_part, rotations
+from usdrigui.character.skinning import (
     SAME,
     add_influences,
     applied,

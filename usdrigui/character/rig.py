@@ -9,10 +9,10 @@ from typing import Literal
 
 import numpy as np
 
+from usdrigui.character.controls import Channel, Control, Joint, Skeleton
+from usdrigui.character.mesh import RigMesh, Shape
+from usdrigui.character.record import Floats, Indices, Record
 from usdrigui.errors import Issue
-from usdrigui.model.controls import Channel, Control, Joint, Skeleton
-from usdrigui.model.mesh import RigMesh, Shape
-from usdrigui.model.record import Floats, Indices, Record
 
 
 @dataclass(frozen=True, eq=False)

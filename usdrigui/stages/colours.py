@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from pxr import Ar, Usd, UsdGeom, UsdShade
 
-from usdrigui.model import Floats, Indices, Topology
-from usdrigui.usd.arrays import value_at
+from usdrigui.character import Floats, Indices, Topology
+from usdrigui.stages.arrays import value_at
 
 _BASE_COLOURS = ("diffuseColor", "base_color", "baseColor", "diffuse_color_constant")
 """Inputs of UsdPreviewSurface, of MaterialX's standard surface, of glTF's and of MDL's."""

@@ -12,7 +12,7 @@ from types import MappingProxyType
 from pxr import Ar, Pcp, Sdf, Tf, Usd, UsdUtils
 
 from usdrigui.errors import Issue, RigUIError, issue, refuse
-from usdrigui.usd.variants import select
+from usdrigui.stages.variants import select
 
 _ADDRESS = re.compile("0x[0-9a-fA-F]{6,}")
 """Differs from run to run."""

@@ -14,13 +14,13 @@ from typing import Any, Literal
 import numpy as np
 from pxr import Sdf, Usd, UsdGeom
 
+from usdrigui.character import Floats, Glyph, Indices
 from usdrigui.errors import Faults, RigUIError, refuse
 from usdrigui.isolation.foreign_file import check_source
-from usdrigui.model import Floats, Glyph, Indices
+from usdrigui.reading.mesh import left_handed
 from usdrigui.settings import RigSettings
-from usdrigui.usd.arrays import check_range, integers, value_at, vectors
-from usdrigui.usd.mesh import left_handed
-from usdrigui.usd.stage import open_stage
+from usdrigui.stages.arrays import check_range, integers, value_at, vectors
+from usdrigui.stages.opening import open_stage
 
 _MOST_POINTS = 1000
 """Every handle repeats each shape's offset for each of its points."""

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components, dijkstra
 
-from usdrigui.model import Floats, Indices, RigMesh
+from usdrigui.character import Floats, Indices, RigMesh
 
 _TURNED = 1e-3
 """Share of a face by which a triangle must be turned against it: folded slivers are no concave

@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, Usd, UsdSkel
 
+from usdrigui.character import Body, Indices, LeftOff, Shape, Singles, Skeleton
 from usdrigui.errors import Issue, RigUIError, issue, refuse
-from usdrigui.model import Body, Indices, LeftOff, Shape, Singles, Skeleton
-from usdrigui.usd.arrays import check_range, integers, tokens, vectors
-from usdrigui.usd.skeleton import Armature, repeated, why_unbound
+from usdrigui.reading.skeleton import Armature, repeated, why_unbound
+from usdrigui.stages.arrays import check_range, integers, tokens, vectors
 
 PART_FAULTS = {
     "ARRAY_TYPE",

@@ -9,8 +9,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from usdrigui.model import Body, Floats, Indices, Joint, RigMesh, Skeleton, Skin
-from usdrigui.rotation import quaternion_matrices, quaternion_product, quaternions, rotation_part
+from usdrigui.character import Body, Floats, Indices, Joint, RigMesh, Skeleton, Skin
+from usdrigui.character.rotation import (
+    quaternion_matrices,
+    quaternion_product,
+    quaternions,
+    rotation_part,
+)
 
 SAME = 1e-8
 """Skinning matrices that differ by less (translations: relative to the mesh) are taken for

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.joint_tree import FINGERS, Fan, Tree, fans, unit
-from usdrigui.model import Floats
-from usdrigui.rotation import rotation_part, rotations
+from usdrigui.character import Floats
+from usdrigui.character.joint_tree import FINGERS, Fan, Tree, fans, unit
+from usdrigui.character.rotation import rotation_part, rotations
 
 _THUMB = 0.85
 """A finger whose cosine to the others is less is a thumb."""

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pxr import Usd, Vt
 
+from usdrigui.character import Floats, Indices
 from usdrigui.errors import refuse
-from usdrigui.model import Floats, Indices
 
 _INT = np.iinfo(np.int32)
 """All integers of USD's own schemas are of 32 bits."""

@@ -19,7 +19,7 @@ from typing import Protocol
 
 import numpy as np
 
-from usdrigui.model import Flags, Floats, Indices, Record
+from usdrigui.character import Flags, Floats, Indices, Record
 from usdrigui.ties import axis_across
 
 OFFSET = 1e-4

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from pxr import Sdf, Usd
 
 from usdrigui.errors import meant, refuse
-from usdrigui.usd.variant_paths import unknown_set
+from usdrigui.stages.variant_paths import unknown_set
 
 
 def select(stage: Usd.Stage, wanted: Mapping[str, str]) -> None:

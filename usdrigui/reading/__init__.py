@@ -1,0 +1,1 @@
+"""From a stage to `Rig` records: a file for each thing that a rigger names."""
