@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -212,12 +212,11 @@ def _insets(section: Section, skin: Floats, view: Frame) -> list[Frame]:
     return insets
 
 
-def _named(layout: Layout, frame: Frame, insets: Sequence[Frame]) -> Frame:
+def _named(frame: Frame, names: Mapping[int, str], insets: Sequence[Frame]) -> Frame:
     """The frame with the names of its elements that no inset names."""
-    short = shortened([layout.elements[i].look.label for i in frame.shown])
     elsewhere = {i for inset in insets for i in inset.shown}
-    names = [(i, name) for i, name in zip(frame.shown, short, strict=True) if i not in elsewhere]
-    return replace(frame, names=tuple(names), column=column_width([name for _, name in names]))
+    shown = tuple((i, names[i]) for i in frame.shown if i not in elsewhere)
+    return replace(frame, names=shown, column=column_width([name for _, name in shown]))
 
 
 def _arranged(rig: Rig, section: Section, subject: Subject, wanted: Wanted) -> tuple[View, ...]:
@@ -226,8 +225,11 @@ def _arranged(rig: Rig, section: Section, subject: Subject, wanted: Wanted) -> t
     frames = _frames(rig, section, skin, wanted.views)
     insets = _insets(section, skin, frames[0]) if wanted.views is None else []
     if wanted.labels:
-        frames[0] = _named(section.layout, frames[0], insets)
-        insets = [_named(section.layout, inset, ()) for inset in insets]
+        placed = frames[0].shown
+        short = shortened([section.layout.elements[i].look.label for i in placed])
+        names = dict(zip(placed, short, strict=True))
+        frames[0] = _named(frames[0], names, insets)
+        insets = [_named(inset, names, ()) for inset in insets]
     width, height = wanted.size[0] - 2 * _EDGE, wanted.size[1] - _TITLE - _CAPTION - _LEGEND
     first = row(frames, (_EDGE, _TITLE, width, height))
     top, most = _TITLE + height + _CAPTION, _ENLARGED * first[0].camera.scale

@@ -93,20 +93,26 @@ def row(
     frames: Sequence[Frame], box: tuple[int, int, int, int], most: float = np.inf
 ) -> tuple[View, ...]:
     """The frames beside each other in a box (left, top, width, height) of a page, all at one scale
-    of at most `most` pixels per scene unit; without such a limit, what is left of the width shows
-    more of the character."""
+    of at most `most` pixels per scene unit.
+
+    Without such a limit they are views of one thing: level with each other, and what is left of the
+    width shows more of it.
+    """
     if not frames:
         return ()
     left, top, width, height = box
-    low = min(float(frame.low[1]) for frame in frames)
-    high = max(float(frame.high[1]) for frame in frames)
+    lows = np.array([frame.low[1] for frame in frames])
+    highs = np.array([frame.high[1] for frame in frames])
+    if np.isinf(most):
+        lows, highs = np.full_like(lows, lows.min()), np.full_like(highs, highs.max())
     free = width - _GAP * (len(frames) - 1) - sum(2 * frame.column for frame in frames)
     wide = sum(float(frame.high[0] - frame.low[0]) for frame in frames)
-    scale = max(min(height / (high - low), max(free, 0.3 * width) / wide, most), 1e-12)
+    tall = float((highs - lows).max())
+    scale = max(min(height / tall, max(free, 0.3 * width) / wide, most), 1e-12)
     spare = max(free - scale * wide, 0.0) / len(frames) if np.isinf(most) else 0.0
     views = []
-    for frame in frames:
-        middle = np.array([0.5 * (frame.low[0] + frame.high[0]), 0.5 * (low + high)])
+    for frame, level in zip(frames, 0.5 * (lows + highs), strict=True):
+        middle = np.array([0.5 * (frame.low[0] + frame.high[0]), level])
         across = max(int(scale * float(frame.high[0] - frame.low[0]) + spare), 1)
         camera = Camera(frame.rows, middle @ frame.rows[:2], scale, across, height)
         views.append(View(frame, camera, (left, top)))

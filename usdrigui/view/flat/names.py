@@ -19,7 +19,8 @@ LARGEST, LEAST = 12, 7
 _MAX_WIDTH = 210.0
 """Of a column of names: a longer one would leave the character no room."""
 _FAMILY = 3
-"""Names that share a first word, at least, to leave it out."""
+"""Names that share a first word, at least, to leave it out; and they are most of all names, since
+a word of a few says which they are."""
 _EDGE, _AIR = 6.0, 10.0
 """Between the edge of a panel and its names, and between them and where their lines turn."""
 
@@ -33,7 +34,7 @@ def shortened(names: Sequence[str]) -> list[str]:
     for word, count in families.items():
         members = [i for i, found in enumerate(first) if found and found[0] == word]
         texts = [names[i] for i in members]
-        if count >= _FAMILY and len(set(texts)) == count:
+        if count >= _FAMILY and 2 * count > len(names) and len(set(texts)) == count:
             start = _shared_words(texts)
             rest = [text[start:] for text in texts]
             end = _shared_words([text[::-1] for text in rest])
