@@ -7,7 +7,7 @@ import scripts
 import skinned_stages
 
 from usdrigui import load_settings, process
-from usdrigui.report.run_report import to_json
+from usdrigui.report.run_documents import to_json
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "internals" / "report.md"
 

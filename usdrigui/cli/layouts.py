@@ -25,7 +25,7 @@ def process(arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline
     from usdrigui.cli.terminal import run_lines
     from usdrigui.pipeline.references import ReferenceLayers
-    from usdrigui.report import run_report
+    from usdrigui.report import run_documents
 
     settings = settings_of(arguments)
     references = ReferenceLayers(
@@ -59,7 +59,7 @@ def process(arguments: argparse.Namespace) -> Exit:
         )
         arguments.written = f"the layout itself is {result.outcome} {result.output}".rstrip()
     screen.show(
-        lambda: run_report.to_json(result),
+        lambda: run_documents.to_json(result),
         run_lines.report_lines(result, written, verbose=arguments.verbose),
         run_lines.closing_line(result),
     )
@@ -86,10 +86,10 @@ def _stage_extras(
     for each."""
     from usdrigui.model import levels
     from usdrigui.pipeline import stage_file
-    from usdrigui.report import run_report
+    from usdrigui.report import run_documents
 
     if arguments.report is not None:
-        content = run_report.to_json(result).encode()
+        content = run_documents.to_json(result).encode()
         written.append(f"{stage_file(files, content, arguments.report)} {arguments.report}")
     if arguments.preview is not None:
         from usdrigui.view import sheet
@@ -123,13 +123,13 @@ def check(arguments: argparse.Namespace) -> Exit:
     """Check that a layout still fits its rig, or that an asset is valid."""
     from usdrigui import pipeline
     from usdrigui.cli.terminal import review_lines
-    from usdrigui.report import run_report
+    from usdrigui.report import run_documents
 
     settings, screen = settings_of(arguments), screen_of(arguments)
     with screen.progress() as shown:
         found = pipeline.check(arguments.layer, settings, progress=shown)
     screen.show(
-        lambda: run_report.review_json(found.layer, found.characters, found.issues),
+        lambda: run_documents.review_json(found.layer, found.characters, found.issues),
         *review_lines.of_review(found),
     )
     if any(each.severity == "error" for each in found.issues):
@@ -141,11 +141,11 @@ def diff(arguments: argparse.Namespace) -> Exit:
     """List the controls that two layouts of a character place differently, and why."""
     from usdrigui import pipeline
     from usdrigui.cli.terminal import review_lines
-    from usdrigui.report import run_report
+    from usdrigui.report import run_documents
 
     found = pipeline.diff(arguments.before, arguments.layer, settings_of_command_line(arguments))
     screen_of(arguments).show(
-        lambda: run_report.difference_json(found), *review_lines.of_difference(found)
+        lambda: run_documents.difference_json(found), *review_lines.of_difference(found)
     )
     return Exit.REFUSED if arguments.strict and not found.empty else Exit.OK
 

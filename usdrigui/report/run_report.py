@@ -1,22 +1,20 @@
 """The account of a run: what became of every control, at what cost, proven how well, in what time.
 
-`Report` is what `usdrigui.process` returns; `to_json` is the document that `--report` and `--json`
-write, described in docs/internals/report.md.  Timings are the only part that differs between
-identical runs.
+`Report` is what `usdrigui.process` returns; `run_documents` writes it as JSON.  Timings alone
+differ between identical runs.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from usdrigui.character import Floats, LeftOff, Rig
 from usdrigui.errors import Issue
-from usdrigui.model import Assignment, Element, Layout
+from usdrigui.model import Assignment, Layout
 from usdrigui.model.levels import outer_first
-from usdrigui.report.documents import document, plain
 from usdrigui.report.markup import markup
 
 Outcome = Literal["written", "unchanged", "dry run", "in memory"]
@@ -207,139 +205,3 @@ def rows_of(
         for name, reason in reasons.items()
     ]
     return tuple(rows)
-
-
-def to_json(report: Report) -> str:
-    """The report as a JSON document."""
-    return document(
-        "report",
-        asset=report.asset,
-        output=report.output,
-        outcome=report.outcome,
-        exit=0,
-        characters=[_character(each) for each in report.characters],
-        issues=report.issues,
-        settings=report.settings,
-        sources=report.sources,
-        seconds=dict(report.seconds),
-    )
-
-
-def review_json(layer: str, characters: Sequence[tuple[str, Any]], issues: Sequence[Issue]) -> str:
-    """The outcome of `usdrigui check` as a JSON document; `characters` are (prim path, review)
-    pairs."""
-    reviews = [
-        {"root": root, "cost": review.cost, "elements": [_review_row(x) for x in review.elements]}
-        for root, review in characters
-    ]
-    return document("review", layer=layer, characters=reviews, issues=issues)
-
-
-def _review_row(element: Any) -> dict[str, Any]:
-    """An element's review, whose improvement is a gain in documents."""
-    return {("gain" if k == "improvement" else k): v for k, v in plain(element).items()}
-
-
-def difference_json(found: Any) -> str:
-    """The outcome of `usdrigui diff`, a `usdrigui.pipeline.LayerDifference`, as a JSON document."""
-    return document(
-        "difference",
-        before=found.before,
-        after=found.after,
-        characters=[_difference(each) for each in found.characters],
-        only_in_one=found.only_in_one,
-        issues=[],
-    )
-
-
-def _difference(found: Any) -> dict[str, Any]:
-    return {
-        "root": found.root,
-        "shared": found.shared,
-        "displaced": found.changed,
-        "renamed": len({each.was for each in found.renamed}),
-        "changes": found.changes,
-    }
-
-
-def _character(character: CharacterReport) -> dict[str, Any]:
-    layout, assignment = character.layout, character.assignment
-    return {
-        "root": character.root,
-        "variant_path": layout.character.variant_path,
-        "points": int(character.rig.body.starts[-1]),
-        "meshes": len(character.rig.body.meshes),
-        "controls": [_row(row) for row in character.rows],
-        "counts": {place: character.count(place) for place in ("face", "board", "left off")},
-        "displacement_kept": character.kept,
-        "elements": [
-            _element(element, element.name not in character.added) for element in layout.elements
-        ],
-        "notes": character.notes,
-        "handle_width": layout.frame.handle_width,
-        "symmetry_plane": {
-            "origin": layout.frame.plane.origin,
-            "normal": layout.frame.plane.normal,
-        },
-        "view": layout.frame.view,
-        "parts": [_part(part) for part in character.parts],
-        "difference": character.difference and _difference(character.difference),
-        "matchings": character.matchings,
-        "solution": {
-            **_proof(assignment),
-            "weights": dict(layout.proof.weights),
-            "steps": [{**plain(step), "figures": dict(step.figures)} for step in assignment.steps],
-        },
-    }
-
-
-def _part(part: PartRow) -> dict[str, Any]:
-    return {
-        "name": part.name,
-        "controls": part.controls,
-        "on_it": part.on_it,
-        "handle_width": part.handle_width,
-        "view": part.view,
-        "solution": _proof(part.assignment),
-    }
-
-
-def _proof(assignment: Assignment) -> dict[str, Any]:
-    names = ("method", "closed_by", "status", "cost", "bound")
-    derived = ("gap", "above_unary_bound", "gap_of_choice")
-    return {name: getattr(assignment, name) for name in (*names, *derived)}
-
-
-def _row(row: ControlRow) -> dict[str, Any]:
-    return {
-        "control": row.control,
-        "kind": row.kind,
-        "place": row.place,
-        "part": row.part,
-        "element": row.element,
-        "twin": row.twin,
-        "displacement_kept": row.kept,
-        "reason": row.reason,
-        "explained_by": dict(row.explained_by),
-    }
-
-
-def _element(element: Element, existing: bool) -> dict[str, Any]:
-    anchor, moved = element.anchor, element.manipulator
-    return {
-        "name": element.name,
-        "kind": moved.kind,
-        "controls": [member.control for member in moved.members],
-        "opposed": moved.opposed,
-        "side": element.look.side,
-        "mirror": moved.mirror,
-        "on_board": anchor.on_board,
-        "category": element.placement.category,
-        "mesh": anchor.mesh,
-        "point": anchor.point,
-        "position": anchor.position,
-        "gains": [member.magnification for member in moved.members],
-        "reason": element.placement.reason,
-        "existing": existing,
-        "members": element.look.inner,
-    }
