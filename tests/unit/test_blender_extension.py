@@ -85,7 +85,8 @@ def test_it_brings_nothing_of_ours_and_says_one_version():
 
 
 @pytest.mark.parametrize(
-    "name", ["pose/drag.py", "pose/handle_track.py", "palette.py", "character/rotation.py", "model/visible.py"]
+    "name",
+    ["pose/drag.py", "pose/handle_track.py", "character/palette.py", "character/rotation.py", "model/visible.py"],
 )
 def test_the_rules_it_shares_are_our_own_files(name):
     shared = blender_extension.extension_files()[f"maths/{Path(name).name}"]

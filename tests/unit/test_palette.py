@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from usdrigui import palette
+from usdrigui.character import palette
 from usdrigui.view.body import shading
 
 LEAST = 25.0

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from usdrigui import palette
+from usdrigui.character import palette
 from usdrigui.character.rays import GridCaster
 from usdrigui.errors import RigUIError
 from usdrigui.pipeline.joining import joined

@@ -20,7 +20,7 @@ NAME = "usdrigui_controls"
 _SHARED = (
     "pose/drag.py",
     "pose/handle_track.py",
-    "palette.py",
+    "character/palette.py",
     "character/rotation.py",
     "model/visible.py",
 )

@@ -136,7 +136,7 @@ def same_name(name: str, known: Sequence[str]) -> str:
 
 def same_act(one: Action, other: Action) -> bool:
     """Whether two actions are one, or one action unit: mouthShrugLower is what raises the chin."""
-    return one == other or not units_of(one).isdisjoint(units_of(other))
+    return one == other or not units_of(one.name).isdisjoint(units_of(other.name))
 
 
 def _spelling(each: tuple[str, ...]) -> Spelling:

@@ -111,14 +111,14 @@ def _action(name: str, row: Mapping[str, Any]) -> Action:
     return Action(name, place=tuple(row["place"]) if "place" in row else None, **fields)
 
 
-def units_of(action: Action) -> frozenset[int]:
+def units_of(action: str) -> frozenset[int]:
     """The numbers of an action in the Facial Action Coding System."""
-    return frozenset(_action_rows()[action.name].get("au", ()))
+    return frozenset(_action_rows()[action].get("au", ()))
 
 
 def action_of_unit(number: int) -> Action | None:
     """The first action that has a number there."""
-    return next((each for each in actions().values() if number in units_of(each)), None)
+    return next((each for each in actions().values() if number in units_of(each.name)), None)
 
 
 def joysticks() -> Mapping[str, tuple[str, str]]:

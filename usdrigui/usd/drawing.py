@@ -16,8 +16,8 @@ import numpy as np
 from pxr import Sdf, UsdGeom, Vt
 
 from usdrigui.character import Body, Channel, Floats, Indices, Joint, Record, Skeleton
+from usdrigui.character.palette import linear
 from usdrigui.model import Element
-from usdrigui.palette import linear
 from usdrigui.stages import schema
 from usdrigui.usd import author
 from usdrigui.usd.drawn import Drawn

@@ -13,8 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from PIL import Image, ImageDraw
 
-from usdrigui import palette
-from usdrigui.character import Floats, Rig
+from usdrigui.character import Floats, Rig, palette
 from usdrigui.errors import refuse
 from usdrigui.model import Element, Layout
 from usdrigui.pose.evaluate import evaluate, prepare

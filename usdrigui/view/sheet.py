@@ -8,9 +8,9 @@ from collections.abc import Mapping, Sequence
 from PIL import Image
 
 from usdrigui.character import Rig
+from usdrigui.character.palette import SIDES
 from usdrigui.errors import visible
 from usdrigui.model import Layout
-from usdrigui.palette import SIDES
 from usdrigui.pose.evaluate import values_of
 from usdrigui.view.clip import clip_values
 from usdrigui.view.flat import lettering

@@ -7,8 +7,8 @@ from itertools import pairwise
 import numpy as np
 
 from usdrigui.character import Flags, Floats, Glyph
+from usdrigui.character.palette import BOARD, SIDES, Colour
 from usdrigui.model import Element, Manipulator
-from usdrigui.palette import BOARD, SIDES, Colour
 from usdrigui.pose.evaluate import PosedElement
 from usdrigui.ties import axis_across
 from usdrigui.view.body.shading import Camera

@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 from PIL import Image
 
 from usdrigui.character import Flags, Floats, Record
+from usdrigui.character.palette import Colour
 from usdrigui.model import Element
-from usdrigui.palette import Colour
 
 INK, QUIET = (46, 50, 56), (88, 94, 104)
 """Of names, and of what explains them: on either ground of contrast 4.5 at least (WCAG 2.1)."""

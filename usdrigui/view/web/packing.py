@@ -33,11 +33,11 @@ from usdrigui.character import (
     Shape,
     Skin,
 )
+from usdrigui.character.palette import SIDES
 from usdrigui.character.surface import triangles
 from usdrigui.errors import Issue, refuse
 from usdrigui.following import Following, following, shared
 from usdrigui.model import Element, Layout, Member
-from usdrigui.palette import SIDES
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.settings import OutputSettings
 from usdrigui.view.body.complexion import complexion
