@@ -3,6 +3,7 @@
 The table says which issues each stage deserves; the law says that a stage and its flattened copy get the same one.
 """
 
+import os
 import random
 import re
 import shutil
@@ -12,6 +13,7 @@ import pytest
 import skinned_stages
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel, UsdUtils
 
+import usdrigui
 from usdrigui.cli import main
 from usdrigui.errors import RigUIError
 from usdrigui.pipeline import check, load_layer
@@ -106,6 +108,27 @@ def take_shape(stage, above="/World"):
             tokens.Set(["gone" if token == "sneer_L" else token for token in tokens.Get()])
 
 
+def deactivate_element(stage, above="/World"):
+    element(stage, "pucker", above).SetActive(False)
+
+
+def deactivate_twin(stage, above="/World"):
+    element(stage, "smile_L", above).SetActive(False)
+
+
+def swap_clip(stage, above="/World"):
+    """Another clip, which has one of the shapes."""
+    clip = UsdSkel.Animation.Define(stage, f"{above}/OtherAnim")
+    clip.CreateBlendShapesAttr(["pucker"])
+    clip.CreateBlendShapeWeightsAttr([0.5])
+    skeleton = UsdSkel.BindingAPI(stage.GetPrimAtPath(f"{above}/Char/Skel"))
+    skeleton.GetAnimationSourceRel().SetTargets([clip.GetPath()])
+
+
+def drop_clip(stage, above="/World"):
+    UsdSkel.BindingAPI(stage.GetPrimAtPath(f"{above}/Char/Skel")).GetAnimationSourceRel().SetTargets([])
+
+
 def deactivate_all(stage, above="/World"):
     for mesh in ("face0", "face1"):
         stage.GetPrimAtPath(f"{above}/Char/{mesh}").SetActive(False)
@@ -135,6 +158,10 @@ EDITS = {
     regrab: {"LAYOUT_ANCHOR_MOVED"},
     collide: {"LAYOUT_HANDLES_COLLIDE", "LAYOUT_ANCHOR_MOVED", "LAYOUT_INVALID"},  # its track stays
     take_shape: {"LAYOUT_CONTROL_GONE", "LAYOUT_CONTROL_NEW"},
+    deactivate_element: {"LAYOUT_CONTROL_NEW"},
+    deactivate_twin: {"LAYOUT_CONTROL_NEW"},
+    swap_clip: {"LAYOUT_NOT_ANIMATED"},
+    drop_clip: {"LAYOUT_NOT_ANIMATED"},
     drop_layout: set(),  # of the only one, LAYOUT_NONE of one of two
     drop_character: {"SKELROOT_MISSING"},
 }
@@ -286,6 +313,67 @@ def test_any_shot_and_its_flattened_copy_are_judged_alike(seed, folder):
             edit(stage, above)
     path = saved(stage)
     assert judged(path) == judged(flattened(stage, folder))
+
+
+def judged_open(stage):
+    """The same of an open stage, by character: edits of it may leave USD's order of prims behind."""
+    try:
+        found = usdrigui.check(stage)
+    except RigUIError as error:
+        return {error.issue.code}, {}
+    issues = {(each.code, each.severity, each.where, FORGOTTEN.sub("", each.message)) for each in found.issues}
+    return issues, {root: (review.cost, review.elements) for root, review in found.characters}
+
+
+def open_shot(folder, chance):
+    """An open stage of one or two characters with unsaved edits in all its layers, some of them muted, in variants that
+    are fallbacks, and with a part of it loaded and populated."""
+    names = ["A", "B"][: chance.randint(1, 2)]
+    made = shot(folder, *names, payload=chance.random() < 0.5)
+    root = made.GetRootLayer()
+    below = Sdf.Layer.CreateNew(str(folder / "below.usda"))
+    root.subLayerPaths.append("./below.usda")
+    session = Sdf.Layer.CreateAnonymous()
+    underneath = Sdf.Layer.CreateAnonymous()
+    session.subLayerPaths.append(underneath.identifier)
+    levels = made.GetPrimAtPath("/Shot/A").GetVariantSets().AddVariantSet("LOD")
+    levels.AddVariant("high")
+    levels.AddVariant("low")
+    Sdf.CreatePrimInLayer(root, "/Shot/A{LOD=low}Char/face0").SetInfo("active", False)
+    Usd.Stage.SetGlobalVariantFallbacks({"LOD": [chance.choice(["high", "low"])]})
+    try:
+        stage = Usd.Stage.Open(root, session)
+    finally:
+        Usd.Stage.SetGlobalVariantFallbacks({})
+    for layer in (root, below, session, underneath):
+        above = f"/Shot/{chance.choice(names)}"
+        with Usd.EditContext(stage, layer):
+            if element(stage, "pucker", above):
+                chance.choice([*EDITS][:-2])(stage, above)
+    if chance.random() < 0.5:
+        stage.MuteLayer(chance.choice([below, session, underneath]).identifier)
+    if chance.random() < 0.3:
+        stage.Unload(f"/Shot/{names[-1]}")
+    if chance.random() < 0.3:
+        stage.SetPopulationMask(Usd.StagePopulationMask([f"/Shot/{chance.choice(names)}"]))
+    return stage, underneath  # which the stage lets go of when it is muted
+
+
+@pytest.mark.parametrize("seed", range(int(os.environ.get("USDRIGUI_STAGES", "8"))))
+def test_an_open_stage_and_its_flattened_copy_are_judged_alike(seed, folder):
+    stage, _held = open_shot(folder, random.Random(seed))
+    before = {layer: layer.ExportToString() for layer in stage.GetUsedLayers()}
+    found = judged_open(stage)
+    assert {layer: layer.ExportToString() for layer in stage.GetUsedLayers()} == before
+    assert found == judged_open(Usd.Stage.Open(stage.Flatten()))
+
+
+def test_a_stage_whose_layout_is_muted_is_laid_out_again(folder):
+    """As docs/open-stage.md has it."""
+    stage = over(folder, "./char.usda")
+    stage.GetRootLayer().subLayerPaths.insert(0, "./char.rigui.usda")
+    stage.MuteLayer(str(folder / "char.rigui.usda"))
+    assert usdrigui.process(stage, usdrigui.load_settings({"solve": {"gap": 0.05}})).outcome == "in memory"
 
 
 def test_every_finding_says_whose_it_is(folder, capsys):

@@ -263,9 +263,8 @@ def _review_of(
             for e in loaded.contradictions
             if e.character == rig.skel_root.path
         ]
-        own = replace(
-            found, issues=of_character(rig.skel_root.path_in_variants, [*wrong, *found.issues])
-        )
+        wrong += [*found.issues, *review_stage.not_animated(rig, layout)]
+        own = replace(found, issues=of_character(rig.skel_root.path_in_variants, wrong))
         reviews.append((rig.skel_root.path_in_variants, own))
     return LayerReview(name, tuple(reviews), clock.seconds, (*stale, *loaded.without_layout))
 

@@ -6,6 +6,7 @@ could die of.
 
 from __future__ import annotations
 
+import contextlib
 from typing import TYPE_CHECKING
 
 from pxr import Sdf, Usd
@@ -21,7 +22,7 @@ from usdrigui.usd.reader_main import cameras_toward
 from usdrigui.usd.reader_records import ReadResult
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Mapping
+    from collections.abc import Collection, Iterator, Mapping
 
 
 def read_open_rigs(source: Usd.Stage | Sdf.Layer, settings: Settings) -> ReadResult:
@@ -75,13 +76,53 @@ def read_open_variants(
 
 
 def _copy(source: Usd.Stage | Sdf.Layer, variants: Mapping[str, str]) -> Usd.Stage:
-    """The same layers composed once more: whatever is tried on that stage, the caller's is left
-    alone."""
+    """The same layers composed once more as they are on the caller's stage, whatever is tried on
+    it: with what is muted, loaded, masked and edited in its session layer."""
     session = Sdf.Layer.CreateAnonymous()
     if isinstance(source, Sdf.Layer):
         stage = Usd.Stage.Open(source, session)
     else:
-        session.TransferContent(source.GetSessionLayer())
-        stage = Usd.Stage.Open(source.GetRootLayer(), session, source.GetPathResolverContext())
+        edited = source.GetSessionLayer()
+        if edited is not None and edited.identifier not in source.GetMutedLayers():
+            _bring_in(session, edited)
+        with _variant_fallbacks(source):
+            stage = Usd.Stage.OpenMasked(
+                source.GetRootLayer(),
+                session,
+                source.GetPathResolverContext(),
+                source.GetPopulationMask(),
+                Usd.Stage.LoadNone,
+            )
+        stage.MuteAndUnmuteLayers(source.GetMutedLayers(), [])
+        stage.SetLoadRules(source.GetLoadRules())
+        stage.SetInterpolationType(source.GetInterpolationType())
     select(stage, variants)
     return stage
+
+
+def _bring_in(session: Sdf.Layer, edited: Sdf.Layer) -> None:
+    """Put the session layer of a stage below that of its copy, where its relative paths hold and it
+    can be muted; stage metadata counts in the upper one alone."""
+    for key in edited.pseudoRoot.ListInfoKeys():
+        if key not in ("subLayers", "subLayerOffsets"):
+            session.pseudoRoot.SetInfo(key, edited.pseudoRoot.GetInfo(key))
+    session.subLayerPaths.append(edited.identifier)
+
+
+@contextlib.contextmanager
+def _variant_fallbacks(source: Usd.Stage) -> Iterator[None]:
+    """The variants that the stage has where none is authored: fallbacks belong to the process, and
+    a stage keeps those of the time when it was opened."""
+    before = Usd.Stage.GetGlobalVariantFallbacks()
+    fallbacks: dict[str, list[str]] = {}
+    for prim in Usd.PrimRange.Stage(source, Usd.TraverseInstanceProxies()):
+        sets = prim.GetVariantSets()
+        for name in sets.GetNames():
+            chosen = sets.GetVariantSet(name)
+            if chosen.GetVariantSelection() and not chosen.HasAuthoredVariantSelection():
+                fallbacks[name] = [chosen.GetVariantSelection()]
+    Usd.Stage.SetGlobalVariantFallbacks(fallbacks)
+    try:
+        yield
+    finally:
+        Usd.Stage.SetGlobalVariantFallbacks(before)

@@ -94,8 +94,10 @@ def element_names(prim: Usd.Prim, relationship: str) -> tuple[str, ...]:
 
 
 def element_name(prim: Usd.Prim) -> str:
-    """Name of the element at a prim; empty where there is none."""
-    return (str(value_of(prim, schema.ELEMENT, "name")) or prim.GetName()) if prim else ""
+    """Name of the element at a prim; empty where there is none, or an inactive one."""
+    if not prim or not prim.IsActive():
+        return ""
+    return str(value_of(prim, schema.ELEMENT, "name")) or str(prim.GetName())
 
 
 def check_equal(prim: Usd.Prim, name: str, *columns: Any) -> None:

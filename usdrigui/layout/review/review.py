@@ -13,7 +13,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from usdrigui.character import Body, Control, Floats, Indices, Rig, RigMesh
-from usdrigui.errors import Faults, Issue, RigUIError, by_cause, catalogue, issue, of_character
+from usdrigui.errors import (
+    Faults,
+    Issue,
+    RigUIError,
+    by_cause,
+    catalogue,
+    issue,
+    listed,
+    of_character,
+)
 from usdrigui.layout.face import Face
 from usdrigui.layout.measured import Measured
 from usdrigui.layout.place.problem import placement_problem
@@ -117,6 +126,27 @@ def review(
         if each.improvement > _WORTH and each.element not in pinned
     ]
     return Review(tuple(issues), rated, total_cost(problem, labels) if choices else 0.0)
+
+
+def not_animated(rig: Rig, layout: Layout) -> Iterator[Issue]:
+    """LAYOUT_NOT_ANIMATED for each element with controls that nothing moves, as no SkelAnimation
+    that is bound has their weights or joints; one for the character where it has none at all."""
+    still = {control.name for control in rig.controls if not _animated(rig.body, control)}
+    if still and len(still) == len(rig.controls):
+        where = layout.character.root
+        what = f"no SkelAnimation that is bound has any of its {len(still)} controls"
+        yield issue("LAYOUT_NOT_ANIMATED", where, what)
+        return
+    for element in layout.elements:
+        if names := sorted(element.manipulator.controls & still):
+            what = f"no SkelAnimation that is bound has {listed(names)}"
+            yield issue("LAYOUT_NOT_ANIMATED", element.name, what)
+
+
+def _animated(body: Body, control: Control) -> bool:
+    animations = [body.channels[index].animation for index in control.drive.channels]
+    joints = [body.joints[index] for index in control.drive.joints]
+    return all([*animations, *(body.skeletons[joint.skeleton].animation for joint in joints)])
 
 
 def joined(parts: Sequence[Review]) -> Review:
