@@ -6,10 +6,12 @@ import http.client
 import re
 import socket
 import threading
+import urllib.parse
+from pathlib import Path
 
 import pytest
 
-from usdrigui.view.web.live import LiveFile
+from usdrigui.view.web.live import LiveFile, animation
 from usdrigui.view.web.serve import page_server, serve
 
 PAGE = "<!DOCTYPE html><title>ä</title>"
@@ -110,7 +112,45 @@ def test_serve_announces_and_stops():
 
 # --- the file of a live link -------------------------------------------------------------------------
 
-EDIT = b'#usda 1.0\n(\n    customLayerData = { dictionary usdrigui = { string work = "{}" } }\n)\n'
+EDIT = b"""#usda 1.0
+(
+    defaultPrim = "Char"
+    startTimeCode = 1
+    endTimeCode = 24
+    timeCodesPerSecond = 24
+    framesPerSecond = 24
+    customLayerData = {
+        dictionary usdrigui = {
+            string work = "{\\"root\\":\\"/Char\\",\\"keys\\":{}}"
+        }
+    }
+)
+
+over "Char"
+{
+    over "Skel" (
+        prepend apiSchemas = ["SkelBindingAPI"]
+    )
+    {
+        rel skel:animationSource = </Char/Skel/usdrigui_animation>
+        def SkelAnimation "usdrigui_animation"
+        {
+            uniform token[] blendShapes = ["smile", "a \\"b\\" \\\\"]
+            float[] blendShapeWeights.timeSamples = {
+                1: [0, -0.25],
+                24: [1e-7, 1],
+            }
+            uniform token[] joints = ["Head"]
+            quatf[] rotations.timeSamples = {
+                1: [(1, 0, 0, 0)],
+            }
+            half3[] scales.timeSamples = {
+                1: [(1, 1, 1)],
+            }
+        }
+    }
+}
+"""
 
 
 @pytest.fixture
@@ -140,7 +180,7 @@ def test_a_live_file_is_replaced_by_who_knows_what_it_holds(live):
     assert (status, live.live.path.read_bytes()) == (200, EDIT)
     assert ask(live, "GET") == (200, first, EDIT)
     assert ask(live, "GET", **{"If-None-Match": first})[0] == 304
-    other = EDIT + b"# two\n"
+    other = EDIT.replace(b"0.25", b"0.5")
     for known in ('"absent"', "", '"0"'):
         assert ask(live, "PUT", other, **{"If-Match": known})[0] == 412
     assert live.live.path.read_bytes() == EDIT
@@ -158,14 +198,66 @@ def test_a_live_file_is_replaced_by_who_knows_what_it_holds(live):
         (404, {"path": "/edit"}),
         (400, {"body": b"#usda 1.0\n"}),
         (400, {"body": b"work"}),
-        (413, {"body": EDIT + b"#" * 1000}),
+        (413, {"body": EDIT + b"#" * 2000}),
     ],
 )
 def test_others_write_nothing(live, monkeypatch, status, change):
-    monkeypatch.setattr("usdrigui.view.web.serve._MOST_WRITTEN", 1000)
+    monkeypatch.setattr("usdrigui.view.web.serve._MOST_WRITTEN", 2000)
     asked = {"body": EDIT, "If-Match": '"absent"', **change}
     assert ask(live, "PUT", **asked)[0] == status
     assert not live.live.path.exists()
+
+
+FOREIGN = {
+    "a sublayer": (b"    defaultPrim", b"    subLayers = [@/etc/passwd@]\n    defaultPrim"),
+    "a reference": (b'prepend apiSchemas = ["SkelBindingAPI"]', b"references = @/etc/passwd@"),
+    "another schema": (b"SkelBindingAPI", b"CollectionAPI:x"),
+    "another type": (b"def SkelAnimation", b"def Mesh"),
+    "another property": (b"blendShapeWeights", b"points"),
+    "an asset": (b'"Head"', b"@/etc/passwd@"),
+    "a string that ends early": (b'a \\"b', b'a "b'),
+    "a comment": (b'uniform token[] joints = ["Head"]', b"# joints"),
+    "no number": (b"-0.25", b"None"),
+    "a blank line": (b'over "Char"', b'over "Other"\n{\n}\n\nover "Char"'),
+    "a brace too few": (b"}\n}\n", b"}\n"),
+    "a variant": (b'over "Skel" (', b'variantSet "x" = {'),
+    "a second header": (b')\n\nover "Char"', b')\n\n(\n)\nover "Char"'),
+    "bytes that are no text": (b"smile", b"smil\xff"),
+}
+
+
+@pytest.mark.parametrize("what", FOREIGN)
+def test_nothing_but_an_animation_is_saved(live, what):
+    old, new = FOREIGN[what]
+    assert old in EDIT
+    assert animation(EDIT.replace(old, new)) is None
+    assert ask(live, "PUT", EDIT.replace(old, new), **{"If-Match": '"absent"'})[0] == 400
+    assert not live.live.path.exists()
+
+
+def test_an_animation_is_written_as_it_was_read():
+    assert animation(EDIT) == EDIT
+    without_keys = EDIT[: EDIT.index(b"over")]
+    assert animation(without_keys) == without_keys
+
+
+def test_the_command_line_of_the_browser_does_not_have_the_address(monkeypatch):
+    """Every user of the machine can read it."""
+    stop, told, opened = threading.Event(), [], []
+
+    def open_browser(url):
+        page = Path(urllib.parse.unquote(urllib.parse.urlsplit(url).path))
+        opened.append((url, page.read_text(), page.parent.stat().st_mode & 0o777))
+        stop.set()
+
+    monkeypatch.setattr("webbrowser.open", open_browser)
+    serve("page", announce=told.append, stop=stop)
+    [(url, page, mode)] = opened
+    assert told[0] not in url
+    assert told[0].split("/")[-2] not in url
+    assert f"url={told[0]}" in page
+    assert mode == 0o700
+    assert not Path(urllib.parse.urlsplit(url).path).exists()
 
 
 def test_a_disk_that_refuses_is_told_to_the_page(live):

@@ -8,6 +8,7 @@ never replaces what another has written without having seen it (docs/decisions/0
 from __future__ import annotations
 
 import hashlib
+import re
 import threading
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -20,6 +21,37 @@ from usdrigui.replacing.transaction import check_not_read, commit, file_error
 ABSENT = "absent"
 """Revision of a file that is not there, or is empty."""
 _MARK = b"string work = "
+_STRING = r'"(?:[^"\\\x00-\x1f\x7f]|\\["\\n])*"'
+_NUMBER = r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?"
+_ITEM = rf"(?:{_NUMBER}|\({_NUMBER}(?:, {_NUMBER}){{2,3}}\))"
+_HEADER = re.compile(
+    rf"""#usda 1\.0
+\(
+    defaultPrim = {_STRING}
+    startTimeCode = {_NUMBER}
+    endTimeCode = {_NUMBER}
+    timeCodesPerSecond = {_NUMBER}
+    framesPerSecond = {_NUMBER}
+    customLayerData = {{
+        dictionary usdrigui = {{
+            string work = {_STRING}
+        }}
+    }}
+\)
+
+"""
+)
+_PRIM = re.compile(rf"(?:over|def SkelAnimation) {_STRING}( \()?")
+_BINDING = 'prepend apiSchemas = ["SkelBindingAPI"]'
+_PROPERTY = re.compile(
+    rf"uniform token\[\] (?:blendShapes|joints) = \[(?:{_STRING}(?:, {_STRING})*)?\]"
+    r"|rel skel:animationSource = <(?:/\w+)+>"
+)
+_SAMPLED = re.compile(
+    r"(?:float\[\] blendShapeWeights|quatf\[\] rotations|half3\[\] scales|float3\[\] translations)"
+    r"\.timeSamples = \{"
+)
+_SAMPLE = re.compile(rf"{_NUMBER}: \[{_ITEM}(?:, {_ITEM})*\],")
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,3 +119,46 @@ def is_animation(text: bytes) -> bool:
     """Whether a file is an animation layer that the viewer wrote: USD text with the viewer's work
     in it."""
     return text.startswith(b"#usda") and _MARK in text
+
+
+def animation(content: bytes) -> bytes | None:
+    """The animation layer that a page saves, written anew from the lines in which it was read; None
+    for anything else.
+
+    Those are the lines that viewer/src/animation_layer.js writes: overs, SkelAnimations, their
+    bindings and samples.  No layer, asset or plug-in can be named in them.
+    """
+    try:
+        text = content.decode()
+    except UnicodeDecodeError:
+        return None
+    header = _HEADER.match(text)
+    if header is None or not text.endswith("\n"):
+        return None
+    lines = text[header.end() :].split("\n")[:-1]
+    return "\n".join([header.group()[:-1], *lines, ""]).encode() if _are_prims(lines) else None
+
+
+def _are_prims(lines: Iterable[str]) -> bool:
+    """Whether the lines are prims of an animation, each below the one that it belongs to."""
+    depth, rest = 0, iter(lines)
+    for line in rest:
+        margin = "    " * depth
+        words = line.removeprefix(margin)
+        prim = _PRIM.fullmatch(words)
+        if prim is not None:
+            metadata = [f"{margin}    {_BINDING}", f"{margin})"] if prim.group(1) else []
+            if [next(rest, "") for _ in metadata] != metadata or next(rest, "") != f"{margin}{{":
+                return False
+            depth += 1
+        elif depth and line == "    " * (depth - 1) + "}":
+            depth -= 1
+        elif depth and _SAMPLED.fullmatch(words):
+            row = next(rest, "")
+            while _SAMPLE.fullmatch(row.removeprefix(f"{margin}    ")):
+                row = next(rest, "")
+            if row != f"{margin}}}":
+                return False
+        elif not depth or not _PROPERTY.fullmatch(words):
+            return False
+    return depth == 0

@@ -7,17 +7,19 @@ import hashlib
 import os
 import secrets
 import sys
+import tempfile
 import threading
 import webbrowser
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
 from typing import Any
 
 from usdrigui.errors import RigUIError, sentences
 from usdrigui.isolation import worker
-from usdrigui.view.web.live import Content, LiveFile, is_animation
+from usdrigui.view.web.live import Content, LiveFile, animation
 
 _MOST_DRAINED = 1 << 20
 _MOST_WRITTEN = 1 << 28
@@ -48,16 +50,27 @@ def serve(
         threading.Thread(target=server.serve_forever, name="usdrigui-view", daemon=True).start()
         if announce is not None:
             announce(server.address)
-        if open_browser:
-            webbrowser.open(server.address)
         try:
-            _wait(stop or threading.Event())
+            with _leading_to(server.address) as page:
+                if open_browser:
+                    webbrowser.open(page)
+                _wait(stop or threading.Event())
         except KeyboardInterrupt:
             pass
         finally:
             server.shutdown()
             if live is not None:
                 live.close()
+
+
+@contextmanager
+def _leading_to(address: str) -> Iterator[str]:
+    """The URL of a private file that leads to the address: what a browser is started with is on its
+    command line, which every user of the machine can read."""
+    with tempfile.TemporaryDirectory(prefix="usdrigui-") as folder:
+        page = Path(folder, "view.html")
+        page.write_text(f'<!doctype html><meta http-equiv="refresh" content="0; url={address}">\n')
+        yield page.as_uri()
 
 
 def _wait(stop: threading.Event) -> None:
@@ -126,7 +139,8 @@ class _Handler(BaseHTTPRequestHandler):
             )
             return
         text = self.rfile.read(int(length))
-        if len(text) < int(length) or not is_animation(text):
+        layer = animation(text) if len(text) == int(length) else None
+        if layer is None:
             self._send(
                 HTTPStatus.BAD_REQUEST,
                 b"this is no animation layer\n",
@@ -134,7 +148,7 @@ class _Handler(BaseHTTPRequestHandler):
                 with_body=True,
             )
             return
-        self._with_file(lambda: self._replaced(live, text))
+        self._with_file(lambda: self._replaced(live, layer))
 
     def _answer(self, with_body: bool) -> None:
         """The page, or the file of its live link, for its exact path; else 404."""
