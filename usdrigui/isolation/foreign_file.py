@@ -45,9 +45,10 @@ def open_regular(path: Path | str) -> io.BufferedReader:
     """
     descriptor = os.open(path, _ACCESS)
     try:
-        kind = _kind(os.fstat(descriptor).st_mode)
-        if kind:
-            raise OSError(errno.EINVAL, f"is {kind}", str(path))
+        mode = os.fstat(descriptor).st_mode
+        if kind := _kind(mode):
+            code = errno.EISDIR if stat.S_ISDIR(mode) else errno.EINVAL
+            raise OSError(code, f"is {kind}", str(path))
         return os.fdopen(descriptor, "rb")
     except BaseException:
         os.close(descriptor)
