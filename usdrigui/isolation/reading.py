@@ -68,7 +68,8 @@ def answered(question: Question, program: str, kind: type[_Answer]) -> _Answer:
         printed.close()
     except _UnbornError as unborn:
         raise _failure(unborn.end, unborn.late, question) from None
-    except (OSError, TypeError) as error:
+    except (OSError, TypeError, RuntimeError) as error:  # the last for want of a thread
+        _end_at_once(reader)
         what = "the process that reads"
         raise not_started(error, "SOURCE_READER_LOST", question.path, what) from error
     except BaseException:
@@ -154,7 +155,7 @@ def _started(program: str, asked: IO[bytes], deadline: float) -> _Reader:
 
 
 def _end_at_once(reader: _Reader | None) -> None:
-    """Whoever asked is interrupted: nothing that was started may outlive that."""
+    """Nothing that was started may outlive a question that is given up."""
     if _parent is not None:
         _parent.close()
     elif reader is not None:

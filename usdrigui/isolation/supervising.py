@@ -86,29 +86,26 @@ def supervise(
     stopped and continued with this process by the terminal.
     """
     events = SimpleQueue() if events is None else events
-    with signals_later():
-        try:
-            process = _started(arguments, terminals, alone)
-        except (OSError, TypeError, ValueError) as error:
-            return _dead(not_started(error, "WORKER_LOST", "", "the working process"))
-    watch = _Supervision(process, show, limit, alone)
-    assert process.stdout is not None
-    assert process.stderr is not None
-    printed = Drain(process.stderr)
-    threading.Thread(target=_collect, args=(process.stdout, events), daemon=True).start()
+    process = None
     try:
-        while not watch.ended:
-            try:
-                watch.handle(events.get(timeout=watch.remaining()))
-            except Empty:
-                watch.time_passed()
+        with signals_later():
+            process = _started(arguments, terminals, alone)
+        assert process.stdout is not None
+        assert process.stderr is not None
+        printed = Drain(process.stderr)
+        threading.Thread(target=_collect, args=(process.stdout, events), daemon=True).start()
+        watch = _Supervision(process, show, limit, alone)
+        watch.until_it_has_ended(events)
+    except (OSError, TypeError, ValueError, RuntimeError) as error:  # the last for want of a thread
+        return _dead(not_started(error, "WORKER_LOST", "", "the working process"))
     finally:
-        kill(process, group=alone)
-        code, peak = reaped(process)
-        printed.close()
-        assert process.stdin is not None
-        with contextlib.suppress(OSError):
-            process.stdin.close()
+        if process is not None:
+            kill(process, group=alone)
+            code, peak = reaped(process)
+            assert process.stdin is not None
+            with contextlib.suppress(OSError):
+                process.stdin.close()
+    printed.close()
     return watch.outcome(ProcessEnd(code, peak, bytes(printed.content)))
 
 
@@ -168,7 +165,15 @@ class _Supervision:
     death: RigUIError | None = None
     closing: dict[str, Any] | None = None
 
-    def remaining(self) -> float | None:
+    def until_it_has_ended(self, events: Events) -> None:
+        """Take note of all that happens."""
+        while not self.ended:
+            try:
+                self._handle(events.get(timeout=self._remaining()))
+            except Empty:
+                self._time_passed()
+
+    def _remaining(self) -> float | None:
         """Seconds until something must happen; None for never."""
         return (
             None
@@ -180,7 +185,7 @@ class _Supervision:
         limit = self.start + self.limit[0] if self.limit is not None else 0.0
         return [each for each in (limit, self.deadline, self.kill_at) if each]
 
-    def time_passed(self) -> None:
+    def _time_passed(self) -> None:
         """Something's time is up."""
         now = time.monotonic()
         if self.gone_by:
@@ -201,7 +206,7 @@ class _Supervision:
         else:
             self._end()
 
-    def handle(self, event: Any) -> None:
+    def _handle(self, event: Any) -> None:
         """Take note of an event."""
         if event is None:
             self.ended = True

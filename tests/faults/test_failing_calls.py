@@ -1,0 +1,17 @@
+"""Whatever call fails, a command ends with a documented code and every file is whole (failing.py)."""
+
+import sys
+
+import failing
+import pytest
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="commands are forked")
+
+
+def test_the_first_call_of_every_kind_fails():
+    assert failing.campaign(1 << 20, ["attach"])["faults"] == []
+
+
+@pytest.mark.slow
+def test_one_call_in_eleven_fails():
+    assert failing.campaign(11)["faults"] == []
