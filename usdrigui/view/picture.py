@@ -22,7 +22,7 @@ from usdrigui.view.body.complexion import complexion
 from usdrigui.view.body.shading import Subject, look, subject_of
 from usdrigui.view.flat.framing import Frame, View, crowds, framed, row
 from usdrigui.view.flat.lettering import cut, font, legible, width_of
-from usdrigui.view.flat.marks import FORMS, form_of
+from usdrigui.view.flat.marks import FORMS, colour_of, form_of
 from usdrigui.view.flat.names import called_out, column_width, shortened
 from usdrigui.view.flat.pillow import painted
 from usdrigui.view.flat.scene import INK, PAPER, QUIET, Label, Mark, Page, Panel, stacked
@@ -47,6 +47,13 @@ _INSETS, _ENLARGED = 0.62, 3.0
 """Height of the row of insets, of that of the views, and how much larger they are at most."""
 _MIN_BOARD = 400
 """Width of a board beside insets, pixels."""
+_SIDES = {
+    "left": "character's left",
+    "right": "character's right",
+    "middle": "middle",
+    "none": "no side, or on the board",
+}
+"""What the colours of elements mean."""
 _BETWEEN = "   ·   "
 
 
@@ -294,23 +301,17 @@ def _caption(text: str, panel: Panel) -> Panel:
 
 
 def _numbers(controls: int, layout: Layout, width: float) -> str:
-    """What the layout of so many controls holds, as far as it goes into a line of so many
-    pixels."""
-    on_face = len(on_character(layout))
-    board = len(layout.elements) - on_face
-    held = {element.placement.part for element in layout.elements} - {""}
-    place = held.pop() if len(held) == 1 else "character" if held else "face"
+    """What the layout of so many controls holds, in a line of so many pixels."""
+    placed, proof = len(on_character(layout)), layout.proof
+    board = len(layout.elements) - placed
     parts = [f"{controls} control{'s' * (controls != 1)}"]
-    parts += [f"{on_face} elements on the {place}"] if on_face or not board else []
+    parts += [f"{placed} elements on the character"] if placed or not board else []
     parts += [f"{board} on the board"] if board else []
     parts += [f"{len(layout.left_off)} left off"] if layout.left_off else []
-    proof = layout.proof
     if np.isfinite(proof.bound) and np.isfinite(proof.cost):
         gap = max(0.0, proof.cost - proof.bound) / max(abs(proof.cost), 1e-12)
-        parts.append(f"cost {proof.cost:.4g}, {proof.status} at gap {gap:.2g} of the cost")
-    while len(parts) > 1 and width_of(_BETWEEN.join(parts), 14) > width:
-        parts.pop()
-    return _BETWEEN.join(parts)
+        parts.append(f"cost {proof.cost:.4g}, proven within {100.0 * gap:.2g} %")
+    return cut(_BETWEEN.join(parts), 14, width)
 
 
 def _legend(elements: Sequence[Element], corner: tuple[int, int], width: int) -> Panel:
@@ -330,24 +331,16 @@ def _legend(elements: Sequence[Element], corner: tuple[int, int], width: int) ->
 
 
 def _legend_entries(elements: Sequence[Element]) -> list[tuple[str, palette.Colour, str, bool]]:
-    used = {"board" if each.anchor.on_board else each.look.side for each in elements}
-    names = {
-        "left": "character's left",
-        "right": "character's right",
-        "middle": "middle",
-        "none": "no side",
-    }
-    if "board" in used:
-        names |= {"none": "no side, board" if "none" in used else "board"}
-        used = used - {"board"} | {"none"}
-    colours = palette.SIDES
+    """Form, colour, text and whether it has the ring of a coarse element."""
+    grey, used = (128, 134, 142), {colour_of(element) for element in elements}
     entries = [
-        ("slider", colours[side], text, False) for side, text in names.items() if side in used
+        ("slider", palette.SIDES[side], text, False)
+        for side, text in _SIDES.items()
+        if palette.SIDES[side] in used
     ]
-    forms = {form_of(each.manipulator) for each in elements}
-    grey = (128, 134, 142)
+    forms = {form_of(element.manipulator) for element in elements}
     if forms != {"slider"}:
         entries += [(form, grey, text, False) for form, text in FORMS.items() if form in forms]
-    if any(each.look.inner for each in elements):
+    if any(element.look.inner for element in elements):
         entries.append(("slider", grey, "coarse: opens into finer ones", True))
     return entries

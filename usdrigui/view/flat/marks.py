@@ -25,6 +25,8 @@ _BLOCK, _DIAMOND = (4, 1.2, 0.5), (4, 1.2, 0.0)
 _SHAPES = {"patch": _BLOCK, "joystick": _BLOCK, "fan": _DIAMOND}
 """Corners of a handle, how far they are from its centre, and by how much of a step they are turned;
 others are discs."""
+_MIN_ARM = 1e-3
+"""Of the longest arm of an element: a shorter one is where its track begins, at the rest."""
 _MIN_RADIUS = 3.2
 """Of a handle, pixels: smaller ones are drawn larger than they are."""
 
@@ -136,54 +138,29 @@ def _seen(at: Floats, depth: Floats | None, slack: float) -> Flags:
 
 
 def _fields(manipulator: Manipulator, posed: PosedElement, camera: Camera) -> tuple[Floats, ...]:
-    """Outlines (k, 2), pixels, of the parallelograms between arms next to each other by angle
+    """Outlines (4, 2), pixels, of the parallelograms between arms next to each other by angle
     (paper section 4.2).
 
     A track that goes both ways from the rest is two arms: two such axes span all four quadrants.
     Arms of one axis and pairs more than 180 degrees apart span nothing.
     """
-    lines = [
-        (number, posed.tracks[i] - posed.rest)
+    ends = [
+        (number, posed.tracks[i][end] - posed.rest)
         for number, axis in enumerate(manipulator.axes)
         for i in axis
+        for end in (0, -1)
     ]
-    halves = [(axis, arm) for axis, line in lines for arm in _arms(line)]
-    if not halves:
-        return ()
-    axes, arms = [axis for axis, _ in halves], [arm for _, arm in halves]
-    tips = np.array([arm[int(np.argmax(np.linalg.norm(arm, axis=1)))] for arm in arms])
+    longest = max(float(np.linalg.norm(end)) for _, end in ends)
+    arms = [(axis, end) for axis, end in ends if np.linalg.norm(end) > _MIN_ARM * longest]
     east = np.cross(posed.normal, axis_across(posed.normal))
-    angle = np.arctan2(tips @ np.cross(posed.normal, east), tips @ east)
+    north = np.cross(posed.normal, east)
+    angle = np.array([np.arctan2(arm @ north, arm @ east) for _, arm in arms])
     order = np.argsort(angle, kind="stable")
     found = []
     for i, j in zip(order, np.roll(order, -1), strict=True):
         span = (angle[j] - angle[i]) % (2.0 * np.pi)
-        if axes[i] != axes[j] and 1e-3 < span < np.pi - 1e-3:
-            out = np.concatenate(
-                [arms[i], arms[i][-1] + arms[j], (arms[j][-1] + arms[i])[::-1], arms[j][::-1]]
-            )
-            found.append(camera.project(posed.rest + out)[:, :2])
+        (one, a), (other, b) = arms[i], arms[j]
+        if one != other and 1e-3 < span < np.pi - 1e-3:
+            corners = posed.rest + np.array([0.0 * a, a, a + b, b])
+            found.append(camera.project(corners)[:, :2])
     return tuple(found)
-
-
-def _arms(line: Floats) -> list[Floats]:
-    """A track (k, 3) relative to the rest, cut where it passes the rest: one or two lines that
-    start there.
-
-    Tracks pass the rest at the base value of their control, which need not be one of the vertices.
-    """
-    steps = np.diff(line, axis=0)
-    square = np.maximum((steps**2).sum(axis=1), 1e-300)
-    share = np.clip(-(line[:-1] * steps).sum(axis=1) / square, 0.0, 1.0)
-    nearest = line[:-1] + share[:, None] * steps
-    away = np.linalg.norm(nearest, axis=1)
-    size = float(np.linalg.norm(line, axis=1).max(initial=0.0))
-    if not len(away) or not size > 0.0:
-        return []
-    # A loop that comes back to the rest is cut where it first passes, whatever rounding makes of
-    # the second time.
-    piece = int(np.flatnonzero(away <= away.min() + 1e-9 * size)[0])
-    cut = nearest[piece][None]
-    halves = (np.concatenate([cut, line[piece::-1]]), np.concatenate([cut, line[piece + 1 :]]))
-    reaches = [float(np.linalg.norm(half - cut, axis=1).max()) for half in halves]
-    return [half for half, reach in zip(halves, reaches, strict=True) if reach > 1e-6 * size]
