@@ -69,7 +69,7 @@ def process(
                 "process",
                 "an open stage is laid out in memory: it takes settings alone",
             )
-        return pipeline.process_stage(asset, settings or Settings(), progress=progress, stop=stop)
+        return pipeline.process_stage(asset, _settings(settings), progress=progress, stop=stop)
     path = Path(asset)
     references = ReferenceLayers(
         fixed=_path(fixed),
@@ -80,7 +80,7 @@ def process(
     )
     return pipeline.process(
         path,
-        settings or load_beside(path),
+        _settings(settings, path),
         output=_path(output),
         dry_run=dry_run,
         progress=progress,
@@ -96,7 +96,7 @@ def inspect(
     `RigUIError`."""
     path = Path(asset)
     return pipeline.inspect(
-        path, settings or load_beside(path), animations=[Path(each) for each in animations]
+        path, _settings(settings, path), animations=[Path(each) for each in animations]
     )
 
 
@@ -107,13 +107,13 @@ def check(
     `RigUIError`."""
     if isinstance(layout, (str, Path)):
         path = Path(layout)
-        return pipeline.check(path, settings or load_beside(path), progress=progress)
+        return pipeline.check(path, _settings(settings, path), progress=progress)
     return open(layout, settings).check(progress=progress)
 
 
 def diff(before: File, after: File, settings: Settings | None = None) -> LayerDifference:
     """What changed between two layout layers, character by character.  Raises `RigUIError`."""
-    return pipeline.diff(Path(before), Path(after), settings or Settings())
+    return pipeline.diff(Path(before), Path(after), _settings(settings))
 
 
 # The name is what people expect: usdrigui.open().
@@ -126,9 +126,9 @@ def open(layout: Source, settings: Settings | None = None) -> OpenLayout:  # noq
     _check_kind(layout)
     if isinstance(layout, (str, Path)):
         path = Path(layout)
-        settings = settings or load_beside(path)
+        settings = _settings(settings, path)
         return OpenLayout(path.name, pipeline.load_layer(path, settings), settings)
-    settings = settings or Settings()
+    settings = _settings(settings)
     root = layout.GetRootLayer() if hasattr(layout, "GetRootLayer") else layout
     return OpenLayout(root.GetDisplayName(), pipeline.open_layouts(layout, settings), settings)
 
@@ -142,6 +142,17 @@ def _check_kind(source: Source) -> None:
     if not isinstance(source, (Usd.Stage, Sdf.Layer)):
         kind = type(source).__name__
         raise TypeError(f"expected a path, a Usd.Stage or an Sdf.Layer, not {kind}")
+
+
+def _settings(given: Settings | None, beside: Path | None = None) -> Settings:
+    """The settings that are given, or else those of the configuration beside a file; raises
+    TypeError for tables of settings."""
+    if given is None:
+        return Settings() if beside is None else load_beside(beside)
+    if not isinstance(given, Settings):
+        kind = type(given).__name__
+        raise TypeError(f"expected usdrigui.load_settings(...) as settings, not {kind}")
+    return given
 
 
 def _path(file: File | None) -> Path | None:

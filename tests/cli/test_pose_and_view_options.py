@@ -9,6 +9,7 @@ import skinned_stages
 from pxr import Gf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.cli import main
+from usdrigui.cli.parser import parsed
 from usdrigui.usd.read_layout import base_controls, layout_scopes, read_layout
 
 JAW = "Hips/Head/Jaw"
@@ -107,3 +108,8 @@ def test_a_view_that_does_not_exist_is_a_usage_error(character, tmp_path, view, 
     assert main(["process", str(character), "-o", str(target), "--view", view, "--json"]) == 2
     assert json.loads(capsys.readouterr().out)["issues"][0]["code"] == "CONFIG_VALUE"
     assert not target.exists()
+
+
+def test_a_view_that_begins_with_a_hyphen_needs_no_equals_sign():
+    for words in (["--view", "-90,0"], ["--view=-90,0"]):
+        assert parsed(["process", "char.usda", *words, "-q"]).view == "-90,0"

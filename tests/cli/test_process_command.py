@@ -1,6 +1,7 @@
 """`usdrigui process` as a rigger, a pipeline TD and a farm use it."""
 
 import json
+import os
 import subprocess
 import sys
 
@@ -182,3 +183,15 @@ def test_schema_path_is_a_folder_with_a_plugin(capsys):
     from pathlib import Path
 
     assert (Path(capsys.readouterr().out.strip()) / "plugInfo.json").is_file()
+
+
+@pytest.mark.parametrize("target", ["folder.usda", "file/x.usda", "locked/x.usda"])
+def test_a_dry_run_checks_where_the_layer_would_go(target, character, tmp_path, capsys, monkeypatch):
+    (tmp_path / "folder.usda").mkdir()
+    (tmp_path / "file").write_text("")
+    (tmp_path / "locked").mkdir()
+    monkeypatch.setattr(os, "access", lambda path, _: "locked" not in str(path))
+    before = sorted(tmp_path.rglob("*"))
+    assert main(["process", str(character), "--dry-run", "-o", str(tmp_path / target)]) == 3
+    assert ("FILE_PERMISSION" if "locked" in target else "FILE_TARGET") in capsys.readouterr().err
+    assert sorted(tmp_path.rglob("*")) == before

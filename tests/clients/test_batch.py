@@ -126,6 +126,17 @@ def test_everything_that_the_result_depends_on_ends_the_skipping(folder, tmp_pat
     asset.unlink()
 
 
+@pytest.mark.skipif(os.name != "posix", reason="needs links and pipes")
+def test_what_a_pattern_matches_and_is_no_file_has_a_row(tmp_path, capsys):
+    (tmp_path / "gone.usda").symlink_to(tmp_path / "nowhere.usda")
+    (tmp_path / "null.usda").symlink_to("/dev/null")
+    os.mkfifo(tmp_path / "pipe.usda")
+    (tmp_path / "folder.usda").mkdir()
+    rows = batch(tmp_path, capsys, expected_exit=3)["assets"]
+    codes = {Path(row["asset"]).stem: row["code"] for row in rows}
+    assert codes == {"gone": "FILE_NOT_FOUND", "null": "SOURCE_NOT_A_FILE", "pipe": "SOURCE_NOT_A_FILE"}
+
+
 def fake(monkeypatch, tmp_path, text):
     """Processes of the batch run a script instead of usdrigui."""
     script = tmp_path / "fake.sh"

@@ -88,7 +88,11 @@ def test_wrong_arguments_are_reported_in_the_words_of_the_interface(folder):
     for take in (usdrigui.process, usdrigui.check, usdrigui.open):
         with pytest.raises(TypeError, match=r"expected a path, a Usd\.Stage or an Sdf\.Layer, not int"):
             take(3)
+    for take in (usdrigui.process, usdrigui.check, usdrigui.open, usdrigui.inspect):
+        with pytest.raises(TypeError, match=r"expected usdrigui\.load_settings\(\.\.\.\) as settings, not dict"):
+            take(folder / "char.rigui.usda", QUICK)
     layout = usdrigui.open(folder / "char.rigui.usda")
+    assert [each.name for each in layout.pose({}).elements] == [each.name for each in layout.elements]
     name = layout.controls[0].name
     with pytest.raises(TypeError, match="a mapping of control names"):
         layout.pose([1.0])

@@ -31,11 +31,24 @@ def parsed(argv: Sequence[str] | None) -> argparse.Namespace:
     """The command line; exits with 2 on a wrong one, with the usage of its command and the option
     that was meant."""
     whole = parser()
-    arguments, unknown = whole.parse_known_args(argv)
+    words = _with_negative_values(sys.argv[1:] if argv is None else argv)
+    arguments, unknown = whole.parse_known_args(words)
     if unknown:
         own: argparse.ArgumentParser = arguments.parser
         own.error(f"unrecognized arguments: {' '.join(unknown)}{_hint(own, unknown, whole)}")
     return arguments
+
+
+def _with_negative_values(argv: Sequence[str]) -> list[str]:
+    """``--view -90,0`` as ``--view=-90,0``: argparse takes for an option what begins with a hyphen
+    and is no number."""
+    words: list[str] = []
+    for word in argv:
+        if words and re.match(r"-\.?\d", word) and re.fullmatch("--[a-z][a-z-]*", words[-1]):
+            words[-1] += f"={word}"
+        else:
+            words.append(word)
+    return words
 
 
 class CommandLine(argparse.ArgumentParser):

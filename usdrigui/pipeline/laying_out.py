@@ -35,7 +35,7 @@ from usdrigui.pipeline.references import (
     rigs_over,
 )
 from usdrigui.pipeline.stages import character_of, layout_of, part_problem
-from usdrigui.pipeline.targets import check_replaceable, check_target, default_output
+from usdrigui.pipeline.targets import check_place, check_replaceable, check_target, default_output
 from usdrigui.pipeline.writing import check_base, stage_layer
 from usdrigui.replacing.transaction import Transaction, same_file
 from usdrigui.report.run_report import CharacterReport, Outcome, PartRow, Report, SourceRow, rows_of
@@ -84,6 +84,8 @@ def process(
             _check_base(each, target)
         opening = Opening.of(settings.rig.read)
         check_replaceable(target, opening, asset if output is None else None)
+        if dry_run:
+            check_place(target)
     laid = _laid_out(readings, clock, stop)
     reports = [report for _, report in laid]
     outcome: Outcome = "dry run"

@@ -28,6 +28,8 @@ from usdrigui.pose.subset import subset
 class PosedElement(Record):
     """One element at a pose; positions in root space."""
 
+    name: str
+    """Of the element."""
     tracks: tuple[Floats, ...]
     """Per member, (k, 3): the drawn track, at the values `Member.values`."""
     handle: Floats
@@ -215,7 +217,8 @@ def _element(
             else carry
         )
         glyph = handle + element.look.glyph.points @ held
-    return PosedElement(tracks, handle, rest, facing(element.anchor.normal, carry), glyph)
+    normal = facing(element.anchor.normal, carry)
+    return PosedElement(element.name, tracks, handle, rest, normal, glyph)
 
 
 def _without(poser: Poser, skin: Rig, held: Indices, whole: Posed, values: Floats) -> Posed:

@@ -90,5 +90,6 @@ def _matches(pattern: str) -> list[Path]:
         path
         # A pattern may be absolute, which Path.glob refuses.
         for path in map(Path, glob.glob(pattern, recursive=True))  # noqa: PTH207
-        if path.suffix.lower() in _SUFFIXES and ".rigui" not in path.suffixes and path.is_file()
+        # What is no file, such as a link that leads nowhere, gets a row that says so.
+        if path.suffix.lower() in _SUFFIXES and ".rigui" not in path.suffixes and not path.is_dir()
     )
