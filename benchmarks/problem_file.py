@@ -4,13 +4,13 @@ Plain arrays, no pickled objects; ``numpy.load(path)`` reads them without usdrig
 
     version              () 3
     names                (variables,) text
-    overlap              (5,) maximum, radius, sharpness, cutoff distance, weight
+    overlap              the fields of `usdrigui.model.Overlap` (10,) or `MeanOverlap` (5,)
     separation, unit_cost, off_face_cost
                          (), (), (variables,)
     points_K, cost_K     (R,) of variable K: anchor points and linear costs
     displacement_K       (R,) displacement, contained in the linear costs
-    samples_K            (R, copies, u, 3)
-    handles_K            (R, copies, 3)
+    samples_K            (R, copies, u, d): d is 2 for `Overlap`, on the screen, and 3 in the scene
+    handles_K            (R, copies, d)
     states_K             (s,) states of the layout in which variable K is visible
     extra                (pairs, 2) variables of each set of explicit pair costs
     extra_labels_K       (q, 2) labels of set K
@@ -21,12 +21,12 @@ The cost of a layout is defined at `usdrigui.model.LayoutProblem`; lengths are i
 
 from __future__ import annotations
 
-from dataclasses import astuple
+from dataclasses import astuple, fields
 from pathlib import Path
 
 import numpy as np
 
-from usdrigui.model import ExtraPairs, LayoutProblem, MeanOverlap, Variable
+from usdrigui.model import ExtraPairs, LayoutProblem, MeanOverlap, Overlap, Variable
 
 VERSION = 3
 PER_VARIABLE = ("points", "cost", "samples", "handles", "displacement")
@@ -79,7 +79,9 @@ def _problem(arrays: np.lib.npyio.NpzFile) -> LayoutProblem:
         ExtraPairs(int(a), int(b), *arrays[f"extra_labels_{at}"].T, arrays[f"extra_costs_{at}"])
         for at, (a, b) in enumerate(arrays["extra"])
     )
-    overlap = MeanOverlap(*arrays["overlap"].tolist())
+    numbers = arrays["overlap"].tolist()
+    is_mean = len(numbers) == len(fields(MeanOverlap))
+    overlap = MeanOverlap(*numbers) if is_mean else Overlap(int(numbers[0]), *numbers[1:])
     return LayoutProblem(
         variables, overlap, float(arrays["separation"]), float(arrays["unit_cost"]), extra
     )

@@ -53,7 +53,7 @@ from usdrigui.solve.label_geometry import LabelSet, all_labels
 from usdrigui.solve.milp import solve_milp
 from usdrigui.solve.pair_costs import near_blocks, pair_costs
 from usdrigui.solve.paper import solve_by_clusters
-from usdrigui.solve.reduced_problem import ReducedProblem
+from usdrigui.solve.reduced_problem import PlainProblem
 
 ASSETS = Path(__file__).resolve().parents[2] / "shared" / "assets"
 SAMPLE = Path(__file__).resolve().parents[1] / "sample_assets" / "char.usda"
@@ -295,17 +295,15 @@ def _by_us(problem: LayoutProblem, settings: SolveSettings) -> dict[str, Any]:
 
 
 def _mccormick(problem: LayoutProblem, method: str, seconds: float) -> dict[str, Any]:
-    """HiGHS on the program of the whole problem, costs as they are: no reduction, no
-    reparametrisation."""
+    """HiGHS on the program of the whole problem: no reduction."""
     del method
     budget = Budget(SolveSettings(time_limit=seconds, work_limit=UNLIMITED))
     labels = all_labels(problem)
     if len(labels.cost) > FEW:
         return {"note": f"{len(labels.cost)} candidates: too large to write down"}
     pairs, penalty = _written_down(problem, labels, budget)
-    left = ReducedProblem(labels.variable, np.arange(len(labels.cost)), labels.cost.copy(), pairs)
-    left.normalize()
-    found = solve_milp(left, float(labels.best.sum()) + penalty - 1e-6, budget, budget.work_left)
+    whole = PlainProblem(labels.start, labels.cost, pairs + pairs.T)
+    found = solve_milp(whole, float(labels.best.sum()) + penalty - 1e-6, budget, budget.work_left)
     cost = None if found.chosen is None else total_cost(problem, labels.candidate[found.chosen])
     return {"cost": cost, "bound": found.bound}
 

@@ -96,7 +96,7 @@ def test_optimal_proofs_come_back(char, tmp_path):
             layout.proof, cost=-15.165123456789, bound=-15.17, status="optimal", above_unary_bound=1e-9, method="highs"
         ),
     )
-    program = (("columns", 703.0), ("lp_bound", -15.25))
+    program = (("columns", 703.0), ("cutoff", -15.25))
     layout = replace(layout, proof=replace(layout.proof, closed_by="work limit", figures=program))
     target = tmp_path / "a.usda"
     write_layout([(rig, layout)], source, target, PLAIN, metadata(source))

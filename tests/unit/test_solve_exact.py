@@ -6,6 +6,7 @@ tests/unit/test_solve_exact.py -k enumeration``.
 
 from __future__ import annotations
 
+import itertools
 import os
 import subprocess
 import sys
@@ -33,15 +34,14 @@ from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import Progress, exact, local_search, milp, partition, reduce, solve, triplets
 from usdrigui.solve.assignment import assignment
-from usdrigui.solve.branch_and_bound import branch_and_bound
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.exact import infeasible_penalty, solve_whole
 from usdrigui.solve.label_geometry import LabelSet, all_labels
 from usdrigui.solve.local_search import LocalSearch
-from usdrigui.solve.milp import solve_milp
+from usdrigui.solve.milp import program, solve_milp
 from usdrigui.solve.pair_costs import near_blocks, pair_costs
 from usdrigui.solve.partition import Blocks
-from usdrigui.solve.reduced_problem import DEAREST, ReducedProblem, Solution, least_sums, undominated
+from usdrigui.solve.reduced_problem import DEAREST, PlainProblem, ReducedProblem, least_sums, undominated
 from usdrigui.solve.triplets import raise_bound
 
 Way = Callable[[pytest.MonkeyPatch], None]
@@ -141,17 +141,16 @@ def by_triplets(monkeypatch: pytest.MonkeyPatch) -> None:
 def by_program(monkeypatch: pytest.MonkeyPatch) -> None:
     """All that dual ascent leaves goes to HiGHS."""
     monkeypatch.setattr(reduce.Reduction, "_thinned", lambda *_: True)
-    monkeypatch.setattr(reduce.Reduction, "_tightened", lambda *_: True)
-    monkeypatch.setattr(exact, "TURNS", (("highs", 1.0),))
+    monkeypatch.setattr(exact, "FEW_PAIRS", 10**9)
+    monkeypatch.setattr(exact, "FIRST_TURN", 1.0)
 
 
-def by_branching(monkeypatch: pytest.MonkeyPatch) -> None:
-    """HiGHS has no turn: all that dual ascent leaves is searched."""
-    by_program(monkeypatch)
-    monkeypatch.setattr(exact, "TURNS", (("branch and bound", 1.0),))
+def by_triplets_first(monkeypatch: pytest.MonkeyPatch) -> None:
+    """HiGHS has only what they leave."""
+    monkeypatch.setattr(exact, "FEW_PAIRS", -1)
 
 
-WAYS = [one_matrix, by_blocks, by_triplets, by_program, by_branching]
+WAYS = [one_matrix, by_blocks, by_triplets, by_program, by_triplets_first]
 
 
 @pytest.mark.parametrize("way", WAYS)
@@ -181,39 +180,58 @@ def test_the_solver_named_is_the_one_that_closed_the_problem(monkeypatch: pytest
     figures = dict(next(each.figures for each in found.steps if each.name == "highs"))
     assert figures["columns"] > figures["labels"] > 0
     assert figures["rows"] > 0
-    assert figures["lp_bound"] <= figures["cutoff"]
-    by_branching(monkeypatch)
+    by_triplets_first(monkeypatch)
     found = solve(problem, HIGHS)
-    assert (found.method, found.closed_by) == ("branch and bound", "branch and bound")
+    assert (found.method, found.closed_by) == ("triplets", "triplets")
 
 
-def test_branch_and_bound_proves_a_dense_crowd_after_the_first_turn_of_highs() -> None:
-    """Viseme-only heads are such: HiGHS alone takes this one to the work limit."""
-    found = solve(crowd(1, variables=5, candidates=30), replace(HIGHS, work_limit=4_000_000))
-    assert (found.status, found.closed_by) == ("optimal", "branch and bound")
-    work = [(each.name, dict(each.figures)["work"]) for each in found.steps[-3:]]
-    assert [name for name, _ in work] == ["reduce", "highs", "branch and bound"]
-    (_, before), (_, highs), (_, after) = work
-    share = exact.TURNS[0][1] * (4_000_000 - before)
-    assert share < highs - before < 1.2 * share
-    assert after < 4_000_000
-
-
-def test_highs_has_the_last_turn(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What branch and bound does not close in its own goes back, with all the work that is left."""
-    monkeypatch.setattr(exact, "TURNS", (("highs", 0.2), ("branch and bound", 1e-9), ("highs", 1.0)))
+def test_triplets_come_between_two_turns_of_highs() -> None:
+    """The first is a share of the work, and takes what bounds leave as it is."""
     found = solve(crowd(1, variables=5, candidates=30), replace(HIGHS, work_limit=1_000_000))
-    assert [each.name for each in found.steps[-3:]] == ["highs", "branch and bound", "highs"]
-    assert (found.method, found.closed_by) == ("highs", "work limit")
+    work = [(each.name, dict(each.figures)["work"]) for each in found.steps[-4:]]
+    assert [name for name, _ in work] == ["reduce", "highs", "triplets", "highs"]
+    (_, before), (_, first), *_ = work
+    share = exact.FIRST_TURN * (1_000_000 - before)
+    assert share < first - before < 1.2 * share
 
 
 @pytest.mark.parametrize("seed", range(6))
-def test_what_branch_and_bound_has_proved_is_not_given_back(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """At a gap of 0 its bound may be a last bit below the cost."""
-    by_program(monkeypatch)
-    monkeypatch.setattr(exact, "TURNS", (("branch and bound", 1.0), ("highs", 1.0)))
-    found = solve(crowd(seed, variables=4, candidates=12), replace(HIGHS, gap=0.0))
-    assert (found.status, found.closed_by) == ("optimal", "branch and bound")
+def test_the_program_has_the_costs_of_the_problem(seed: int) -> None:
+    """Of every layout, whatever excludes some: rows are kept, columns as small as these allow."""
+    problem = crowd(seed, variables=4, candidates=6)
+    plain = plain_problem(problem)
+    labels, rows = len(plain.linear), program(plain)
+    layouts, allowed = itertools.product(*(range(mine.start, mine.stop) for mine in plain.slices)), 0
+    for layout in layouts:
+        chosen = np.array(layout)
+        cost = plain.linear[chosen].sum()
+        kept = True
+        for row in rows:
+            is_label = row.columns < labels
+            value = row.values[is_label] @ np.isin(row.columns[is_label], chosen)
+            if is_label.all():
+                kept &= bool(row.low <= value <= row.high)
+            else:
+                cost += max(0.0, row.low - value)
+        assert kept == np.isfinite(plain.value(chosen))
+        if kept:
+            assert cost == pytest.approx(plain.value(chosen), abs=1e-12)
+            assert cost == pytest.approx(total_cost(problem, all_labels(problem).candidate[chosen]), abs=1e-12)
+            allowed += 1
+    assert 0 < allowed < 7**4
+
+
+def test_a_program_that_forgets_a_cost_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    honest = milp._costly
+    monkeypatch.setattr(milp, "_costly", lambda plain: list(honest(plain))[1:])
+    with pytest.raises(AssertionError):
+        test_the_program_has_the_costs_of_the_problem(0)
+
+
+def plain_problem(problem: LayoutProblem) -> PlainProblem:
+    labels = all_labels(problem)
+    pairs = pair_costs(problem, labels, near_blocks(problem, labels, Budget(HIGHS))).toarray()
+    return PlainProblem(labels.start, labels.cost, pairs + pairs.T)
 
 
 def test_of_triplets_that_raise_the_bound_those_that_take_little_work_come_first(
@@ -249,12 +267,6 @@ def test_of_triplets_that_gain_nothing_the_one_whose_weakest_table_costs_most_co
     assert list(problem.messages) == [(3, 4, 5)]
 
 
-def test_a_triplet_costs_what_its_tables_were_not_given() -> None:
-    problem = ReducedProblem(np.arange(3), np.arange(3), np.zeros(3), np.zeros((3, 3)))
-    problem.messages[0, 1, 2] = tuple(np.array([[each]], dtype=np.float32) for each in (-1.0, -0.5, 0.25))
-    assert problem.triplet_costs((0, 1, 2)).tolist() == [[[1.25]]]
-
-
 def test_tightening_ends_with_a_pass_that_gains_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     passes: list[int] = []
 
@@ -269,7 +281,7 @@ def test_tightening_ends_with_a_pass_that_gains_nothing(monkeypatch: pytest.Monk
     search = LocalSearch(labels.start, labels.cost, rows, budget, infeasible_penalty(problem, labels))
     search.construct()
     left = reduce.Reduction(problem, labels, budget, search)
-    assert left._tightened()
+    assert left.tightened()
     assert len(left.problem.costs) == passes[-1]
 
 
@@ -281,35 +293,16 @@ def test_rounding_is_taken_off_a_bound_not_added() -> None:
     assert assignment(problem, labels, chosen, budget, "test").bound < budget.bound
 
 
-@pytest.mark.parametrize("solver", ["highs", "highs with triplets", "branch and bound"])
-@pytest.mark.parametrize("seed", range(2))
-def test_a_cutoff_just_above_the_best_cost_finds_that_layout_again(seed: int, solver: str) -> None:
+@pytest.mark.parametrize("seed", range(4))
+def test_a_cutoff_just_above_the_best_cost_finds_that_layout_again(seed: int) -> None:
     problem, budget = crowd(seed, variables=4, candidates=8), Budget(HIGHS)
-    best = solve(problem, replace(HIGHS, gap=1e-9))
-    labels = all_labels(problem)
-    costs, pairs = (
-        labels.cost,
-        pair_costs(problem, labels, near_blocks(problem, labels, budget)).toarray(),
-    )
-    left: ReducedProblem | None = ReducedProblem(
-        labels.variable, np.arange(len(labels.cost)), costs.copy(), pairs.copy()
-    )
-    if solver == "highs with triplets":
-        raise_bound(left, budget)
-    assert left is not None
-    left.normalize()
-
-    def below(cutoff: float) -> Solution:
-        if solver == "branch and bound":
-            return branch_and_bound(left, costs, pairs, cutoff, budget, budget.work_left)
-        return solve_milp(left, cutoff, budget, budget.work_left)
-
-    found = below(best.cost + 1e-5)
+    best, plain = solve(problem, replace(HIGHS, gap=1e-9)), plain_problem(problem)
+    found = solve_milp(plain, best.cost + 1e-5, budget, budget.work_left)
     assert found.chosen is not None
-    assert left.value(found.chosen) == pytest.approx(best.cost)
-    assert labels.candidate[left.labels[found.chosen]].tolist() == best.labels.tolist()
-    assert below(best.cost - 1e-5).chosen is None
-    assert below(best.cost - 1e-5).bound == best.cost - 1e-5
+    assert plain.value(found.chosen) == pytest.approx(best.cost)
+    assert all_labels(problem).candidate[found.chosen].tolist() == best.labels.tolist()
+    none = solve_milp(plain, best.cost - 1e-5, budget, budget.work_left)
+    assert (none.chosen, none.bound) == (None, best.cost - 1e-5)
 
 
 def _nothing(*_: object, **__: object) -> None:
@@ -355,14 +348,36 @@ def test_bounds_hold_whatever_the_local_search_finds(way: Way, monkeypatch: pyte
         (ReducedProblem, "bound", 1e-4),
         (ReducedProblem, "label_lower_bounds", 0.05),
         (ReducedProblem, "_pair_lower_bounds", 0.2),
-        (milp._Program, "_lowered", 1e-4),
     ],
 )
 def test_a_bound_raised_is_caught(owner: type, name: str, amount: float, monkeypatch: pytest.MonkeyPatch) -> None:
     honest = getattr(owner, name)
-    (by_program if owner is milp._Program else by_blocks)(monkeypatch)
+    by_blocks(monkeypatch)
     monkeypatch.setattr(owner, name, lambda *arguments: honest(*arguments) + amount)
     assert overstated(random_problems(), monkeypatch) > 0
+
+
+def bounds_of_stopped_runs(seed: int) -> tuple[float, list[float]]:
+    """The optimum, and what HiGHS claims of it that is stopped ever later."""
+    plain, budget = plain_problem(crowd(seed, variables=4, candidates=15)), Budget(HIGHS)
+    best = solve_milp(plain, 100.0, budget, budget.work_left)
+    assert best.chosen is not None
+    shares = [budget.work * share // 6 for share in range(1, 6)]
+    return plain.value(best.chosen), [solve_milp(plain, 100.0, Budget(HIGHS), most).bound for most in shares]
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_the_bound_of_a_run_of_highs_that_is_stopped_holds(seed: int) -> None:
+    optimum, bounds = bounds_of_stopped_runs(seed)
+    assert max(bounds) <= optimum + 1e-9
+    assert np.isfinite(max(bounds))
+
+
+def test_a_bound_of_highs_that_is_raised_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    honest = milp._lowered
+    monkeypatch.setattr(milp, "_lowered", lambda value: honest(value) + 0.5)
+    optimum, bounds = bounds_of_stopped_runs(0)
+    assert max(bounds) > optimum
 
 
 def test_least_sums_are_never_above_those_of_all_labels() -> None:
@@ -461,32 +476,19 @@ def test_a_gap_of_nothing_is_proved(seed: int) -> None:
     assert (found.status, found.gap < 1e-9) == ("optimal", True)
 
 
-def program_of(settings: SolveSettings) -> milp._Program:
-    problem, budget = crowd(6, variables=3, candidates=10), Budget(settings)
-    labels = all_labels(problem)
-    pairs = pair_costs(problem, labels, near_blocks(problem, labels, budget))
-    left = ReducedProblem(labels.variable, np.arange(len(labels.cost)), labels.cost, pairs.toarray())
-    return milp._Program(left, 0.0, budget, budget.work_left)
-
-
 @pytest.mark.parametrize(
     ("seed", "given"), [(7, 7), (2**31 - 1, 2**31 - 1), (2**31 + 7, 7), (2**62, 0), (2**40 + 9, 9)]
 )
 def test_every_seed_is_one_that_highs_takes(seed: int, given: int) -> None:
     """It takes 31 bits, and no more."""
-    assert program_of(replace(HIGHS, seed=seed))._highs.getOptionValue("random_seed")[1] == given
+    plain = plain_problem(crowd(6, variables=3, candidates=10))
+    assert milp._loaded(plain, program(plain), seed).getOptionValue("random_seed")[1] == given
 
 
-def test_a_row_that_is_stated_is_not_stated_again(monkeypatch: pytest.MonkeyPatch) -> None:
-    """HiGHS may return a solution that violates a row a little."""
-    program = program_of(HIGHS)
-    program._highs.run()
-    values = program._values()
-    monkeypatch.setattr(program, "_values", lambda: values)
-    assert program._grown()
-    rows = program._rows
-    assert not program._grown()
-    assert program._rows == rows
+def test_highs_prints_nothing(capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    by_program(monkeypatch)
+    assert solve(crowd(1, variables=4, candidates=12), HIGHS).method == "highs"
+    assert capfd.readouterr() == ("", "")
 
 
 def test_a_local_search_ends_when_it_is_asked_to(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -504,21 +506,20 @@ def test_a_local_search_ends_when_it_is_asked_to(monkeypatch: pytest.MonkeyPatch
     assert 0 < len(tries) <= 100
 
 
-def test_a_linear_program_ends_when_it_is_asked_to(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Whoever asks while HiGHS works at the first linear program need not wait for its end."""
-    iterations: list[int] = []
-    honest = milp._Program._interrupt_simplex
+def test_highs_ends_when_it_is_asked_to(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[bool] = []
+    honest = milp.program
+    monkeypatch.setattr(milp, "program", lambda plain: (asked.append(True), honest(plain))[1])
 
-    def asked(program: milp._Program, event: Any) -> None:
-        iterations.append(event.data_out.simplex_iteration_count)
-        honest(program, event)
+    def stop() -> bool:
+        asked.extend(asked[:1])
+        return len(asked) > 3
 
-    monkeypatch.setattr(milp._Program, "_interrupt_simplex", asked)
     by_program(monkeypatch)
-    found = solve(crowd(2, variables=6, candidates=40), HIGHS, stop=lambda: len(iterations) > 3)
+    found = solve(crowd(2, variables=6, candidates=40), HIGHS, stop=stop)
     assert (found.status, found.closed_by) == ("stopped", "interrupt")
     assert found.bound <= found.cost
-    assert len(iterations) < 40
+    assert 3 < len(asked) < 9
 
 
 def test_a_method_without_a_proof_names_no_limit() -> None:
@@ -659,7 +660,6 @@ def test_tables_of_variables_that_interact_give_the_bounds_of_one_matrix() -> No
     assert sparse.entries < full.entries
     assert sparse.bound() == pytest.approx(full.bound())
     assert sparse.label_lower_bounds() == pytest.approx(full.label_lower_bounds())
-    assert sparse.value(sparse.start[:-1]) == pytest.approx(full.value(full.start[:-1]))
 
 
 def test_importing_the_package_loads_no_solver() -> None:

@@ -13,7 +13,7 @@ GAP_FLOOR = 1e-3
 """Cost below which gaps are no longer relative: a thousandth of what one element's place is worth.
 Without it the gap of a problem whose best cost is zero could never close."""
 
-PROGRAM = ("labels", "columns", "rows", "lp_bound", "nodes", "cutoff")
+PROGRAM = ("labels", "pairs", "columns", "rows", "nodes", "cutoff")
 """Figures of a solver's steps that tell of its program."""
 
 
@@ -43,8 +43,8 @@ class Assignment(Record):
     @property
     def figures(self) -> tuple[tuple[str, float], ...]:
         """How large the program was and how far it came, by the last step that tells: labels,
-        columns, rows, bound of the linear program, nodes and cutoff; of several parts with the
-        part's name, ``face: rows``."""
+        pairs that cost anything, columns, rows, nodes and cutoff; of several parts with the part's
+        name, ``face: rows``."""
         found: dict[str, float] = {}
         for step in self.steps:
             part = "".join(step.name.rpartition(": ")[:2])

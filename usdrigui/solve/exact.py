@@ -7,11 +7,9 @@ import numpy as np
 from usdrigui.errors import refuse
 from usdrigui.model import Assignment, LayoutProblem
 from usdrigui.solve.assignment import assignment
-from usdrigui.solve.branch_and_bound import branch_and_bound
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import LabelSet, all_labels
 from usdrigui.solve.local_search import LazyRows, LocalSearch
-from usdrigui.solve.milp import solve_milp
 from usdrigui.solve.partition import affordable_at_once
 from usdrigui.solve.reduce import Reduction, reduce
 from usdrigui.solve.toulbar2 import check_installed, solve_by_toulbar2
@@ -22,8 +20,10 @@ TRIES = 4
 """Of local search per variable, and again as long as they help."""
 CROWD = 16, 0.1
 """First tries where labels are few, and how much worse they may get: a crowd has many traps."""
-TURNS = (("highs", 0.05), ("branch and bound", 1 / 3), ("highs", 1.0))
-"""Who searches what bounds leave, each with a share of the work that is left (decision 030)."""
+FIRST_TURN = 0.05
+"""Share of the work that is left for HiGHS before triplets."""
+FEW_PAIRS = 6000
+"""Pairs that cost anything, up to which HiGHS has that turn: of more it closes few in it."""
 
 
 def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
@@ -107,22 +107,31 @@ def _first_layout(
 
 
 def _solve_reduced(left: Reduction, incumbent: LocalSearch, budget: Budget) -> str:
-    """Give what is left to the solver that the settings name, HiGHS and branch and bound in turn;
-    the name of the last."""
-    by_toulbar2 = budget.settings.method == "toulbar2"
-    for method, share in (("toulbar2", 1.0),) if by_toulbar2 else TURNS:
-        most, cutoff = budget.work + int(share * budget.work_left), budget.cutoff
-        if method == "highs":
-            found = solve_milp(left.problem, cutoff, budget, most)
-        elif method == "toulbar2":
-            found = solve_by_toulbar2(left.problem, *left.plain_costs(), cutoff, budget)
-        else:
-            found = branch_and_bound(left.problem, *left.plain_costs(), cutoff, budget, most)
-        if found.chosen is not None:
-            incumbent.improve_from(left.representatives(found.chosen))
-        budget.found(method, bound=found.bound)
-        figures = {"labels": len(left.problem.costs), **found.figures, "cutoff": cutoff}
-        budget.note(method, **figures, bound=found.bound, work=budget.work)
-        if budget.closed() or budget.stopped():
-            break
+    """Give what is left to the solver that the settings name, before and after triplets of
+    variables raise its bound; the name of the step that had the last turn."""
+    method = budget.settings.method
+    if method == "highs" and left.plain().costly_pairs() <= FEW_PAIRS:
+        _take_turn(left, incumbent, budget, FIRST_TURN)
+    if not budget.closed() and not budget.stopped():
+        if not left.tightened():
+            budget.found("triplets", bound=budget.cutoff)
+        budget.note("triplets", **left.figures(), bound=budget.bound, work=budget.work)
+    if not budget.closed() and not budget.stopped():
+        _take_turn(left, incumbent, budget, 1.0)
     return budget.steps[-1].name
+
+
+def _take_turn(left: Reduction, incumbent: LocalSearch, budget: Budget, share: float) -> None:
+    """Search what is left with a share of the work."""
+    method, cutoff, rest = budget.settings.method, budget.cutoff, left.plain()
+    if method == "toulbar2":
+        found = solve_by_toulbar2(rest, cutoff, budget)
+    else:
+        from usdrigui.solve.milp import solve_milp
+
+        found = solve_milp(rest, cutoff, budget, budget.work + int(share * budget.work_left))
+    if found.chosen is not None:
+        incumbent.improve_from(left.representatives(found.chosen))
+    budget.found(method, bound=found.bound)
+    figures = {"labels": len(rest.linear), "pairs": rest.costly_pairs(), **found.figures}
+    budget.note(method, **figures, cutoff=cutoff, bound=found.bound, work=budget.work)

@@ -18,7 +18,13 @@ from usdrigui.solve.partition import (
     member_slack,
     split,
 )
-from usdrigui.solve.reduced_problem import LARGEST_TESTED, ReducedProblem, reduced, undominated
+from usdrigui.solve.reduced_problem import (
+    LARGEST_TESTED,
+    PlainProblem,
+    ReducedProblem,
+    reduced,
+    undominated,
+)
 from usdrigui.solve.triplets import raise_bound
 
 SWEEPS = 8
@@ -79,11 +85,11 @@ class Reduction:
         """(variables,) the labels of least linear cost of the blocks that a solution chooses."""
         return cheapest(self._labels, self.blocks)[self.problem.labels[chosen]]
 
-    def plain_costs(self) -> tuple[Floats, Floats]:
-        """(n,) and (n, n) costs of the labels left without messages, +inf for excluded pairs."""
-        excluded = np.isinf(self.problem.both_ways())
-        pairs = np.where(excluded, np.inf, self.pairs.toarray())
-        return self.block_set.cost[self.problem.labels], pairs
+    def plain(self) -> PlainProblem:
+        """What is left with the problem's own costs, and the pairs that bounds exclude."""
+        left, pairs = self.problem, self.pairs.toarray()
+        pairs = np.where(np.isinf(left.both_ways()), np.inf, pairs + pairs.T)
+        return PlainProblem(left.start, self.block_set.cost[left.labels], pairs)
 
     def figures(self) -> dict[str, int]:
         """How much is left, for the report."""
@@ -96,19 +102,20 @@ class Reduction:
         }
 
     def done(self) -> bool:
-        """Sweep, tighten, split, while that gains anything; whether anything is left."""
+        """Sweep, tighten, split, until all blocks are single labels or a limit is reached; whether
+        anything is left."""
         budget, share = self._budget, NEAR
         while self._swept() and (not self.exact or self._thinned()):
             frustrated = self._frustrated()
-            if frustrated and not self.exact and not self._searched:
-                self._search_likely_labels()
-            if (frustrated or self.exact) and not self._tightened():
-                return False
             if self.exact or budget.closed() or budget.stopped():
                 return True
+            if frustrated and not self._searched:
+                self._search_likely_labels()
+            if frustrated and not self.tightened():
+                return False
             bound = self.problem.bound()
             if not self._split(share):
-                if not self._tightened():
+                if not self.tightened():
                     return False
                 if self.problem.bound() <= bound:
                     budget.reach("memory limit")
@@ -218,7 +225,7 @@ class Reduction:
         self.problem.exclude_pairs(self._budget.cutoff)
         return self._reduced()
 
-    def _tightened(self) -> bool:
+    def tightened(self) -> bool:
         """Raise the bound by triplets and take away what it excludes, as long as this gains
         more than a share of what the bound misses; whether any are left."""
         while True:

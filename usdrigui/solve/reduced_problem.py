@@ -12,6 +12,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -28,6 +29,47 @@ DEAREST = 64.0
 """Cost up to which sums of two are told apart: far above any that a layout is made of."""
 
 Triplet = tuple[int, int, int]
+
+
+@dataclass(frozen=True, eq=False)
+class PlainProblem:
+    """What solvers of a rest get: labels of variables with the problem's own costs, and no
+    messages."""
+
+    start: Indices
+    """(variables + 1,) first label of each variable."""
+    linear: Floats
+    """(n,) what labels cost alone."""
+    pairs: Floats
+    """(n, n) costs of pairs, the same both ways, +inf for pairs that are excluded."""
+
+    @cached_property
+    def slices(self) -> list[slice]:
+        """The labels of each variable."""
+        return [slice(low, high) for low, high in itertools.pairwise(self.start.tolist())]
+
+    @cached_property
+    def owner(self) -> Indices:
+        """(n,) variable of each label."""
+        return np.repeat(np.arange(len(self.slices)), np.diff(self.start))
+
+    @cached_property
+    def least(self) -> Floats:
+        """(variables,) least linear cost of each variable."""
+        return np.minimum.reduceat(self.linear, self.start[:-1])
+
+    @property
+    def excess(self) -> Floats:
+        """(n,) how much more than the cheapest of its variable every label costs."""
+        return np.asarray(self.linear - self.least[self.owner])
+
+    def value(self, chosen: Indices) -> float:
+        """Cost of one label per variable; +inf with an excluded pair."""
+        return float(self.linear[chosen].sum() + self.pairs[np.ix_(chosen, chosen)].sum() / 2)
+
+    def costly_pairs(self) -> int:
+        """How many pairs cost anything and are not excluded."""
+        return int(((self.pairs > EPSILON) & (self.pairs < np.inf)).sum()) // 2
 
 
 @dataclass(frozen=True, eq=False)
@@ -155,43 +197,22 @@ class ReducedProblem:
             found[strip.columns, strip.mine] = strip.costs.T
         return found
 
-    def value(self, chosen: Indices) -> float:
-        """Cost of one label (index into this problem) per variable."""
-        pairs = self.both_ways()[np.ix_(chosen, chosen)]
-        total = self.constant + self.costs[chosen].sum() + pairs.sum() / 2
-        at = chosen - self.start[:-1]
-        for (a, b, c), (ab, ac, bc) in self.messages.items():
-            total -= sum(map(float, (ab[at[a], at[b]], ac[at[a], at[c]], bc[at[b], at[c]])))
-        return float(total)
-
-    def triplet_costs(self, triplet: Triplet) -> Floats:
-        """(na, nb, nc) what the labels of a triplet cost together on top of their pairs."""
-        ab, ac, bc = (each.astype(np.float64) for each in self.messages[triplet])
-        return np.asarray(np.maximum(-(ab[:, :, None] + ac[:, None, :] + bc[None]), 0.0))
-
     # --- smaller problems -------------------------------------------------------------------------
 
     def restricted(self, alive: Flags) -> ReducedProblem:
         """The problem of the labels that are alive, at least one of every variable."""
-        part = self.of_variables(alive, self.costs[alive], self.constant)
-        part.inherit(self, np.flatnonzero(alive))
-        return part
-
-    def of_variables(self, alive: Flags, costs: Floats, constant: float) -> ReducedProblem:
-        """The problem of the labels that are alive, without the variables that have none and
-        without triplets; `costs` (alive,) are its linear costs."""
         number = np.cumsum(alive) - 1
-        has_any = np.logical_or.reduceat(alive, self.start[:-1])
-        owner = (np.cumsum(has_any) - 1)[self.owner[alive]]
-        ends = itertools.pairwise(np.searchsorted(owner, np.arange(int(has_any.sum()) + 1)))
-        tables = []
-        for at, (low, high) in zip(np.flatnonzero(has_any), ends, strict=True):
-            strip = self.tables[at]
+        owner = self.owner[alive]
+        tables: list[Strip] = []
+        for strip in self.tables:
             columns = alive[strip.columns]
             left = strip.costs[np.ix_(alive[strip.mine], columns)]
-            mine = slice(int(low), int(high))
+            mine = slice(*np.searchsorted(owner, (len(tables), len(tables) + 1)).tolist())
             tables.append(_strip(owner, mine, number[strip.columns[columns]], left))
-        return ReducedProblem(owner, self.labels[alive], costs, tables, constant)
+        costs, labels = self.costs[alive], self.labels[alive]
+        part = ReducedProblem(owner, labels, costs, tables, self.constant)
+        part.inherit(self, np.flatnonzero(alive))
+        return part
 
     def refined(
         self, parent: Indices, costs: Floats, older: csr_array, pairs: csr_array

@@ -18,7 +18,7 @@ import numpy as np
 from usdrigui.character import Floats, Indices
 from usdrigui.errors import refuse
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.reduced_problem import ReducedProblem, Solution
+from usdrigui.solve.reduced_problem import PlainProblem, Solution
 
 DIGITS = (15, 9)
 """Of a cost in toulbar2, in all and behind the point: costs are whole numbers of 64 bits."""
@@ -34,23 +34,19 @@ def check_installed() -> None:
         raise refuse("SOLVE_EXTRA", "solve.method", "pytoulbar2 is not installed") from error
 
 
-def solve_by_toulbar2(
-    problem: ReducedProblem, linear: Floats, pairs: Floats, cutoff: float, budget: Budget
-) -> Solution:
-    """Best layout of a reduced problem that costs less than the cutoff, or the proof that there is
-    none.
+def solve_by_toulbar2(problem: PlainProblem, cutoff: float, budget: Budget) -> Solution:
+    """Best layout that costs less than the cutoff, or the proof that there is none.
 
-    `linear` (n,) and `pairs` (n, n) are the costs of its labels without messages, +inf for pairs
-    that are excluded.  A run that `budget` stops proves and finds nothing.
+    A run that `budget` stops proves and finds nothing.
     """
-    least = np.minimum.reduceat(linear, problem.start[:-1])
-    spare = cutoff - float(least.sum())
-    above = np.minimum(linear - least[problem.owner], spare)
-    answer = _asked((problem.start, above, np.minimum(pairs, spare), spare), budget)
+    base = float(problem.least.sum())
+    spare = cutoff - base
+    above = np.minimum(problem.excess, spare)
+    answer = _asked((problem.start, above, np.minimum(problem.pairs, spare), spare), budget)
     if answer is None:
-        return Solution(problem.bound(), None, {})
+        return Solution(-np.inf, None, {})
     bound, chosen, rounding = answer
-    bound += float(least.sum()) - max(ROUNDED, rounding)
+    bound += base - max(ROUNDED, rounding)
     return Solution(min(bound, cutoff), None if chosen is None else problem.start[:-1] + chosen, {})
 
 
