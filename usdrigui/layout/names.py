@@ -1,35 +1,13 @@
-"""Names of controls as labels and as steps of one another."""
+"""Names of controls as labels, and of the elements that several share."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Collection, Sequence
 
-from usdrigui.conventions.sides import SIDES
-
 BETWEEN = ("_", "+", "__", "++")
 """Joins the names of the controls of an element."""
 _WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+|[^A-Za-z\d]+")
-
-
-def is_step_of(name: str, other: str) -> bool:
-    """True when `name` is `other` with a number behind it, or before its side, as flattened
-    in-betweens are called: ``smile_50``, ``smile50_L``."""
-    stem = re.fullmatch(
-        r"(.*[A-Za-z].*?)[ _.:-]?\d+([ _.:-]?(?:l|r|left|right))?", name, re.IGNORECASE
-    )
-    return stem is not None and stem[1].lower() + (stem[2] or "").lower() == other.lower()
-
-
-def spelling_style(name: str) -> tuple[str, bool, bool]:
-    """The spelling of a name, without its words and its side: what is between its
-    words, whether it begins with a capital and whether it has numbers.
-
-    ``Jaw_Open`` and ``Eye_Blink_L`` are of one style, ``jawOpen`` and ``eyeBlink_L`` of another.
-    """
-    text = "".join(word for word in _WORDS.findall(name) if word.lower() not in SIDES)
-    between = "".join(sorted({*re.sub(r"[A-Za-z\d]", "", text.strip("_-. "))}))
-    return between, text.strip("_-. ")[:1].isupper(), any(letter.isdigit() for letter in text)
 
 
 def element_name(controls: Sequence[str], known: Collection[str]) -> str:

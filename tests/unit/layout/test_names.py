@@ -4,7 +4,7 @@ import itertools
 
 import pytest
 
-from usdrigui.layout.names import common_label, element_name, is_step_of
+from usdrigui.layout.names import common_label, element_name
 
 CONTROLS = ["smile", "50", "smile_50", "a_b", "c", "a", "b_c", "+", "a+b"]
 
@@ -33,17 +33,3 @@ def test_no_two_elements_have_one_name():
 )
 def test_a_label_says_once_what_its_controls_have_in_common(labels, expected):
     assert common_label(labels) == expected
-
-
-@pytest.mark.parametrize(
-    ("name", "whole", "expected"),
-    [
-        ("smile_50", "smile", True),
-        ("smile50_L", "smile_L", True),
-        ("smile_L.001", "smile_L", True),
-        ("smile50_L", "smile_R", False),
-        ("AU12_L", "AU", False),
-    ],
-)
-def test_a_number_behind_a_name_or_before_its_side_makes_a_step(name, whole, expected):
-    assert is_step_of(name, whole) is expected

@@ -20,11 +20,6 @@ from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import BaseSurface, Category, Motion, Symmetry
 from usdrigui.settings import CandidateSettings
 
-_UNMOVED_SHARE = 0.1
-"""Paper section 4.2: a control is global when fewer points than this share move less than its
-mean."""
-
-
 _FELT = 0.25
 """Displacement that can be felt, in typical peaks of the rig's controls."""
 
@@ -49,7 +44,6 @@ class _Evidence:
     """What speaks for one control leaving the face."""
 
     coverage_of_smaller: float
-    moves_everything: bool
     named_local: bool
     """Whether its name is that of an action of a part of the face."""
     vanishes: bool
@@ -91,7 +85,6 @@ def classify(
         alone = joints_alone and motion.shares.owned is not None
         evidence = _Evidence(
             coverage_of_smaller=float(covered[index]),
-            moves_everything=_moves_everything(surface, own),
             named_local=_named_local(meaning),
             vanishes=bool(vanish[index]),
             visible_share=_visible_share(surface, seen, own),
@@ -133,8 +126,8 @@ def _category(
         if evidence.vanishes:
             return "global", "makes parts of the character disappear"
         # Where the mouth alone is animated, a jaw moves all that smaller controls move.
-        wide = evidence.coverage_of_smaller > settings.global_coverage and not evidence.named_local
-        if wide or evidence.moves_everything:
+        wide = evidence.coverage_of_smaller > settings.global_coverage
+        if wide and not evidence.named_local:
             return "global", "moves the face as a whole"
     if settings.board_hidden and evidence.visible_share < settings.hidden_share:
         return "hidden", "only affects geometry hidden in all views"
@@ -198,10 +191,3 @@ def _visible_share(surface: BaseSurface, visible: Flags, motion: Motion) -> floa
     total = float(weight.sum())
     seen = visible[motion.points]
     return float(weight[seen].sum()) / total if total > 0.0 else float(seen.mean())
-
-
-def _moves_everything(surface: BaseSurface, motion: Motion) -> bool:
-    """The paper's own criterion for a global control."""
-    count = len(surface.points)
-    still = motion.arc_length < 0.999 * motion.arc_length.mean()
-    return bool(count - len(motion.points) + still.sum() < _UNMOVED_SHARE * count)

@@ -1,4 +1,4 @@
-"""Which controls are atoms is decided for all at once: the cheapest set that explains the rest."""
+"""Which controls are atoms is decided for all at once: a cheap set that explains the rest."""
 
 from itertools import combinations
 
@@ -13,11 +13,11 @@ def cosines(vectors):
     return unit @ unit.T
 
 
-def chosen(vectors, costs=None, twins=None, pairs=()):
+def chosen(vectors, costs=None, twins=None):
     count = len(vectors)
     costs = np.ones(count) if costs is None else np.asarray(costs, dtype=float)
     twins = np.full(count, -1) if twins is None else np.asarray(twins)
-    return choose_basis(cosines(vectors), costs, twins, pairs)
+    return choose_basis(cosines(vectors), costs, twins)
 
 
 E = np.eye(6)

@@ -1,7 +1,6 @@
 """Composites: controls that repeat others."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import chain
 import makers
@@ -10,8 +9,7 @@ import pytest
 
 from usdrigui.layout.classify import classification
 from usdrigui.layout.classify.basis import Basis, Explanation
-from usdrigui.layout.classify.composites import _composite, _contained, _costs, _distant, _Spreads, composites
-from usdrigui.layout.motion.similarity import DisplacementFields
+from usdrigui.layout.classify.composites import _composite
 
 POINTS, QUADS = makers.mask()
 
@@ -19,7 +17,7 @@ POINTS, QUADS = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
 
 
-def test_repetitions_mixtures_and_spreads_are_composites():
+def test_repetitions_and_mixtures_are_composites():
     smile = SHAPES["smile_L"] + SHAPES["smile_R"]
     brow = SHAPES["brow_L"] + SHAPES["brow_R"]
     rig = makers.face_with(
@@ -48,48 +46,9 @@ def test_of_many_copies_one_stays_and_the_others_repeat_it(noise):
     )
 
 
-@pytest.mark.parametrize("first", [0, 1])
-def test_of_controls_under_names_of_two_conventions_those_of_the_fuller_one_stay(first):
-    said = {"Jaw_Open": "jawOpen", "Mouth_Pucker": "mouthPucker", "Nose_Sneer_L": "noseSneerLeft", "Cheek_Puff": ""}
-    shapes = {
-        name: makers.bump(POINTS, (0.0, y), (0, 1, 0.2), 0.2)
-        for name, y in zip(said, (-0.9, -0.5, 0.0, 0.4), strict=True)
-    }
-    copies = {said[name]: shape for name, shape in shapes.items() if said[name]}
-    both = [shapes, copies] if first else [copies, shapes]
-    found = chain.chosen(makers.rig(POINTS, QUADS, both[0] | both[1]))
-    assert [name for name in (*said, *copies) if found(name).category == ""] == list(said)
-
-
 def test_a_control_alone_is_no_composite():
     found = chain.chosen(makers.rig(POINTS, QUADS, {"pucker": SHAPES["pucker"]}))("pucker")
     assert (found.category, found.off_face_reason) == ("", "")
-
-
-def test_a_part_that_stands_twice_is_one_part():
-    lesser, whole = (makers.bump(POINTS, (0.0, 0.8), (0, 1, 0.2), radius) for radius in (0.28, 0.3))
-    aside = np.linalg.norm(whole, axis=1)[:, None] * [0.25, 0.0, 0.0]
-    found = chain.chosen(makers.face_with(raise_a=lesser, raise_b=lesser, swerving=whole + aside))
-    assert found("swerving").category != "composite"
-
-
-def test_flattened_in_betweens_are_steps_of_their_control():
-    off_the_line = 0.5 * SHAPES["pucker"] + 0.3 * np.linalg.norm(SHAPES["pucker"], axis=1)[:, None] * [0.0, 1.0, 0.0]
-    found = chain.chosen(makers.face_with(pucker_50=off_the_line, other=off_the_line * 1.1))
-    assert found("pucker_50").category == "composite"
-    assert "pucker" in found("pucker_50").off_face_reason
-    assert found("other").category != "composite"
-
-
-def test_an_emotion_with_a_shape_of_its_own_is_still_a_spread():
-    own = makers.bump(POINTS, (0.0, 0.1), (0, 0, 1), 0.5, 0.08)
-    brow, smile = SHAPES["brow_L"] + SHAPES["brow_R"], SHAPES["smile_L"] + SHAPES["smile_R"]
-    measured = chain.measured(makers.face_with(emotion=brow + smile + own))
-    face = measured.face
-    coverage = np.array([each.coverage for each in measured.classification])
-    found = composites(face, measured.similarity, coverage)
-    assert [face.rig.controls[face.trajectories.motions[i].control].name for i in found] == ["emotion"]
-    assert next(iter(found.values())).kind == "spread"
 
 
 def test_an_explanation_that_fails_costs_the_words_alone(monkeypatch):
@@ -135,60 +94,6 @@ def test_of_copies_for_both_sides_those_stay_that_a_face_needs_or_that_act_on_bo
     }
     found = chain.chosen(makers.face_with(**sides, **{name: sum(sides.values())}))
     assert (found(name).category == "") == stays
-
-
-@pytest.mark.parametrize(("far", "found"), [([(0, 1)], ()), ([(0, 1), (0, 2)], (0, 2)), ([], ())])
-def test_a_spread_moves_two_distant_pairs_and_is_told_by_the_one_most_like_it(far, found):
-    apart = np.zeros((4, 4), dtype=bool)
-    apart[tuple(np.array(far, dtype=int).reshape(-1, 2).T)] = True
-    cosine = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0.5, 0.2, 0.4, 1]])
-    evidence = SimpleNamespace(contains=np.ones((4, 4), bool), size=[1, 1, 1, 3], far=apart, cosine=cosine)
-    atoms = np.array([True, True, True, False])
-    assert _Spreads.distant_pair(evidence, 3, atoms) == found
-
-
-def test_what_it_costs_that_a_control_is_no_sum_of_others():
-    """One for a name that says nothing and what it covers, .2 less with a twin; two more for both sides of what has
-    sides, three more in a family; whatever its importance below nothing where the name says all."""
-    smile = SimpleNamespace(name="smile", is_central=False, is_core=False, importance=0.7)
-    meant = [SimpleNamespace(action=smile, side=side, middle=False) for side in ("left", "right", "")]
-    costs = _costs(
-        ["smileL", "smileR", "smile", "a", "bL", "bR", "viseme"],
-        [*meant, None, None, None, None],
-        np.array([1, 0, 2, -1, 5, 4, 6]),
-        np.array([0.1, 0.1, 0.2, 0.25, 0.0, 0.0, 0.0]),
-        [SimpleNamespace(members=[6])],
-    )
-    assert costs.tolist() == [-0.7, -0.7, 3.2, 1.25, 0.8, 0.8, 4.0]
-
-
-def contained(one, other):
-    """Whether a control that does `one` contains one that does `other`, at two places of area 1 and 2."""
-    vectors = np.array([one, other], dtype=np.float32)
-    fields = DisplacementFields(np.arange(2), vectors, np.array([1.0, 2.0]))
-    return bool(_contained(fields, vectors.any(axis=2))[0, 1])
-
-
-def test_a_control_contains_what_goes_its_way_where_that_acts_and_by_a_quarter_of_it():
-    there, still = (5.0, 0, 0), (0, 0, 0)
-    assert contained([(3.1, 4, 0), (0, 99, 0)], [there, still])
-    assert not contained([(3, 4, 0), still], [there, still]), "a cosine of .6 is not more"
-    assert contained([(1.3, 0, 0), still], [there, still])
-    assert not contained([(1.25, 0, 0), still], [there, still]), "a quarter is not more"
-    assert not contained([still, (1, 0, 0)], [there, still])
-    assert not contained([(1, 0, 0), (1, 0, 0)], [still, still])
-    assert contained([(1, 0, 0), (2, 0, 0)], [(1, 0, 0), (1, 0, 0)])
-
-
-def test_distant_parts_are_three_tenths_of_the_face_apart_in_height():
-    vectors = np.zeros((3, 3, 3), dtype=np.float32)
-    vectors[[0, 1, 2], [0, 1, 2], 0] = 1.0
-    surface = SimpleNamespace(points=np.array([[0.0, 0, 0], [0, 0.61, 0], [9, 0.6, 9]]), face_size=2.0)
-    alike = SimpleNamespace(fields=DisplacementFields(np.arange(3), vectors, np.ones(3)), shared=np.eye(3))
-    found = _distant(surface, alike, np.array([0.0, 1, 0]))
-    assert found.tolist() == [[False, True, False], [True, False, False], [False, False, False]]
-    alike.shared = np.full((3, 3), 0.05)
-    assert not _distant(surface, alike, np.array([0.0, 1, 0])).any(), "they share a place"
 
 
 def test_a_repetition_and_a_mixture_say_how_far_in_ranges_of_the_others():
