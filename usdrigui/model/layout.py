@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Literal
 
@@ -89,13 +90,13 @@ class LayoutFrame(Record):
 
 @dataclass(frozen=True, eq=False)
 class Proof(Record):
-    """What the solver proved of a layout's cost."""
+    """What the solver proved of a layout's cost; nothing of one that is made by hand."""
 
-    method: str
-    status: Status
-    cost: float
-    bound: float
-    above_unary_bound: float
+    method: str = ""
+    status: Status = "stopped"
+    cost: float = 0.0
+    bound: float = -math.inf
+    above_unary_bound: float = 0.0
     weights: tuple[tuple[str, float], ...] = ()
     """Settings of the objective that the cost depends on, by name."""
     closed_by: str = ""

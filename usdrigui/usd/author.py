@@ -99,11 +99,12 @@ def _noted(values: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _plain(value: Any) -> Any:
-    if isinstance(value, (str, float)):
-        return value if isinstance(value, str) else float(f"{value:.7g}")
-    if isinstance(value, np.ndarray):
-        return Vt.DoubleArray([float(f"{each:.7g}") for each in value])
-    return Vt.StringArray([str(each) for each in value])
+    if isinstance(value, str):
+        return value
+    if isinstance(value, float):
+        return float(f"{value:.7g}")
+    kind = Vt.StringArray if isinstance(value[0], str) else Vt.DoubleArray
+    return kind([_plain(entry) for entry in value])
 
 
 def put(

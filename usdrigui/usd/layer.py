@@ -24,7 +24,7 @@ from usdrigui.model.levels import inner_names
 from usdrigui.replacing.transaction import State, commit, file_error
 from usdrigui.settings import OutputSettings
 from usdrigui.stages import schema
-from usdrigui.usd import author
+from usdrigui.usd import author, properties
 from usdrigui.usd.control_api import author_control_api, author_limits
 from usdrigui.usd.drawing import DrawnElement, author_drawing, drawing_about, drawing_name, drawings
 from usdrigui.usd.drawn import drawn_parts
@@ -269,29 +269,22 @@ def account(controls: tuple[Control, ...], base_values: Floats) -> dict[str, Any
 
 def books(layout: Layout) -> dict[str, Any]:
     """What only usdrigui itself asks of a layout: how it was found, and what was left off."""
-    proof, parts = layout.proof, layout.frame.parts
+    proof = layout.proof
+    solution: dict[str, Any] = {key: getattr(proof, name) for key, name in properties.PROOF.items()}
+    for kind, field in properties.FIGURES.items():
+        figures = getattr(proof, field)
+        solution[f"{kind}Names"] = [name for name, _ in figures]
+        solution[f"{kind}Values"] = [value for _, value in figures]
+    parts = _columns(layout.frame.parts, properties.PART_PROOF)
     return {
-        "solution": {
-            "solver": proof.method,
-            "status": proof.status,
-            "closedBy": proof.closed_by,
-            "figureNames": [name for name, _ in proof.figures],
-            "figureValues": np.array([value for _, value in proof.figures], dtype=np.float64),
-            "cost": proof.cost,
-            "bound": proof.bound,
-            "aboveUnaryBound": proof.above_unary_bound,
-            "partStatuses": [part.status for part in parts],
-            "partCosts": np.array([part.cost for part in parts], dtype=np.float64),
-            "partBounds": np.array([part.bound for part in parts], dtype=np.float64),
-            "weightNames": [name for name, _ in proof.weights],
-            "weightValues": np.array([value for _, value in proof.weights], dtype=np.float64),
-        },
-        "leftOff": {
-            "controls": [left.control for left in layout.left_off],
-            "stages": [left.stage for left in layout.left_off],
-            "reasons": [left.reason for left in layout.left_off],
-        },
+        "solution": solution | parts,
+        "leftOff": _columns(layout.left_off, properties.LEFT_OFF),
     }
+
+
+def _columns(records: Iterable[Any], fields: Mapping[str, str]) -> dict[str, list[Any]]:
+    """A list for each key, of the field of all records."""
+    return {key: [getattr(row, name) for row in records] for key, name in fields.items()}
 
 
 def author_elements(

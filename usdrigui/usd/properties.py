@@ -19,6 +19,22 @@ from usdrigui.stages import schema
 from usdrigui.stages.arrays import value_at
 from usdrigui.usd import author
 
+PROOF = {
+    "solver": "method",
+    "status": "status",
+    "closedBy": "closed_by",
+    "cost": "cost",
+    "bound": "bound",
+    "aboveUnaryBound": "above_unary_bound",
+}
+"""Keys of the solution in our books, and the fields of `Proof` that they hold."""
+PART_PROOF = {"partStatuses": "status", "partCosts": "cost", "partBounds": "bound"}
+"""Keys of lists there, and the fields of `LayoutPart`."""
+FIGURES = {"figure": "figures", "weight": "weights"}
+"""Beginnings of pairs of keys (``figureNames`` and ``figureValues``), and the fields of `Proof`."""
+LEFT_OFF = {"controls": "control", "stages": "stage", "reasons": "reason"}
+"""Keys of lists of what was left off, and the fields of `LeftOff`."""
+
 
 def applied(prim: Usd.Prim) -> list[str]:
     """The API schemas that are applied to a prim, whether or not USD knows them."""

@@ -36,6 +36,10 @@ from usdrigui.stages.opening import open_stage
 from usdrigui.stages.variant_paths import asset_selections, with_sets
 from usdrigui.stages.variants import variant_path
 from usdrigui.usd.properties import (
+    FIGURES,
+    LEFT_OFF,
+    PART_PROOF,
+    PROOF,
     applied,
     array_of,
     check_elements,
@@ -285,13 +289,10 @@ def _parts(scope: Usd.Prim) -> tuple[LayoutPart, ...]:
     names = strings(value_of(scope, schema.LAYOUT, "parts"))
     widths = array_of(value_of(scope, schema.LAYOUT, "partHandleWidths"))
     views = array_of(value_of(scope, schema.LAYOUT, "partViewDirections")).reshape(-1, 3)
-    proofs = [strings(_noted(scope, "solution", "partStatuses", ()))]
-    proofs += [list(_noted(scope, "solution", f"part{each}", ())) for each in ("Costs", "Bounds")]
-    statuses, costs, bounds = (
-        proofs if len(proofs[0]) else (["stopped"] * len(names), *np.zeros((2, len(names))))
-    )
+    statuses, costs, bounds = (_noted(scope, "solution", key, ()) for key in PART_PROOF)
+    if not len(statuses):
+        statuses, (costs, bounds) = ["stopped"] * len(names), np.zeros((2, len(names)))
     check_equal(scope, "rigUI:layout:parts", names, widths, views, statuses, costs, bounds)
-    rows = zip(names, widths.tolist(), views, statuses, costs, bounds, strict=True)
     return tuple(
         LayoutPart(
             name,
@@ -301,7 +302,9 @@ def _parts(scope: Usd.Prim) -> tuple[LayoutPart, ...]:
             float(cost),
             float(bound),
         )
-        for name, width, view, status, cost, bound in rows
+        for name, width, view, status, cost, bound in zip(
+            names, widths.tolist(), views, statuses, costs, bounds, strict=True
+        )
     )
 
 
@@ -320,16 +323,12 @@ def _proof(scope: Usd.Prim) -> Proof:
     status = _noted(scope, "solution", "status", "stopped")
     if status not in get_args(Status):
         raise _misnoted(scope, "solution", "status", f"{status!r} is none")
-    return Proof(
-        method=_noted(scope, "solution", "solver", ""),
-        status=status,
-        cost=_noted(scope, "solution", "cost", 0.0),
-        bound=_noted(scope, "solution", "bound", -np.inf),
-        above_unary_bound=_noted(scope, "solution", "aboveUnaryBound", 0.0),
-        weights=_figures(scope, "weight"),
-        closed_by=_noted(scope, "solution", "closedBy", ""),
-        figures=_figures(scope, "figure"),
-    )
+    unknown = Proof()
+    noted: dict[str, Any] = {
+        name: _noted(scope, "solution", key, getattr(unknown, name)) for key, name in PROOF.items()
+    }
+    noted |= {name: _figures(scope, kind) for kind, name in FIGURES.items()}
+    return Proof(**noted)
 
 
 def _figures(scope: Usd.Prim, kind: str) -> tuple[tuple[str, float], ...]:
@@ -340,9 +339,7 @@ def _figures(scope: Usd.Prim, kind: str) -> tuple[tuple[str, float], ...]:
 
 
 def _left_off(scope: Usd.Prim) -> tuple[LeftOff, ...]:
-    columns = [
-        strings(_noted(scope, "leftOff", name, ())) for name in ("controls", "stages", "reasons")
-    ]
+    columns = [strings(_noted(scope, "leftOff", key, ())) for key in LEFT_OFF]
     check_equal(scope, "leftOff", *columns)
     return tuple(LeftOff(*row) for row in zip(*columns, strict=True))
 
