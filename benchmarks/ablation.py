@@ -37,10 +37,10 @@ from usdrigui.model import Assignment, Candidates, Layout, LayoutProblem, Variab
 from usdrigui.overlap import total_cost
 from usdrigui.pipeline.records import ProblemInputs, Task
 from usdrigui.pipeline.stages import build_problem, layout_of
+from usdrigui.reader.reader_process import read_rigs_isolated
 from usdrigui.settings import SolveSettings, load, with_sections
 from usdrigui.solve import solve
 from usdrigui.solve.clusters import Linkage
-from usdrigui.usd.reader_process import read_rigs_isolated
 from usdrigui.view.picture import contact_sheet, render
 
 SAMPLE = Path(__file__).resolve().parents[1] / "sample_assets" / "char.usda"

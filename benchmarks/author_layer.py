@@ -21,10 +21,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 import laid_out
 import makers
 
+from usdrigui.layer.read_layout import read_layout
+from usdrigui.layer.write_layout import layer_bytes, layer_for
 from usdrigui.replacing.transaction import commit
 from usdrigui.settings import OutputSettings
-from usdrigui.usd.layer import layer_bytes, layer_for
-from usdrigui.usd.read_layout import read_layout
 
 CONTROLS, SHAPES = 142, 40
 

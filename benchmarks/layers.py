@@ -31,8 +31,8 @@ os.environ["PXR_WORK_THREAD_LIMIT"] = "1"  # threads that wait for one another c
 import numpy as np
 from pxr import Gf, Sdf, Usd, UsdSkel, UsdUtils, Vt
 
+from usdrigui.clients.attaching.attach import attach
 from usdrigui.settings import Settings
-from usdrigui.usd.attach import attach
 
 _ROW = "{:<28} {:<6} {:>6} {:>6} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7}"
 

@@ -175,7 +175,7 @@ def _part_problems(asset: Path, settings: Settings) -> Iterator[tuple[str, Layou
     """Names and problems of a rig's parts as a layout of the rig has them: each among the elements
     of those before."""
     from usdrigui.pipeline.stages import divided, layout_of, part_problem
-    from usdrigui.usd.reader_process import read_rigs_isolated
+    from usdrigui.reader.reader_process import read_rigs_isolated
 
     character = divided(read_rigs_isolated(asset, settings).rigs[0], settings)
     elements: tuple[Element, ...] = ()
@@ -189,7 +189,7 @@ def _part_problems(asset: Path, settings: Settings) -> Iterator[tuple[str, Layou
 
 def _finer_problem(asset: Path) -> LayoutProblem:
     from usdrigui.pipeline import build_problem
-    from usdrigui.usd.reader_process import read_rigs_isolated
+    from usdrigui.reader.reader_process import read_rigs_isolated
 
     settings = load({"symmetry": {"fold": True}})
     rig = subdivided(read_rigs_isolated(asset, settings).rigs[0])

@@ -154,7 +154,7 @@ def _whole_config(scene: Scene, panel: Panel, asset: Path) -> str:
 
 def _names(asset: Path, joints: bool) -> Iterable[str]:
     """Names of all controls of an asset."""
-    from usdrigui.usd.reader_process import read_rigs_isolated
+    from usdrigui.reader.reader_process import read_rigs_isolated
 
     settings = load({} if joints else {"read": {"joints": "none"}})
     return [each.name for each in read_rigs_isolated(asset, settings).rigs[0].controls]

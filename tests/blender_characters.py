@@ -12,6 +12,7 @@ from usdskel_oracle import Oracle
 from viewer_layouts import member_at
 
 from usdrigui.character.deform import channel_state, posed
+from usdrigui.layer.write_layout import stage_metadata, write_layout
 from usdrigui.model import (
     Anchor,
     Element,
@@ -27,7 +28,6 @@ from usdrigui.model import (
 )
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, Settings
-from usdrigui.usd.layer import stage_metadata, write_layout
 
 SAMPLE = Path(__file__).resolve().parents[1] / "sample_assets" / "char.usda"
 Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])

@@ -360,9 +360,9 @@ def real_elements(folder):
 def _seen(stage, name, turn):
     from pxr import UsdGeom
 
+    from usdrigui.layer.properties import value_of
+    from usdrigui.layer.read_layout import element_prims, layout_scopes, read_layout
     from usdrigui.stages import schema
-    from usdrigui.usd.properties import value_of
-    from usdrigui.usd.read_layout import element_prims, layout_scopes, read_layout
 
     (layout,), (scope,) = read_layout(stage), layout_scopes(stage)
     element = next(each for each in layout.elements if each.name == name)

@@ -8,6 +8,8 @@ from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
 
 from usdrigui.character import LeftOff
 from usdrigui.character.deform import channel_state, knots, posed, sweep
+from usdrigui.layer.properties import element_name
+from usdrigui.layer.read_layout import element_prims, points_of_subset
 from usdrigui.model import (
     Anchor,
     Element,
@@ -21,8 +23,6 @@ from usdrigui.model import (
     Placement,
     Proof,
 )
-from usdrigui.usd.properties import element_name
-from usdrigui.usd.read_layout import element_prims, points_of_subset
 
 
 def layout_of(rig, seed=0, groups=None, base_values=None, beside=(), adapt="deform", only=None):

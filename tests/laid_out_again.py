@@ -9,9 +9,9 @@ import pytest
 from usdrigui.pipeline.records import Task
 from usdrigui.pipeline.references import ReferenceLayouts
 from usdrigui.pipeline.stages import build_problem, layout_of
+from usdrigui.reader.reader_process import read_rigs_isolated
 from usdrigui.settings import load
 from usdrigui.solve import solve
-from usdrigui.usd.reader_process import read_rigs_isolated
 
 ASSETS = Path(__file__).resolve().parents[1].parent / "shared" / "assets"
 SETTINGS = load({"solve": {"gap": 1e-2}})

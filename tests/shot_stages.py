@@ -8,7 +8,7 @@ import makers
 import numpy as np
 from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
 
-from usdrigui.usd.read_layout import element_prims, layout_scopes
+from usdrigui.layer.read_layout import element_prims, layout_scopes
 
 
 def shot(path: Path, asset: str, mesh: str, shapes: dict[str, tuple], *, at: str = "", root: str = "/World") -> Path:

@@ -23,10 +23,10 @@ import skinned_stages
 from pxr import Sdf
 
 from usdrigui.character.deform import deform
+from usdrigui.layer.write_layout import stage_metadata, write_layout
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, Settings
 from usdrigui.stages.schema import schema_path
-from usdrigui.usd.layer import stage_metadata, write_layout
 
 CLOSE = 1e-5
 """Of the diagonal of the character's box."""

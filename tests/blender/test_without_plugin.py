@@ -8,7 +8,7 @@ import usd_versions
 from PIL import Image
 from pxr import Usd, UsdGeom, UsdSkel
 
-from usdrigui.usd.read_layout import element_prims, points_of_subset, read_layout
+from usdrigui.layer.read_layout import element_prims, points_of_subset, read_layout
 
 CLOSE = 1e-5
 FRAMES = [1, 9, 24, 37, 48]

@@ -7,7 +7,7 @@ import traps
 import triggers
 from pxr import Sdf
 
-from usdrigui.usd.read_layout import read_layout
+from usdrigui.layer.read_layout import read_layout
 
 
 @pytest.mark.parametrize("name", traps.TRAPS)

@@ -31,14 +31,15 @@ from usdrigui.clients import blender_extension
 from usdrigui.clients.batch.run import run_on_dask
 from usdrigui.errors import RigUIError, issue, refuse
 from usdrigui.isolation import foreign_file
+from usdrigui.layer import write_layout as layer
 from usdrigui.layout.classify import classification
 from usdrigui.layout.motion import trajectory
+from usdrigui.reader import reader_process
 from usdrigui.reading import character as rig
 from usdrigui.reading import clips
 from usdrigui.replacing import transaction
 from usdrigui.settings import Settings, SolveSettings
 from usdrigui.stages import schema
-from usdrigui.usd import layer, reader_process
 
 Found = tuple[int, list[dict[str, Any]]]
 Trigger = Callable[[Path, Any], Found]
@@ -306,7 +307,7 @@ def _switched_off(folder: Path) -> Path:
 
 
 def _attached(made: Callable[[Path], Path], name: str = "char.usda", *, payload: bool = False) -> Trigger:
-    from usdrigui.usd.attach import attach
+    from usdrigui.clients.attaching.attach import attach
 
     return lambda folder, _: refused(lambda: attach(folder / name, made(folder), Settings(), payload=payload))
 

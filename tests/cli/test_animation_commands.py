@@ -10,7 +10,7 @@ import skinned_stages
 from pxr import Gf, Usd, UsdSkel, Vt
 
 from usdrigui.cli import main
-from usdrigui.usd.read_layout import read_layout
+from usdrigui.layer.read_layout import read_layout
 
 RAMP = np.array([0.0, 0.25, 0.5, 0.75, 1.0, 0.5, 0.0, 0.0, 0.0, 0.0])
 LATER = RAMP[::-1]

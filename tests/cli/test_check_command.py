@@ -6,7 +6,7 @@ import pytest
 from pxr import Usd, UsdGeom, UsdSkel
 
 from usdrigui.cli import main
-from usdrigui.usd.read_layout import element_prims
+from usdrigui.layer.read_layout import element_prims
 
 
 def codes(layer, capsys, expected_exit=0, *options):

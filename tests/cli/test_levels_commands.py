@@ -10,8 +10,8 @@ from PIL import Image
 from pxr import Sdf, Usd, UsdGeom
 
 from usdrigui.cli import main
+from usdrigui.layer.read_layout import read_layout
 from usdrigui.model.levels import inner_names
-from usdrigui.usd.read_layout import read_layout
 
 LEVELS = """
 [poses.grin]

@@ -11,8 +11,8 @@ from pxr import Sdf, Usd, UsdSkel
 
 from usdrigui.cli import main
 from usdrigui.errors import meant
-from usdrigui.usd.properties import instances_applied
-from usdrigui.usd.read_layout import element_prims, read_layout, with_corrections
+from usdrigui.layer.properties import instances_applied
+from usdrigui.layer.read_layout import element_prims, read_layout, with_corrections
 
 
 @pytest.fixture

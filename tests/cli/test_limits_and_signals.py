@@ -16,8 +16,8 @@ from processes import children_of, until
 from skel_stages import add_mesh, add_shape, character, grid, head
 
 from usdrigui.cli import main
+from usdrigui.layer.read_layout import read_layout
 from usdrigui.settings import Settings
-from usdrigui.usd.read_layout import read_layout
 
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")]
 SAMPLE = Path(__file__).parents[2] / "sample_assets" / "char.usda"

@@ -10,7 +10,7 @@ from pxr import Gf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.cli import main
 from usdrigui.cli.parser import parsed
-from usdrigui.usd.read_layout import base_controls, layout_scopes, read_layout
+from usdrigui.layer.read_layout import base_controls, layout_scopes, read_layout
 
 JAW = "Hips/Head/Jaw"
 

@@ -9,8 +9,8 @@ import shot_stages
 from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
 
 from usdrigui.cli import main
+from usdrigui.layer.read_layout import element_prims, layout_scopes, points_of_subset, read_layout
 from usdrigui.pipeline import laying_out
-from usdrigui.usd.read_layout import element_prims, layout_scopes, points_of_subset, read_layout
 
 SHAPES = {
     "browCrease": ((0.0, 0.55), (0, 0.3, 1), 0.25, 0.12),

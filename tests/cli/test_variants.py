@@ -10,10 +10,10 @@ from pxr import Sdf, Usd
 
 import usdrigui
 from usdrigui.cli import main
+from usdrigui.layer.read_layout import layout_paths, read_layout
 from usdrigui.pipeline import check
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
-from usdrigui.usd.read_layout import layout_paths, read_layout
 
 LAYER = "char.rigui.usda"
 

@@ -10,11 +10,11 @@ import skinned_stages
 from pxr import Sdf, Usd, UsdUtils
 
 from usdrigui.cli import main
+from usdrigui.clients.attaching import attach as edit
+from usdrigui.clients.attaching.attach import attach, detach, write_bare
+from usdrigui.clients.attaching.layer_text import PayloadOf, with_payloads, with_sublayer
 from usdrigui.errors import RigUIError
 from usdrigui.settings import Settings
-from usdrigui.usd import attach as edit
-from usdrigui.usd.attach import attach, detach, write_bare
-from usdrigui.usd.layer_text import PayloadOf, with_payloads, with_sublayer
 
 
 @pytest.fixture(scope="module")

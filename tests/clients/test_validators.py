@@ -8,7 +8,8 @@ import pytest
 import skel_stages
 from pxr import Sdf, Usd, UsdSkel, Vt
 
-from usdrigui.usd import faults, validation
+from usdrigui.clients import usd_validation as validation
+from usdrigui.layer import faults
 
 FACE = "/Char/Face"
 
@@ -121,7 +122,7 @@ def test_validators_can_be_registered_after_others_were_used():
     late = (
         "from pxr import UsdValidation\n"
         "registry = UsdValidation.ValidationRegistry()\n"
-        "from usdrigui.usd import validation\n"
+        "from usdrigui.clients import usd_validation as validation\n"
         "validation.register(); validation.register()\n"
         "names = [f'{validation.NAME}:{each}' for each in ('BlendShapes', 'ShapeWeights', 'Layouts')]\n"
         "print(*[each.GetMetadata().doc != '' for each in registry.GetOrLoadValidatorsByName(names)])"

@@ -46,8 +46,8 @@ def save_during_attaches(count: int, folder: Path, seed: int = 0) -> dict[str, o
     import skel_stages
 
     from usdrigui.cli import main
+    from usdrigui.clients.attaching.attach import attach
     from usdrigui.settings import Settings
-    from usdrigui.usd.attach import attach
 
     asset = skel_stages.head(folder / "char.usda")
     layer = folder / "char.rigui.usda"

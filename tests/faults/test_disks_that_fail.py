@@ -19,8 +19,8 @@ from skel_stages import head
 from usdrigui.cli import main
 from usdrigui.isolation.foreign_file import hashed
 from usdrigui.pipeline import laying_out
+from usdrigui.reader.reader_process import read_rigs_isolated
 from usdrigui.settings import Settings
-from usdrigui.usd.reader_process import read_rigs_isolated
 
 ROOT = sys.platform == "linux" and os.geteuid() == 0
 

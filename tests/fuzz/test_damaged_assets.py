@@ -17,8 +17,8 @@ from skel_stages import head
 
 from usdrigui.cli import main
 from usdrigui.errors import RigUIError
+from usdrigui.reader.reader_process import read_rigs_isolated
 from usdrigui.settings import Settings
-from usdrigui.usd.reader_process import read_rigs_isolated
 
 HERE = Path(__file__).parent
 FOUND = sorted((HERE / "found").glob("*.usd*"))

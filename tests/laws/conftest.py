@@ -2,7 +2,7 @@
 
 import pytest
 
-from usdrigui.usd import drawn
+from usdrigui.layer import drawn
 
 
 @pytest.fixture

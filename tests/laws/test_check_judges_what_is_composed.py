@@ -16,9 +16,9 @@ from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel, UsdUtils
 import usdrigui
 from usdrigui.cli import main
 from usdrigui.errors import RigUIError
+from usdrigui.layer.read_layout import read_layout
 from usdrigui.pipeline import check, load_layer
 from usdrigui.settings import Settings
-from usdrigui.usd.read_layout import read_layout
 
 CHAR, FACE = "World/Char", "World/Char/face0"
 

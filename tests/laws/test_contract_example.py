@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 from pxr import Usd
 
+from usdrigui.layer.faults import layout_faults
 from usdrigui.pipeline import check, load_layer
 from usdrigui.pose.evaluate import prepare
 from usdrigui.settings import Settings
-from usdrigui.usd.faults import layout_faults
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "schemas" / "CONTRACT.md").read_text(encoding="utf-8")

@@ -9,10 +9,10 @@ import skinned_stages
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel, UsdUtils
 from usdskel_oracle import deformed_points
 
+from usdrigui.layer.read_layout import element_prims, layout_scopes, points_of_subset, read_layout
+from usdrigui.layer.write_layout import stage_metadata, write_layout
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, Settings
-from usdrigui.usd.layer import stage_metadata, write_layout
-from usdrigui.usd.read_layout import element_prims, layout_scopes, points_of_subset, read_layout
 
 CLOSE = 1e-5
 """Of the diagonal of the character's box."""

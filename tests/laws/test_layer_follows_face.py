@@ -9,9 +9,9 @@ import skinned_stages
 from pxr import Sdf, UsdGeom
 
 from usdrigui.character.deform import deform
+from usdrigui.layer.write_layout import layer_for, stage_metadata
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, Settings, load
-from usdrigui.usd.layer import layer_for, stage_metadata
 
 pytestmark = pytest.mark.usefixtures("every_point_drawn")
 CLOSE = 1e-5

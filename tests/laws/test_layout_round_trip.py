@@ -15,10 +15,10 @@ from hypothesis import strategies as st
 from pxr import Sdf
 
 from usdrigui.character import LeftOff
+from usdrigui.layer.read_layout import read_layout
+from usdrigui.layer.write_layout import layer_bytes, layer_for
 from usdrigui.model import LayoutPart
 from usdrigui.settings import OutputSettings
-from usdrigui.usd.layer import layer_bytes, layer_for
-from usdrigui.usd.read_layout import read_layout
 
 FACE = makers.face(9, 11)
 PRINTED = st.text(st.characters(exclude_categories=("Cs", "Cc")), max_size=12)

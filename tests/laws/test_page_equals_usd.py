@@ -22,10 +22,10 @@ import skinned_stages
 from page_in_node import placed_by_the_page
 from pxr import Sdf, Usd, UsdSkel
 
+from usdrigui.layer.write_layout import layer_for, stage_metadata
 from usdrigui.model.levels import states
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, Settings
-from usdrigui.usd.layer import layer_for, stage_metadata
 from usdrigui.view.clip import clip_values
 from usdrigui.view.web.packing import pack
 

@@ -10,10 +10,10 @@ import pytest
 import skinned_stages
 from pxr import Sdf
 
+from usdrigui.layer.write_layout import layer_for, stage_metadata
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, Settings
-from usdrigui.usd.layer import layer_for, stage_metadata
 
 pytestmark = pytest.mark.usefixtures("every_point_drawn")
 KINDS = {

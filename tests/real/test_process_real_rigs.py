@@ -11,9 +11,9 @@ import pytest
 from pxr import Sdf
 
 from usdrigui.cli import main
+from usdrigui.layer.read_layout import read_layout
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
-from usdrigui.usd.read_layout import read_layout
 
 ASSETS = Path(__file__).resolve().parents[3] / "shared" / "assets"
 RIGS = sorted(path for path in ASSETS.glob("*") if path.suffix in (".usda", ".usdc"))

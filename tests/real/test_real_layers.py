@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from pxr import Sdf
 
+from usdrigui.layer.read_layout import read_layout
+from usdrigui.layer.write_layout import stage_metadata, write_layout
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, Settings
-from usdrigui.usd.layer import stage_metadata, write_layout
-from usdrigui.usd.read_layout import read_layout
 
 ASSETS = Path(__file__).resolve().parents[3] / "shared" / "assets"
 RIGS = sorted(path for path in ASSETS.glob("*") if path.suffix in (".usda", ".usdc"))

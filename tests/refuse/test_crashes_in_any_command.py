@@ -10,8 +10,8 @@ import pytest
 from pxr import Sdf, Usd
 
 from usdrigui.cli import main
-from usdrigui.usd.reader_process import read_layer_isolated
-from usdrigui.usd.reader_records import Opening
+from usdrigui.reader.reader_process import read_layer_isolated
+from usdrigui.reader.reader_records import Opening
 
 COMMANDS = (
     "process char.usda -o out.usda",

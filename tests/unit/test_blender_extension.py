@@ -20,12 +20,12 @@ from pxr import Sdf, Usd
 import usdrigui
 from usdrigui.clients import blender_extension
 from usdrigui.errors import RigUIError
+from usdrigui.layer.read_layout import read_layout
+from usdrigui.layer.write_layout import stage_metadata, write_layout
 from usdrigui.model import LayoutPart
 from usdrigui.pose.evaluate import elements_at, prepare
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, Settings
-from usdrigui.usd.layer import stage_metadata, write_layout
-from usdrigui.usd.read_layout import read_layout
 
 ROOMS = ("layout", "reading", "screen", "tracking", "joints")
 VECTORS = drag_vectors.vectors()

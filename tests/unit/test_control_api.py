@@ -11,8 +11,8 @@ import pytest
 from pxr import Sdf, Usd
 
 from usdrigui.character import Channel
-from usdrigui.usd import control_api
-from usdrigui.usd.control_api import _driven_joints, _driven_weights, _is_plain, _weight_ranges
+from usdrigui.layer import control_api
+from usdrigui.layer.control_api import _driven_joints, _driven_weights, _is_plain, _weight_ranges
 
 
 def driven(weights, values=(0.0, 1.0)):

@@ -1,4 +1,4 @@
-"""usdrigui.usd.drawn: areas, handles and value-showing sliders, worked out by hand."""
+"""usdrigui.layer.drawn: areas, handles and value-showing sliders, worked out by hand."""
 
 from __future__ import annotations
 
@@ -11,6 +11,10 @@ import numpy as np
 import pytest
 from pxr import Usd
 
+from usdrigui.layer import drawn
+from usdrigui.layer.drawn import drawn_parts
+from usdrigui.layer.skin_binding import PointShape, SkinBinding
+from usdrigui.layer.write_layout import layer_for
 from usdrigui.model import (
     Anchor,
     Element,
@@ -25,10 +29,6 @@ from usdrigui.model import (
     Proof,
 )
 from usdrigui.settings import OutputSettings
-from usdrigui.usd import drawn
-from usdrigui.usd.drawn import drawn_parts
-from usdrigui.usd.layer import layer_for
-from usdrigui.usd.skin_binding import PointShape, SkinBinding
 
 NAMES = ["brow_L", "chin", "smile_L", "pucker", "jawLeft"]
 ORIGIN = np.array([0.1, 0.2, 0.5])

@@ -19,15 +19,15 @@ from scipy.interpolate import BSpline
 from usdrigui.character import Glyph
 from usdrigui.character.deform import deform
 from usdrigui.errors import Exit, RigUIError
+from usdrigui.layer.read_layout import read_layout
+from usdrigui.layer.write_layout import layer_for, stage_metadata
 from usdrigui.layout import glyph_fitting as fitting
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare
+from usdrigui.reader.reader_process import read_layouts_isolated, read_rigs_isolated
+from usdrigui.reader.reader_records import Opening
 from usdrigui.reading import glyph as glyphs
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, load
-from usdrigui.usd.layer import layer_for, stage_metadata
-from usdrigui.usd.read_layout import read_layout
-from usdrigui.usd.reader_process import read_layouts_isolated, read_rigs_isolated
-from usdrigui.usd.reader_records import Opening
 from usdrigui.view.body import shading
 from usdrigui.view.flat import marks
 from usdrigui.view.flat.pillow import painted

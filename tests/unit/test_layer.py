@@ -19,10 +19,10 @@ from pxr import Sdf, Tf, Usd, UsdGeom
 
 from usdrigui.character import LeftOff
 from usdrigui.errors import Exit, RigUIError
+from usdrigui.layer.read_layout import base_controls, element_prims, layout_scopes, read_layout, source_of
+from usdrigui.layer.write_layout import layer_bytes, layer_for, relative_asset_path, stage_metadata, write_layout
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, Settings, load
-from usdrigui.usd.layer import layer_bytes, layer_for, relative_asset_path, stage_metadata, write_layout
-from usdrigui.usd.read_layout import base_controls, element_prims, layout_scopes, read_layout, source_of
 
 PLAIN = OutputSettings()
 GROUPS = [("smile_L", "sneer_L"), ("jawLeft", "jawRight"), ("half",), ("pucker", "chin", "brow_L"), ("Jaw:rx",)]
@@ -117,7 +117,7 @@ import laid_out
 from pathlib import Path
 from pxr import Sdf
 from usdrigui.settings import OutputSettings, Settings
-from usdrigui.usd.layer import stage_metadata, write_layout
+from usdrigui.layer.write_layout import stage_metadata, write_layout
 from usdrigui.reading.character import read_rigs
 source, target = Path(sys.argv[2]), Path(sys.argv[3])
 (rig,) = read_rigs(source, Settings())

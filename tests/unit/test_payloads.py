@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 from pxr import Sdf
 
-from usdrigui.usd.layer_text import PayloadOf, with_payloads, without_payloads
-from usdrigui.usd.payloads import add as add_to_specs
-from usdrigui.usd.payloads import payloads_of
-from usdrigui.usd.payloads import remove as remove_from_specs
+from usdrigui.clients.attaching.layer_text import PayloadOf, with_payloads, without_payloads
+from usdrigui.clients.attaching.payloads import add as add_to_specs
+from usdrigui.clients.attaching.payloads import payloads_of
+from usdrigui.clients.attaching.payloads import remove as remove_from_specs
 
 HEAD = PayloadOf("/Char/Head", "./head.rigui.usda")
 BODY = PayloadOf("/Char/Body", "./body.rigui.usda")

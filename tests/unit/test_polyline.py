@@ -1,4 +1,4 @@
-"""usdrigui.usd.polyline, against all choices of points."""
+"""usdrigui.layer.polyline, against all choices of points."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import itertools
 import numpy as np
 import pytest
 
-from usdrigui.usd.polyline import _departure, fewest_points
+from usdrigui.layer.polyline import _departure, fewest_points
 
 
 @pytest.mark.parametrize("seed", range(12))

@@ -22,11 +22,11 @@ from skel_stages import character, head
 from usdrigui.errors import Exit, RigUIError
 from usdrigui.isolation import record_stream
 from usdrigui.isolation.foreign_file import check_unchanged
+from usdrigui.reader import reader_main
+from usdrigui.reader.reader_process import read_layouts_isolated, read_rigs_isolated
+from usdrigui.reader.reader_records import Limits, Opening, Request
 from usdrigui.reading.character import read_characters, read_rigs
 from usdrigui.settings import Settings, load
-from usdrigui.usd import reader_main
-from usdrigui.usd.reader_process import read_layouts_isolated, read_rigs_isolated
-from usdrigui.usd.reader_records import Limits, Opening, Request
 
 HANG = '#usda 1.0\n(\n    subLayers = [@./pipe.usda@]\n)\ndef SkelRoot "A" {}\n'
 """Over a pipe that nobody writes to, this keeps USD waiting for ever."""
@@ -161,7 +161,7 @@ def test_a_camera_is_a_direction_in_the_space_of_the_root(tmp_path):
 
 def test_a_layout_comes_back_too(tmp_path):
     from usdrigui.cli import main
-    from usdrigui.usd.read_layout import read_layout
+    from usdrigui.layer.read_layout import read_layout
 
     path = head(tmp_path / "char.usda")
     assert main(["process", str(path), "--quiet"]) == 0
@@ -276,7 +276,7 @@ def test_the_reader_has_an_alarm_of_its_own(tmp_path):
     """Even where nothing watches it any more."""
     request = Request("rigs", str(hanging(tmp_path)), Settings(), Limits(seconds=0.2))
     done = subprocess.run(
-        [sys.executable, "-m", "usdrigui.isolation.reader", "usdrigui.usd.reader_main"],
+        [sys.executable, "-m", "usdrigui.isolation.reader", "usdrigui.reader.reader_main"],
         input=b"".join(record_stream.encode(request)),
         stdout=subprocess.DEVNULL,
         timeout=30,

@@ -26,6 +26,7 @@ from skel_stages import (
 from usdrigui.character.deform import channel_state, deform
 from usdrigui.character.rotation import rotations
 from usdrigui.errors import RigUIError
+from usdrigui.layer.existing_layouts import without_layout
 from usdrigui.reading import control as drafts
 from usdrigui.reading import pose as poses
 from usdrigui.reading import range as ranges
@@ -34,7 +35,6 @@ from usdrigui.reading.character import read_rigs
 from usdrigui.reading.clips import State
 from usdrigui.reading.control import joint_settings
 from usdrigui.settings import JointSettings, Settings, load
-from usdrigui.usd.existing_layouts import without_layout
 
 
 def read(path, config=None):

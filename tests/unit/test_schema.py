@@ -15,8 +15,8 @@ import numpy as np
 import pytest
 from pxr import Sdf, Usd
 
+from usdrigui.layer import author
 from usdrigui.stages import schema
-from usdrigui.usd import author
 
 SOURCE = Path(__file__).resolve().parents[2] / "schemas"
 

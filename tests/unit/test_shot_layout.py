@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from pxr import Sdf
 
+from usdrigui.layer import shot_layout
+from usdrigui.layer.shot_layout import _author_new_shapes, _moved
+from usdrigui.layer.skin_binding import PointShape
 from usdrigui.model import Placement
-from usdrigui.usd import shot_layout
-from usdrigui.usd.shot_layout import _author_new_shapes, _moved
-from usdrigui.usd.skin_binding import PointShape
 
 
 def shape(channel, count=1):

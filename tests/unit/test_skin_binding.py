@@ -1,4 +1,4 @@
-"""usdrigui.usd.skin_binding: which joints carry what, worked out by hand on small skeletons."""
+"""usdrigui.layer.skin_binding: which joints carry what, worked out by hand on small skeletons."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ import pytest
 
 from usdrigui.character import Control, Drive, Joint, Skeleton, Skin
 from usdrigui.errors import RigUIError
+from usdrigui.layer import skin_binding
+from usdrigui.layer.skin_binding import PointShape, SkinBinding
 from usdrigui.model import (
     Anchor,
     Element,
@@ -24,8 +26,6 @@ from usdrigui.model import (
     Proof,
 )
 from usdrigui.pose.evaluate import evaluate, prepare
-from usdrigui.usd import skin_binding
-from usdrigui.usd.skin_binding import PointShape, SkinBinding
 
 PARENTS = [-1, 0, 1, 1, -1]
 """Hips, head, jaw and eye below the head, and a prop with a root of its own."""

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from usdrigui import ties
-from usdrigui.usd.drawn import in_steps
+from usdrigui.layer.drawn import in_steps
 
 
 @pytest.mark.parametrize("seed", range(4))

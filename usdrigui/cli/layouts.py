@@ -152,7 +152,7 @@ def diff(arguments: argparse.Namespace) -> Exit:
 
 def attach(arguments: argparse.Namespace) -> Exit:
     """Put a bare layout layer among the sublayers or payloads of the asset itself."""
-    from usdrigui.usd.attach import attach
+    from usdrigui.clients.attaching.attach import attach
 
     issues: list[Issue] = []
     state = attach(
@@ -167,7 +167,7 @@ def attach(arguments: argparse.Namespace) -> Exit:
 
 def detach(arguments: argparse.Namespace) -> Exit:
     """Remove an attached layout layer from the asset."""
-    from usdrigui.usd.attach import detach
+    from usdrigui.clients.attaching.attach import detach
 
     state = detach(arguments.asset, arguments.layer, settings_of(arguments))
     return _edited(state, "is not attached", (), arguments)

@@ -17,8 +17,8 @@ from usdrigui.errors import NO_LAYOUT, RigUIError, refuse
 from usdrigui.isolation import worker
 
 if TYPE_CHECKING:
+    from usdrigui.reader.reader_records import Opening
     from usdrigui.settings import ReadSettings, Settings, UnsoundSettingsError
-    from usdrigui.usd.reader_records import Opening
 
 
 def settings_of(arguments: argparse.Namespace) -> Settings:
@@ -159,7 +159,7 @@ def _configuration(arguments: argparse.Namespace, limits: ReadSettings) -> Seque
         return list(_existing(_beside(asset)))
     if layer is None:
         return []
-    from usdrigui.usd.reader_records import Opening
+    from usdrigui.reader.reader_records import Opening
 
     return list(itertools.islice(_of_layer(layer, Opening.of(limits)), 1))
 
@@ -172,7 +172,7 @@ def _of_layer(layer: Path, opening: Opening, above: frozenset[str] = frozenset()
     unless it has one of its own name.  An asset may be given as well, by itself or with its layout
     inside: a file `char.toml` beside `char.usda` is somebody else's.
     """
-    from usdrigui.usd.reader_process import read_layouts_isolated
+    from usdrigui.reader.reader_process import read_layouts_isolated
 
     try:
         found = read_layouts_isolated(layer, opening)

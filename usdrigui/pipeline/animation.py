@@ -23,10 +23,10 @@ from usdrigui.layout.motion.activity import (
     with_importances,
 )
 from usdrigui.model import Candidates
+from usdrigui.reader.reader_process import read_performances_isolated
+from usdrigui.reader.reader_records import Opening
 from usdrigui.report.inspection import AnimationFacts, TogetherFacts, UseFacts
 from usdrigui.settings import ControlSettings
-from usdrigui.usd.reader_process import read_performances_isolated
-from usdrigui.usd.reader_records import Opening
 
 _ACTIVE = 0.05
 """Activity from which a control is active in a frame."""

@@ -18,11 +18,11 @@ from usdrigui.layout.symmetry.orbits import check_orbits
 from usdrigui.layout.symmetry.twins import configured_twins
 from usdrigui.model import Layout
 from usdrigui.pipeline.references import check_like
+from usdrigui.reader.reader_process import read_rigs_isolated
+from usdrigui.reader.reader_records import ReadResult
 from usdrigui.settings import Settings
 from usdrigui.settings.loading import UnsoundSettingsError
 from usdrigui.settings.parts import ControlSettings, PartSettings
-from usdrigui.usd.reader_process import read_rigs_isolated
-from usdrigui.usd.reader_records import ReadResult
 
 
 def refuse_unsound(

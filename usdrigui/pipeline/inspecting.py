@@ -18,10 +18,10 @@ from usdrigui.pipeline.progress import Clock, ProgressCallback
 from usdrigui.pipeline.records import Character, ProblemInputs, Task
 from usdrigui.pipeline.references import ReferenceLayers, read_references
 from usdrigui.pipeline.stages import build_problem, character_of, part_problem
+from usdrigui.reader.reader_process import read_rigs_isolated
+from usdrigui.reader.reader_records import Opening
 from usdrigui.report.inspection import CharacterFacts, ControlFacts, Inspection, Likeness, PartFacts
 from usdrigui.settings import Settings
-from usdrigui.usd.reader_process import read_rigs_isolated
-from usdrigui.usd.reader_records import Opening
 
 
 def inspect(

@@ -37,6 +37,8 @@ from usdrigui.pipeline.references import (
 from usdrigui.pipeline.stages import character_of, layout_of, part_problem
 from usdrigui.pipeline.targets import check_place, check_replaceable, check_target, default_output
 from usdrigui.pipeline.writing import check_base, stage_layer
+from usdrigui.reader.reader_process import read_rigs_isolated, read_variants_isolated
+from usdrigui.reader.reader_records import Opening, ReadResult
 from usdrigui.replacing.transaction import Transaction, same_file
 from usdrigui.report.run_report import CharacterReport, Outcome, PartRow, Report, SourceRow, rows_of
 from usdrigui.settings import Settings
@@ -44,8 +46,6 @@ from usdrigui.settings import document as settings_document
 from usdrigui.settings.parts import OutputSettings
 from usdrigui.stages.schema import SCOPE
 from usdrigui.stages.variant_paths import asset_selections, with_sets
-from usdrigui.usd.reader_process import read_rigs_isolated, read_variants_isolated
-from usdrigui.usd.reader_records import Opening, ReadResult
 
 if TYPE_CHECKING:
     from pxr import Sdf, Usd
@@ -121,7 +121,8 @@ def process_stage(
 
     `Report.layer` holds the layout and sublayers nothing.  Raises `RigUIError`.
     """
-    from usdrigui.usd import in_memory, layer
+    from usdrigui.layer import write_layout as layer
+    from usdrigui.reader import in_memory
 
     clock = Clock(progress)
     settings = replace(settings, output=replace(settings.output, bare=True))
@@ -154,7 +155,7 @@ def process_stage(
 
 
 def _read_open(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> AssetReading:
-    from usdrigui.usd import in_memory
+    from usdrigui.reader import in_memory
 
     source = in_memory.read_open_rigs(stage, settings)
     refuse_unsound(source, settings)

@@ -19,9 +19,9 @@ from usdrigui.layout.reuse.identity import Matching, match_layout
 from usdrigui.layout.reuse.pinned import Pins
 from usdrigui.model import Layout, Trajectories
 from usdrigui.pipeline.animation import performances
+from usdrigui.reader.reader_process import read_composed_isolated, read_layouts_isolated
+from usdrigui.reader.reader_records import LayoutsResult, Limits, Opening
 from usdrigui.settings import Settings, TrajectorySettings
-from usdrigui.usd.reader_process import read_composed_isolated, read_layouts_isolated
-from usdrigui.usd.reader_records import LayoutsResult, Limits, Opening
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,15 +22,15 @@ from usdrigui.pipeline.progress import Clock, ProgressCallback
 from usdrigui.pipeline.records import Character, CharacterPart, Task
 from usdrigui.pipeline.stages import character_of, part_problem
 from usdrigui.pipeline.targets import default_output
-from usdrigui.settings import Settings
-from usdrigui.usd.reader_process import (
+from usdrigui.reader.reader_process import (
     read_composed_isolated,
     read_faults_isolated,
     read_layouts_isolated,
     read_rigs_isolated,
     read_variants_isolated,
 )
-from usdrigui.usd.reader_records import Opening, ReadResult
+from usdrigui.reader.reader_records import Opening, ReadResult
+from usdrigui.settings import Settings
 
 if TYPE_CHECKING:
     from pxr import Sdf, Usd
@@ -223,7 +223,7 @@ def _checked(layer: Path, settings: Settings, clock: Clock) -> LayerReview:
 
 def open_layouts(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Loaded:
     """The layouts on an open stage and their characters, as `load_layer` reads those of a file."""
-    from usdrigui.usd.in_memory import read_open_layouts
+    from usdrigui.reader.in_memory import read_open_layouts
 
     layouts, read = read_open_layouts(stage, settings)
     refuse_unsound(read)

@@ -8,9 +8,9 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from usdrigui.errors import RigUIError, refuse
+from usdrigui.reader.reader_process import read_layer_isolated
+from usdrigui.reader.reader_records import Opening
 from usdrigui.replacing.transaction import State, Transaction, check_not_read, file_error, same_file
-from usdrigui.usd.reader_process import read_layer_isolated
-from usdrigui.usd.reader_records import Opening
 
 _LAYER_SUFFIXES = (".usd", ".usda", ".usdc")
 _USD_SUFFIXES = (*_LAYER_SUFFIXES, ".usdz")

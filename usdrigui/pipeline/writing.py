@@ -9,10 +9,10 @@ from usdrigui.character import Rig
 from usdrigui.errors import refuse
 from usdrigui.layout.reuse.existing_layout import root_in_base
 from usdrigui.pipeline.targets import make_folder
+from usdrigui.reader.reader_records import LayoutsResult, ReadResult
 from usdrigui.replacing.transaction import Transaction, same_file
 from usdrigui.report.run_report import CharacterReport, Outcome
 from usdrigui.settings.parts import OutputSettings
-from usdrigui.usd.reader_records import LayoutsResult, ReadResult
 
 
 def stage_layer(
@@ -28,7 +28,7 @@ def stage_layer(
 
     Raises RigUIError.
     """
-    from usdrigui.usd import layer
+    from usdrigui.layer import write_layout as layer
 
     make_folder(target)
     over = [(base, character) for base, character in laid if base is not None]
@@ -47,7 +47,7 @@ def _staged_over(
     source: ReadResult,
 ) -> Outcome:
     """Stage what a shot adds to an existing layout."""
-    from usdrigui.usd.shot_layout import ShotLayout, write_shot_layouts
+    from usdrigui.layer.shot_layout import ShotLayout, write_shot_layouts
 
     layer = Path(laid[0][0].sources[0].path)
     composed = _composes(source, layer)

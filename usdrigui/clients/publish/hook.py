@@ -9,9 +9,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from usdrigui import pipeline
+from usdrigui.clients.attaching.attach import write_bare
 from usdrigui.errors import Issue, RigUIError, by_cause, issue
 from usdrigui.settings.loading import load_beside
-from usdrigui.usd.attach import write_bare
 
 TITLE = "Rig UI layout is missing, stale or invalid"
 DESCRIPTION = """\

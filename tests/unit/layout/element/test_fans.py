@@ -5,8 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from usdrigui.layer import drawn
 from usdrigui.layout.element.fans import fan_order
-from usdrigui.usd import drawn
 
 UP = np.array([0.0, 0.0, 1.0])
 

@@ -13,6 +13,7 @@ import pytest
 
 from usdrigui.character.joint_tree import Tree
 from usdrigui.character.rotation import rotations
+from usdrigui.layer import write_layout as layer
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.parts import joint_regions
 from usdrigui.layout.parts.division import divide
@@ -22,7 +23,6 @@ from usdrigui.pipeline.joining import joined, joined_assignment
 from usdrigui.pipeline.records import Task
 from usdrigui.pipeline.stages import character_of, part_problem
 from usdrigui.settings import OutputSettings, Settings, load
-from usdrigui.usd import layer
 
 BODY = limbs.whole_body()
 

@@ -15,10 +15,7 @@ import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import Issue, RigUIError, issue
-from usdrigui.reading.blend_shape import shape_tokens
-from usdrigui.stages import schema
-from usdrigui.stages.arrays import tokens
-from usdrigui.usd.properties import (
+from usdrigui.layer.properties import (
     applied,
     array_of,
     control_instances,
@@ -26,12 +23,15 @@ from usdrigui.usd.properties import (
     targets,
     value_of,
 )
-from usdrigui.usd.read_layout import (
+from usdrigui.layer.read_layout import (
     base_controls,
     element_prims,
     layout_scopes,
     points_of_subset,
 )
+from usdrigui.reading.blend_shape import shape_tokens
+from usdrigui.stages import schema
+from usdrigui.stages.arrays import tokens
 
 _FAMILY = "rigUI"
 _ASTRAY = 0.25

@@ -18,14 +18,12 @@ import numpy as np
 from pxr import Sdf
 
 from usdrigui.character import Indices, Rig
-from usdrigui.model import Element, ExistingPrim, ExistingSpan, Layout
-from usdrigui.replacing.transaction import State
-from usdrigui.stages import schema
-from usdrigui.usd import author
-from usdrigui.usd.control_api import author_limits
-from usdrigui.usd.drawing import author_shapes
-from usdrigui.usd.drawn import Drawn, drawn_parts
-from usdrigui.usd.layer import (
+from usdrigui.layer import author
+from usdrigui.layer.control_api import author_limits
+from usdrigui.layer.drawing import author_shapes
+from usdrigui.layer.drawn import Drawn, drawn_parts
+from usdrigui.layer.skin_binding import PointShape, SkinBinding
+from usdrigui.layer.write_layout import (
     account,
     author_elements,
     author_metadata,
@@ -35,7 +33,9 @@ from usdrigui.usd.layer import (
     layer_bytes,
     relative_asset_path,
 )
-from usdrigui.usd.skin_binding import PointShape, SkinBinding
+from usdrigui.model import Element, ExistingPrim, ExistingSpan, Layout
+from usdrigui.replacing.transaction import State
+from usdrigui.stages import schema
 
 
 @dataclass(frozen=True)

@@ -17,11 +17,11 @@ from pxr import Sdf, UsdGeom, Vt
 
 from usdrigui.character import Body, Channel, Floats, Indices, Joint, Record, Skeleton
 from usdrigui.character.palette import linear
+from usdrigui.layer import author
+from usdrigui.layer.drawn import Drawn
+from usdrigui.layer.skin_binding import JointBinding, PointShape
 from usdrigui.model import Element
 from usdrigui.stages import schema
-from usdrigui.usd import author
-from usdrigui.usd.drawn import Drawn
-from usdrigui.usd.skin_binding import JointBinding, PointShape
 
 _AREA_OPACITY = 0.4
 _FAMILY = "rigUI"

@@ -1,8 +1,8 @@
 """A layout as a payload of its asset, in the variant ``rigUI = ui``: a shot that selects ``none``
 opens no file of it.
 
-Here is the edit of the asset's root layer by its specs, as `usdrigui.usd.attach` needs it; that of
-its text is in `usdrigui.usd.layer_text`.
+Here is the edit of the asset's root layer by its specs; that of its text is in
+`usdrigui.clients.attaching.layer_text`.
 """
 
 from __future__ import annotations
@@ -12,11 +12,11 @@ from pathlib import Path
 
 from pxr import Sdf
 
+from usdrigui.clients.attaching.layer_text import PayloadOf
 from usdrigui.errors import refuse
+from usdrigui.layer.write_layout import author_variant
 from usdrigui.stages import schema
 from usdrigui.stages.variant_paths import asset_selections
-from usdrigui.usd.layer import author_variant
-from usdrigui.usd.layer_text import PayloadOf
 
 
 def payloads_of(asset: Sdf.Layer, leads: Callable[[str], bool]) -> tuple[PayloadOf, ...]:

@@ -18,24 +18,7 @@ from pxr import Sdf, Usd, UsdGeom, Vt
 
 from usdrigui.character import Floats, Glyph, Indices, LeftOff
 from usdrigui.errors import RigUIError, listed, refuse
-from usdrigui.model import (
-    Element,
-    Layout,
-    LayoutCharacter,
-    LayoutFrame,
-    LayoutPart,
-    Look,
-    Manipulator,
-    Member,
-    MirrorPlane,
-    Proof,
-    Status,
-)
-from usdrigui.stages import schema
-from usdrigui.stages.opening import open_stage
-from usdrigui.stages.variant_paths import asset_selections, with_sets
-from usdrigui.stages.variants import variant_path
-from usdrigui.usd.properties import (
+from usdrigui.layer.properties import (
     FIGURES,
     LEFT_OFF,
     PART_PROOF,
@@ -58,6 +41,23 @@ from usdrigui.usd.properties import (
     targets,
     value_of,
 )
+from usdrigui.model import (
+    Element,
+    Layout,
+    LayoutCharacter,
+    LayoutFrame,
+    LayoutPart,
+    Look,
+    Manipulator,
+    Member,
+    MirrorPlane,
+    Proof,
+    Status,
+)
+from usdrigui.stages import schema
+from usdrigui.stages.opening import open_stage
+from usdrigui.stages.variant_paths import asset_selections, with_sets
+from usdrigui.stages.variants import variant_path
 
 _EVERYTHING = Usd.TraverseInstanceProxies(Usd.PrimAllPrimsPredicate)
 _FLATTENED = "Flattened_Prototype_"

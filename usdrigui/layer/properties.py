@@ -14,10 +14,10 @@ from pxr import Sdf, Usd, Vt
 
 from usdrigui.character import Floats, Glyph, Indices
 from usdrigui.errors import refuse
+from usdrigui.layer import author
 from usdrigui.model import Anchor, Decision, Element, Placement
 from usdrigui.stages import schema
 from usdrigui.stages.arrays import value_at
-from usdrigui.usd import author
 
 PROOF = {
     "solver": "method",

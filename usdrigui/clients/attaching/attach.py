@@ -2,7 +2,7 @@
 sublayers or payloads.
 
 `attach` puts a bare layout layer first among the sublayers of the asset's root layer, or makes it
-a payload (`usdrigui.usd.payloads`); `detach` takes it out again.  Both write through
+a payload (`usdrigui.clients.attaching.payloads`); `detach` takes it out again.  Both write through
 `usdrigui.replacing.exchange`, after the edited file has been read back in a process of its own.  A
 text layer is edited in place of one entry, so that comments and layout of the text stay; if the
 edited text does not mean exactly what the edited layer means, the layer is exported instead.
@@ -20,22 +20,22 @@ from typing import Literal
 from pxr import Sdf
 
 from usdrigui.character import Rig
+from usdrigui.clients.attaching import layer_text, payloads
 from usdrigui.errors import Issue, RigUIError, issue, listed, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_source
+from usdrigui.layer.write_layout import layer_bytes, relative_asset_path
 from usdrigui.model import Layout
+from usdrigui.reader.reader_process import (
+    read_layer_isolated,
+    read_layouts_isolated,
+    read_rigs_isolated,
+)
+from usdrigui.reader.reader_records import Opening
 from usdrigui.replacing.exchange import Original, editing, replace_source
 from usdrigui.replacing.transaction import commit, same_file
 from usdrigui.settings import Settings, with_sections
 from usdrigui.stages.opening import open_layer
 from usdrigui.stages.variant_paths import asset_selections
-from usdrigui.usd import layer_text, payloads
-from usdrigui.usd.layer import layer_bytes, relative_asset_path
-from usdrigui.usd.reader_process import (
-    read_layer_isolated,
-    read_layouts_isolated,
-    read_rigs_isolated,
-)
-from usdrigui.usd.reader_records import Opening
 
 Outcome = Literal["written", "unchanged"]
 

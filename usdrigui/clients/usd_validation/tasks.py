@@ -6,9 +6,9 @@ from typing import Any
 
 from pxr import Plug, Sdf, Usd, UsdGeom, UsdSkel, UsdValidation
 
+from usdrigui.clients.usd_validation import NAME
 from usdrigui.errors import Issue, sentences
-from usdrigui.usd import faults
-from usdrigui.usd.validation import NAME
+from usdrigui.layer import faults
 
 _KINDS = {
     "error": UsdValidation.ValidationErrorType.Error,

@@ -13,8 +13,7 @@ from typing import Any
 from usdrigui.character import Performance, Rig
 from usdrigui.errors import Issue, RigUIError, issue, raised_at, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_unchanged, hashed
-from usdrigui.settings import Settings
-from usdrigui.usd.reader_records import (
+from usdrigui.reader.reader_records import (
     FaultsResult,
     LayerResult,
     LayoutsResult,
@@ -23,6 +22,7 @@ from usdrigui.usd.reader_records import (
     Request,
     Response,
 )
+from usdrigui.settings import Settings
 
 _OUT_OF_MEMORY = ("bad_alloc", "Cannot allocate memory", "Resource temporarily unavailable")
 """What USD's messages hold when an allocation or a thread was refused."""
@@ -67,10 +67,10 @@ def answer(request: Request) -> Response:
 
 
 def _rigs(path: Path, settings: Settings) -> ReadResult:
+    from usdrigui.layer.read_layout import composed_layouts, own_layouts, source_of
+    from usdrigui.layer.write_layout import stage_metadata
     from usdrigui.reading.character import read_characters
     from usdrigui.stages.variants import variant_path
-    from usdrigui.usd.layer import stage_metadata
-    from usdrigui.usd.read_layout import composed_layouts, own_layouts, source_of
 
     with (
         _hashed_before(path, settings.rig.read.variants) as (before, diagnostics),
@@ -104,9 +104,9 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
 
 
 def _layouts(path: Path, variants: Mapping[str, str]) -> LayoutsResult:
+    from usdrigui.layer.read_layout import layout_paths, with_corrections
     from usdrigui.stages.opening import open_stage
     from usdrigui.stages.variants import select_unselected
-    from usdrigui.usd.read_layout import layout_paths, with_corrections
 
     with _hashed_before(path, variants) as (before, _), _kept_stages() as stages:
         stage = open_stage(path, variants)  # kept, so that what opens it next finds it so
@@ -117,8 +117,8 @@ def _layouts(path: Path, variants: Mapping[str, str]) -> LayoutsResult:
 
 
 def _layouts_in(path: Path, stages: Any, before: Mapping[str, SourceFile]) -> LayoutsResult:
-    from usdrigui.usd.existing_layouts import existing_prims
-    from usdrigui.usd.read_layout import composed_layouts, read_layout, source_of
+    from usdrigui.layer.existing_layouts import existing_prims
+    from usdrigui.layer.read_layout import composed_layouts, read_layout, source_of
 
     layouts = read_layout(path)
     stage = _stage_of(path, stages)
@@ -130,11 +130,11 @@ def _layouts_in(path: Path, stages: Any, before: Mapping[str, SourceFile]) -> La
 
 def _composed(path: Path, settings: Settings) -> Response:
     """The layouts of a stage and their characters as the stage composes them."""
+    from usdrigui.layer.contradictions import contradictions
+    from usdrigui.layer.existing_layouts import without_layout
+    from usdrigui.layer.read_layout import listed_controls
     from usdrigui.reading.character import read_characters
     from usdrigui.stages.opening import open_stage
-    from usdrigui.usd.contradictions import contradictions
-    from usdrigui.usd.existing_layouts import without_layout
-    from usdrigui.usd.read_layout import listed_controls
 
     read = settings.rig.read
     with (
@@ -178,18 +178,18 @@ def _variants(path: Path, variants: Mapping[str, str]) -> Mapping[str, tuple[str
 
 
 def _faults(path: Path, variants: Mapping[str, str]) -> FaultsResult:
+    from usdrigui.layer.faults import stage_faults
     from usdrigui.stages.opening import open_stage
-    from usdrigui.usd.faults import stage_faults
 
     stage = open_stage(path, variants)
     return FaultsResult(stage_faults(stage), not stage.GetPseudoRoot().GetAllChildren())
 
 
 def _layer(path: Path) -> LayerResult:
+    from usdrigui.layer.read_layout import layout_paths
+    from usdrigui.layer.write_layout import SIGNATURE
     from usdrigui.stages.opening import open_layer
     from usdrigui.stages.variant_paths import asset_selections
-    from usdrigui.usd.layer import SIGNATURE
-    from usdrigui.usd.read_layout import layout_paths
 
     needed: dict[str, str] = {}
 

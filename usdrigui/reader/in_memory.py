@@ -11,15 +11,15 @@ from typing import TYPE_CHECKING
 
 from pxr import Sdf, Usd
 
+from usdrigui.layer.contradictions import contradictions
+from usdrigui.layer.existing_layouts import without_layout
+from usdrigui.layer.read_layout import composed_layouts, listed_controls, own_layouts, read_layout
 from usdrigui.model import Layout
+from usdrigui.reader.reader_main import cameras_toward
+from usdrigui.reader.reader_records import ReadResult
 from usdrigui.reading.character import read_characters
 from usdrigui.settings import Settings
 from usdrigui.stages.variants import select, variant_sets
-from usdrigui.usd.contradictions import contradictions
-from usdrigui.usd.existing_layouts import without_layout
-from usdrigui.usd.read_layout import composed_layouts, listed_controls, own_layouts, read_layout
-from usdrigui.usd.reader_main import cameras_toward
-from usdrigui.usd.reader_records import ReadResult
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterator, Mapping
@@ -46,7 +46,7 @@ def read_open_layouts(
 def _result(
     stage: Usd.Stage, settings: Settings, layouts: tuple[str, ...], laid_out: Collection[str] | None
 ) -> ReadResult:
-    from usdrigui.usd.layer import stage_metadata
+    from usdrigui.layer.write_layout import stage_metadata
 
     found = read_characters(stage, settings.rig, laid_out)
     cameras = cameras_toward(stage, found.rigs, settings.layout.candidates.view)

@@ -1,8 +1,8 @@
 """Our checks as validators of USD itself (UsdValidation, USD 26.5 and later).
 
-plugInfo.json beside this file describes a plug-in, `usdrigui.usd.validation.tasks`, that USD
-imports when its validators are asked for.  With `plugin_path()` in ``PXR_PLUGINPATH_NAME`` every
-application that runs validators finds them; `register` makes them known to this process.
+plugInfo.json beside this file describes a plug-in, `usdrigui.clients.usd_validation.tasks`, that
+USD imports when its validators are asked for.  With `plugin_path()` in ``PXR_PLUGINPATH_NAME``
+every application that runs validators finds them; `register` makes them known to this process.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 import importlib
 from pathlib import Path
 
-NAME = "usdrigui.usd.validation.tasks"
+NAME = "usdrigui.clients.usd_validation.tasks"
 """Name of the plug-in; a validator's name is this, a colon, and BlendShapes, ShapeWeights or
 Layouts."""
 

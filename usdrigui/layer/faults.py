@@ -16,13 +16,13 @@ from pxr import Sdf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.character import Floats
 from usdrigui.errors import NO_LAYOUT, Issue, RigUIError, issue
+from usdrigui.layer.contradictions import contradictions
+from usdrigui.layer.read_layout import read_layout
 from usdrigui.reading.blend_shape import is_shape, names_and_targets, shape_arrays
 from usdrigui.reading.mesh import read_faces, topology_hash
 from usdrigui.reading.range import limit_entries, limit_table
 from usdrigui.reading.skeleton import repeated
 from usdrigui.stages.arrays import floats, tokens, value_at, vector_count
-from usdrigui.usd.contradictions import contradictions
-from usdrigui.usd.read_layout import read_layout
 
 
 def stage_faults(stage: Usd.Stage) -> tuple[Issue, ...]:

@@ -9,12 +9,12 @@ from dataclasses import replace
 from pxr import Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import Issue, issue
+from usdrigui.layer.properties import element_name, has
+from usdrigui.layer.read_layout import element_prims, layout_scopes, points_of_subset, switched_off
 from usdrigui.model import ExistingPrim, ExistingSpan
 from usdrigui.reading.blend_shape import shape_tokens
 from usdrigui.reading.character import skel_roots
 from usdrigui.stages import schema
-from usdrigui.usd.properties import element_name, has
-from usdrigui.usd.read_layout import element_prims, layout_scopes, points_of_subset, switched_off
 
 
 def existing_prims(stage: Usd.Stage) -> tuple[ExistingPrim, ...]:

@@ -2,7 +2,7 @@
 
 `write_layout` is the whole way to a file, `layer_for` stops at the layer, `stage_metadata` says
 what the layer must repeat of its source.  schemas/CONTRACT.md describes the result;
-`usdrigui.usd.read_layout` is the way back.
+`usdrigui.layer.read_layout` is the way back.
 """
 
 from __future__ import annotations
@@ -19,16 +19,22 @@ from pxr import Sdf, Tf, UsdGeom
 
 from usdrigui.character import Body, Control, Floats, Rig, Skeleton
 from usdrigui.errors import refuse
+from usdrigui.layer import author, properties
+from usdrigui.layer.control_api import author_control_api, author_limits
+from usdrigui.layer.drawing import (
+    DrawnElement,
+    author_drawing,
+    drawing_about,
+    drawing_name,
+    drawings,
+)
+from usdrigui.layer.drawn import drawn_parts
+from usdrigui.layer.skin_binding import SkinBinding
 from usdrigui.model import Anchor, Element, Layout, LayoutFrame, Look, Member
 from usdrigui.model.levels import inner_names
 from usdrigui.replacing.transaction import State, commit, file_error
 from usdrigui.settings import OutputSettings
 from usdrigui.stages import schema
-from usdrigui.usd import author, properties
-from usdrigui.usd.control_api import author_control_api, author_limits
-from usdrigui.usd.drawing import DrawnElement, author_drawing, drawing_about, drawing_name, drawings
-from usdrigui.usd.drawn import drawn_parts
-from usdrigui.usd.skin_binding import SkinBinding
 from usdrigui.version import __version__
 
 SIGNATURE = "usdrigui"

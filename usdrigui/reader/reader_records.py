@@ -1,5 +1,5 @@
 """What a reader is asked and what it answers: plain records that both sides of
-`usdrigui.usd.reader_process` know."""
+`usdrigui.reader.reader_process` know."""
 
 from __future__ import annotations
 
@@ -53,8 +53,8 @@ class ReadResult(Record):
 
     rigs: tuple[Rig, ...]
     metadata: Mapping[str, Any]
-    """What a layer over the asset must repeat (`usdrigui.usd.layer.stage_metadata`), as JSON
-    values."""
+    """What a layer over the asset must repeat (`usdrigui.layer.write_layout.stage_metadata`),
+    as JSON values."""
     cameras: Mapping[str, Floats]
     """Direction (3,) to the viewer of the camera that `candidates.view` names, in root space, by
     SkelRoot."""

@@ -9,9 +9,9 @@ import numpy as np
 from pxr import Sdf, Usd, Vt
 
 from usdrigui.character import Body, Control, Drive, Floats, Rig, Skeleton
+from usdrigui.layer import author
 from usdrigui.stages import schema
 from usdrigui.stages.variants import within
-from usdrigui.usd import author
 
 _NOISE = 1e-6
 """Weights, rotations (radians), logarithms of scales, and translations relative to the longest

@@ -4,7 +4,7 @@ Tracks and glyphs that are curves are ribbons: importers deform meshes, and leav
 are.
 
 Positions come in as the layout has them, in the base pose, and go out in the bind pose (see
-`usdrigui.usd.skin_binding`), with the shapes and influences that make them follow the character.
+`usdrigui.layer.skin_binding`), with the shapes and influences that make them follow the character.
 numpy only.
 """
 
@@ -16,10 +16,10 @@ from typing import Literal
 import numpy as np
 
 from usdrigui.character import Drive, Floats, Indices, Record
+from usdrigui.layer.polyline import fewest_points
+from usdrigui.layer.skin_binding import AnchorBinding, JointBinding, PointShape, SkinBinding
 from usdrigui.model import Element, LayoutFrame, Member
 from usdrigui.ties import axis_across
-from usdrigui.usd.polyline import fewest_points
-from usdrigui.usd.skin_binding import AnchorBinding, JointBinding, PointShape, SkinBinding
 
 _FLAT = np.radians(2.0)
 """Two tracks closer to one line than this span no area."""

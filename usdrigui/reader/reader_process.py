@@ -1,5 +1,5 @@
 """What can be asked of a confined reader (`usdrigui.isolation.reading`) about a USD file, and
-what it answers; `usdrigui.usd.reader_main` is the reader's side."""
+what it answers; `usdrigui.reader.reader_main` is the reader's side."""
 
 from __future__ import annotations
 
@@ -12,8 +12,7 @@ from usdrigui.character import Performance
 from usdrigui.errors import Exit, RigUIError, refuse
 from usdrigui.isolation.foreign_file import check_source, check_unchanged
 from usdrigui.isolation.reading import answer_invalid, answered
-from usdrigui.settings import ReadSettings, Settings, with_sections
-from usdrigui.usd.reader_records import (
+from usdrigui.reader.reader_records import (
     FaultsResult,
     LayerResult,
     LayoutsResult,
@@ -24,10 +23,11 @@ from usdrigui.usd.reader_records import (
     Response,
     Task,
 )
+from usdrigui.settings import ReadSettings, Settings, with_sections
 
 _Part = TypeVar("_Part")
 
-_PROGRAM = "usdrigui.usd.reader_main"
+_PROGRAM = "usdrigui.reader.reader_main"
 
 
 def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> ReadResult:
@@ -51,7 +51,7 @@ def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = N
 
 
 def read_layouts_isolated(path: Path, opening: Opening) -> LayoutsResult:
-    """As `usdrigui.usd.read_layout.read_layout` and `source_of`, in a reader; raises as
+    """As `usdrigui.layer.read_layout.read_layout` and `source_of`, in a reader; raises as
     `read_rigs_isolated`."""
     return _understood(_asked("layouts", path, opening).layouts, path)
 
@@ -86,7 +86,7 @@ def read_performances_isolated(path: Path, opening: Opening) -> tuple[Performanc
 
 
 def read_faults_isolated(path: Path, opening: Opening) -> FaultsResult:
-    """As `usdrigui.usd.faults.stage_faults`, in a reader; raises as `read_rigs_isolated` where
+    """As `usdrigui.layer.faults.stage_faults`, in a reader; raises as `read_rigs_isolated` where
     nothing can be read."""
     return _understood(_asked("faults", path, opening).faults, path)
 

@@ -1,0 +1,1 @@
+"""The layout layer: written from layouts, drawn, read back and checked."""
