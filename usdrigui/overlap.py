@@ -20,7 +20,7 @@ from usdrigui.model import AnyOverlap, LayoutProblem, MeanOverlap, Overlap, Vari
 
 ROUNDING = 1e-12
 """Share of lengths and costs by which rounding may be off: bounds leave so much room."""
-_ALONG_COSINE = float(np.cos(np.pi / 6))
+SAME_WAY = float(np.cos(np.pi / 6))
 """Tracks that differ by less than this angle run the same way."""
 
 
@@ -39,12 +39,17 @@ class Drawn:
     """(q,) the same for `handle`."""
 
     @classmethod
-    def of(cls, samples: Floats, handles: Floats) -> Drawn:
+    def of_labels(cls, samples: Floats, handles: Floats) -> Drawn:
         """One copy of labels: `samples` (q, u, d), `handles` (q, d)."""
         count, points, _ = samples.shape
         return cls(
             samples.transpose(1, 2, 0), handles.T, np.zeros((points, count)), np.zeros(count)
         )
+
+    def of(self, rows: Indices) -> Drawn:
+        """Some of the elements."""
+        every = (self.samples, self.handle, self.apart, self.handle_apart)
+        return Drawn(*(each[..., rows] for each in every))
 
 
 def least_costs(
@@ -80,10 +85,14 @@ def pair_costs(
     cost = np.zeros(len(one))
     if not problem.variables[a].states & problem.variables[b].states:
         return cost
-    on_face = (one >= 0) & (other >= 0)
+    on_face = np.flatnonzero((one >= 0) & (other >= 0))
+    reach = max(problem.overlap.reach, problem.separation)
     for mine in _copies(problem.variables[a], one[on_face]):
         for theirs in _copies(problem.variables[b], other[on_face]):
-            cost[on_face] += least_costs(mine, theirs, problem.overlap, problem.separation)[0]
+            near = np.flatnonzero(_boxes_meet(mine, theirs, reach))
+            cost[on_face[near]] += least_costs(
+                mine.of(near), theirs.of(near), problem.overlap, problem.separation
+            )[0]
     return cost
 
 
@@ -94,7 +103,7 @@ def own_costs(samples: Floats, handles: Floats, overlap: AnyOverlap, separation:
     `samples` (R, copies, u, d), `handles` (R, copies, d).  Returns ``(R,)`` costs, +inf
     where two copies' handles are nearer than the separation: such a candidate must be dropped.
     """
-    copies = [Drawn.of(samples[:, i], handles[:, i]) for i in range(samples.shape[1])]
+    copies = [Drawn.of_labels(samples[:, i], handles[:, i]) for i in range(samples.shape[1])]
     cost = np.zeros(len(samples))
     for i, one in enumerate(copies):
         cost += short_costs(one, overlap)
@@ -134,7 +143,7 @@ def total_cost(problem: LayoutProblem, labels: ArrayLike) -> float:
 
 def _copies(variable: Variable, labels: Indices) -> list[Drawn]:
     samples, handles = variable.samples[labels], variable.handles[labels]
-    return [Drawn.of(samples[:, i], handles[:, i]) for i in range(samples.shape[1])]
+    return [Drawn.of_labels(samples[:, i], handles[:, i]) for i in range(samples.shape[1])]
 
 
 # --- as it is seen --------------------------------------------------------------------------------
@@ -153,13 +162,13 @@ def _seen_costs(
     near = between - slack < overlap.near_radius
     for track, handle in ((one, other), (other, one)):
         starts, ends = _segments(track.samples, overlap.samples)
-        gap = _to_segments(handle.handle[None], starts, ends).min(axis=0)
+        gap = segment_distances(handle.handle[None], starts, ends).min(axis=0)
         room = track.apart.max(axis=0) + handle.handle_apart
         cost += overlap.on_track * _hinge(gap + room, overlap.track_radius)
         near |= gap - room < overlap.track_radius
     if len(one.handle) == 2:
         single = (slack == 0.0) & ~one.apart.any(axis=0) & ~other.apart.any(axis=0)
-        met = np.flatnonzero(single & _boxes_meet(one.samples, other.samples, overlap.along_radius))
+        met = np.flatnonzero(single & _boxes_meet(one, other, overlap.along_radius))
         met_costs = _track_costs(one.samples[..., met], other.samples[..., met], overlap)
         cost[met] += met_costs
         near |= ~single
@@ -167,18 +176,25 @@ def _seen_costs(
     return cost, near
 
 
-def _boxes_meet(first: Floats, second: Floats, margin: float) -> Flags:
-    """(q,) whether the boxes around two elements' samples are within the margin of each other."""
-    ahead = first.min(axis=0) <= second.max(axis=0) + margin
-    behind = second.min(axis=0) <= first.max(axis=0) + margin
-    return np.asarray((ahead & behind).all(axis=0))
+def _boxes_meet(one: Drawn, other: Drawn, margin: float) -> Flags:
+    """(q,) whether the boxes around what is drawn of two elements come within the margin."""
+    (low, high), (other_low, other_high) = (
+        (
+            np.minimum(each.samples.min(axis=0), each.handle),
+            np.maximum(each.samples.max(axis=0), each.handle),
+        )
+        for each in (one, other)
+    )
+    apart = np.maximum(low - other_high, other_low - high)
+    return np.asarray((apart <= margin).all(axis=0))
 
 
 def _track_costs(first: Floats, second: Floats, overlap: Overlap) -> Floats:
     """(q,) what tracks cost that cross, or run along each other: samples (u, 2, q), (v, 2, q)."""
     one, other = (_segments(samples, overlap.samples) for samples in (first, second))
     along = _along(*one, *other, overlap.along_radius) + _along(*other, *one, overlap.along_radius)
-    return np.asarray(overlap.crossing * _cross(*one, *other) + overlap.along * along)
+    crossing = segments_cross(*(end[:, None] for end in one), *(end[None] for end in other))
+    return np.asarray(overlap.crossing * crossing.any(axis=(0, 1)) + overlap.along * along)
 
 
 def _hinge(distance: Floats, radius: float) -> Floats:
@@ -191,20 +207,20 @@ def _segments(samples: Floats, each: int) -> tuple[Floats, Floats]:
     return samples[starts], samples[starts + 1]
 
 
-def _to_segments(points: Floats, starts: Floats, ends: Floats) -> Floats:
-    """(segments, q) distances of points (1, d, q) from segments."""
+def segment_distances(points: Floats, starts: Floats, ends: Floats) -> Floats:
+    """(segments, q) distances of points (1, d, q) from segments (segments, d, q), broadcast."""
     steps = ends - starts
     length = np.maximum(np.square(steps).sum(axis=1), 1e-300)
     share = np.clip(((points - starts) * steps).sum(axis=1) / length, 0.0, 1.0)
     return np.asarray(np.sqrt(np.square(points - starts - share[:, None] * steps).sum(axis=1)))
 
 
-def _cross(starts: Floats, ends: Floats, others: Floats, other_ends: Floats) -> Floats:
-    """(q,) 1 where a segment properly crosses one of the others."""
-    a, b = starts[:, None], ends[:, None]
-    c, d = others[None], other_ends[None]
-    apart = (_turn(a, b, c) * _turn(a, b, d) < 0.0) & (_turn(c, d, a) * _turn(c, d, b) < 0.0)
-    return np.asarray(apart.any(axis=(0, 1)), dtype=np.float64)
+def segments_cross(a: Floats, b: Floats, c: Floats, d: Floats) -> Flags:
+    """(...) whether segments from `a` (..., 2, q) to `b` properly cross those from `c` to `d`,
+    broadcast."""
+    return np.asarray(
+        (_turn(a, b, c) * _turn(a, b, d) < 0.0) & (_turn(c, d, a) * _turn(c, d, b) < 0.0)
+    )
 
 
 def _turn(a: Floats, b: Floats, c: Floats) -> Floats:
@@ -221,8 +237,8 @@ def _along(
     lengths, other_lengths = (np.sqrt(np.square(each).sum(axis=1)) for each in (steps, other_steps))
     share = np.zeros(starts.shape[-1])
     for middle, step, length in zip(0.5 * (starts + ends), steps, lengths, strict=True):
-        gaps = _to_segments(middle[None], other_starts, other_ends)
-        alike = np.abs((step * other_steps).sum(axis=1)) >= _ALONG_COSINE * length * other_lengths
+        gaps = segment_distances(middle[None], other_starts, other_ends)
+        alike = np.abs((step * other_steps).sum(axis=1)) >= SAME_WAY * length * other_lengths
         share += _hinge(np.where(alike, gaps, np.inf).min(axis=0), radius)
     return share / len(steps)
 

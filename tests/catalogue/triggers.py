@@ -674,6 +674,7 @@ TRIGGERS: Mapping[str, Trigger] = {
     "LAYOUT_CONTROL_NEW": _checked(_edited(_OTHER_NAMES, of="char.usda")),
     "LAYOUT_NOT_ANIMATED": _checked(_edited((r"rel skel:animationSource = [^\n]*\n", ""), of="char.usda")),
     "LAYOUT_HANDLES_COLLIDE": _checked(_edited(("Index = 5", "Index = 0"), (r"\(4, 3, 0\)", "(0, 0, 0)"))),
+    "LAYOUT_UNCLEAR": _checked(_edited(("Index = 5", "Index = 0"), (r"\(4, 3, 0\)", "(0, 0, 0)"))),
     "LAYOUT_BETTER_PLACE": _checked(_edited(("uniform int rigUI:anchor:pointIndex = 0", _WORSE))),
     "LAYOUT_ANCHOR_HIDDEN": _checked(_edited((r"point3f\[\] points", _INVISIBLE), of="char.usda")),
     "GLYPH_MISSING": _glyph(""),

@@ -157,6 +157,25 @@ class Manipulator(Record):
         return frozenset(member.control for member in self.members)
 
 
+@dataclass(frozen=True, slots=True)
+class Legibility:
+    """Which elements can be read and grabbed at a glance, seen from the layout's own view."""
+
+    elements: int
+    """Elements of the first level on the part."""
+    unclear: tuple[tuple[str, str], ...]
+    """The others, and what is in the way of each."""
+
+    @property
+    def clear(self) -> int:
+        """How many are in nobody's way."""
+        return self.elements - len(self.unclear)
+
+    def __add__(self, other: Legibility) -> Legibility:
+        """That of two parts together."""
+        return Legibility(self.elements + other.elements, self.unclear + other.unclear)
+
+
 @dataclass(frozen=True, eq=False)
 class Look(Record):
     """How an element is shown."""

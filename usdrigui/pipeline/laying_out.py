@@ -19,8 +19,9 @@ from usdrigui.errors import Issue, explained, issue, of_character, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_unchanged
 from usdrigui.layout.reuse import existing_layout
 from usdrigui.layout.review.difference import Difference, cost_savings, difference
+from usdrigui.layout.review.legibility import legibility_of
 from usdrigui.layout.review.shortfalls import shortfalls
-from usdrigui.model import Element, Layout
+from usdrigui.model import Element, Layout, Legibility
 from usdrigui.pipeline import variants
 from usdrigui.pipeline.configuration import refuse_unsound
 from usdrigui.pipeline.joining import issues_of, joined, joined_assignment
@@ -449,6 +450,10 @@ def _account(
         added=added,
         matchings=references.matchings,
         parts=tuple(_part_row(each) for each in laid),
+        legibility=sum(
+            (legibility_of(each.inputs.face, each.layout.elements) for each in laid),
+            Legibility(0, ()),
+        ),
     )
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from usdrigui.errors import Issue
-from usdrigui.model import Assignment, Element
+from usdrigui.model import Assignment, Element, Legibility
 from usdrigui.report.documents import document, plain
 from usdrigui.report.run_report import CharacterReport, ControlRow, PartRow, Report
 
@@ -31,7 +31,12 @@ def review_json(layer: str, characters: Sequence[tuple[str, Any]], issues: Seque
     """The outcome of `usdrigui check` as a JSON document; `characters` are (prim path, review)
     pairs."""
     reviews = [
-        {"root": root, "cost": review.cost, "elements": [_review_row(x) for x in review.elements]}
+        {
+            "root": root,
+            "cost": review.cost,
+            "legibility": _legibility(review.legibility),
+            "elements": [_review_row(x) for x in review.elements],
+        }
         for root, review in characters
     ]
     return document("review", layer=layer, characters=reviews, issues=issues)
@@ -74,6 +79,7 @@ def _character(character: CharacterReport) -> dict[str, Any]:
         "controls": [_row(row) for row in character.rows],
         "counts": {place: character.count(place) for place in ("face", "board", "left off")},
         "displacement_kept": character.kept,
+        "legibility": _legibility(character.legibility),
         "elements": [
             _element(element, element.name not in character.added) for element in layout.elements
         ],
@@ -93,6 +99,10 @@ def _character(character: CharacterReport) -> dict[str, Any]:
             "steps": [{**plain(step), "figures": dict(step.figures)} for step in assignment.steps],
         },
     }
+
+
+def _legibility(found: Legibility) -> dict[str, Any]:
+    return {"elements": found.elements, "clear": found.clear, "unclear": dict(found.unclear)}
 
 
 def _part(part: PartRow) -> dict[str, Any]:

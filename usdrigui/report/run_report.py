@@ -13,7 +13,7 @@ from typing import Any, Literal
 
 from usdrigui.character import Floats, LeftOff, Rig
 from usdrigui.errors import Issue
-from usdrigui.model import Assignment, Layout
+from usdrigui.model import Assignment, Layout, Legibility
 from usdrigui.model.levels import outer_first
 from usdrigui.report.markup import markup
 
@@ -86,6 +86,8 @@ class CharacterReport:
     ``previous``, ``like``."""
     parts: tuple[PartRow, ...] = ()
     """In the order in which they were laid out; `assignment` holds their sums."""
+    legibility: Legibility = field(default=Legibility(0, ()))
+    """Of the parts that are looked at from one side: those of the head."""
 
     def count(self, place: Place) -> int:
         """Number of controls at a place."""

@@ -6,7 +6,13 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from usdrigui.cli.terminal.run_lines import change_lines, issue_lines, matching_lines, percent
+from usdrigui.cli.terminal.run_lines import (
+    change_lines,
+    clear_lines,
+    issue_lines,
+    matching_lines,
+    percent,
+)
 from usdrigui.cli.terminal.table import Table, Verbatim
 
 if TYPE_CHECKING:
@@ -138,6 +144,7 @@ def of_review(found: LayerReview) -> tuple[Iterator[Printed], str]:
 def _review(found: LayerReview) -> Iterator[Printed]:
     for root, review in found.characters:
         yield f"{root}: {len(review.elements)} elements on the character, cost {review.cost:.4f}"
+        yield from clear_lines(review.legibility)
         yield _review_table(review.elements)
         yield ("  displacement: at the handle, as a share of the control's peak; w: handle widths")
     yield from issue_lines(found.issues)

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from usdrigui.errors import Issue
     from usdrigui.layout.reuse.identity import Matching
     from usdrigui.layout.review.difference import Difference
-    from usdrigui.model import Assignment
+    from usdrigui.model import Assignment, Legibility
     from usdrigui.report.run_report import CharacterReport, ControlRow, Report
 
 _WEAK, _WEAKEST = 0.9, 3
@@ -134,6 +134,7 @@ def _proof_lines(character: CharacterReport, placed: Sequence[ControlRow]) -> It
         f" off {character.count('left off')}; handles on the {where} have"
         f" {percent(character.kept)} of their controls' peak displacement{_weakest(placed)}"
     )
+    yield from clear_lines(character.legibility)
     program = "" if several else _program(solution)
     yield (
         f"  cost {solution.cost:.4f}, proven bound {solution.bound:.4f}, {_gap([solution])},"
@@ -145,6 +146,12 @@ def _proof_lines(character: CharacterReport, placed: Sequence[ControlRow]) -> It
             f"  {part.name}: {part.on_it} of {len(part.controls)} controls on it, cost"
             f" {proof.cost:.4f}, {_gap([proof])}, {_ending(proof)}{_program(proof)}"
         )
+
+
+def clear_lines(found: Legibility) -> Iterator[str]:
+    """How many elements can be read and grabbed at a glance."""
+    if found.elements:
+        yield f"  {found.clear} of {found.elements} elements clear at 640 px"
 
 
 def _away(rows: Sequence[ControlRow]) -> Iterator[str]:

@@ -30,6 +30,7 @@ from usdrigui.layout.place.terms import LinearTerms, linear_cost
 from usdrigui.layout.reuse.identity import match_layout
 from usdrigui.layout.reuse.partial_layout import place_of
 from usdrigui.layout.reuse.requests import Requests
+from usdrigui.layout.review.legibility import legibility_of
 from usdrigui.model import (
     Anchor,
     BaseSurface,
@@ -40,6 +41,7 @@ from usdrigui.model import (
     Group,
     Layout,
     LayoutProblem,
+    Legibility,
     Trajectories,
 )
 from usdrigui.model.levels import inner_names, states
@@ -85,6 +87,7 @@ class Review:
     elements: tuple[ElementReview, ...]
     cost: float
     """Objective of the elements on the face at their places; inf if two handles are too near."""
+    legibility: Legibility
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,7 +128,9 @@ def review(
         for each in rated
         if each.improvement > _WORTH and each.element not in pinned
     ]
-    return Review(tuple(issues), rated, total_cost(problem, labels) if choices else 0.0)
+    read = legibility_of(face, layout.elements)
+    issues += [issue("LAYOUT_UNCLEAR", name, why) for name, why in read.unclear]
+    return Review(tuple(issues), rated, total_cost(problem, labels) if choices else 0.0, read)
 
 
 def not_animated(rig: Rig, layout: Layout) -> Iterator[Issue]:
@@ -155,6 +160,7 @@ def joined(parts: Sequence[Review]) -> Review:
         tuple(dict.fromkeys(found for each in parts for found in each.issues)),
         tuple(element for each in parts for element in each.elements),
         sum(each.cost for each in parts),
+        sum((each.legibility for each in parts), Legibility(0, ())),
     )
 
 
