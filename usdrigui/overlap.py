@@ -118,7 +118,8 @@ def short_costs(drawn: Drawn, overlap: AnyOverlap) -> Floats:
         return np.zeros(drawn.handle.shape[1])
     starts, ends = _segments(drawn.samples, overlap.samples)
     steps = np.sqrt(np.square(ends - starts).sum(axis=1))
-    tracks = steps.reshape(-1, overlap.samples - 1, steps.shape[1]).sum(axis=1)
+    count = len(drawn.samples) // overlap.samples
+    tracks = steps.reshape(count, overlap.samples - 1, steps.shape[1]).sum(axis=1)
     return np.asarray(overlap.short * _hinge(tracks.max(axis=0), overlap.handle_width))
 
 
