@@ -173,6 +173,7 @@ def _edited(*edits: tuple[str, str], of: str = "char.rigui.usda") -> Callable[[P
     return made
 
 
+_COLLIDING = ("Index = 5", "Index = 0"), (r"position = \(4, 3, 0\)", "position = (0, 0, 0)")
 _WORSE = "uniform point3f rigUI:anchor:position = (2, 0, 0)\nuniform int rigUI:anchor:pointIndex = 1"
 _INVISIBLE = 'token visibility = "invisible"\npoint3f[] points'
 _OTHER_NAMES = (
@@ -673,8 +674,8 @@ TRIGGERS: Mapping[str, Trigger] = {
     "LAYOUT_CONTROL_GONE": _checked(_edited(_OTHER_NAMES, of="char.usda")),
     "LAYOUT_CONTROL_NEW": _checked(_edited(_OTHER_NAMES, of="char.usda")),
     "LAYOUT_NOT_ANIMATED": _checked(_edited((r"rel skel:animationSource = [^\n]*\n", ""), of="char.usda")),
-    "LAYOUT_HANDLES_COLLIDE": _checked(_edited(("Index = 5", "Index = 0"), (r"position = \(4, 3, 0\)", "position = (0, 0, 0)"))),
-    "LAYOUT_UNCLEAR": _checked(_edited(("Index = 5", "Index = 0"), (r"position = \(4, 3, 0\)", "position = (0, 0, 0)"))),
+    "LAYOUT_HANDLES_COLLIDE": _checked(_edited(*_COLLIDING)),
+    "LAYOUT_UNCLEAR": _checked(_edited(*_COLLIDING)),
     "LAYOUT_BETTER_PLACE": _checked(_edited(("uniform int rigUI:anchor:pointIndex = 0", _WORSE))),
     "LAYOUT_ANCHOR_HIDDEN": _checked(_edited((r"point3f\[\] points", _INVISIBLE), of="char.usda")),
     "GLYPH_MISSING": _glyph(""),
