@@ -53,8 +53,7 @@ def test_it_says_what_is_not_on_the_face_and_verbosely_where_every_control_stand
         line = next(each for each in table.splitlines() if each.startswith(f"  {step['name']}: "))
         assert f"labels {step['figures']['labels']:.0f}" in line
         assert line not in brief
-    gaps = found["solution"]["gap_of_choice"], found["solution"]["gap"]
-    told = "gap {:.1e} of the choice ({:.1e} of the cost)".format(*gaps)
+    told = f"proven within {100.0 * found['solution']['gap']:.2g} %"
     assert all(told in printed.splitlines()[-1] for printed in (brief, table))
 
 

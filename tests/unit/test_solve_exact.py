@@ -34,7 +34,7 @@ from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import Progress, exact, local_search, milp, partition, reduce, solve, triplets
 from usdrigui.solve.assignment import assignment
-from usdrigui.solve.budget import Budget
+from usdrigui.solve.budget import LOWERED_AIM, Budget
 from usdrigui.solve.exact import infeasible_penalty, solve_whole
 from usdrigui.solve.label_geometry import LabelSet, all_labels
 from usdrigui.solve.local_search import LocalSearch
@@ -431,6 +431,16 @@ def test_infeasible_names_the_variables() -> None:
         solve(replace(problem, variables=forced), HIGHS)
 
 
+def test_a_limit_before_the_first_layout_is_named() -> None:
+    problem = crowd(3, variables=3, candidates=1)
+    alike = tuple(
+        replace(each, off_face_cost=np.inf, handles=each.handles * 0, samples=each.samples * 0)
+        for each in problem.variables
+    )
+    with pytest.raises(RigUIError, match=r"no layout before the work limit: no place apart .* v0, v1, v2 yet"):
+        solve(replace(problem, variables=alike), replace(HIGHS, work_limit=0))
+
+
 def test_infeasible_problems_are_reported_at_once_however_their_bound_is_rounded() -> None:
     problem = random_problem(5000453, 6, 8)  # its bound ended one unit of rounding below what is never allowed
     assert best_of_all(problem) is None
@@ -563,7 +573,7 @@ def test_half_of_the_work_lowers_the_aim() -> None:
     assert budget.cutoff == pytest.approx(-17.5)
     budget.found("", bound=-17.0)
     budget.lower_aim()
-    assert (budget.limit, budget.cutoff) == ("work limit", pytest.approx(-17.5))
+    assert (budget.limit, budget.cutoff) == (LOWERED_AIM, pytest.approx(-17.5))
 
 
 @pytest.mark.parametrize("share", [0.2, 0.5, 0.9])
@@ -574,7 +584,7 @@ def test_a_lower_aim_is_a_bound(share: float) -> None:
     least = sum(min(each.cost.min(), each.off_face_cost) for each in problem.variables)
     budget.aim = best.cost - share * (best.cost - least)
     found = solve_whole(problem, budget)
-    assert (found.status, found.closed_by) == ("stopped", "work limit")
+    assert (found.status, found.closed_by) == ("stopped", LOWERED_AIM)
     assert budget.aim - 1e-9 <= found.bound <= best.cost
 
 

@@ -56,13 +56,6 @@ class Assignment(Record):
         """(cost - bound) / |cost|; costs nearer to zero than `GAP_FLOOR` count as that."""
         return max(0.0, self.cost - self.bound) / max(abs(self.cost), GAP_FLOOR)
 
-    @property
-    def gap_of_choice(self) -> float:
-        """(cost - bound) over the part of the cost that the choice can change; 0 when proven."""
-        excess = max(0.0, self.cost - self.bound)
-        rounding = 1e-9 * abs(self.cost)
-        return excess / max(self.above_unary_bound, 1e-12) if excess > rounding else 0.0
-
 
 @dataclass(frozen=True, slots=True)
 class Step:

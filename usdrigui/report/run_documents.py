@@ -118,8 +118,7 @@ def _part(part: PartRow) -> dict[str, Any]:
 
 def _proof(assignment: Assignment) -> dict[str, Any]:
     names = ("method", "closed_by", "status", "cost", "bound")
-    derived = ("gap", "above_unary_bound", "gap_of_choice")
-    return {name: getattr(assignment, name) for name in (*names, *derived)}
+    return {name: getattr(assignment, name) for name in (*names, "gap", "above_unary_bound")}
 
 
 def _row(row: ControlRow) -> dict[str, Any]:

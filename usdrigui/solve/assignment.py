@@ -25,7 +25,10 @@ def assignment(
     cost = total_cost(problem, chosen)
     if not np.isfinite(cost):
         names = ", ".join(_too_near(problem, chosen))
-        raise refuse("SOLVE_INFEASIBLE", "solve", f"no place apart from the others for {names}")
+        problem_met = f"no place apart from the others for {names}"
+        if budget.limit:
+            problem_met = f"no layout before the {budget.limit}: {problem_met} yet"
+        raise refuse("SOLVE_INFEASIBLE", "solve", problem_met)
     # Of a bound and of the least costs it is made of: thousands of numbers are added up.
     rounding = 20 * ROUNDING * (abs(budget.bound) + float(np.abs(labels.best).sum()))
     bound = min(budget.bound - rounding, cost) if np.isfinite(budget.bound) else -np.inf

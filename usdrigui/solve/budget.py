@@ -11,6 +11,8 @@ import numpy as np
 from usdrigui.model import GAP_FLOOR, Step
 from usdrigui.settings import SolveSettings
 
+LOWERED_AIM = "aim of the work limit"
+"""Names the limit where the bound came to an aim that was lowered for the work that was left."""
 WITHIN_REACH = 0.25
 """Share of the way from the bound to the cutoff that half of the work may go."""
 
@@ -54,7 +56,8 @@ class Budget:
     """A bound above this is not looked for."""
     steps: list[Step] = field(default_factory=list)
     limit: str = ""
-    """What stopped the run: ``work limit``, ``time limit``, ``memory limit`` or ``interrupt``."""
+    """What stopped the run: ``work limit``, ``time limit``, ``memory limit``, ``interrupt`` or
+    `LOWERED_AIM`."""
     _began: float = field(default_factory=time.monotonic, init=False)
     _step_began: float = field(default_factory=time.monotonic, init=False)
 
@@ -135,7 +138,7 @@ class Budget:
     def found(self, step: str, cost: float = np.inf, bound: float = -np.inf) -> None:
         """Tell of a layout or a bound; the best of each is kept."""
         if bound >= self.aim:
-            self.reach("work limit")
+            self.reach(LOWERED_AIM)
         better = cost < self.cost or bound > self.bound
         self.cost, self.bound = min(self.cost, cost), max(self.bound, bound)
         if better and self.progress is not None:

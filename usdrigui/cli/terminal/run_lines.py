@@ -187,14 +187,13 @@ def _weakest(rows: Sequence[ControlRow]) -> str:
 
 
 def _gap(solutions: Sequence[Assignment]) -> str:
-    """The largest gap of some solutions, relative to what the choice can change and to the cost."""
-    of_choice = max((each.gap_of_choice for each in solutions), default=0.0)
-    of_cost = max((each.gap for each in solutions), default=0.0)
-    return f"gap {of_choice:.1e} of the choice ({of_cost:.1e} of the cost)"
+    """How far the cost of some solutions may be from the least, at most."""
+    gap = max((solution.gap for solution in solutions), default=0.0)
+    return f"proven within {100.0 * gap:.2g} %" if math.isfinite(gap) else "not proven"
 
 
 def _figures(figures: Iterable[tuple[str, float]]) -> str:
-    """What a step of the solver counted and found: ``rows 130, lp bound -19.9112``."""
+    """What a step of the solver counted and found: ``rows 130, bound -19.9112``."""
     return ", ".join(f"{name.replace('_', ' ')} {value:.10g}" for name, value in figures)
 
 
