@@ -167,14 +167,14 @@ export class View {
     return [...on, ...this.surroundings(on, skin)];
   }
 
-  /** The skin around some points, as far as the layout's shares of their height to the sides and up and down. */
+  /** The skin around some points, as far as the layout's shares of their larger extent to the sides and up and down. */
   surroundings(points, skin) {
     const { right, above } = this.camera;
     const spans = [right, above].map((axis) => {
       const along = points.map((point) => dot(point, axis));
       return [Math.min(...along), Math.max(...along)];
     });
-    const reach = this.session.character.layout.surroundings.map((share) => share * (spans[1][1] - spans[1][0]));
+    const reach = this.session.character.layout.surroundings.map((share) => share * Math.max(...spans.map(([low, high]) => high - low)));
     const near = (point) => [right, above].every((axis, i) => {
       const at = dot(point, axis);
       return at > spans[i][0] - reach[i] && at < spans[i][1] + reach[i];

@@ -15,8 +15,8 @@ from usdrigui.character import Flags, Floats, Indices, Record
 from usdrigui.view.body.shading import Camera
 
 SURROUNDINGS = (0.25, 0.12)
-"""How far the character is shown around its elements, to the sides and up and down, in heights of
-their box."""
+"""How far the character is shown around its elements, to the sides and up and down, in the larger
+extent of their box."""
 MARGIN = 1.06
 """Extent of a frame by that of what it holds."""
 _MIN_EXTENT = 22.0
@@ -64,7 +64,7 @@ def framed(
     character with the points `skin` (n, 3); of all the character where there is no track."""
     across = skin @ rows[:2].T
     low, high = _box(np.concatenate(tracks) @ rows[:2].T if tracks else across)
-    reach = np.array(SURROUNDINGS) * (high - low)[1]
+    reach = np.array(SURROUNDINGS) * (high - low).max()
     near = across[((across > low - reach) & (across < high + reach)).all(axis=1)]
     low, high = _box(np.concatenate([near, [low, high]]))
     middle, half = 0.5 * (low + high), 0.5 * MARGIN * (high - low)
