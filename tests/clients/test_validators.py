@@ -9,7 +9,7 @@ import skel_stages
 from pxr import Sdf, Usd, UsdSkel, Vt
 
 from usdrigui.clients import usd_validation as validation
-from usdrigui.layer import faults
+from usdrigui.reader import faults
 
 FACE = "/Char/Face"
 

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 from pxr import Usd
 
-from usdrigui.layer.faults import layout_faults
 from usdrigui.pipeline import check, load_layer
 from usdrigui.pose.evaluate import prepare
+from usdrigui.reader.faults import layout_faults
 from usdrigui.settings import Settings
 
 ROOT = Path(__file__).parents[2]

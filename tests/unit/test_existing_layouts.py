@@ -3,7 +3,7 @@
 import pytest
 from pxr import Usd, UsdGeom
 
-from usdrigui.layer.existing_layouts import existing_prims
+from usdrigui.reader.existing_layouts import existing_prims
 
 
 @pytest.mark.parametrize(("inside", "outside"), [(True, False), (True, True), (False, True)])

@@ -26,7 +26,7 @@ from skel_stages import (
 from usdrigui.character.deform import channel_state, deform
 from usdrigui.character.rotation import rotations
 from usdrigui.errors import RigUIError
-from usdrigui.layer.existing_layouts import without_layout
+from usdrigui.reader.existing_layouts import without_layout
 from usdrigui.reading import control as drafts
 from usdrigui.reading import pose as poses
 from usdrigui.reading import range as ranges

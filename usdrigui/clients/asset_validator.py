@@ -13,7 +13,7 @@ from pxr import Usd, UsdGeom, UsdSkel
 from usd_validation_nvidia import BaseRuleChecker, Suggestion, register_rule
 
 from usdrigui.errors import Issue, sentences
-from usdrigui.layer import faults
+from usdrigui.reader import faults
 
 CATEGORY = "Usd:RigUI"
 _REPAIRABLE = ("TARGET_INVALID", "TOKEN_REPEATED", "TOKEN_ORDER")

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 from pxr import Sdf, Usd
 
 from usdrigui.layer.contradictions import contradictions
-from usdrigui.layer.existing_layouts import without_layout
 from usdrigui.layer.read_layout import composed_layouts, listed_controls, own_layouts, read_layout
 from usdrigui.model import Layout
+from usdrigui.reader.existing_layouts import without_layout
 from usdrigui.reader.reader_main import cameras_toward
 from usdrigui.reader.reader_records import ReadResult
 from usdrigui.reading.character import read_characters

@@ -117,8 +117,8 @@ def _layouts(path: Path, variants: Mapping[str, str]) -> LayoutsResult:
 
 
 def _layouts_in(path: Path, stages: Any, before: Mapping[str, SourceFile]) -> LayoutsResult:
-    from usdrigui.layer.existing_layouts import existing_prims
     from usdrigui.layer.read_layout import composed_layouts, read_layout, source_of
+    from usdrigui.reader.existing_layouts import existing_prims
 
     layouts = read_layout(path)
     stage = _stage_of(path, stages)
@@ -131,8 +131,8 @@ def _layouts_in(path: Path, stages: Any, before: Mapping[str, SourceFile]) -> La
 def _composed(path: Path, settings: Settings) -> Response:
     """The layouts of a stage and their characters as the stage composes them."""
     from usdrigui.layer.contradictions import contradictions
-    from usdrigui.layer.existing_layouts import without_layout
     from usdrigui.layer.read_layout import listed_controls
+    from usdrigui.reader.existing_layouts import without_layout
     from usdrigui.reading.character import read_characters
     from usdrigui.stages.opening import open_stage
 
@@ -178,7 +178,7 @@ def _variants(path: Path, variants: Mapping[str, str]) -> Mapping[str, tuple[str
 
 
 def _faults(path: Path, variants: Mapping[str, str]) -> FaultsResult:
-    from usdrigui.layer.faults import stage_faults
+    from usdrigui.reader.faults import stage_faults
     from usdrigui.stages.opening import open_stage
 
     stage = open_stage(path, variants)

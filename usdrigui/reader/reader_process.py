@@ -86,7 +86,7 @@ def read_performances_isolated(path: Path, opening: Opening) -> tuple[Performanc
 
 
 def read_faults_isolated(path: Path, opening: Opening) -> FaultsResult:
-    """As `usdrigui.layer.faults.stage_faults`, in a reader; raises as `read_rigs_isolated` where
+    """As `usdrigui.reader.faults.stage_faults`, in a reader; raises as `read_rigs_isolated` where
     nothing can be read."""
     return _understood(_asked("faults", path, opening).faults, path)
 

@@ -8,7 +8,7 @@ from pxr import Plug, Sdf, Usd, UsdGeom, UsdSkel, UsdValidation
 
 from usdrigui.clients.usd_validation import NAME
 from usdrigui.errors import Issue, sentences
-from usdrigui.layer import faults
+from usdrigui.reader import faults
 
 _KINDS = {
     "error": UsdValidation.ValidationErrorType.Error,
