@@ -34,6 +34,18 @@ def start(*arguments):
     )
 
 
+def processes_below(process):
+    """The worker, the warm parent and the reader, once the reader is there."""
+    below = [until(lambda: children_of(process.pid))]
+    for _ in range(2 if sys.platform == "linux" else 1):
+        below.append(until(lambda: children_of(*below[-1])))
+    return [number for numbers in below for number in numbers]
+
+
+def gone(numbers):
+    return not any(Path(f"/proc/{number}").exists() for number in numbers)
+
+
 def wait_for_line(process, word):
     """Read standard error until a line that begins with the word."""
     for line in process.stderr:
@@ -76,14 +88,14 @@ def test_reading_ends_at_its_limit(hanging):
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_signal_while_reading_ends_the_run_and_the_reader(hanging, number):
     process = start(hanging)
-    (reader,) = until(lambda: children_of(process.pid))
+    below = processes_below(process)
     sent = time.monotonic()
     process.send_signal(number)
     _, err = ended(process, sent)
     assert process.returncode == 4
     assert "INTERRUPTED" in err
     assert err.splitlines()[-1].endswith("nothing was written")
-    until(lambda: not Path(f"/proc/{reader}").exists())
+    until(lambda: gone(below))
     assert untouched(hanging)
 
 
@@ -137,10 +149,22 @@ def test_a_second_signal_ends_at_once(hanging):
 
 def test_a_killed_command_leaves_no_process(hanging):
     process = start(hanging)
-    workers = until(lambda: children_of(process.pid))
+    below = processes_below(process)
     process.kill()
     process.communicate()
-    until(lambda: not any(Path(f"/proc/{each}").exists() for each in workers))
+    until(lambda: gone(below))
+
+
+@pytest.mark.parametrize("which", ["worker", "warm parent", "reader"])
+def test_whatever_is_killed_the_command_ends_with_a_code(hanging, which):
+    process = start(hanging)
+    worker, parent, reader = below = processes_below(process)
+    os.kill({"worker": worker, "warm parent": parent, "reader": reader}[which], signal.SIGKILL)
+    out, err = ended(process, time.monotonic())
+    assert process.returncode == 4
+    assert ("WORKER_LOST" if which == "worker" else "SOURCE_READER_LOST") in out + err
+    until(lambda: gone(below))
+    assert untouched(hanging)
 
 
 def test_a_time_limit_on_the_search_gives_an_honest_layout(tmp_path, capsys):
