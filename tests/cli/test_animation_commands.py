@@ -1,12 +1,12 @@
 """`inspect --animation` and `process --animation`: what is told, what can be pasted, what it changes."""
 
-import json
 import tomllib
 
 import numpy as np
 import pytest
 import shot_stages
 import skinned_stages
+from commands import run
 from pxr import Gf, Usd, UsdSkel, Vt
 
 from usdrigui.cli import main
@@ -36,12 +36,6 @@ def folder(tmp_path_factory):
     skinned_stages.character(made / "char.usda")
     performed(made / "take.usda", MOVES)
     return made
-
-
-def run(capsys, *arguments, expected=0):
-    capsys.readouterr()
-    assert main([*map(str, arguments), "--json"]) == expected
-    return json.loads(capsys.readouterr().out)
 
 
 def test_use_and_what_moves_together_are_reported(folder, capsys):

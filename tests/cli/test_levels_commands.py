@@ -1,11 +1,11 @@
 """`[levels]` through the command line: authored, read back, checked, drawn and kept in a shot."""
 
-import json
 import shutil
 
 import pytest
 import shot_stages
 import skinned_stages
+from commands import run
 from PIL import Image
 from pxr import Sdf, Usd, UsdGeom
 
@@ -47,12 +47,6 @@ def folder(made, tmp_path):
 def elements(layer):
     (layout,) = read_layout(layer)
     return {element.name: element for element in layout.elements}
-
-
-def run(capsys, *arguments, expected=0):
-    capsys.readouterr()
-    assert main([*map(str, arguments), "--json"]) == expected
-    return json.loads(capsys.readouterr().out)
 
 
 def test_members_are_authored_and_come_back(made):

@@ -1,12 +1,12 @@
 """`process --fixed`, `process --previous` and `usdrigui diff` over the life of a character's files."""
 
 import itertools
-import json
 import re
 import shutil
 import tomllib
 
 import pytest
+from commands import run
 from pxr import Sdf, Usd, UsdSkel
 
 from usdrigui.cli import main
@@ -20,12 +20,6 @@ def folder(laid_out, tmp_path):
     shutil.copytree(laid_out, tmp_path / "asset")
     (tmp_path / "asset" / "char.rigui.usda").rename(tmp_path / "asset" / "old.rigui.usda")
     return tmp_path / "asset"
-
-
-def run(capsys, *arguments, expected=0):
-    capsys.readouterr()
-    assert main([*map(str, arguments), "--json"]) == expected
-    return json.loads(capsys.readouterr().out)
 
 
 def anchors(layer):

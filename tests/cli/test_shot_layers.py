@@ -1,11 +1,11 @@
 """`process SHOT --base LAYER`: what a shot adds gets a layer of its own, and the asset's layout stays."""
 
-import json
 import shutil
 
 import numpy as np
 import pytest
 import shot_stages
+from commands import run
 from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
 
 from usdrigui.cli import main
@@ -32,12 +32,6 @@ def made(laid_out):
 def folder(made, tmp_path):
     shutil.copytree(made, tmp_path / "asset")
     return tmp_path / "asset"
-
-
-def run(capsys, *arguments, expected=0):
-    capsys.readouterr()
-    assert main([*map(str, arguments), "--json"]) == expected
-    return json.loads(capsys.readouterr().out)
 
 
 def elements(layer):
