@@ -195,10 +195,10 @@ def test_triplets_come_between_two_turns_of_highs() -> None:
     assert share < first - before < 1.2 * share
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(4))
 def test_the_program_has_the_costs_of_the_problem(seed: int) -> None:
     """Of every layout, whatever excludes some: rows are kept, columns as small as these allow."""
-    problem = crowd(seed, variables=4, candidates=6)
+    problem = crowd(seed, variables=3, candidates=7)
     plain = plain_problem(problem)
     labels, rows = len(plain.linear), program(plain)
     layouts, allowed = itertools.product(*(range(mine.start, mine.stop) for mine in plain.slices)), 0
@@ -218,7 +218,7 @@ def test_the_program_has_the_costs_of_the_problem(seed: int) -> None:
             assert cost == pytest.approx(plain.value(chosen), abs=1e-12)
             assert cost == pytest.approx(total_cost(problem, all_labels(problem).candidate[chosen]), abs=1e-12)
             allowed += 1
-    assert 0 < allowed < 7**4
+    assert 0 < allowed < 8**3
 
 
 def test_a_program_that_forgets_a_cost_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:

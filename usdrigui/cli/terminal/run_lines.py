@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 _WEAK, _WEAKEST = 0.9, 3
 """Displacement below which the weakest handles are named, and how many of them."""
+_LEAST_GAP = 1e-4
+"""Percent: a nearer proof is told as this near."""
 
 
 def report_lines(report: Report, written: Sequence[str], *, verbose: bool) -> Iterator[Printed]:
@@ -188,8 +190,8 @@ def _weakest(rows: Sequence[ControlRow]) -> str:
 
 def _gap(solutions: Sequence[Assignment]) -> str:
     """How far the cost of some solutions may be from the least, at most."""
-    gap = max((solution.gap for solution in solutions), default=0.0)
-    return f"proven within {100.0 * gap:.2g} %" if math.isfinite(gap) else "not proven"
+    gap = 100.0 * max((solution.gap for solution in solutions), default=0.0)
+    return f"proven within {max(gap, _LEAST_GAP):.2g} %" if math.isfinite(gap) else "not proven"
 
 
 def _figures(figures: Iterable[tuple[str, float]]) -> str:
