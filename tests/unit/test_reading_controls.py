@@ -782,3 +782,24 @@ def test_meshes_bound_in_vain_are_counted():
     assert refusals._vain_clause([]) == ""
     assert refusals._vain_clause(vain[:1]) == "; /M0 has no skeleton"
     assert refusals._vain_clause(vain) == "; /M0 (and 2 more meshes) has no skeleton"
+
+
+@pytest.mark.parametrize(
+    ("written", "expected"),
+    [
+        ({"startTimeCode": 101, "endTimeCode": 148, "timeCodesPerSecond": 30}, (101.0, 148.0, 30.0)),
+        ({"startTimeCode": 101, "endTimeCode": 148}, (101.0, 148.0, 24.0)),
+        ({}, None),
+        ({"startTimeCode": 5, "endTimeCode": 5}, None),
+        ({"startTimeCode": 0, "endTimeCode": 1e300}, None),
+    ],
+)
+def test_the_time_codes_of_a_stage_are_what_its_page_plays_without_a_clip(tmp_path, written, expected):
+    path = head(tmp_path / "char.usda")
+    layer = Sdf.Layer.FindOrOpen(str(path))
+    for key in ("startTimeCode", "endTimeCode", "timeCodesPerSecond"):
+        layer.pseudoRoot.ClearInfo(key)
+    for key, value in written.items():
+        layer.pseudoRoot.SetInfo(key, float(value))
+    layer.Save()
+    assert read(path).skel_root.time_codes == expected

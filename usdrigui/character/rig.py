@@ -45,6 +45,8 @@ class SkelRoot(Record):
     metres_per_unit: float
     clip: Clip | None
     """The animation of what is bound under it."""
+    time_codes: tuple[float, float, float] | None = None
+    """First and last of its stage, and how many make a second; None where it has no range."""
 
     @property
     def path_in_variants(self) -> str:

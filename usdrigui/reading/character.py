@@ -28,7 +28,7 @@ from usdrigui.character import (
 )
 from usdrigui.errors import Faults, Issue, issue, listed, of_character, refuse
 from usdrigui.reading.blend_shape import Binding, Found, left_off_tokens
-from usdrigui.reading.clips import Animated, read_clip, read_still, weights_at
+from usdrigui.reading.clips import Animated, read_clip, read_still, time_codes, weights_at
 from usdrigui.reading.control import (
     Draft,
     blend_shape_drafts,
@@ -193,6 +193,7 @@ def _read(root: Usd.Prim, settings: RigSettings, faults: Faults, *, instances: b
             up=_up(root),
             metres_per_unit=_metres_per_unit(root.GetStage()) or 0.01,
             clip=scene.clip or read_still(scene.animated, rate),
+            time_codes=time_codes(root.GetStage()),
         ),
         body=replace(body, base_weights=weights),
         controls=controls,

@@ -3,6 +3,7 @@ frame."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -21,6 +22,8 @@ _CLIP_BYTES = 128 * 1024 * 1024
 """Memory that a clip may take."""
 _MOST_FRAMES = 4096
 """Frames kept of one animation, evenly spread over its length."""
+_LONGEST = 1e5
+"""Time codes of the longest stage that is played without a clip."""
 
 
 @dataclass(frozen=True)
@@ -222,3 +225,12 @@ def _turns(quaternions: Floats) -> Floats:
     length = np.linalg.norm(flat, axis=1, keepdims=True)
     unit = np.where(length > 0.0, flat / np.maximum(length, 1e-30), [1.0, 0.0, 0.0, 0.0])
     return quaternion_matrices(unit).reshape(*quaternions.shape[:2], 3, 3)
+
+
+def time_codes(stage: Usd.Stage) -> tuple[float, float, float] | None:
+    """First and last time code of a stage and how many make a second; None without a range that can
+    be played."""
+    first, last = float(stage.GetStartTimeCode()), float(stage.GetEndTimeCode())
+    rate = float(stage.GetTimeCodesPerSecond())
+    playable = 0.0 < last - first < _LONGEST and 0.0 < rate < math.inf
+    return (first, last, rate) if stage.HasAuthoredTimeCodeRange() and playable else None

@@ -17,8 +17,9 @@ export class Animation {
     this.controls = character.controls;
     this.clip = character.clip;
     this.rest = rest;
-    this.rate = this.clip?.framesPerSecond || DEFAULT_RATE;
-    const times = this.clip && this.clip.times.length > 1 ? this.clip.times : DEFAULT_RANGE;
+    const [first, last, rate] = character.timeCodes ?? [...DEFAULT_RANGE, DEFAULT_RATE];
+    this.rate = this.clip?.framesPerSecond || rate;
+    const times = this.clip && this.clip.times.length > 1 ? this.clip.times : [first, last];
     this.first = Math.floor(times[0]);
     this.last = Math.max(this.first + 1, Math.ceil(times.at(-1)));
     this.span = null; // first and last frame as set by hand, where no clip says them

@@ -9,3 +9,9 @@ test('without a clip the frames are as set by hand, and keys reach beyond them',
   assert.deepEqual(animation.range(new Map()), [101, 120]);
   assert.deepEqual(animation.range(new Map([[0, [[99.5, 1], [130, 0]]]])), [99, 130]);
 });
+
+test('without a clip the frames are those of the stage', () => {
+  const animation = new Animation({ controls: [], clip: null, timeCodes: [101, 148, 30] }, Float64Array.of());
+  assert.deepEqual(animation.range(new Map()), [101, 148]);
+  assert.equal(animation.rate, 30);
+});

@@ -139,6 +139,7 @@ def _character(arrays: _Arrays, rig: Rig, layout: Layout) -> Json:
         ],
         "baseWeights": _list(body.base_weights),
         "controls": _controls(rig.controls),
+        "timeCodes": rig.skel_root.time_codes,
         "clip": _clip(arrays, rig.skel_root.clip, rig.findings.issues),
         "layout": _layout(rig, layout),
     }
