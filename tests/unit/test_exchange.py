@@ -175,6 +175,15 @@ except RigUIError as error:
     assert alone(asset)
 
 
+def test_a_sweep_does_not_wait_for_a_pipe_of_such_a_name(asset):
+    pipe = temporaries.name_for_exchange(asset.with_name(".0123456789abcdef.rigui-tmp"), OLD, EDITED)
+    os.mkfifo(pipe)
+    signal.alarm(20)
+    temporaries.sweep(asset.parent)
+    signal.alarm(0)
+    assert pipe.exists()
+
+
 def test_an_interruption_after_the_exchange_gives_the_old_file_back(asset, monkeypatch):
     def interrupted(*_):
         raise KeyboardInterrupt

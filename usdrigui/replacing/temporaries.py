@@ -18,6 +18,8 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+from usdrigui.isolation.foreign_file import open_regular
+
 if sys.platform != "win32":
     import fcntl
 
@@ -72,7 +74,7 @@ def try_lock(place: Path) -> tuple[Path, int] | None:
 def remove(path: Path) -> None:
     """Remove a temporary, unless it holds what can be had nowhere else; raises OSError."""
     named = _NAME.fullmatch(path.name)
-    if named is not None and (named[1] is None or _digest(path.read_bytes()) in named.groups()):
+    if named is not None and (named[1] is None or _digest(_content(path)) in named.groups()):
         path.unlink()
 
 
@@ -126,6 +128,11 @@ def _is_at(descriptor: int, path: Path) -> bool:
         return os.path.samestat(os.fstat(descriptor), path.lstat())
     except FileNotFoundError:
         return False
+
+
+def _content(path: Path) -> bytes:
+    with open_regular(path) as stream:
+        return stream.read()
 
 
 def _digest(content: bytes) -> str:

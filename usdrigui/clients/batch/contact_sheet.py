@@ -10,6 +10,7 @@ from pathlib import Path
 from PIL import Image, ImageDraw
 
 from usdrigui.clients.batch.job import Row
+from usdrigui.isolation.foreign_file import whole_content
 from usdrigui.view.flat.lettering import font
 from usdrigui.view.picture import contact_sheet
 
@@ -31,7 +32,7 @@ def sheet_png(rows: Sequence[Row]) -> bytes:
 
 def _picture(row: Row) -> Image.Image:
     if row.sound and row.picture and Path(row.picture).is_file():
-        with Image.open(row.picture) as picture:
+        with Image.open(io.BytesIO(whole_content(row.picture, 64))) as picture:
             return picture.convert("RGB")
     page = Image.new("RGB", _EMPTY, _PAPER)
     text = "\n".join([row.code or "no picture", *textwrap.wrap(row.message, 70)[:5]])
