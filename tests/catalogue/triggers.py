@@ -25,7 +25,7 @@ import minimal_assets
 import numpy as np
 
 import usdrigui
-from usdrigui import pipeline, usd
+from usdrigui import pipeline, stages
 from usdrigui.cli import distributions, main, supervised
 from usdrigui.clients import blender_extension
 from usdrigui.clients.batch.run import run_on_dask
@@ -473,7 +473,7 @@ def _schema_gone(folder: Path, patch: Any) -> Found:
 
 def _no_usd(_: Path, patch: Any) -> Found:
     patch.setitem(sys.modules, "pxr", None)
-    return refused(usd.require_usd)
+    return refused(stages.require_usd)
 
 
 def _two_usds(folder: Path, patch: Any) -> Found:

@@ -21,8 +21,8 @@ from skel_stages import SIDE, add_animation, add_mesh, add_shape, add_skeleton, 
 from usdrigui.cli import main
 from usdrigui.errors import RigUIError, catalogue
 from usdrigui.isolation import record_stream
-from usdrigui.layer import author, faults
-from usdrigui.reader import reader_main
+from usdrigui.layer import author
+from usdrigui.reader import faults, reader_main
 from usdrigui.reader.reader_records import Limits, Request, Response
 from usdrigui.reading.clips import read_performances
 from usdrigui.settings import Settings, load

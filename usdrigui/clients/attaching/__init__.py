@@ -1,1 +1,5 @@
 """A layout among the sublayers or payloads of its asset: the one edit of a source."""
+
+from usdrigui.stages import require_usd
+
+__all__ = ["require_usd"]
