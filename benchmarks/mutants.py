@@ -1,6 +1,6 @@
 """Small faults put into the code one by one, and whether the tests of the file notice.
 
-    python benchmarks/mutants.py [--count 100] [--seed 0] [--within layout solve pose usd]
+    python benchmarks/mutants.py [--count 100] [--seed 0] [--within layout pipeline solve pose usd]
     [--record tests/unit tests/laws] [--reached FILE ...] [--seconds 60] [--json FILE]
 
 A mutant is one change of one expression: a number, a comparison, `+` for `-`, `max` for `min`, the
@@ -36,7 +36,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-PACKAGES = ("layout", "pose", "solve", "usd")
+PACKAGES = ("layout", "pipeline", "pose", "solve", "usd")
 RECORDED = ("tests/unit", "tests/laws")
 """Tests of whole commands reach everything and take long: they are recorded when asked for."""
 COMPARED = {ast.Lt: "<=", ast.LtE: "<", ast.Gt: ">=", ast.GtE: ">", ast.Eq: "!=", ast.NotEq: "=="}
