@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import contextlib
+import importlib
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -31,8 +32,22 @@ _OUT_OF_MEMORY = ("bad_alloc", "Cannot allocate memory", "Resource temporarily u
 QUESTION = Request
 
 
+_NEEDED = (
+    "usdrigui.layer.contradictions",
+    "usdrigui.layer.read_layout",
+    "usdrigui.layer.write_layout",
+    "usdrigui.reader.existing_layouts",
+    "usdrigui.reader.faults",
+    "usdrigui.reading.character",
+    "usdrigui.reading.clips",
+)
+"""Modules that the tasks import, and with them all that these do."""
+
+
 def load() -> None:
     """Import what the tasks need before the reader is confined: none of it is the asset's doing."""
+    for name in _NEEDED:
+        importlib.import_module(name)
 
 
 def answer(request: Request) -> Response:
