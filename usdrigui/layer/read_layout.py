@@ -486,7 +486,12 @@ def face_roles(mesh: Usd.Prim, count: int) -> NDArray[np.str_]:
     primvar = UsdGeom.PrimvarsAPI(mesh).GetPrimvar(schema.ROLE)
     if primvar and not isinstance(primvar.Get(), Vt.TokenArray):
         raise invalid(primvar.GetAttr(), "does not hold tokens")
-    roles = np.array(primvar.ComputeFlattened() if primvar else [], dtype=np.str_)
+    roles = np.array(list(primvar.Get()) if primvar else [], dtype=np.str_)
+    if primvar and primvar.IsIndexed():  # USD 24.11 does not flatten tokens
+        indices = np.array(primvar.GetIndices(), dtype=np.int64)
+        if ((indices < 0) | (indices >= len(roles))).any():
+            raise invalid(primvar.GetAttr(), "has indices beyond its values")
+        roles = roles[indices]
     if len(roles) not in (0, 1, count):
         raise invalid(primvar.GetAttr(), f"has {len(roles)} roles for {count} faces")
     return np.broadcast_to(roles, count) if len(roles) else np.full(count, "", dtype=np.str_)
