@@ -42,7 +42,7 @@ _EXACT, _FINE = 2e-6, 1e-3
 """Of the character's size, and of a handle's width, the less of both: the same for handles, which
 must be on the skin.  What is small beside its character, or beside a mesh that stands far away,
 needs its own measure."""
-_HAIR_STEP, _EXACT_STEP, _FINE_STEP = 0.05, 1e-6, 5e-4
+_HAIR_STEP, _EXACT_STEP, _FINE_STEP = 0.05, 3e-7, 5e-4
 """Of the same lengths: offsets and points are whole numbers of decimal steps below these, so that
 they are short to write."""
 _SIDES = 6
