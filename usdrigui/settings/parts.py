@@ -159,7 +159,7 @@ class ObjectiveSettings:
     distinctive_weight: float = 0.3
     off_face_penalty: float = 1.0
     off_face_allowed: bool = True
-    keep_penalty: float = 0.2
+    keep_penalty: float = 2.0
     terms: tuple[str, ...] = ()
     scene_units: bool = False
 
