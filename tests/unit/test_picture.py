@@ -20,9 +20,9 @@ from usdrigui.pipeline.joining import joined
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare, values_of
 from usdrigui.view import picture, sheet
 from usdrigui.view.body import shading
-from usdrigui.view.flat import framing, lettering, marks, names
+from usdrigui.view.flat import callouts, framing, lettering, marks
 from usdrigui.view.flat import scene as flat
-from usdrigui.view.flat.board import board
+from usdrigui.view.flat.columns import board
 from usdrigui.view.flat.pillow import painted
 from usdrigui.view.picture import Wanted, contact_sheet, render
 from usdrigui.view.sections import sections
@@ -159,7 +159,7 @@ def test_words_can_be_read_on_every_ground():
     ],
 )
 def test_names_leave_out_what_their_family_shares(given, short):
-    assert names.shortened(given) == short
+    assert callouts.shortened(given) == short
 
 
 def test_a_frame_holds_the_elements_and_the_head_near_them_but_no_arm():
@@ -387,10 +387,10 @@ def test_a_body_with_collapsed_and_missing_points_is_still_drawn(rig):
 
 
 def test_rows_of_names_never_touch():
-    rows = names.spread(np.sort(np.random.default_rng(2).normal(100, 3, 12)), 10.0, 0.0, 300.0)
+    rows = callouts.spread(np.sort(np.random.default_rng(2).normal(100, 3, 12)), 10.0, 0.0, 300.0)
     assert np.diff(rows).min() >= 10.0 - 1e-9
     assert abs(rows.mean() - 100) < 3
-    assert names.spread(np.array([5.0, 200.0]), 10.0, 0.0, 300.0) == pytest.approx([5.0, 200.0])
+    assert callouts.spread(np.array([5.0, 200.0]), 10.0, 0.0, 300.0) == pytest.approx([5.0, 200.0])
 
 
 def test_several_characters_are_each_named_once(rig, layout, front, monkeypatch):
@@ -431,9 +431,8 @@ def test_leader_lines_cross_no_other_and_no_name(count):
     """Handles in a crowd, in rows closer than those of their names, and names of every length."""
     random = np.random.default_rng(7)
     places = random.uniform([250.0, 20.0], [550.0, 180.0], (count, 2))
-    shown = [flat.Mark("slider", BLUE, place, 4.0) for place in places]
     texts = ["n" * random.integers(1, 30) for _ in range(count)]
-    labels, leaders = names.called_out(shown, texts, (800, 600))
+    labels, leaders = callouts.called_out(places, texts, (800, 600))
     assert sorted(label.text for label in labels) == sorted(texts)
     assert {tuple(line[-1]) for line in leaders} == set(map(tuple, places))
     for anchor in "lr":

@@ -17,7 +17,7 @@ from viewer_layouts import peak_layout
 
 from usdrigui.errors import RigUIError
 from usdrigui.layout.board.board import CATEGORIES
-from usdrigui.view.flat.board import heading
+from usdrigui.view.flat.columns import heading
 from usdrigui.view.web.packing import pack
 from usdrigui.view.web.page import page_html
 

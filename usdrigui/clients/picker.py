@@ -19,8 +19,8 @@ from usdrigui.model import Element, Layout
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.view.body.complexion import complexion
 from usdrigui.view.body.shading import Camera, Subject, look, subject_of
+from usdrigui.view.flat.callouts import called_out, column_width, shortened
 from usdrigui.view.flat.framing import framed
-from usdrigui.view.flat.names import called_out, column_width, shortened
 from usdrigui.view.flat.pillow import painted
 from usdrigui.view.flat.scene import Label, Mark, Page, Panel, stacked
 from usdrigui.view.flat.svg import png
@@ -144,7 +144,8 @@ def _panel(section: Section, subject: Subject, rows: Floats, labels: bool) -> Pa
     column = column_width(names)
     size = (width + 2 * column, height)
     marks = _apart(marks_of(layout, posed, placed, camera), np.array([column, 0.0]))
-    called = called_out(marks[: len(names)], names, size)
+    handles = np.array([mark.handle for mark in marks[: len(names)]]).reshape(-1, 2)
+    called = called_out(handles, names, size)
     picture = body(subject, camera)[0]
     picture.putalpha(picture.getchannel("A").point([round(_VEIL * a) for a in range(256)]))
     return Panel((0, 0), size, picture, tuple(marks), *called)

@@ -11,7 +11,7 @@ from usdrigui.character import Floats
 from usdrigui.model import Layout
 from usdrigui.pose.evaluate import PosedLayout
 from usdrigui.view.body.shading import Camera, Subject, encoded, look, shade
-from usdrigui.view.flat.board import RADIUS, board
+from usdrigui.view.flat.columns import RADIUS, board
 from usdrigui.view.flat.marks import mark
 from usdrigui.view.flat.scene import Mark, Panel
 from usdrigui.view.sections import Section

@@ -20,10 +20,10 @@ from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.view import directions
 from usdrigui.view.body.complexion import complexion
 from usdrigui.view.body.shading import Subject, look, subject_of
+from usdrigui.view.flat.callouts import called_out, column_width, shortened
 from usdrigui.view.flat.framing import Frame, View, crowds, framed, row
 from usdrigui.view.flat.lettering import cut, font, legible, width_of
 from usdrigui.view.flat.marks import FORMS, colour_of, form_of
-from usdrigui.view.flat.names import called_out, column_width, shortened
 from usdrigui.view.flat.pillow import painted
 from usdrigui.view.flat.scene import INK, PAPER, QUIET, Label, Mark, Page, Panel, stacked
 from usdrigui.view.panels import board_of, body, marks_of, on_character
@@ -289,7 +289,8 @@ def _panel(section: Section, subject: Subject, view: View) -> Panel:
     size = (camera.width + 2 * frame.column, camera.height)
     names = dict(frame.names)
     called = [(mark, names[i]) for i, mark in zip(frame.shown, marks, strict=True) if i in names]
-    labels, leaders = called_out([mark for mark, _ in called], [name for _, name in called], size)
+    handles = np.array([mark.handle for mark, _ in called]).reshape(-1, 2)
+    labels, leaders = called_out(handles, [name for _, name in called], size)
     return Panel(view.corner, size, picture, tuple(marks), labels, leaders)
 
 

@@ -68,7 +68,8 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     """
     regions = joint_regions(rig, found)
     whole = settings.layout.candidates.global_coverage
-    tell = _Names(rig, found, regions, whole).of if regions is not None else _face
+    # Where the skeleton has no parts all is the face.
+    tell = (lambda *_: FACE) if regions is None else _Names(rig, found, regions, whole).of
     names = {each.control: tell(rig.controls[each.control], each) for each in found.motions}
     if settings.layout.candidates.conventions:
         names |= dict.fromkeys(_inside_mouth(rig.controls, names), INTERIOR)
@@ -88,12 +89,6 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     main = main_part(known)
     left_out = {control: name if name in known else main for control, name in left_out.items()}
     return tuple(Part(name, _named(names, name), _named(left_out, name)) for name in known)
-
-
-def _face(control: Control, motion: Motion) -> str:
-    """The part of a control where the skeleton has no parts."""
-    del control, motion
-    return FACE
 
 
 def _inside_mouth(controls: tuple[Control, ...], names: Mapping[int, str]) -> list[int]:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.character import Body, Control, Floats, Indices, Rig, RigMesh
+from usdrigui.character import Body, Control, Drive, Floats, Indices, Rig, RigMesh
 from usdrigui.errors import (
     Faults,
     Issue,
@@ -136,7 +136,7 @@ def review(
 def not_animated(rig: Rig, layout: Layout) -> Iterator[Issue]:
     """LAYOUT_NOT_ANIMATED for each element with controls that nothing moves, as no SkelAnimation
     that is bound has their weights or joints; one for the character where it has none at all."""
-    still = {control.name for control in rig.controls if not _animated(rig.body, control)}
+    still = {control.name for control in rig.controls if not _animated(rig.body, control.drive)}
     if still and len(still) == len(rig.controls):
         where = layout.character.root
         what = f"no SkelAnimation that is bound has any of its {len(still)} controls"
@@ -148,9 +148,9 @@ def not_animated(rig: Rig, layout: Layout) -> Iterator[Issue]:
             yield issue("LAYOUT_NOT_ANIMATED", element.name, what)
 
 
-def _animated(body: Body, control: Control) -> bool:
-    animations = [body.channels[index].animation for index in control.drive.channels]
-    joints = [body.joints[index] for index in control.drive.joints]
+def _animated(body: Body, drive: Drive) -> bool:
+    animations = [body.channels[index].animation for index in drive.channels]
+    joints = [body.joints[index] for index in drive.joints]
     return all([*animations, *(body.skeletons[joint.skeleton].animation for joint in joints)])
 
 

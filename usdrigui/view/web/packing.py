@@ -43,9 +43,9 @@ from usdrigui.settings import OutputSettings
 from usdrigui.view.body.complexion import complexion
 from usdrigui.view.body.shading import EYE, IRIS, PUPIL, Complexion, encoded
 from usdrigui.view.clip import ClipReading, reading
-from usdrigui.view.flat.board import heading, rank
+from usdrigui.view.flat.callouts import shortened
+from usdrigui.view.flat.columns import heading, rank
 from usdrigui.view.flat.framing import SURROUNDINGS
-from usdrigui.view.flat.names import shortened
 from usdrigui.view.sections import main_layout, sections
 
 Json = dict[str, Any]

@@ -10,8 +10,8 @@ import numpy as np
 from usdrigui.character import Floats
 from usdrigui.layout.board.board import CATEGORIES
 from usdrigui.model import Element
+from usdrigui.view.flat.callouts import LARGEST, shortened
 from usdrigui.view.flat.lettering import cut, width_of
-from usdrigui.view.flat.names import LARGEST, shortened
 from usdrigui.view.flat.scene import QUIET, Label, Mark, Panel
 
 _HEADINGS = {

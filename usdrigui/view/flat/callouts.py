@@ -1,4 +1,4 @@
-"""Names of elements beside a character: short ones in rows, with a line to each handle."""
+"""Callouts: names beside a character, short ones in rows, with a line to each handle."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from scipy.optimize import linear_sum_assignment
 
 from usdrigui.character import Floats
 from usdrigui.view.flat.lettering import cut, width_of
-from usdrigui.view.flat.scene import Label, Mark
+from usdrigui.view.flat.scene import Label
 
 LARGEST, LEAST = 12, 7
 """Sizes of names."""
@@ -58,25 +58,25 @@ def column_width(names: Sequence[str]) -> int:
 
 
 def called_out(
-    marks: Sequence[Mark], names: Sequence[str], size: tuple[int, int]
+    handles: Floats, names: Sequence[str], size: tuple[int, int]
 ) -> tuple[tuple[Label, ...], tuple[Floats, ...]]:
-    """The names of marks in columns at the left and right edge of a panel, each with a line to its
-    handle; no line crosses another of its column."""
+    """The names of handles (n, 2) in columns at the left and right edge of a panel, each with a
+    line to its handle; no line crosses another of its column."""
     labels: list[Label] = []
     leaders: list[Floats] = []
-    for indices, left in zip(_columns(marks, names), (True, False), strict=True):
+    for indices, left in zip(_columns(handles, names), (True, False), strict=True):
         if indices:
-            column = _column([marks[i] for i in indices], [names[i] for i in indices], size, left)
+            column = _column(handles[indices], [names[i] for i in indices], size, left)
             labels += column[0]
             leaders += column[1]
     return tuple(labels), tuple(leaders)
 
 
-def _columns(marks: Sequence[Mark], names: Sequence[str]) -> tuple[list[int], list[int]]:
+def _columns(handles: Floats, names: Sequence[str]) -> tuple[list[int], list[int]]:
     """Indices of what is named on the left, and on the right, from above."""
-    across = [float(mark.handle[0]) for mark in marks]
+    across, heights = handles.T.tolist()
     centre = float(np.median(across)) if across else 0.0
-    ordered = sorted(range(len(marks)), key=lambda index: (across[index], names[index]))
+    ordered = sorted(range(len(names)), key=lambda index: (across[index], names[index]))
     left = [index for index in ordered if across[index] < centre]
     right = ordered[len(left) :]
     # A crowded middle must not fill one column while the other stands empty.
@@ -84,19 +84,18 @@ def _columns(marks: Sequence[Mark], names: Sequence[str]) -> tuple[list[int], li
         left.append(right.pop(0))
 
     def height(index: int) -> tuple[float, str]:
-        return float(marks[index].handle[1]), names[index]
+        return heights[index], names[index]
 
     return sorted(left, key=height), sorted(right, key=height)
 
 
 def _column(
-    marks: Sequence[Mark], names: Sequence[str], size: tuple[int, int], left: bool
+    handles: Floats, names: Sequence[str], size: tuple[int, int], left: bool
 ) -> tuple[list[Label], list[Floats]]:
     """The names at one edge; their lines leave it at one upright, level with the name, and run
     straight from there."""
-    pitch = min((size[1] - 16.0) / len(marks), 2.0 * LARGEST)
+    pitch = min((size[1] - 16.0) / len(names), 2.0 * LARGEST)
     text_size = int(np.clip(pitch - 2.0, LEAST, LARGEST))
-    handles = np.array([mark.handle for mark in marks])
     rows = spread(handles[:, 1], pitch, 8.0, size[1] - 8.0)
     texts = [cut(name, text_size, _MAX_WIDTH) for name in names]
     lengths = [width_of(text, text_size) for text in texts]
