@@ -61,9 +61,9 @@ def compare(layer: Path, options: argparse.Namespace) -> None:
         stages["old"] = (options.against / layer.name, "")
     stages |= {"none": (layer, "none"), "ui": (layer, "ui")}
     with tempfile.TemporaryDirectory() as folder:
-        attached = with_payload(layer, Path(folder))
-        payloads = {"p none": (attached, "none"), "p ui": (attached, "ui")}
-        found = measured(stages | payloads, options)
+        attached = with_layer_in_variant(layer, Path(folder))
+        shots = {"p none": (attached, "none"), "p ui": (attached, "ui")}
+        found = measured(stages | shots, options)
     for name in found[0]:
         path, _ = stages[name.removeprefix("p ")]
         size = len(Sdf.Layer.FindOrOpen(str(path)).ExportToString())
@@ -128,8 +128,8 @@ def measured(
     return [{name: np.array(each[1:]) for name, each in taken.items()} for taken in found]
 
 
-def with_payload(layer: Path, folder: Path) -> Path:
-    """A copy of the source with the layer attached as a payload."""
+def with_layer_in_variant(layer: Path, folder: Path) -> Path:
+    """A copy of the source with the layer attached in its variant."""
     source = source_of(layer)
     needed, _, _ = UsdUtils.ComputeAllDependencies(str(source))
     for each in needed:
@@ -139,7 +139,7 @@ def with_payload(layer: Path, folder: Path) -> Path:
     bare = Sdf.Layer.OpenAsAnonymous(str(layer))
     bare.subLayerPaths.clear()
     bare.Export(str(folder / "bare.usdc"))
-    attach(folder / source.name, folder / "bare.usdc", Settings(), payload=True)
+    attach(folder / source.name, folder / "bare.usdc", Settings(), in_variant=True)
     return folder / source.name
 
 

@@ -307,10 +307,10 @@ def _switched_off(folder: Path) -> Path:
     return found
 
 
-def _attached(made: Callable[[Path], Path], name: str = "char.usda", *, payload: bool = False) -> Trigger:
+def _attached(made: Callable[[Path], Path], name: str = "char.usda", *, in_variant: bool = False) -> Trigger:
     from usdrigui.clients.attaching.attach import attach
 
-    return lambda folder, _: refused(lambda: attach(folder / name, made(folder), Settings(), payload=payload))
+    return lambda folder, _: refused(lambda: attach(folder / name, made(folder), Settings(), in_variant=in_variant))
 
 
 def _gone_when_attached(folder: Path, _: Any) -> Found:
@@ -702,7 +702,7 @@ TRIGGERS: Mapping[str, Trigger] = {
     "ATTACH_CONTROLS_GONE": _gone_when_attached,
     "ATTACH_CYCLE": _attached(_laid_out),
     "ATTACH_NOT_BARE": _attached(_over_another),
-    "ATTACH_OUTSIDE": _attached(_beyond_its_root, payload=True),
+    "ATTACH_OUTSIDE": _attached(_beyond_its_root, in_variant=True),
     "BATCH_NO_MATCH": lambda folder, _: command("batch", folder / "*.usda"),
     "BATCH_TIME_LIMIT": _job("exec sleep 60", 0.2),
     "BATCH_KILLED": _job("kill -KILL $$"),

@@ -1,5 +1,6 @@
 """`usdrigui attach` and `detach`: the one edit of an asset, and everything that they refuse."""
 
+import json
 import os
 import re
 import shutil
@@ -7,12 +8,12 @@ import time
 
 import pytest
 import skinned_stages
-from pxr import Sdf, Usd, UsdUtils
+from pxr import Sdf, Usd, UsdGeom, UsdUtils
 
 from usdrigui.cli import main
 from usdrigui.clients.attaching import attach as edit
 from usdrigui.clients.attaching.attach import attach, detach, write_bare
-from usdrigui.clients.attaching.layer_text import PayloadOf, with_payloads, with_sublayer
+from usdrigui.clients.attaching.layer_text import ReferenceOf, with_references, with_sublayer
 from usdrigui.errors import RigUIError
 from usdrigui.settings import Settings
 
@@ -33,10 +34,10 @@ def folder(laid_out, tmp_path):
     return tmp_path / "asset"
 
 
-def refusal(asset, layer, *, payload=False):
+def refusal(asset, layer, *, in_variant=False):
     before = asset.read_bytes() if asset.is_file() else b""
     with pytest.raises(RigUIError) as caught:
-        attach(asset, layer, Settings(), payload=payload)
+        attach(asset, layer, Settings(), in_variant=in_variant)
     assert (asset.read_bytes() if asset.is_file() else b"") == before
     return caught.value.issue.code
 
@@ -122,39 +123,50 @@ TEXTS_OF_PRIMS = {
 
 
 @pytest.mark.parametrize("text", TEXTS_OF_PRIMS.values(), ids=TEXTS_OF_PRIMS.keys())
-def test_a_payload_is_opened_with_its_variant_alone_and_leaves_no_trace(folder, text):
+def test_a_layout_in_a_variant_is_opened_with_it_alone_and_leaves_no_trace(folder, text):
     asset, bare = reworded(folder, text), folder / "ui" / "bare.usda"
-    assert attach(asset, bare, Settings(), payload=True) == "written"
-    assert attach(asset, bare, Settings(), payload=True) == "unchanged"
+    assert attach(asset, bare, Settings(), in_variant=True) == "written"
+    assert attach(asset, bare, Settings(), in_variant=True) == "unchanged"
     assert all(line.strip() in asset.read_text() for line in text.splitlines())
-    stage = Usd.Stage.Open(str(asset))
-    assert str(bare) in [each.realPath for each in stage.GetUsedLayers()]
-    assert stage.GetPrimAtPath("/World/Char/RigUI")
-    stage.GetPrimAtPath("/World/Char").GetVariantSet("rigUI").SetVariantSelection("none")
-    assert not stage.GetPrimAtPath("/World/Char/RigUI")
-    assert str(bare) not in [each.realPath for each in stage.GetUsedLayers()]
+    for load in (Usd.Stage.LoadAll, Usd.Stage.LoadNone):
+        stage = Usd.Stage.Open(str(asset), load)
+        stage.SetEditTarget(stage.GetSessionLayer())
+        character = stage.GetPrimAtPath("/World/Char")
+        drawn = [prim for prim in stage.Traverse() if prim.IsA(UsdGeom.Mesh)]
+        assert drawn
+        assert not character.GetChild("RigUI")
+        assert str(bare) not in [each.realPath for each in stage.GetUsedLayers()]
+        character.GetVariantSet("rigUI").SetVariantSelection("ui")
+        assert character.GetChild("RigUI")
+        assert all(mesh.IsValid() and mesh.IsLoaded() for mesh in drawn)
+        assert len([prim for prim in stage.Traverse() if prim.IsA(UsdGeom.Mesh)]) > len(drawn)
     bare.unlink()
     assert detach(asset, bare, Settings()) == "written"
     assert asset.read_text() == text
 
 
-def test_a_payload_of_a_crate_leaves_no_trace(folder):
+def test_a_layout_in_a_variant_of_a_crate_leaves_no_trace(folder, capsys):
     asset, bare = folder / "crate.usdc", folder / "ui" / "bare.usda"
     Sdf.Layer.OpenAsAnonymous(str(folder / "char.usda")).Export(str(asset))
     before = Sdf.Layer.OpenAsAnonymous(str(asset)).ExportToString()
-    attach(asset, bare, Settings(), payload=True)
+    attach(asset, bare, Settings(), in_variant=True)
     assert asset.read_bytes().startswith(b"PXR-USDC")
-    assert main(["check", str(asset), "--strict", "--quiet"]) == 0
+    for command in (["check", "--strict"], ["check", "--strict", "--variant", "rigUI=ui"]):
+        assert main([*command, str(asset), "--json"]) == 0
+        codes = [each["code"] for each in json.loads(capsys.readouterr().out)["issues"]]
+        assert ("LAYOUT_OFF" in codes) == ("--variant" not in command)
+    assert main(["process", str(asset), "--quiet"]) == 1
+    assert "SOURCE_HAS_LAYOUT" in capsys.readouterr().err
     assert main(["process", str(asset), "--bare", "-o", str(bare), "--quiet"]) == 0
     detach(asset, bare, Settings())
     assert Sdf.Layer.OpenAsAnonymous(str(asset)).ExportToString() == before
 
 
-def test_refuses_payloads_that_would_miss_what_they_refer_to(folder):
+def test_refuses_layouts_in_variants_that_would_miss_what_they_refer_to(folder):
     bare = folder / "ui" / "bare.usda"
     text = bare.read_text()
     bare.write_text(re.sub("(rel rigUI:layout:skeleton = )<[^>]*>", r"\1</World/Bones>", text))
-    assert refusal(folder / "char.usda", bare, payload=True) == "ATTACH_OUTSIDE"
+    assert refusal(folder / "char.usda", bare, in_variant=True) == "ATTACH_OUTSIDE"
 
 
 def test_the_time_of_an_edit_grows_with_the_text_alone():
@@ -164,7 +176,7 @@ def test_the_time_of_an_edit_grows_with_the_text_alone():
         text = f'#usda 1.0\n(\n{chr(10) * lines}    defaultPrim = "Char"\n)\n{chr(10) * lines}'
         before = time.process_time()
         assert "@./ui.usda@" in with_sublayer(text, "./ui.usda")
-        assert "@./ui.usda@" in with_payloads(text, [PayloadOf("/Char", "./ui.usda")])
+        assert "@./ui.usda@" in with_references(text, [ReferenceOf("/Char", "./ui.usda")])
         return time.process_time() - before
 
     short, long = (min(seconds(lines) for _ in range(3)) for lines in (20_000, 80_000))

@@ -151,7 +151,7 @@ def diff(arguments: argparse.Namespace) -> Exit:
 
 
 def attach(arguments: argparse.Namespace) -> Exit:
-    """Put a bare layout layer among the sublayers or payloads of the asset itself."""
+    """Put a bare layout layer among the sublayers of the asset itself, or in a variant of it."""
     from usdrigui.clients.attaching.attach import attach
 
     issues: list[Issue] = []
@@ -160,7 +160,7 @@ def attach(arguments: argparse.Namespace) -> Exit:
         arguments.layer,
         settings_of(arguments),
         issues.append,
-        payload=arguments.payload,
+        in_variant=arguments.payload,
     )
     return _edited(state, "is attached", issues, arguments)
 

@@ -104,6 +104,11 @@ def switched_off(stage: Usd.Stage) -> dict[str, list[str]]:
     return off
 
 
+def roots_off(stage: Usd.Stage) -> tuple[str, ...]:
+    """The same prims, whichever variant is selected."""
+    return tuple(path for paths in switched_off(stage).values() for path in paths)
+
+
 def with_corrections(stage: Usd.Stage, layouts: tuple[Layout, ...]) -> tuple[Layout, ...]:
     """The layouts of a stage; opinions of stronger layers on elements are decisions of a person.
 

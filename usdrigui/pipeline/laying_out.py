@@ -352,12 +352,9 @@ def _check_character(
     if any(os.path.realpath(target) == each.path for each in source.sources):
         raise refuse("ATTACH_CYCLE", str(target), f"is a part of {asset}")
     for rig in source.rigs:
-        if rig.skel_root.path in source.composed_from and not over_base:
-            raise refuse(
-                "SOURCE_HAS_LAYOUT",
-                rig.skel_root.path,
-                f"{asset} brings in its layout from {source.composed_from[rig.skel_root.path]}",
-            )
+        inside = source.layout_inside(rig.skel_root.path)
+        if inside and not over_base:
+            raise refuse("SOURCE_HAS_LAYOUT", rig.skel_root.path, f"{asset} {inside}")
 
 
 def _check_base(reading: AssetReading, target: Path) -> None:

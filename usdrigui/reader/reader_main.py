@@ -82,7 +82,7 @@ def answer(request: Request) -> Response:
 
 
 def _rigs(path: Path, settings: Settings) -> ReadResult:
-    from usdrigui.layer.read_layout import composed_layouts, own_layouts, source_of
+    from usdrigui.layer.read_layout import composed_layouts, own_layouts, roots_off, source_of
     from usdrigui.layer.write_layout import stage_metadata
     from usdrigui.reading.character import read_characters
     from usdrigui.stages.variants import variant_path
@@ -113,6 +113,7 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
             layouts,
             below,
             composed_layouts(stage),
+            roots_off(stage),
             paths,
             config_faults=_as_text(found.faults.issues),
         )

@@ -66,6 +66,8 @@ class ReadResult(Record):
     """The asset that such a root layer sublayers; empty if it has none."""
     composed_from: Mapping[str, str] = field(default_factory=dict)
     """By SkelRoot, the file of the layout that another layer of it brings in."""
+    switched_off: tuple[str, ...] = ()
+    """SkelRoots with a layout that the variant selected leaves out."""
     variant_paths: Mapping[str, str] = field(default_factory=dict)
     """By SkelRoot, its path with all variants that are selected there and above."""
     without_layout: tuple[Issue, ...] = ()
@@ -79,6 +81,12 @@ class ReadResult(Record):
     """By SkelRoot, the names of the controls that its layout knows, with and without an element."""
     config_faults: tuple[Issue, ...] = ()
     """Errors of the configuration that only the asset shows."""
+
+    def layout_inside(self, root: str) -> str:
+        """Where the asset itself has a layout of a SkelRoot, as a predicate; empty if nowhere."""
+        if root in self.composed_from:
+            return f"brings in its layout from {self.composed_from[root]}"
+        return "has its layout in the variant rigUI" if root in self.switched_off else ""
 
 
 @dataclass(frozen=True, eq=False)

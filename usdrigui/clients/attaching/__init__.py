@@ -1,4 +1,4 @@
-"""A layout among the sublayers or payloads of its asset: the one edit of a source."""
+"""A layout among the sublayers or references of its asset: the one edit of a source."""
 
 from usdrigui.stages import require_usd
 

@@ -1,11 +1,11 @@
 """The one place that edits an asset, and only when asked to: the layout among the asset's own
-sublayers or payloads.
+sublayers, or referenced in a variant of its own.
 
 `attach` puts a bare layout layer first among the sublayers of the asset's root layer, or makes it
-a payload (`usdrigui.clients.attaching.payloads`); `detach` takes it out again.  Both write through
-`usdrigui.replacing.exchange`, after the edited file has been read back in a process of its own.  A
-text layer is edited in place of one entry, so that comments and layout of the text stay; if the
-edited text does not mean exactly what the edited layer means, the layer is exported instead.
+a reference (`usdrigui.clients.attaching.references`); `detach` takes it out again.  Both write
+through `usdrigui.replacing.exchange`, after the edited file has been read back in a process of its
+own.  A text layer is edited in place of one entry, so that comments and layout of the text stay; if
+the edited text does not mean exactly what the edited layer means, the layer is exported instead.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from typing import Literal
 from pxr import Sdf
 
 from usdrigui.character import Rig
-from usdrigui.clients.attaching import layer_text, payloads
+from usdrigui.clients.attaching import layer_text, references
 from usdrigui.errors import Issue, RigUIError, issue, listed, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_source
 from usdrigui.layer.write_layout import layer_bytes, relative_asset_path
@@ -34,6 +34,7 @@ from usdrigui.reader.reader_records import Opening
 from usdrigui.replacing.exchange import Original, editing, replace_source
 from usdrigui.replacing.transaction import commit, same_file
 from usdrigui.settings import Settings, with_sections
+from usdrigui.stages import schema
 from usdrigui.stages.opening import open_layer
 from usdrigui.stages.variant_paths import asset_selections
 
@@ -54,26 +55,27 @@ def attach(
     settings: Settings,
     tell: Callable[[Issue], None] | None = None,
     *,
-    payload: bool = False,
+    in_variant: bool = False,
 ) -> Outcome:
-    """Make the bare layout `layer` the strongest sublayer of the root layer of `asset`; or, with
-    `payload`, one that is opened where the variant ``rigUI = ui`` of the SkelRoot is selected.
+    """Make the bare layout `layer` the strongest sublayer of the root layer of `asset`; or,
+    `in_variant`, a reference that is opened where the variant ``rigUI = ui`` of the SkelRoot is
+    selected, which the asset itself does not.
 
     `tell` is called with ATTACH_CONTROLS_GONE for a character that lacks controls of its layout.
 
     Raises RigUIError: ATTACH_PACKAGE (a usdz), ATTACH_LINK (a symbolic link), ATTACH_NOT_BARE,
-    ATTACH_CYCLE, ATTACH_MISMATCH (of another character), ATTACH_OUTSIDE (a payload cannot bring
+    ATTACH_CYCLE, ATTACH_MISMATCH (of another character), ATTACH_OUTSIDE (a reference cannot bring
     it), LAYOUT_MISSING, SOURCE_HAS_LAYOUT, and all that reading and
     `usdrigui.replacing.exchange` can raise.  Then nothing has been written.  A layout in a
     variant is attached whichever the asset selects.
     """
     _check_editable(asset, settings.rig.read.size_limit)
     with editing(asset, settings.rig.read.time_limit):
-        return _attached(asset, layer, settings, tell or (lambda _: None), payload)
+        return _attached(asset, layer, settings, tell or (lambda _: None), in_variant)
 
 
 def detach(asset: Path, layer: Path, settings: Settings) -> Outcome:
-    """Take `layer`, which need not exist any more, out of the sublayers and payloads of the root
+    """Take `layer`, which need not exist any more, out of the sublayers and references of the root
     layer of `asset`.
 
     The other sublayers and their offsets stay as they are.  Raises ATTACH_PACKAGE, ATTACH_LINK and
@@ -100,7 +102,7 @@ def write_bare(layer: Path, target: Path) -> Outcome:
 
 
 def _attached(
-    asset: Path, layer: Path, settings: Settings, tell: Callable[[Issue], None], payload: bool
+    asset: Path, layer: Path, settings: Settings, tell: Callable[[Issue], None], in_variant: bool
 ) -> Outcome:
     before = check_source(asset, settings.rig.read.size_limit)
     layouts = _layouts(asset, layer, Opening.of(settings.rig.read))
@@ -116,13 +118,13 @@ def _attached(
         return "unchanged"
     roots = [layout.character.root for layout in layouts]
     for root in roots:
-        if root in read.composed_from:
-            raise refuse(
-                "SOURCE_HAS_LAYOUT",
-                root,
-                f"{asset} brings in its layout from {read.composed_from[root]}",
-            )
-    edit = _payloads(asset, layer, layouts) if payload else _sublayer(asset, layer)
+        inside = read.layout_inside(root)
+        if inside:
+            raise refuse("SOURCE_HAS_LAYOUT", root, f"{asset} {inside}")
+    edit = _sublayer(asset, layer)
+    if in_variant:
+        edit = _references(asset, layer, layouts)
+        opening = replace(opening, variants={**opening.variants, schema.VARIANTS: schema.WITH})
     verify = functools.partial(_holds_layouts, roots, opening)
     return _replaced(asset, source, before, verify, edit)
 
@@ -135,18 +137,18 @@ def _sublayer(asset: Path, layer: Path) -> _Edit:
     )
 
 
-def _payloads(asset: Path, layer: Path, layouts: Sequence[Layout]) -> _Edit:
+def _references(asset: Path, layer: Path, layouts: Sequence[Layout]) -> _Edit:
     opened, entry = open_layer(layer), relative_asset_path(layer, asset)
     for layout in layouts:
         own = layout.character
-        payloads.check_reachable(layer, opened, own.variant_path, own.root)
+        references.check_reachable(layer, opened, own.variant_path, own.root)
     wanted = tuple(
-        layer_text.PayloadOf(root, entry)
+        layer_text.ReferenceOf(root, entry)
         for root in dict.fromkeys(each.character.root for each in layouts)
     )
     return _Edit(
-        functools.partial(payloads.add, payloads=wanted),
-        functools.partial(layer_text.with_payloads, payloads=wanted),
+        functools.partial(references.add, references=wanted),
+        functools.partial(layer_text.with_references, references=wanted),
     )
 
 
@@ -209,10 +211,10 @@ def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:
 
     def of_layer(edited: Sdf.Layer) -> None:
         _edit(edited, "", sublayers)
-        payloads.remove(edited, inside)
+        references.remove(edited, inside)
 
     def of_text(text: str) -> str:
-        return layer_text.without_payloads(layer_text.without_sublayers(text, sublayers), inside)
+        return layer_text.without_references(layer_text.without_sublayers(text, sublayers), inside)
 
     verify = functools.partial(_readable, settings)
     return _replaced(asset, source, before, verify, _Edit(of_layer, of_text))
@@ -220,10 +222,10 @@ def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:
 
 def _entries(
     asset: Path, source: Sdf.Layer, layer: Path
-) -> tuple[Sequence[str], Sequence[layer_text.PayloadOf]]:
-    """The sublayers and the payloads of a root layer that are `layer`."""
+) -> tuple[Sequence[str], Sequence[layer_text.ReferenceOf]]:
+    """The sublayers and the references of a root layer that are `layer`."""
     leads = functools.partial(_leads_to, asset, layer=layer)
-    return [each for each in source.subLayerPaths if leads(each)], payloads.payloads_of(
+    return [each for each in source.subLayerPaths if leads(each)], references.references_of(
         source, leads
     )
 

@@ -1,4 +1,5 @@
-"""The text of an asset's root layer with a sublayer or payloads more or less; all other bytes stay.
+"""The text of an asset's root layer with a sublayer or references more or less; all other bytes
+stay.
 
 Whoever edits a text so has edited its layer by Sdf before, and uses the text only if both mean the
 same (`means`).
@@ -20,16 +21,16 @@ _ENTRY = "\n        @{path}@,"
 """What one with sublayers gets before the first of them."""
 _SELECTION = """
 {indent}    variants = {{
-{indent}        string rigUI = "ui"
+{indent}        string rigUI = "none"
 {indent}    }}
 {indent}    prepend variantSets = "rigUI\""""
-"""What the metadata of a SkelRoot with a payload get."""
+"""What the metadata of a SkelRoot with a reference get."""
 _VARIANTS = """
 {indent}    variantSet "rigUI" = {{
 {indent}        "none" {{
 {indent}        }}
 {indent}        "ui" (
-{indent}            prepend payload = @{path}@<{root}>
+{indent}            prepend references = @{path}@<{root}>
 {indent}        ) {{
 {indent}        }}
 {indent}    }}"""
@@ -45,12 +46,12 @@ _TOKEN = re.compile(
 
 
 @dataclass(frozen=True)
-class PayloadOf:
-    """A payload in the variant ``rigUI = ui`` of a SkelRoot."""
+class ReferenceOf:
+    """A reference in the variant ``rigUI = ui`` of a SkelRoot."""
 
     root: str
     path: str
-    """The payload as text of the asset's root layer."""
+    """The reference as text of the asset's root layer."""
 
     @property
     def names(self) -> list[str]:
@@ -99,27 +100,27 @@ def without_sublayers(text: str, paths: Sequence[str]) -> str:
     return text
 
 
-def with_payloads(text: str, payloads: Sequence[PayloadOf]) -> str:
-    """The text of a layer with the payloads, as `payloads.add` authors them."""
-    for payload in payloads:
-        spans, end = _spans(text, payload.names)
-        if len(spans) < len(payload.names):
+def with_references(text: str, references: Sequence[ReferenceOf]) -> str:
+    """The text of a layer with the references, as `references.add` authors them."""
+    for reference in references:
+        spans, end = _spans(text, reference.names)
+        if len(spans) < len(reference.names):
             end = len(text[:end].rstrip(" ")) if spans else end
-            text = _inserted(text, end, _overs(payload, len(spans)))
+            text = _inserted(text, end, _overs(reference, len(spans)))
             continue
-        for place, piece in _pieces(text, spans[-1], payload, added=True):
+        for place, piece in _pieces(text, spans[-1], reference, added=True):
             text = _inserted(text, place, piece)
     return text
 
 
-def without_payloads(text: str, payloads: Sequence[PayloadOf]) -> str:
-    """The text without what `with_payloads` added."""
-    for payload in payloads:
-        overs = (_overs(payload, known) for known in range(len(payload.names)))
+def without_references(text: str, references: Sequence[ReferenceOf]) -> str:
+    """The text without what `with_references` added."""
+    for reference in references:
+        overs = (_overs(reference, known) for known in range(len(reference.names)))
         text = text.replace(next((piece for piece in overs if piece in text), ""), "", 1)
-        spans, _ = _spans(text, payload.names)
-        if len(spans) == len(payload.names):
-            for place, piece in _pieces(text, spans[-1], payload, added=False):
+        spans, _ = _spans(text, reference.names)
+        if len(spans) == len(reference.names):
+            for place, piece in _pieces(text, spans[-1], reference, added=False):
                 text = text[:place] + text[place:].removeprefix(piece)
     return text
 
@@ -129,10 +130,10 @@ def _inserted(text: str, place: int, piece: str) -> str:
 
 
 def _pieces(
-    text: str, span: _Span, payload: PayloadOf, *, added: bool
+    text: str, span: _Span, reference: ReferenceOf, *, added: bool
 ) -> Iterator[tuple[int, str]]:
     """What the text of a SkelRoot gets, or has `added`, and where; the last first."""
-    selection, bracketed, variants = _opinions(payload)
+    selection, bracketed, variants = _opinions(reference)
     yield span.body, variants
     alone = added or text.startswith(bracketed, span.name_end)
     if span.metadata is None or (not added and alone):
@@ -141,22 +142,22 @@ def _pieces(
         yield span.metadata, selection
 
 
-def _opinions(payload: PayloadOf) -> tuple[str, str, str]:
+def _opinions(reference: ReferenceOf) -> tuple[str, str, str]:
     """What a SkelRoot gets: in metadata that it has, as its metadata, and in its body."""
-    indent = "    " * (len(payload.names) - 1)
+    indent = "    " * (len(reference.names) - 1)
     selection = _SELECTION.format(indent=indent)
-    variants = _VARIANTS.format(indent=indent, path=payload.path, root=payload.root)
+    variants = _VARIANTS.format(indent=indent, path=reference.path, root=reference.root)
     return selection, f" ({selection}\n{indent})", variants
 
 
-def _overs(payload: PayloadOf, known: int) -> str:
+def _overs(reference: ReferenceOf, known: int) -> str:
     """An over of the SkelRoot, in overs of all above it but the first `known`."""
-    _, bracketed, variants = _opinions(payload)
-    indent = "    " * (len(payload.names) - 1)
-    overs = f'\n{indent}over "{payload.names[-1]}"{bracketed}\n{indent}{{{variants}\n{indent}}}\n'
-    for level in reversed(range(known, len(payload.names) - 1)):
+    _, bracketed, variants = _opinions(reference)
+    indent = "    " * (len(reference.names) - 1)
+    overs = f'\n{indent}over "{reference.names[-1]}"{bracketed}\n{indent}{{{variants}\n{indent}}}\n'
+    for level in reversed(range(known, len(reference.names) - 1)):
         indent = "    " * level
-        overs = f'\n{indent}over "{payload.names[level]}"\n{indent}{{{overs}{indent}}}\n'
+        overs = f'\n{indent}over "{reference.names[level]}"\n{indent}{{{overs}{indent}}}\n'
     return overs
 
 

@@ -1,5 +1,8 @@
-"""A layout as a payload of its asset, in the variant ``rigUI = ui``: a shot that selects ``none``
-opens no file of it.
+"""A layout as a reference of its asset, in the variant ``rigUI = ui``: a shot that does not select
+that opens no file of it.
+
+No payload, which does the same: a payload of the SkelRoot would hide the whole character from those
+who load none.
 
 Here is the edit of the asset's root layer by its specs; that of its text is in
 `usdrigui.clients.attaching.layer_text`.
@@ -12,24 +15,24 @@ from pathlib import Path
 
 from pxr import Sdf
 
-from usdrigui.clients.attaching.layer_text import PayloadOf
+from usdrigui.clients.attaching.layer_text import ReferenceOf
 from usdrigui.errors import refuse
 from usdrigui.layer.write_layout import author_variant
 from usdrigui.stages import schema
 from usdrigui.stages.variant_paths import asset_selections
 
 
-def payloads_of(asset: Sdf.Layer, leads: Callable[[str], bool]) -> tuple[PayloadOf, ...]:
-    """The payloads in variants ``rigUI = ui`` of the layer whose asset path `leads` to a layout."""
-    found: list[PayloadOf] = []
+def references_of(asset: Sdf.Layer, leads: Callable[[str], bool]) -> tuple[ReferenceOf, ...]:
+    """The references in variants ``rigUI = ui`` of a layer whose asset path `leads` to a layout."""
+    found: list[ReferenceOf] = []
 
     def look(path: Sdf.Path) -> None:
         if not path.IsPrimVariantSelectionPath():
             return
         if path.GetVariantSelection() == (schema.VARIANTS, schema.WITH):
             found.extend(
-                PayloadOf(str(path.StripAllVariantSelections()), each.assetPath)
-                for each in asset.GetPrimAtPath(path).payloadList.GetAddedOrExplicitItems()
+                ReferenceOf(str(path.StripAllVariantSelections()), each.assetPath)
+                for each in asset.GetPrimAtPath(path).referenceList.GetAddedOrExplicitItems()
                 if leads(each.assetPath)
             )
 
@@ -38,8 +41,8 @@ def payloads_of(asset: Sdf.Layer, leads: Callable[[str], bool]) -> tuple[Payload
 
 
 def check_reachable(layer: Path, opened: Sdf.Layer, variant_path: str, root: str) -> None:
-    """Refuse with ATTACH_OUTSIDE a layout that a payload of its SkelRoot would bring in without the
-    prims and variants that it refers to."""
+    """Refuse with ATTACH_OUTSIDE a layout that a reference of its SkelRoot would bring in without
+    the prims and variants that it refers to."""
     above = Sdf.Path(variant_path or root)
     if asset_selections(str(above.GetPrimPath().GetParentPath())):
         raise refuse("ATTACH_OUTSIDE", str(layer), f"is authored in a variant above {root}")
@@ -54,19 +57,21 @@ def check_reachable(layer: Path, opened: Sdf.Layer, variant_path: str, root: str
 # --- of specs -------------------------------------------------------------------------------------
 
 
-def add(asset: Sdf.Layer, payloads: Sequence[PayloadOf]) -> None:
-    """Author the payloads, with the variants that hold them, the first selected."""
-    for payload in payloads:
-        variant = author_variant(asset, payload.root)
-        variant.payloadList.Prepend(Sdf.Payload(payload.path, payload.root))
+def add(asset: Sdf.Layer, references: Sequence[ReferenceOf]) -> None:
+    """Author the references, with the variants that hold them, ``none`` selected."""
+    for reference in references:
+        variant = author_variant(asset, reference.root)
+        variant.referenceList.Prepend(Sdf.Reference(reference.path, reference.root))
+        selections = asset.GetPrimAtPath(reference.root).variantSelections
+        selections[schema.VARIANTS] = schema.WITHOUT
 
 
-def remove(asset: Sdf.Layer, payloads: Sequence[PayloadOf]) -> None:
-    """Take the payloads out, with the variants and the overs that are empty then."""
-    for each in payloads:
+def remove(asset: Sdf.Layer, references: Sequence[ReferenceOf]) -> None:
+    """Take the references out, with the variants and the overs that are empty then."""
+    for each in references:
         prim = asset.GetPrimAtPath(each.root)
         variants = prim.variantSets[schema.VARIANTS].variants
-        listed = variants[schema.WITH].primSpec.payloadList
+        listed = variants[schema.WITH].primSpec.referenceList
         for item in listed.GetAddedOrExplicitItems():
             if item.assetPath == each.path:
                 listed.RemoveItemEdits(item)

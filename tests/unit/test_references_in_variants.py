@@ -5,13 +5,13 @@ from __future__ import annotations
 import pytest
 from pxr import Sdf
 
-from usdrigui.clients.attaching.layer_text import PayloadOf, with_payloads, without_payloads
-from usdrigui.clients.attaching.payloads import add as add_to_specs
-from usdrigui.clients.attaching.payloads import payloads_of
-from usdrigui.clients.attaching.payloads import remove as remove_from_specs
+from usdrigui.clients.attaching.layer_text import ReferenceOf, with_references, without_references
+from usdrigui.clients.attaching.references import add as add_to_specs
+from usdrigui.clients.attaching.references import references_of
+from usdrigui.clients.attaching.references import remove as remove_from_specs
 
-HEAD = PayloadOf("/Char/Head", "./head.rigui.usda")
-BODY = PayloadOf("/Char/Body", "./body.rigui.usda")
+HEAD = ReferenceOf("/Char/Head", "./head.rigui.usda")
+BODY = ReferenceOf("/Char/Body", "./body.rigui.usda")
 BARE = '    def "Head"\n    {\n    }\n'
 TWIN = BARE.replace("Head", "Body")
 TEXTS = {
@@ -33,60 +33,60 @@ def layer(text):
     return found
 
 
-@pytest.mark.parametrize("payloads", [(HEAD,), (HEAD, BODY)], ids=["one", "two"])
+@pytest.mark.parametrize("references", [(HEAD,), (HEAD, BODY)], ids=["one", "two"])
 @pytest.mark.parametrize("name", TEXTS)
-def test_the_text_gets_what_the_specs_get_and_loses_it_again(name, payloads):
+def test_the_text_gets_what_the_specs_get_and_loses_it_again(name, references):
     text, specs = TEXTS[name], layer(TEXTS[name])
-    add_to_specs(specs, payloads)
-    edited = with_payloads(text, payloads)
+    add_to_specs(specs, references)
+    edited = with_references(text, references)
     assert layer(edited).ExportToString() == specs.ExportToString()
-    assert set(payloads_of(specs, lambda path: path.startswith("./"))) == set(payloads)
-    assert payloads_of(specs, lambda path: path == BODY.path) == payloads[1:]
-    assert without_payloads(edited, payloads[::-1]) == text
-    remove_from_specs(specs, payloads)
+    assert set(references_of(specs, lambda path: path.startswith("./"))) == set(references)
+    assert references_of(specs, lambda path: path == BODY.path) == references[1:]
+    assert without_references(edited, references[::-1]) == text
+    remove_from_specs(specs, references)
     assert specs.ExportToString() == layer(text).ExportToString()
 
 
 def test_what_else_stands_in_the_variants_stays():
-    """Another opinion in the variant, and another payload."""
+    """Another opinion in the variant, and another reference."""
     specs = layer('#usda 1.0\ndef "Char"\n{\n    def "Head"\n    {\n    }\n}\n')
     add_to_specs(specs, [HEAD])
     inside = specs.GetPrimAtPath("/Char/Head{rigUI=ui}")
-    inside.payloadList.Append(Sdf.Payload("./other.usda", "/Other"))
+    inside.referenceList.Append(Sdf.Reference("./other.usda", "/Other"))
     remove_from_specs(specs, [HEAD])
-    assert [each.assetPath for each in inside.payloadList.GetAddedOrExplicitItems()] == ["./other.usda"]
-    assert specs.GetPrimAtPath("/Char/Head").variantSelections["rigUI"] == "ui"
+    assert [each.assetPath for each in inside.referenceList.GetAddedOrExplicitItems()] == ["./other.usda"]
+    assert specs.GetPrimAtPath("/Char/Head").variantSelections["rigUI"] == "none"
 
 
 @pytest.mark.parametrize("name", TEXTS)
-def test_of_two_payloads_the_other_stays_with_all_that_it_needs(name):
+def test_of_two_references_the_other_stays_with_all_that_it_needs(name):
     """What two SkelRoots get as their metadata is the same text."""
     text = TEXTS[name] if name != "without metadata" else TEXTS[name].replace("    }\n", f"    }}\n{TWIN}", 1)
-    both, specs = with_payloads(text, [HEAD, BODY]), layer(text)
-    assert without_payloads(both, [BODY]) == with_payloads(text, [HEAD])
+    both, specs = with_references(text, [HEAD, BODY]), layer(text)
+    assert without_references(both, [BODY]) == with_references(text, [HEAD])
     add_to_specs(specs, [HEAD, BODY])
     remove_from_specs(specs, [HEAD])
-    assert layer(without_payloads(both, [HEAD])).ExportToString() == specs.ExportToString()
+    assert layer(without_references(both, [HEAD])).ExportToString() == specs.ExportToString()
 
 
 def test_what_somebody_changed_is_left_alone():
-    text = with_payloads(TEXTS["without metadata"], [HEAD])
-    changed = text.replace('rigUI = "ui"', 'rigUI = "none"').replace('"none" {', '"none" {  # mine')
-    assert without_payloads(changed, [HEAD]) == changed
+    text = with_references(TEXTS["without metadata"], [HEAD])
+    changed = text.replace('rigUI = "none"', 'rigUI = "ui"').replace('"none" {', '"none" {  # mine')
+    assert without_references(changed, [HEAD]) == changed
     for name in ("only its parent", "without metadata", "with metadata"):
-        assert without_payloads(TEXTS[name], [HEAD]) == TEXTS[name]
+        assert without_references(TEXTS[name], [HEAD]) == TEXTS[name]
 
 
 def test_the_overs_of_a_prim_that_the_text_lacks_read_as_usd_writes_them():
     assert (
-        with_payloads("#usda 1.0\n", [HEAD])
+        with_references("#usda 1.0\n", [HEAD])
         == """#usda 1.0
 
 over "Char"
 {
     over "Head" (
         variants = {
-            string rigUI = "ui"
+            string rigUI = "none"
         }
         prepend variantSets = "rigUI"
     )
@@ -95,7 +95,7 @@ over "Char"
             "none" {
             }
             "ui" (
-                prepend payload = @./head.rigui.usda@</Char/Head>
+                prepend references = @./head.rigui.usda@</Char/Head>
             ) {
             }
         }
