@@ -32,6 +32,13 @@ def decisions(layer):
     return {element.name: element.placement.pinned for element in layout.elements if element.placement.pinned}
 
 
+def solution(capsys, folder, *options):
+    """Of a run: how its layout's cost is told."""
+    report = run(capsys, "process", folder / "char.usda", *options, "-o", folder / "new.rigui.usda")
+    (character,) = report["characters"]
+    return character["solution"]
+
+
 def lose_control(asset, token):
     """Take one blend shape off the character's meshes and animation."""
     stage = Usd.Stage.Open(str(asset))
@@ -78,6 +85,29 @@ def another_point(folder, name):
     far = sorted(zip((offset.GetLength() for offset in offsets), points, strict=True))
     taken = {point for point, _ in anchors(folder / "old.rigui.usda").values()}
     return next(point for length, point in far if length > 0.3 * far[-1][0] and point not in taken)
+
+
+def test_the_same_places_have_the_same_cost_whatever_made_them(capsys, folder):
+    old, new = folder / "old.rigui.usda", folder / "new.rigui.usda"
+    plain = solution(capsys, folder)
+    assert plain["penalty"] == 0.0
+    for option in ("--previous", "--fixed", "--like"):
+        again = solution(capsys, folder, option, old)
+        assert anchors(new) == anchors(old)
+        assert again["cost"] == pytest.approx(plain["cost"], abs=1e-9)
+        assert again["bound"] <= again["cost"]
+        (layout,) = read_layout(new)
+        assert (layout.proof.cost, layout.proof.bound) == pytest.approx((again["cost"], again["bound"]))
+
+
+def test_the_cost_of_a_worse_place_is_the_one_that_check_gives(capsys, folder):
+    plain = solution(capsys, folder)
+    corrections = corrected(folder, "smile_L", another_point(folder, "smile_L"))
+    fixed = solution(capsys, folder, "--fixed", corrections)
+    assert fixed["cost"] > plain["cost"] + 1e-6
+    assert fixed["bound"] <= fixed["cost"]
+    (reviewed,) = run(capsys, "check", folder / "new.rigui.usda")["characters"]
+    assert reviewed["cost"] == pytest.approx(fixed["cost"], abs=1e-6)
 
 
 def test_fixed_anchors_come_back_exactly(folder, capsys):

@@ -11,7 +11,7 @@ in the order of `Body.meshes`; *local* point means an index into one mesh.
 
 from __future__ import annotations
 
-from usdrigui.model.assignment import GAP_FLOOR, Assignment, Status, Step
+from usdrigui.model.assignment import GAP_FLOOR, Assignment, Status, Step, gap_of, proven
 from usdrigui.model.candidates import Candidates, CandidateSet, Category, ElementKind, Group
 from usdrigui.model.layout import (
     Anchor,
@@ -90,4 +90,6 @@ __all__ = [
     "Symmetry",
     "Trajectories",
     "Variable",
+    "gap_of",
+    "proven",
 ]

@@ -54,6 +54,7 @@ def joined_assignment(assignments: Sequence[Assignment], names: Sequence[str]) -
         labels=np.concatenate([each.labels for each in assignments]),
         cost=sum(each.cost for each in assignments),
         bound=sum(each.bound for each in assignments),
+        penalty=sum(each.penalty for each in assignments),
         above_unary_bound=sum(each.above_unary_bound for each in assignments),
         steps=tuple(
             replace(step, name=f"{name}: {step.name}")

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 from usdrigui.character import Rig
 from usdrigui.errors import Issue, explained, issue, of_character, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_unchanged
+from usdrigui.layout.element.elements import proof_of
 from usdrigui.layout.reuse import existing_layout
 from usdrigui.layout.review.difference import Difference, cost_savings, difference
 from usdrigui.layout.review.legibility import legibility_of
@@ -35,7 +36,7 @@ from usdrigui.pipeline.references import (
     read_references,
     rigs_over,
 )
-from usdrigui.pipeline.stages import character_of, layout_of, part_problem
+from usdrigui.pipeline.stages import character_of, layout_of, part_problem, with_own_cost
 from usdrigui.pipeline.targets import check_place, check_replaceable, check_target, default_output
 from usdrigui.pipeline.writing import check_base, stage_layer
 from usdrigui.reader.reader_process import read_rigs_isolated, read_variants_isolated
@@ -378,7 +379,10 @@ def _lay_out(
         with clock.stage("solve", can_stop=True):
             assignment = solve(inputs.placement.problem, limits, clock.solving, stop)
         with clock.stage("layout"):
-            laid.append(LaidPart(inputs, layout_of(inputs, assignment), assignment))
+            made = layout_of(inputs, assignment)
+            own = with_own_cost(inputs, part, made, assignment)
+            made = replace(made, proof=proof_of(own, made.proof.weights))
+            laid.append(LaidPart(inputs, made, own))
     layout, existing = joined(laid), character.references.existing
     if existing is not None:
         layout = existing_layout.combined(

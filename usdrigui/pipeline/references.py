@@ -198,6 +198,11 @@ class OwnReferences:
     matchings: Mapping[str, Matching] = field(default_factory=dict)
     """By ``fixed``, ``previous`` and ``like``: whose control there is which one here."""
 
+    @property
+    def followed(self) -> bool:
+        """Whether the layout follows another one of the same controls."""
+        return any(each is not None for each in (self.fixed, self.previous, self.like))
+
 
 def check_like(like: tuple[tuple[Rig, Layout], ...], rig: Rig, names: Mapping[str, str]) -> None:
     """Raise CONFIG_UNKNOWN_CONTROL for all names of `names` (``[like.names]``) that nobody bears,

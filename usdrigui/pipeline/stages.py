@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from usdrigui.character import Rig
 from usdrigui.character.deform import posed
 from usdrigui.conventions import meanings
@@ -27,17 +29,18 @@ from usdrigui.layout.parts.division import divide
 from usdrigui.layout.parts.joint_regions import FLAT
 from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.place.handle_width import handle_width, on_face
-from usdrigui.layout.place.problem import placement_problem
+from usdrigui.layout.place.problem import penalty_of, placement_problem
 from usdrigui.layout.place.terms import LinearTerms
 from usdrigui.layout.reuse.decisions import with_decisions
 from usdrigui.layout.reuse.existing_layout import drawn_width, of_new_controls
-from usdrigui.layout.review.review import refuse_stale
+from usdrigui.layout.review.review import layout_cost, refuse_stale
 from usdrigui.layout.symmetry.base_pose import symmetry_at_pose, symmetry_of_part
 from usdrigui.layout.visibility import Viewpoint, find_views
 from usdrigui.model import Assignment, Element, Layout, Symmetry, Trajectories
 from usdrigui.pipeline.configuration import base_values_of, camera_of
 from usdrigui.pipeline.progress import Clock
 from usdrigui.pipeline.records import Character, CharacterPart, ProblemInputs, Task
+from usdrigui.pipeline.references import OwnReferences
 from usdrigui.pipeline.requested import own_references, requested
 from usdrigui.settings import PartSettings, Settings, with_sections
 
@@ -162,6 +165,29 @@ def build_problem(rig: Rig, task: Task, clock: Clock | None = None) -> ProblemIn
     whole = with_sections(task.settings, parts=PartSettings(divide=False))
     character = character_of(rig, replace(task, settings=whole), clock)
     return part_problem(character, character.parts[0], (), clock)
+
+
+def with_own_cost(
+    inputs: ProblemInputs, part: CharacterPart, made: Layout, assignment: Assignment
+) -> Assignment:
+    """The solution with the cost of the layout that it `made`: the problem of a run that follows
+    another layout adds penalties, and counts costs from the places that this leaves.
+
+    The bound moves along, so that it stays as far below.
+    """
+    references = inputs.character.references
+    if not references.followed:
+        return assignment
+    alone = OwnReferences(existing=references.existing, clips=references.clips)
+    asked = requested(inputs.face.rig, inputs.character.parts, inputs.settings, alone)
+    character = replace(inputs.character, references=alone, requests=asked)
+    plain = part_problem(character, part, inputs.requests.neighbours)
+    cost = layout_cost(plain.measured, plain.candidates, made.elements)
+    penalty = penalty_of(inputs.face, inputs.requests, inputs.placement, assignment.labels)
+    if not np.isfinite(cost):
+        cost = assignment.cost - penalty
+    bound = cost - (assignment.cost - assignment.bound)
+    return replace(assignment, cost=cost, bound=bound, penalty=penalty)
 
 
 def layout_of(inputs: ProblemInputs, assignment: Assignment) -> Layout:

@@ -118,7 +118,9 @@ def _part(part: PartRow) -> dict[str, Any]:
 
 def _proof(assignment: Assignment) -> dict[str, Any]:
     names = ("method", "closed_by", "status", "cost", "bound")
-    return {name: getattr(assignment, name) for name in (*names, "gap", "above_unary_bound")}
+    return {
+        name: getattr(assignment, name) for name in (*names, "penalty", "gap", "above_unary_bound")
+    }
 
 
 def _row(row: ControlRow) -> dict[str, Any]:

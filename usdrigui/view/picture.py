@@ -15,7 +15,7 @@ from PIL import Image, ImageDraw
 
 from usdrigui.character import Floats, Rig, palette
 from usdrigui.errors import refuse
-from usdrigui.model import Element, Layout
+from usdrigui.model import Element, Layout, gap_of, proven
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.view import directions
 from usdrigui.view.body.complexion import complexion
@@ -310,8 +310,7 @@ def _numbers(controls: int, layout: Layout, width: float) -> str:
     parts += [f"{board} on the board"] if board else []
     parts += [f"{len(layout.left_off)} left off"] if layout.left_off else []
     if np.isfinite(proof.bound) and np.isfinite(proof.cost):
-        gap = max(0.0, proof.cost - proof.bound) / max(abs(proof.cost), 1e-12)
-        parts.append(f"cost {proof.cost:.4g}, proven within {100.0 * gap:.2g} %")
+        parts.append(f"cost {proof.cost:.4g}, {proven(gap_of(proof.cost, proof.bound))}")
     return cut(_BETWEEN.join(parts), 14, width)
 
 

@@ -21,8 +21,6 @@ if TYPE_CHECKING:
 
 _WEAK, _WEAKEST = 0.9, 3
 """Displacement below which the weakest handles are named, and how many of them."""
-_LEAST_GAP = 1e-4
-"""Percent: a nearer proof is told as this near."""
 
 
 def report_lines(report: Report, written: Sequence[str], *, verbose: bool) -> Iterator[Printed]:
@@ -138,8 +136,9 @@ def _proof_lines(character: CharacterReport, placed: Sequence[ControlRow]) -> It
     )
     yield from clear_lines(character.legibility)
     program = "" if several else _program(solution)
+    left = f" and {solution.penalty:.4f} for places left" if solution.penalty > 0.0 else ""
     yield (
-        f"  cost {solution.cost:.4f}, proven bound {solution.bound:.4f}, {_gap([solution])},"
+        f"  cost {solution.cost:.4f}{left}, proven bound {solution.bound:.4f}, {_gap([solution])},"
         f" {_ending(solution)}{program}"
     )
     for part in character.parts if several else ():
@@ -190,8 +189,9 @@ def _weakest(rows: Sequence[ControlRow]) -> str:
 
 def _gap(solutions: Sequence[Assignment]) -> str:
     """How far the cost of some solutions may be from the least, at most."""
-    gap = 100.0 * max((solution.gap for solution in solutions), default=0.0)
-    return f"proven within {max(gap, _LEAST_GAP):.2g} %" if math.isfinite(gap) else "not proven"
+    from usdrigui.model import proven
+
+    return proven(max((solution.gap for solution in solutions), default=0.0))
 
 
 def _figures(figures: Iterable[tuple[str, float]]) -> str:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.character import Floats
+from usdrigui.character import Floats, Indices
 from usdrigui.character.surface import mean_edge_length, mesh_triangles
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.layout.face import Face
@@ -107,10 +107,24 @@ def penalties_of_leaving(face: Face, requests: Requests, choice: Choice) -> tupl
     cost."""
     prior, base = requests.prior, face.trajectories.surface.points
     stay, leave = np.zeros(len(choice.anchors)), 0.0
-    for copy, controls in enumerate(choice.controls):
-        stay += leaving_penalties(prior, controls, choice.anchors[:, copy], base, face.handle_width)
+    for controls in choice.controls:
+        # A doubled element has one earlier place, that of its first copy.
+        anchors = choice.anchors[:, choice.controls.index(controls)]
+        stay += leaving_penalties(prior, controls, anchors, base, face.handle_width)
         leave += prior.penalty * prior.stood_on_face(controls)
     return stay, leave
+
+
+def penalty_of(
+    face: Face, requests: Requests, placement: PlacementProblem, labels: Indices
+) -> float:
+    """What all the earlier places cost that a solution leaves."""
+    penalty = 0.0
+    for choice, label in zip(placement.choices, labels, strict=True):
+        part = placement.groups[choice.group].part
+        stay, leave = penalties_of_leaving(face, requests.of_axes() if part else requests, choice)
+        penalty += leave if label < 0 else float(stay[label])
+    return penalty
 
 
 def _constants(face: Face, settings: ObjectiveSettings) -> tuple[AnyOverlap, float]:
@@ -208,7 +222,7 @@ def _variable(
             cost[kept] + stay,
             samples[kept],
             handles[kept],
-            _off_face_cost(face, group, requests, objective) + leave,
+            off_face_cost(face, group, requests, objective) + leave,
             displacement[kept],
             group.states,
         ),
@@ -216,7 +230,7 @@ def _variable(
     )
 
 
-def _off_face_cost(
+def off_face_cost(
     face: Face, group: Group, requests: Requests, settings: ObjectiveSettings
 ) -> float:
     """Cost of sending the element and its images to the board, which takes all its controls off the

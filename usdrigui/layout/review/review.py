@@ -25,7 +25,7 @@ from usdrigui.errors import (
 )
 from usdrigui.layout.face import Face
 from usdrigui.layout.measured import Measured
-from usdrigui.layout.place.problem import placement_problem
+from usdrigui.layout.place.problem import off_face_cost, placement_problem
 from usdrigui.layout.place.terms import LinearTerms, linear_cost
 from usdrigui.layout.reuse.identity import match_layout
 from usdrigui.layout.reuse.partial_layout import place_of
@@ -130,7 +130,41 @@ def review(
     ]
     read = legibility_of(face, layout.elements)
     issues += [issue("LAYOUT_UNCLEAR", name, why) for name, why in read.unclear]
-    return Review(tuple(issues), rated, total_cost(problem, labels) if choices else 0.0, read)
+    cost = total_cost(problem, labels) + _off_face(known, candidates, layout.elements)
+    return Review(tuple(issues), rated, cost, read)
+
+
+def layout_cost(known: Measured, candidates: Candidates, elements: tuple[Element, ...]) -> float:
+    """The objective of a layout by its places alone, whatever it was made from: the one that
+    `review` gives; nan where an element cannot be rated."""
+    sound = _sound(known.face, elements)
+    problem, choices, labels = _as_problem(known, candidates, elements, sound)
+    placed = sum(not element.anchor.on_board for element in elements)
+    if len(choices) < placed:
+        return float("nan")
+    return total_cost(problem, labels) + _off_face(known, candidates, elements)
+
+
+def _off_face(known: Measured, candidates: Candidates, elements: tuple[Element, ...]) -> float:
+    """What the elements on the board cost that could stand on the face."""
+    face, requests = known.face, known.requests
+    motions = face.trajectories.motions
+    able = {
+        face.control_name(motions[each.motion].control)
+        for each in candidates.sets
+        if not each.category
+    }
+    inner = inner_names(elements)
+    away = tuple(
+        element
+        for element in elements
+        if element.anchor.on_board
+        and element.name not in inner
+        and able >= element.manipulator.controls
+    )
+    objective = known.settings.layout.objective
+    groups = _as_groups(face.rig.controls, elements, away)
+    return sum(off_face_cost(face, group, requests, objective) for group in groups)
 
 
 def not_animated(rig: Rig, layout: Layout) -> Iterator[Issue]:
