@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.character import Control, Flags, Floats, Indices, Rig, RigMesh
+from usdrigui.character import Control, Floats, Indices, Rig, RigMesh
 from usdrigui.character.joint_tree import Fan, Tree, fans, unit
 from usdrigui.conventions import words
 from usdrigui.layout.parts.own_pieces import eyes, pieces_of, props
@@ -101,9 +101,7 @@ def owner_of_points(meshes: tuple[RigMesh, ...]) -> Indices:
 def _heads(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
     """The joint of the head, of each skeleton that has one."""
     named = {
-        i
-        for i, joint in enumerate(rig.body.joints)
-        if _is_head(joint.path) and _skinned_below(tree, i)
+        i for i, joint in enumerate(rig.body.joints) if _is_head(joint.path) and tree.depth[i] > 0
     }
     if named:
         return frozenset(i for i in named if not named & set(tree.above(i)))
@@ -118,10 +116,6 @@ def _heads(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
 def _is_head(path: str) -> bool:
     last = path.rsplit("/", 1)[-1]
     return bool(set(words(last)) & set(_HEAD)) or last in _HEAD
-
-
-def _skinned_below(tree: Tree, joint: int) -> bool:
-    return tree.depth[joint] > 0
 
 
 def _by_shapes(
@@ -185,9 +179,3 @@ def _has_limb(tree: Tree, joints: set[int]) -> bool:
 def _spine(tree: Tree, heads: frozenset[int]) -> list[int]:
     """The joints from the root to above the first head, in this order."""
     return list(tree.above(min(heads)))[::-1] if heads else []
-
-
-def points_of(names: tuple[str, ...], owners: Indices, name: str) -> Flags:
-    """(n,) the points whose joint's skin is of a part; `owners` (n,) as of `owner_of_points`."""
-    own = np.array([each == name for each in (*names, "")], dtype=np.bool_)
-    return own[owners]

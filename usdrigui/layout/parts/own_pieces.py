@@ -11,7 +11,6 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial import ConvexHull, QhullError
 
 from usdrigui.character import Body, Flags, Floats, Indices
 from usdrigui.character.joint_tree import Tree
@@ -29,8 +28,6 @@ _AROUND = 0.85
 ball still is around it."""
 _BALL = 12
 """Points of an eyeball, at least."""
-_CLEAR = 0.02
-"""Distance from the hull of a head, as a share of its extent, beyond which a prop lies."""
 _JOINTED = 2
 """Joints with skin in the longest chain of a prop, at most: hair and tails have more."""
 
@@ -104,19 +101,19 @@ def _is_eye(pieces: Pieces, joint: int) -> bool:
 
 
 def props(pieces: Pieces, heads: AbstractSet[int], eyes: AbstractSet[int]) -> set[int]:
-    """The joints from which props hang; one that hangs on a head lies outside of its skin."""
+    """The joints from which props hang; none hangs on a head, for hats are set with the face."""
     tree = pieces.tree
     below_heads, found = tree.below(heads), set[int]()
     for joint in tree.from_the_ends()[::-1]:
         branch = tree.below((joint,))
         if (
-            not found & set(tree.above(joint))
+            joint not in below_heads
+            and not found & set(tree.above(joint))
             and not branch & (heads | eyes)
             and 0 < tree.depth[joint] <= _JOINTED
             and _beside(tree, joint)
             and _apart(pieces, branch)
             and _on_skin(pieces, joint, branch)
-            and (joint not in below_heads or _outside(pieces, branch, below_heads))
         ):
             found.add(joint)
     return found
@@ -144,16 +141,3 @@ def _on_skin(pieces: Pieces, joint: int, branch: set[int]) -> bool:
         return False
     others = [k for k in range(len(pieces.held)) if k != above and k not in branch]
     return bool(np.isin(pieces.touched((above,)), pieces.touched(others)).any())
-
-
-def _outside(pieces: Pieces, branch: set[int], below_heads: set[int]) -> bool:
-    """Whether most of what joints hold lies clear of the convex hull of the other skin of a head:
-    brows and teeth do not."""
-    own = pieces.bound[np.isin(pieces.owners, list(branch))]
-    head = pieces.bound[np.isin(pieces.owners, list(below_heads - branch))]
-    try:
-        sides = ConvexHull(head).equations
-    except (QhullError, ValueError):
-        return False
-    beyond = (own @ sides[:, :3].T + sides[:, 3]).max(axis=1)
-    return bool(np.mean(beyond > _CLEAR * np.ptp(head, axis=0).max()) > 0.5)

@@ -76,15 +76,15 @@ def tube(points):
     ]
 
 
-def equipped(shared, chain_of_sword=1):
+def equipped(shared, chain_of_sword=1, holder="h/s/t/a0/a1/a2", place=(1.45, 0.9, 0.1)):
     """The body with two eyeballs and a sword of their own meshes; its own skin `shared` between neighbours or of rigid
-    parts.  So many joints in a chain hold the sword."""
+    parts.  So many joints in a chain hold the sword, which hangs on the `holder` at a place."""
     at = {joint.path: joint.bind[3, :3] for joint in BODY.body.joints}
-    hung = {"h/s/t/n/e/b": (0.03, 1.6, 0.1), "h/s/t/n/e/c": (-0.03, 1.6, 0.1), "h/s/t/a0/a1/a2/w": (1.45, 0.9, 0.1)}
+    hung = {"h/s/t/n/e/b": (0.03, 1.6, 0.1), "h/s/t/n/e/c": (-0.03, 1.6, 0.1), f"{holder}/w": place}
     names = [*at, *hung]
-    chained = ["h/s/t/a0/a1/a2/w" + "/v" * more for more in range(1, chain_of_sword)]
+    chained = [f"{holder}/w" + "/v" * more for more in range(1, chain_of_sword)]
     names += chained
-    places = np.array([*at.values(), *hung.values(), *([hung["h/s/t/a0/a1/a2/w"]] * len(chained))])
+    places = np.array([*at.values(), *hung.values(), *([hung[f"{holder}/w"]] * len(chained))])
     joints = limbs.skeleton_rig(names, places, list(range(len(names)))).body.joints
     own = BODY.body.meshes[0].binding.skin.joints
     above = np.maximum([joint.parent for joint in joints], 0)
@@ -118,6 +118,13 @@ def test_eyeballs_and_props_are_parts_but_no_limb_of_a_robot_is(shared, parts):
 @pytest.mark.parametrize(("joints", "prop"), [(2, True), (3, False)])
 def test_a_chain_of_three_joints_with_skin_is_hair_or_a_tail_and_no_prop(joints, prop):
     assert ("props" in named(equipped(True, joints))) is prop
+
+
+@pytest.mark.parametrize(("holder", "part"), [("h/s/t/n", "props"), ("h/s/t/n/e", "face")])
+def test_what_hangs_on_a_head_is_set_with_the_face(holder, part):
+    """A feather as long as an arm, on the neck or on the head."""
+    found = named(equipped(True, holder=holder, place=(0.0, 1.6, 0.05)))
+    assert [name for name, controls in found.items() if "w:rx" in controls] == [part]
 
 
 @pytest.mark.parametrize(("points", "eye"), [(12, True), (11, False)])
