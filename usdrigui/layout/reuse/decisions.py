@@ -8,7 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from usdrigui.character import Floats, Rig
-from usdrigui.layout.reuse.pinned import NEAR, Pin, Pins
+from usdrigui.layout.reuse.pinned import Pin, Pins
+from usdrigui.layout.reuse.prior_layout import ONE_PLACE
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import Decision, Element, Layout
 from usdrigui.model.levels import outer_first
@@ -43,7 +44,7 @@ def with_decisions(layout: Layout, rig: Rig, rest: Floats, requests: Requests) -
             # The place that was decided stays on record while it is the same place: carrying it on
             # adds up no errors.
             then = np.array(before.get(element.name, (np.nan,) * 3))
-            near = float(np.linalg.norm(here - then)) <= NEAR * layout.frame.handle_width
+            near = float(np.linalg.norm(here - then)) <= ONE_PLACE * layout.frame.handle_width
             x, y, z = (then if near else here).tolist()
             placement = replace(placement, pinned_position=(x, y, z))
         return replace(element, placement=placement)

@@ -16,7 +16,7 @@ from scipy.sparse import csr_array
 from scipy.spatial import cKDTree
 
 from usdrigui.character import Body, Flags, Floats, Indices, Rig
-from usdrigui.layout.reuse.prior_layout import points_of_meshes, same_point
+from usdrigui.layout.reuse.prior_layout import ONE_PLACE, points_of_meshes, same_point
 from usdrigui.layout.reuse.retargeting import face_map
 from usdrigui.model import BaseSurface, Element, Layout, Member, Motion, Trajectories
 from usdrigui.model.levels import outer_first
@@ -52,8 +52,6 @@ _ANCHOR_SLOPE, _ANCHOR_MIDDLE = 5.0, 0.6
 _CLOSE, _CLOSE_WEIGHT, _EXACT = 0.3, 1.5, 0.01
 """Relative difference at an anchor below which agreement weighs more and more, until it is as small
 as rounding."""
-_HANDLE = 0.5
-"""Handle widths within which two anchors are one place."""
 
 
 @dataclass(frozen=True)
@@ -154,7 +152,7 @@ def between_anchors(
             apart = (
                 float(np.linalg.norm(a.element.anchor.position - b.element.anchor.position)) / width
             )
-            exact = apart < _HANDLE
+            exact = apart < ONE_PLACE
             value = _at_one_point(a.vector, b.vector[None], exact=exact).item()
             found[row, column] = max(_LEAST, value - (0.0 if exact else apart))
     return found

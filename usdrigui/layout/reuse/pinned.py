@@ -16,15 +16,13 @@ import numpy as np
 from usdrigui.character import Floats, Indices, Rig
 from usdrigui.errors import Issue, RigUIError, issue
 from usdrigui.layout.reuse.partial_layout import MIRROR, fixed_anchor, place_of
-from usdrigui.layout.reuse.prior_layout import points_of_meshes, same_point
+from usdrigui.layout.reuse.prior_layout import ONE_PLACE, points_of_meshes, same_point
 from usdrigui.layout.symmetry.mirror_plane import reflected
 from usdrigui.model import Decision, Element, Layout, Symmetry, Trajectories
 from usdrigui.model.levels import outer_first
 from usdrigui.settings import ControlSettings
 from usdrigui.ties import first_smallest
 
-NEAR = 0.5
-"""Handle widths within which a place is the same place."""
 _MOVES = 0.05
 """Share of its peak by which a control moves a point to which it may be carried."""
 _SHARED = 0.25
@@ -125,7 +123,7 @@ def _carried(
     off = float(apart[nearest]) / max(width, 1e-300)
     message = f"is {off:.1f} handle widths from where it was pinned"
     return place_of(rig.body, int(moved[nearest])), (
-        issue("PIN_CARRIED", element.name, message) if off > NEAR else None
+        issue("PIN_CARRIED", element.name, message) if off > ONE_PLACE else None
     )
 
 

@@ -17,6 +17,9 @@ from usdrigui.model import Anchor, Element
 from usdrigui.model.levels import inner_names, outer_first
 from usdrigui.ties import first_smallest
 
+ONE_PLACE = 0.5
+"""Handle widths within which two anchors are at one place."""
+
 
 @dataclass(frozen=True, slots=True)
 class KeptGroup:

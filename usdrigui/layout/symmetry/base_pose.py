@@ -12,18 +12,13 @@ from usdrigui.layout.motion.similarity import DisplacementFields, displacement_f
 from usdrigui.layout.motion.trajectory import of_controls
 from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
 from usdrigui.layout.parts.joint_regions import FACE
-from usdrigui.layout.symmetry.mirror_plane import find_symmetry, plane_distance
+from usdrigui.layout.symmetry.mirror_plane import LEAST_SHARE, find_symmetry, plane_distance
 from usdrigui.layout.symmetry.twins import paired
 from usdrigui.model import BaseSurface, MirrorPlane, Symmetry, Trajectories
 from usdrigui.settings import Settings, TrajectorySettings
 
 _APART = 0.05
 """Pairs nearer to each other than this share of the face determine the plane badly."""
-
-
-_MIRRORED = 0.5
-"""Share of the points that have a mirror partner from which a pose shows the symmetry of a
-character."""
 
 
 def symmetry_at_pose(
@@ -66,7 +61,7 @@ def _or_at_bind_pose(
     """What was found, or what the skeleton's bind pose shows where the base pose mirrors few
     points: a character may rest in a pose of its own."""
     bound, enabled = _bound(rig), settings.character.symmetry.enabled
-    if bound is None or not enabled or float((found.partner >= 0).mean()) >= _MIRRORED:
+    if bound is None or not enabled or float((found.partner >= 0).mean()) >= LEAST_SHARE:
         return found
     neutral = _same_controls(bound, trajectories, settings.character.trajectories)
     symmetry = find_symmetry(bound, neutral, displacement_fields(neutral), settings)

@@ -45,8 +45,8 @@ _TIE = 1e-3
 nearly touch, as closed lips do."""
 _HALF_A_CELL = 0.75
 """Distance of any place of a surface from the nearest point, in spacings of its points, at most."""
-_LEAST_SHARE = 0.5
-"""Least share of the moving region whose mirror image must meet the surface."""
+LEAST_SHARE = 0.5
+"""Least share of the points whose mirror image must meet the surface."""
 
 _AGREES = 0.7
 """Cosine from which a plane is that of the names of joints."""
@@ -143,7 +143,7 @@ def _find_plane(
         for plane in best[:equal]
     ]
     found = _distinct(
-        [plane for plane in found if _share(plane, tree, sample, tolerance) >= _LEAST_SHARE], sample
+        [plane for plane in found if _share(plane, tree, sample, tolerance) >= LEAST_SHARE], sample
     )
     return found[0] if len(found) == 1 else _by_motions(found, up, trajectories, fields, tolerance)
 
