@@ -158,7 +158,8 @@ def test_the_paper_preset_takes_the_constants_literally():
     from usdrigui.settings import load
 
     line = chain.problem_of(makers.face(), load(preset="paper"))
-    edge = mean_edge_length(POINTS, mesh_triangles(line.face.rig.body.meshes))
+    places = line.face.trajectories.surface.places
+    edge = mean_edge_length(POINTS, mesh_triangles(line.face.rig.body.meshes), places)
     overlap = line.problem.overlap
     assert overlap.radius == pytest.approx(edge)
     assert (overlap.sharpness, overlap.maximum) == (2.0, 5.0)
