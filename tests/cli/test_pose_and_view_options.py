@@ -89,7 +89,7 @@ def test_a_flat_layout_keeps_handles_apart_in_the_picture(character, tmp_path):
     flat, _ = processed(character, tmp_path, "--space", "view", "--view", "55,0", *size)
     assert flat.frame.space == "view"
     assert nearest(flat) >= flat.frame.handle_width * (1.0 - 1e-5)
-    solid, _ = processed(character, tmp_path, "--view", "55,0", *size)
+    solid, _ = processed(character, tmp_path, "--space", "object", "--view", "55,0", *size)
     assert solid.frame.space == "object"
     assert nearest(solid) < flat.frame.handle_width
 

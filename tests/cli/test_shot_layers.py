@@ -89,7 +89,7 @@ def test_a_run_with_a_base_does_not_touch_it(folder, capsys):
 
 
 def wrong(checked):
-    """What `check` finds, but for the pucker, which moves straight at the viewer: its track is a point on the screen."""
+    """What `check` finds, but for the pucker: it moves straight at the viewer, and its track is a point."""
     return [each for each in checked["issues"] if each["code"] != "LAYOUT_UNCLEAR"]
 
 

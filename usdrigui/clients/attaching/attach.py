@@ -1,10 +1,10 @@
 """The one place that edits an asset, and only when asked to: the layout among the asset's own
 sublayers, or referenced in a variant of its own.
 
-`attach` puts a bare layout layer first among the sublayers of the asset's root layer, or makes it
-a reference (`usdrigui.clients.attaching.references`); `detach` takes it out again.  Both write
+`attach` puts a bare layout layer first among the sublayers of the asset's root layer, or makes it a
+reference (`usdrigui.clients.attaching.layout_reference`); `detach` takes it out again. Both write
 through `usdrigui.replacing.exchange`, after the edited file has been read back in a process of its
-own.  A text layer is edited in place of one entry, so that comments and layout of the text stay; if
+own. A text layer is edited in place of one entry, so that comments and layout of the text stay; if
 the edited text does not mean exactly what the edited layer means, the layer is exported instead.
 """
 
@@ -20,7 +20,7 @@ from typing import Literal
 from pxr import Sdf
 
 from usdrigui.character import Rig
-from usdrigui.clients.attaching import layer_text, references
+from usdrigui.clients.attaching import layer_text, layout_reference
 from usdrigui.errors import Issue, RigUIError, issue, listed, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_source
 from usdrigui.layer.write_layout import layer_bytes, relative_asset_path
@@ -141,13 +141,13 @@ def _references(asset: Path, layer: Path, layouts: Sequence[Layout]) -> _Edit:
     opened, entry = open_layer(layer), relative_asset_path(layer, asset)
     for layout in layouts:
         own = layout.character
-        references.check_reachable(layer, opened, own.variant_path, own.root)
+        layout_reference.check_reachable(layer, opened, own.variant_path, own.root)
     wanted = tuple(
         layer_text.ReferenceOf(root, entry)
         for root in dict.fromkeys(each.character.root for each in layouts)
     )
     return _Edit(
-        functools.partial(references.add, references=wanted),
+        functools.partial(layout_reference.add, references=wanted),
         functools.partial(layer_text.with_references, references=wanted),
     )
 
@@ -211,7 +211,7 @@ def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:
 
     def of_layer(edited: Sdf.Layer) -> None:
         _edit(edited, "", sublayers)
-        references.remove(edited, inside)
+        layout_reference.remove(edited, inside)
 
     def of_text(text: str) -> str:
         return layer_text.without_references(layer_text.without_sublayers(text, sublayers), inside)
@@ -225,7 +225,7 @@ def _entries(
 ) -> tuple[Sequence[str], Sequence[layer_text.ReferenceOf]]:
     """The sublayers and the references of a root layer that are `layer`."""
     leads = functools.partial(_leads_to, asset, layer=layer)
-    return [each for each in source.subLayerPaths if leads(each)], references.references_of(
+    return [each for each in source.subLayerPaths if leads(each)], layout_reference.references_of(
         source, leads
     )
 
