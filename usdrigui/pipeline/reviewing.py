@@ -15,6 +15,7 @@ from usdrigui.character import Floats, Rig
 from usdrigui.errors import NO_LAYOUT, Issue, RigUIError, issue, of_character, refuse
 from usdrigui.layout.review import difference as difference_stage
 from usdrigui.layout.review import review as review_stage
+from usdrigui.layout.review.layout_faults import not_animated
 from usdrigui.model import Element, Layout
 from usdrigui.pipeline import variants
 from usdrigui.pipeline.configuration import refuse_unsound
@@ -263,7 +264,7 @@ def _review_of(
             for e in loaded.contradictions
             if e.character == rig.skel_root.path
         ]
-        wrong += [*found.issues, *review_stage.not_animated(rig, layout)]
+        wrong += [*found.issues, *not_animated(rig, layout)]
         own = replace(found, issues=of_character(rig.skel_root.path_in_variants, wrong))
         reviews.append((rig.skel_root.path_in_variants, own))
     return LayerReview(name, tuple(reviews), clock.seconds, (*stale, *loaded.without_layout))

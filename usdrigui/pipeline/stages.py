@@ -33,7 +33,8 @@ from usdrigui.layout.place.problem import penalty_of, placement_problem
 from usdrigui.layout.place.terms import LinearTerms
 from usdrigui.layout.reuse.decisions import with_decisions
 from usdrigui.layout.reuse.existing_layout import drawn_width, of_new_controls
-from usdrigui.layout.review.review import layout_cost, refuse_stale
+from usdrigui.layout.review.layout_faults import refuse_stale
+from usdrigui.layout.review.layout_problem import layout_cost
 from usdrigui.layout.symmetry.base_pose import symmetry_at_pose, symmetry_of_part
 from usdrigui.layout.visibility import Viewpoint, find_views
 from usdrigui.model import Assignment, Element, Layout, Symmetry, Trajectories

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from usdrigui.cli.terminal.screen import Printed
     from usdrigui.clients.batch.job import Row
     from usdrigui.clients.batch.run import Summary
-    from usdrigui.layout.review.review import ElementReview
+    from usdrigui.layout.review.rating import ElementReview
     from usdrigui.pipeline import LayerDifference, LayerReview
     from usdrigui.report.inspection import (
         AnimationFacts,

@@ -19,7 +19,7 @@ from usdrigui.layout.measured import Measured
 from usdrigui.layout.place.problem import PlacementProblem, penalties_of_leaving
 from usdrigui.layout.reuse.identity import Matching, match_layouts
 from usdrigui.layout.reuse.renaming import with_names
-from usdrigui.layout.review.review import cost_given_others
+from usdrigui.layout.review.rating import cost_given_others
 from usdrigui.model import Element, Layout
 from usdrigui.model.levels import inner_names, outer_first
 

@@ -12,7 +12,8 @@ from usdrigui.character import Control
 from usdrigui.errors import RigUIError
 from usdrigui.layout.reuse.prior_layout import prior_of_previous
 from usdrigui.layout.review.difference import difference
-from usdrigui.layout.review.review import _crowded, review
+from usdrigui.layout.review.layout_faults import crowded
+from usdrigui.layout.review.review import review
 from usdrigui.model.levels import inner_names, outer_first, shown, states
 
 FACE = makers.face()
@@ -202,4 +203,4 @@ def test_handles_at_the_least_distance_do_not_collide(apart, collide):
     first, second = (each for each in elements if not each.anchor.on_board and each.name in ("pucker", "smile_L"))
     at = [np.zeros(3), np.array([apart * 2.0 * (1.0 - 1e-6), 0.0, 0.0])]
     two = [replace(e, anchor=replace(e.anchor, position=p)) for e, p in zip((first, second), at, strict=True)]
-    assert bool(list(_crowded(SimpleNamespace(elements=tuple(two)).elements, 2.0))) is collide
+    assert bool(list(crowded(SimpleNamespace(elements=tuple(two)).elements, 2.0))) is collide

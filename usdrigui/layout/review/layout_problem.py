@@ -1,0 +1,178 @@
+"""The problem that a layout answers: its elements are variables, their anchors candidates."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from usdrigui.character import Control, Indices
+from usdrigui.layout.face import Face
+from usdrigui.layout.measured import Measured
+from usdrigui.layout.place.problem import off_face_cost, placement_problem
+from usdrigui.layout.place.terms import LinearTerms, linear_cost
+from usdrigui.layout.review.layout_faults import TOUCHING
+from usdrigui.model import (
+    Candidates,
+    CandidateSet,
+    Choice,
+    Element,
+    Group,
+    LayoutProblem,
+)
+from usdrigui.model.levels import inner_names, states
+from usdrigui.overlap import total_cost
+
+
+def layout_cost(known: Measured, candidates: Candidates, elements: tuple[Element, ...]) -> float:
+    """The objective of a layout by its places alone, whatever it was made from: the one that
+    `review` gives; nan where an element cannot be rated."""
+    sound = sound_elements(known.face, elements)
+    problem, choices, labels = as_problem(known, candidates, elements, sound)
+    placed = sum(not element.anchor.on_board for element in elements)
+    if len(choices) < placed:
+        return float("nan")
+    return total_cost(problem, labels) + board_cost(known, candidates, elements)
+
+
+def board_cost(known: Measured, candidates: Candidates, elements: tuple[Element, ...]) -> float:
+    """What the elements on the board cost that could stand on the face."""
+    face, requests = known.face, known.requests
+    motions = face.trajectories.motions
+    able = {
+        face.control_name(motions[each.motion].control)
+        for each in candidates.sets
+        if not each.category
+    }
+    inner = inner_names(elements)
+    away = tuple(
+        element
+        for element in elements
+        if element.anchor.on_board
+        and element.name not in inner
+        and able >= element.manipulator.controls
+    )
+    objective = known.settings.layout.objective
+    groups = _as_groups(face.rig.controls, elements, away)
+    return sum(off_face_cost(face, group, requests, objective) for group in groups)
+
+
+def sound_elements(face: Face, elements: tuple[Element, ...]) -> tuple[Element, ...]:
+    """The elements on the face that can be rated: mesh, point and controls exist and the controls
+    move it."""
+    rig = face.rig
+    moving = {rig.controls[motion.control].name for motion in face.trajectories.motions}
+    meshes = {mesh.path: len(mesh.points) for mesh in rig.body.meshes}
+    return tuple(
+        element
+        for element in elements
+        if not element.anchor.on_board
+        and 0 <= element.anchor.point < meshes.get(element.anchor.mesh, 0)
+        and all(member.control in moving for member in element.manipulator.members)
+    )
+
+
+def as_problem(
+    known: Measured,
+    candidates: Candidates,
+    every: tuple[Element, ...],
+    elements: tuple[Element, ...],
+) -> tuple[LayoutProblem, tuple[Choice, ...], Indices]:
+    """The problem in which each of the `elements` is one variable, its own anchor among the
+    candidates; `every` element of the layout defines of what they are states and parts."""
+    face, settings = known.face, known.settings
+    groups = _as_groups(face.rig.controls, every, elements)
+    points = [
+        face.rig.body.point_of(element.anchor.mesh, element.anchor.point) for element in elements
+    ]
+    sets = _with_points(face, candidates, groups, points, LinearTerms.of(settings.layout))
+    placement = placement_problem(face, sets, groups, known.requests, settings)
+    labels, kept = [], []
+    for number, choice in enumerate(placement.choices):
+        at = np.flatnonzero(choice.anchors[:, 0] == points[choice.group])
+        if len(at):
+            labels.append(int(at[0]))
+            kept.append(number)
+    problem = placement.problem
+    separation = min(problem.separation, face.handle_width * (1.0 - TOUCHING))
+    variables = tuple(problem.variables[number] for number in kept)
+    return (
+        replace(problem, variables=variables, separation=separation, extra=()),
+        tuple(placement.choices[number] for number in kept),
+        np.array(labels, dtype=np.int64),
+    )
+
+
+def _as_groups(
+    controls: tuple[Control, ...], elements: tuple[Element, ...], sound: tuple[Element, ...]
+) -> tuple[Group, ...]:
+    index = {control.name: number for number, control in enumerate(controls)}
+    seen, parts = states(elements), _parts(elements)
+    owned = {
+        each.name: tuple(index[member.control] for member in each.manipulator.members)
+        for each in sound
+    }
+    return tuple(
+        Group(
+            element.name,
+            element.manipulator.kind,
+            owned[element.name],
+            element.manipulator.opposed,
+            # A copy of a doubled element is not held to the mirror plane; that of a pair never is.
+            owned.get(element.manipulator.mirror, ()),
+            "",
+            part=element.name in parts,
+            states=seen[element.name],
+        )
+        for element in sound
+    )
+
+
+def _parts(elements: tuple[Element, ...]) -> frozenset[str]:
+    """Names of the elements all of whose controls a coarse element holds too."""
+    inner = inner_names(elements)
+    outer = {
+        m.control
+        for element in elements
+        if element.name not in inner
+        for m in element.manipulator.members
+    }
+    return frozenset(
+        e.name for e in elements if e.name in inner and outer >= e.manipulator.controls
+    )
+
+
+def _with_points(
+    face: Face,
+    candidates: Candidates,
+    groups: tuple[Group, ...],
+    points: list[int],
+    terms: LinearTerms,
+) -> Candidates:
+    """The candidates with the anchors of the layout among them, pruned or not."""
+    motions = face.trajectories.motions
+    sets = {motions[each.motion].control: each for each in candidates.sets}
+    for group, point in zip(groups, points, strict=True):
+        for control in group.controls:
+            if control in sets and point in motions[sets[control].motion].points:
+                sets[control] = _with_point(face, sets[control], point, terms)
+    return Candidates(tuple(sets.values()), candidates.left_off)
+
+
+def _with_point(
+    face: Face,
+    known: CandidateSet,
+    point: int,
+    terms: LinearTerms,
+) -> CandidateSet:
+    if point in known.points:
+        return known
+    motion = face.trajectories.motions[known.motion]
+    at = int(np.searchsorted(known.points, point))
+    cost = linear_cost(face, motion, np.array([point]), terms)
+    return replace(
+        known,
+        points=np.insert(known.points, at, point),
+        cost=np.insert(known.cost, at, cost[0]),
+        sources=np.insert(known.sources, at, point),
+    )
