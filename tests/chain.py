@@ -11,7 +11,7 @@ from usdrigui.layout.reuse.prior_layout import NO_PRIOR
 from usdrigui.pipeline import Task, stages
 from usdrigui.pipeline.progress import Clock
 from usdrigui.pipeline.records import LaidPart
-from usdrigui.pipeline.references import ReferenceLayouts
+from usdrigui.pipeline.reference_layouts import ReferenceLayouts
 from usdrigui.settings import PartSettings, Settings, load, with_sections
 from usdrigui.solve import solve
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from usdrigui.pipeline.records import Task
-from usdrigui.pipeline.references import ReferenceLayouts
+from usdrigui.pipeline.reference_layouts import ReferenceLayouts
 from usdrigui.pipeline.stages import build_problem, layout_of
 from usdrigui.reader.reader_process import read_rigs_isolated
 from usdrigui.settings import load
@@ -26,7 +26,7 @@ def read(name):
 
 
 def lay_out(rig, settings=SETTINGS, **references):
-    """The problem, its solution and the layout; `references` as of `usdrigui.pipeline.references.ReferenceLayouts`."""
+    """The problem, its solution and the layout; `references` as of `ReferenceLayouts`."""
     inputs = build_problem(rig, Task(settings, ReferenceLayouts(**references)))
     found = solve(inputs.placement.problem, settings.layout.solve)
     return inputs, found, layout_of(inputs, found)

@@ -19,7 +19,7 @@ from usdrigui.character import Control, Rig
 from usdrigui.errors import meant, refuse
 from usdrigui.model import Element, Layout
 from usdrigui.pipeline import LayerDifference, LayerReview, Loaded, ProgressCallback
-from usdrigui.pipeline.references import ReferenceLayers
+from usdrigui.pipeline.reference_layouts import ReferenceLayers
 from usdrigui.pose.evaluate import PosedLayout, evaluate, prepare, values_of
 from usdrigui.report.inspection import Inspection
 from usdrigui.report.markup import markup

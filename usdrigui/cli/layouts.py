@@ -24,7 +24,7 @@ def process(arguments: argparse.Namespace) -> Exit:
     """Lay out a character and write the layer beside it."""
     from usdrigui import pipeline
     from usdrigui.cli.terminal import run_lines
-    from usdrigui.pipeline.references import ReferenceLayers
+    from usdrigui.pipeline.reference_layouts import ReferenceLayers
     from usdrigui.report import run_documents
 
     settings = settings_of(arguments)

@@ -17,7 +17,7 @@ from usdrigui.layout.reuse.partial_layout import anchored_point
 from usdrigui.layout.symmetry.orbits import check_orbits
 from usdrigui.layout.symmetry.twins import configured_twins
 from usdrigui.model import Layout
-from usdrigui.pipeline.references import check_like
+from usdrigui.pipeline.reference_layouts import check_like
 from usdrigui.reader.reader_process import read_rigs_isolated
 from usdrigui.reader.reader_records import ReadResult
 from usdrigui.settings import Settings

@@ -16,7 +16,7 @@ from usdrigui.pipeline.configuration import refuse_unsound
 from usdrigui.pipeline.joining import issues_of
 from usdrigui.pipeline.progress import Clock, ProgressCallback
 from usdrigui.pipeline.records import Character, ProblemInputs, Task
-from usdrigui.pipeline.references import ReferenceLayers, read_references
+from usdrigui.pipeline.reference_layouts import ReferenceLayers, read_references
 from usdrigui.pipeline.stages import build_problem, character_of, part_problem
 from usdrigui.reader.reader_process import read_rigs_isolated
 from usdrigui.reader.reader_records import Opening

@@ -28,7 +28,7 @@ from usdrigui.pipeline.configuration import refuse_unsound
 from usdrigui.pipeline.joining import issues_of, joined, joined_assignment
 from usdrigui.pipeline.progress import Clock, ProgressCallback
 from usdrigui.pipeline.records import LaidPart, Task
-from usdrigui.pipeline.references import (
+from usdrigui.pipeline.reference_layouts import (
     ReferenceLayers,
     ReferenceLayouts,
     as_sibling,

@@ -14,7 +14,7 @@ from usdrigui.layout.reuse.identity import matching_issues
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.visibility import Viewpoint
 from usdrigui.model import Assignment, Candidates, Layout, Symmetry, Trajectories
-from usdrigui.pipeline.references import OwnReferences, ReferenceLayouts
+from usdrigui.pipeline.reference_layouts import OwnReferences, ReferenceLayouts
 from usdrigui.settings import Settings
 
 

@@ -28,7 +28,12 @@ from usdrigui.layout.reuse.retargeting import of_another
 from usdrigui.model import Layout, Trajectories
 from usdrigui.pipeline.animation import weighted
 from usdrigui.pipeline.records import CharacterPart
-from usdrigui.pipeline.references import OwnReferences, ReferenceLayouts, check_like, imitated
+from usdrigui.pipeline.reference_layouts import (
+    OwnReferences,
+    ReferenceLayouts,
+    check_like,
+    imitated,
+)
 from usdrigui.settings import Settings, TrajectorySettings
 
 

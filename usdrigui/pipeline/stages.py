@@ -41,7 +41,7 @@ from usdrigui.model import Assignment, Element, Layout, Symmetry, Trajectories
 from usdrigui.pipeline.configuration import base_values_of, camera_of
 from usdrigui.pipeline.progress import Clock
 from usdrigui.pipeline.records import Character, CharacterPart, ProblemInputs, Task
-from usdrigui.pipeline.references import OwnReferences
+from usdrigui.pipeline.reference_layouts import OwnReferences
 from usdrigui.pipeline.requested import own_references, requested
 from usdrigui.settings import PartSettings, Settings, with_sections
 
