@@ -38,13 +38,15 @@ a drawn track may pass points of the track that it leaves out.  A straight one b
 an arch passes a turn of 60 degrees by so much."""
 _ARCH = 0.75
 """Half the height of a flat arch over its mean height."""
-_EXACT, _FINE = 2e-6, 1e-3
+_EXACT, _FINE = 5e-7, 1e-3
 """Of the character's size, and of a handle's width, the less of both: the same for handles, which
 must be on the skin.  What is small beside its character, or beside a mesh that stands far away,
 needs its own measure."""
 _HAIR_STEP, _EXACT_STEP, _FINE_STEP = 0.05, 3e-7, 5e-4
 """Of the same lengths: offsets and points are whole numbers of decimal steps below these, so that
 they are short to write."""
+_DOME_STEP = 3.5
+"""Times as long are those of offsets of the dome: only the anchor must be on the skin."""
 _SIDES = 6
 _RADIUS, _HEIGHT = 0.6, 0.4
 """Of a handle's width: a hexagon of this radius covers the circle around a handle, and its dome is
@@ -109,7 +111,9 @@ def drawn_parts(skin: SkinBinding, element: Element, frame: LayoutFrame) -> tupl
     )
     form = _form(element, width, view)
     handle = (
-        _follower(binding, form) if binding.deforms else _slider(skin, binding, element, form, step)
+        _follower(binding, form, step if element.look.glyph is not None else _DOME_STEP * step)
+        if binding.deforms
+        else _slider(skin, binding, element, form, step)
     )
     tracks = _tracks(skin, still, element, width)
     lift = 0.0 if element.look.glyph is not None else _LIFT * width
@@ -352,11 +356,22 @@ def _neighbours(element: Element) -> list[tuple[int, int]]:
 # --- handles --------------------------------------------------------------------------------------
 
 
-def _follower(binding: AnchorBinding, form: Form) -> Drawn:
-    """The handle of an element on the skin: it has every shape and influence of the anchor."""
+def _follower(binding: AnchorBinding, form: Form, step: float) -> Drawn:
+    """The handle of an element on the skin: it has every shape and influence of the anchor, whose
+    offsets all points but the first have in steps below `step`."""
     around, faces = form
     points = binding.rest + around @ binding.handle.inverse
-    shapes = tuple(_uniform(shape, len(around)) for shape in binding.shapes)
+    shapes = tuple(
+        PointShape(
+            shape.channel,
+            shape.weights,
+            np.concatenate(
+                [shape.offsets[:, None], _uniform(_short(shape, step), len(around) - 1).offsets],
+                axis=1,
+            ),
+        )
+        for shape in binding.shapes
+    )
     return Drawn("handle", points, faces, binding.handle, shapes)
 
 

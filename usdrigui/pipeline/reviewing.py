@@ -197,27 +197,29 @@ def check(
     be read.
     """
     clock = Clock(progress)
-    if not settings.rig.read.each_variant:
+    try:
         return _checked(layer, settings, clock)
+    except RigUIError as error:
+        faults = _source_faults(layer, settings, error)
+        return LayerReview(str(layer), (), clock.seconds, faults, of_asset=True)
+
+
+def _checked(layer: Path, settings: Settings, clock: Clock) -> LayerReview:
+    if not settings.rig.read.each_variant:
+        return _checked_as_selected(layer, settings, clock)
     reviews, plain = variants.in_each_variant(
         settings,
         read_variants_isolated(layer, Opening.of(settings.rig.read)),
-        lambda chosen: _checked(layer, chosen, clock),
+        lambda chosen: _checked_as_selected(layer, chosen, clock),
     )
     characters = {root: review for each in reviews for root, review in each.characters}
     faults = dict.fromkeys((*(fault for each in reviews for fault in each.faults), *plain))
     return LayerReview(str(layer), tuple(characters.items()), clock.seconds, tuple(faults))
 
 
-def _checked(layer: Path, settings: Settings, clock: Clock) -> LayerReview:
+def _checked_as_selected(layer: Path, settings: Settings, clock: Clock) -> LayerReview:
     with clock.stage("read"):
-        try:
-            loaded, stale, source = _loaded(layer, settings)
-        except RigUIError as error:
-            if settings.rig.read.each_variant:
-                raise
-            faults = _source_faults(layer, settings, error)
-            return LayerReview(str(layer), (), clock.seconds, faults, of_asset=True)
+        loaded, stale, source = _loaded(layer, settings)
         refuse_unsound(source, settings)
     return _review_of(str(layer), loaded, stale, settings, clock)
 
