@@ -129,10 +129,8 @@ def _frame(surface: BaseSurface, plane: MirrorPlane, ahead: Floats, up: Floats) 
     return FaceFrame(projected(middle, plane), axes, surface.face_size)
 
 
-def mostly_hidden(
-    views: Views, tracks: Floats, normals: Floats, depth: float, share: float = 0.5
-) -> Flags:
-    """(p,) tracks (p, k, 3) of which more than `share` lies inside or behind the model from every
+def mostly_hidden(views: Views, tracks: Floats, normals: Floats, depth: float) -> Flags:
+    """(p,) tracks (p, k, 3) of which more than half lies inside or behind the model from every
     view.
 
     A track sinks by `depth` before it counts as hidden: lids slide under their fold and are grabbed
@@ -145,8 +143,7 @@ def mostly_hidden(
             lifted = views.frame.points(tracks[ask] + depth * direction)
             outward = views.frame.directions(normals[ask])
             hidden[ask] = (
-                hidden_share(views.caster, lifted, outward, views.frame.directions(direction))
-                > share
+                hidden_share(views.caster, lifted, outward, views.frame.directions(direction)) > 0.5
             )
     return hidden
 

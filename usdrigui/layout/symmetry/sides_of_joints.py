@@ -68,28 +68,15 @@ def ahead_of_head(rig: Rig, trajectories: Trajectories) -> Floats | None:
     """(3,) horizontal vector from the middle of the head to that of the joints of its face; None
     without them."""
     regions = joint_regions(rig, trajectories)
-    facial = (
-        [i for i, name in enumerate(regions.of_joint) if name == FACE]
-        if regions is not None
-        else []
-    )
-    head = (
-        np.array([name == FACE for name in (*regions.of_skin, "")])
-        if regions is not None
-        else np.zeros(1, bool)
-    )
-    points = (
-        trajectories.surface.points[head[owner_of_points(rig.body.meshes)]]
-        if facial
-        else np.zeros((0, 3))
-    )
-    if not len(points):
+    if regions is None:
+        return None
+    facial = [i for i, name in enumerate(regions.of_joint) if name == FACE]
+    head = np.array([name == FACE for name in (*regions.of_skin, "")])
+    points = trajectories.surface.points[head[owner_of_points(rig.body.meshes)]]
+    if not facial or not len(points):
         return None
     middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
     way = joint_places(rig.body.skeletons, rig.body.joints)[facial].mean(axis=0) - middle
     level = np.asarray(way - (way @ rig.skel_root.up) * rig.skel_root.up)
-    return (
-        level
-        if float(np.linalg.norm(level)) >= _AHEAD * float(np.ptp(points, axis=0).max())
-        else None
-    )
+    extent = float(np.ptp(points, axis=0).max())
+    return level if float(np.linalg.norm(level)) >= _AHEAD * extent else None
