@@ -6,13 +6,10 @@ import numpy as np
 
 from usdrigui.layout.face import Face
 from usdrigui.layout.reuse.partial_layout import MIRROR, fixed_anchor
+from usdrigui.layout.reuse.prior_layout import ONE_PLACE
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.mirror_plane import plane_distance, reflected
 from usdrigui.settings import ControlSettings
-
-_SAME = 0.5
-"""Earlier places of two twins mirror each other when they are nearer to it than this, in handle
-widths."""
 
 
 def has_own_place(face: Face, requests: Requests, control: int) -> bool:
@@ -31,7 +28,7 @@ def has_own_place(face: Face, requests: Requests, control: int) -> bool:
     if mine.on_board or other.on_board:
         return mine.on_board != other.on_board
     apart = np.linalg.norm(reflected(mine.position, symmetry.plane) - other.position)
-    return bool(apart > _SAME * face.handle_width)
+    return bool(apart > ONE_PLACE * face.handle_width)
 
 
 def _region(override: ControlSettings) -> tuple[str, str, float]:
