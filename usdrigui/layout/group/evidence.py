@@ -31,8 +31,8 @@ OPPOSED = -0.5
 convention is opposed."""
 TWINS_OPPOSED = -0.4
 """The same for twins of each other (jaw left, jaw right): what they do upward they do alike."""
-_SAME_REGION = 0.5
-"""Least overlap of the regions of a pair of the convention."""
+SAME_REGION = 0.5
+"""Least overlap of the regions of two controls, or axes, that the conventions join."""
 _HELD = CandidateSettings().least_kept
 """Share of both peaks that one visible place must keep: what any control keeps at its place."""
 _LIKE_AMOUNT = 0.25
@@ -93,7 +93,7 @@ class Evidence:
         """Whether the motions of two ends by convention agree with it: opposed, in one region, with
         one place."""
         least = TWINS_OPPOSED if twins else OPPOSED
-        same_region = self.similarity.shared[a, b] >= _SAME_REGION
+        same_region = self.similarity.shared[a, b] >= SAME_REGION
         return bool(self.similarity.direction[a, b] <= least and same_region)
 
     def like_amount(self, a: int, b: int) -> bool:

@@ -18,7 +18,7 @@ from usdrigui.character import Flags, Indices
 from usdrigui.conventions.sides import has_side
 from usdrigui.errors import Faults, meant, refuse
 from usdrigui.layout.control_overrides import control_index
-from usdrigui.layout.group.evidence import Evidence, Relation, alike
+from usdrigui.layout.group.evidence import SAME_REGION, Evidence, Relation, alike
 from usdrigui.layout.group.own_places import has_own_place
 from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.similarity import bidirectional
@@ -39,7 +39,6 @@ _SINGLE_SHARED = 0.9
 """The same for an axis and a single control."""
 _ACROSS = 0.4
 """Largest cosine of the directions of two axes of a joystick."""
-_SHARED_BY_CONVENTION = 0.5
 _ACROSS_BY_CONVENTION = 0.7
 """The same where the conventions make a joystick of them."""
 _ALIKE = 0.1
@@ -333,7 +332,7 @@ class _Grouping:
         known = self.evidence.crossing(first.motions, second.motions)
         most = _ACROSS
         if known == "convention":
-            least, most = _SHARED_BY_CONVENTION, _ACROSS_BY_CONVENTION
+            least, most = SAME_REGION, _ACROSS_BY_CONVENTION
         shared, across = self._crossing(first, second)
         return known if shared >= least and across <= most and self._alike(first, second) else ""
 
