@@ -6,7 +6,7 @@ import laid_out
 import numpy as np
 import pytest
 import skinned_stages
-from pxr import Sdf, UsdGeom
+from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.character.deform import deform
 from usdrigui.layer.write_layout import layer_for, stage_metadata
@@ -84,6 +84,46 @@ def test_handles_are_centred_on_their_deformed_anchors(tmp_path, kind):
             assert np.abs(centre - anchor).max() < CLOSE * diagonal(rig), (element.name, time)
             travel = max(travel, float(np.linalg.norm(anchor - element.anchor.position)))
     assert travel > 0.02 * diagonal(rig)
+
+
+def with_far_shape(source, far):
+    """The rig with one more shape, which takes every point of the face out of sight."""
+    stage = Usd.Stage.Open(str(source))
+    mesh = UsdGeom.Mesh(stage.GetPrimAtPath("/World/Char/face0"))
+    shape = UsdSkel.BlendShape.Define(stage, "/World/Char/face0/hide")
+    shape.CreateOffsetsAttr([Gf.Vec3f(0.3 * far, far, 0)] * len(mesh.GetPointsAttr().Get()))
+    binding = UsdSkel.BindingAPI(mesh)
+    binding.GetBlendShapesAttr().Set([*binding.GetBlendShapesAttr().Get(), "hide"])
+    binding.GetBlendShapeTargetsRel().AddTarget(shape.GetPath())
+    (animation,) = (UsdSkel.Animation(prim) for prim in stage.Traverse() if prim.IsA(UsdSkel.Animation))
+    animation.GetBlendShapesAttr().Set([*animation.GetBlendShapesAttr().Get(), "hide"])
+    animation.GetBlendShapeWeightsAttr().Set([*animation.GetBlendShapeWeightsAttr().Get(), 0.0])
+    stage.Save()
+    (rig,) = read_rigs(source, Settings())
+    return rig
+
+
+@pytest.mark.parametrize("far", [1e4, 1e6])
+def test_a_shape_that_hides_the_face_far_away_moves_no_handle(tmp_path, far):
+    source, plain = read(tmp_path)
+    names = [control.name for control in plain.controls]
+    alone = laid_out.baked(
+        written(tmp_path, plain, laid_out.layout_of(plain), source), plain, [laid_out.defaults(plain)]
+    )
+    rig = with_far_shape(source, far)
+    layout = laid_out.layout_of(rig, only=names)
+    hide = [control.name for control in rig.controls].index("hide")
+    rng = np.random.default_rng(9)
+    poses = [laid_out.defaults(rig), *(laid_out.random_values(rig, rng) for _ in range(3))]
+    for pose in poses:
+        pose[hide] = 0.0
+    stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, poses)
+    for element in layout.elements:
+        drawn = handle_of(stage, rig, element, 0)
+        assert np.abs(drawn - handle_of(alone, plain, element, 0)).max() < 1e-6 * diagonal(plain), element.name
+        for time in range(len(poses)):
+            anchor = laid_out.root_points(stage, element.anchor.mesh, rig.skel_root.path, time)[element.anchor.point]
+            assert np.abs(handle_of(stage, rig, element, time)[0] - anchor).max() < 1e-6 * diagonal(plain)
 
 
 @pytest.mark.parametrize("kind", KINDS)

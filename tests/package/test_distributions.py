@@ -9,7 +9,6 @@ import sys
 import tomllib
 from pathlib import Path
 
-import usdrigui
 from usdrigui.cli import distributions, main
 from usdrigui.errors import Exit
 
@@ -78,7 +77,10 @@ def test_one_package_that_holds_pxr_is_fine():
 
 def test_the_schema_distribution_needs_nothing_and_serves_beside_the_package(tmp_path):
     schemas = pyproject("schemas")["project"]
-    assert schemas["version"] == usdrigui.__version__
+    contract = (ROOT / "schemas" / "CONTRACT.md").read_text().partition("\n")[0]
+    assert contract.endswith(f"version {schemas['version']}")
+    assert (ROOT / "schemas" / "LICENSE").read_bytes() == (ROOT / "LICENSE").read_bytes()
+    assert schemas["license-files"] == ["LICENSE"]
     assert not schemas.get("dependencies")
     built = tomllib.loads((ROOT / "schemas" / "pyproject.toml").read_text())["tool"]["hatch"]["build"]
     shutil.copytree(ROOT / "schemas" / "usdrigui_schemas", tmp_path / "usdrigui_schemas")
