@@ -204,7 +204,7 @@ class LikeSettings:
     """Laying out a character like another one (`--like`)."""
 
     names: Mapping[str, str] = field(default_factory=dict)
-    penalty: float = 1.0
+    penalty: float = 2.0
 
 
 @dataclass(frozen=True, slots=True)
