@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from usdrigui.layout.place.problem import _off_face_cost
+from usdrigui.layout.place.problem import off_face_cost
 from usdrigui.settings import ControlSettings, ObjectiveSettings
 
 
@@ -25,9 +25,9 @@ def test_each_control_of_each_copy_that_leaves_the_face_costs_and_more_if_it_is_
     face = SimpleNamespace(meanings=action)
     group = SimpleNamespace(controls=(0, 1), copies=((0, 1),) * copies)
     settings = ObjectiveSettings(off_face_penalty=3.0)
-    assert _off_face_cost(face, group, requests, settings) == pytest.approx(cost)
+    assert off_face_cost(face, group, requests, settings) == pytest.approx(cost)
     for asked in (ControlSettings(place="face"), ControlSettings(place="proxy"), ControlSettings(anchor="/M#1")):
         requests.overrides[1] = asked
-        assert _off_face_cost(face, group, requests, settings) == np.inf
+        assert off_face_cost(face, group, requests, settings) == np.inf
     requests.overrides[1] = ControlSettings()
-    assert _off_face_cost(face, group, requests, ObjectiveSettings(off_face_allowed=False)) == np.inf
+    assert off_face_cost(face, group, requests, ObjectiveSettings(off_face_allowed=False)) == np.inf
