@@ -55,6 +55,8 @@ class _Merged:
     axes: tuple[tuple[int, ...], ...]
     reason: str
     name: str = ""
+    doubled: bool = False
+    """Whether the layout given has it on either side of the middle."""
 
 
 def find_groups(known: Measured, candidates: Candidates) -> tuple[Group, ...]:
@@ -205,7 +207,8 @@ class _Grouping:
             ends = set().union(*pairs)
             axes = sorted((*pairs, *((i,) for i in range(len(motions)) if i not in ends)), key=min)
             reason = "as in the layout given" if len(motions) > 1 else ""
-            found.append(_Merged(motions, tuple(axes), reason, group.name if whole else ""))
+            name = group.name if whole else ""
+            found.append(_Merged(motions, tuple(axes), reason, name, group.doubled))
         return found
 
     # --- opposed controls -------------------------------------------------------------------------
@@ -558,7 +561,7 @@ class _Grouping:
         in the middle."""
         if self.double_middle != "evidence" or any(self.category[i] for i in merged.motions):
             return self.double_middle == "always"
-        return all(self._has_two_lobes(i) for i in merged.motions)
+        return merged.doubled or all(self._has_two_lobes(i) for i in merged.motions)
 
     def _has_two_lobes(self, index: int) -> bool:
         face, motion = self.face, self.face.trajectories.motions[index]

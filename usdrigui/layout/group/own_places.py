@@ -20,6 +20,8 @@ def has_own_place(face: Face, requests: Requests, control: int) -> bool:
     twin = int(symmetry.twins[control])
     if twin >= 0 and _region(overrides[control]) != _region(overrides[twin]):
         return True
+    if any(group.doubled and {control, twin} <= set(group.controls) for group in prior.groups):
+        return False  # Both sides of one element have both controls.
     if overrides[control].anchor:
         return not _fixed_in_mirror(face, requests, control)
     mine, other = prior.places.get(control), prior.places.get(twin)

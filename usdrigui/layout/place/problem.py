@@ -107,9 +107,10 @@ def penalties_of_leaving(face: Face, requests: Requests, choice: Choice) -> tupl
     cost."""
     prior, base = requests.prior, face.trajectories.surface.points
     stay, leave = np.zeros(len(choice.anchors)), 0.0
+    copies = [set(controls) for controls in choice.controls]
     for controls in choice.controls:
         # A doubled element has one earlier place, that of its first copy.
-        anchors = choice.anchors[:, choice.controls.index(controls)]
+        anchors = choice.anchors[:, copies.index(set(controls))]
         stay += leaving_penalties(prior, controls, anchors, base, face.handle_width)
         leave += prior.penalty * prior.stood_on_face(controls)
     return stay, leave

@@ -31,6 +31,8 @@ class KeptGroup:
     """Indices into `Rig.controls`."""
     opposed: tuple[tuple[int, int], ...]
     """Pairs of positions in `controls`."""
+    doubled: bool = False
+    """Whether it had a handle on either side of the middle."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,6 +111,7 @@ def kept_groups(elements: tuple[Element, ...], rig: Rig) -> tuple[KeptGroup, ...
     index = {control.name: number for number, control in enumerate(rig.controls)}
     groups: list[KeptGroup] = []
     taken: set[int] = set()
+    of_mirror = {element.name: element.manipulator.controls for element in elements}
     for element in outer_first(elements):
         members = element.manipulator.members
         kept = [
@@ -125,9 +128,9 @@ def kept_groups(elements: tuple[Element, ...], rig: Rig) -> tuple[KeptGroup, ...
             for a, b in element.manipulator.opposed
             if a in kept and b in kept
         )
-        groups.append(
-            KeptGroup(element.name if len(kept) == len(members) else "", controls, opposed)
-        )
+        name = element.name if len(kept) == len(members) else ""
+        doubled = of_mirror.get(element.manipulator.mirror) == element.manipulator.controls
+        groups.append(KeptGroup(name, controls, opposed, doubled))
         taken |= set(controls)
     return tuple(groups)
 

@@ -19,7 +19,7 @@ from usdrigui.layout.reuse.prior_layout import (
     prior_of_previous,
 )
 from usdrigui.layout.review.difference import cost_savings, difference
-from usdrigui.settings import ControlSettings, Settings, with_sections
+from usdrigui.settings import ControlSettings, Settings, SymmetrySettings, with_sections
 
 
 def lay_out(rig, settings=None, prior=NO_PRIOR, fixed=None):
@@ -76,6 +76,17 @@ def test_a_fixed_layout_comes_back_to_the_point_and_in_its_pairs(face, before):
     assert partners(again.layout) == partners(before.layout)
     mirrors = {element.name: element.manipulator.mirror for element in before.layout.elements}
     assert {element.name: element.manipulator.mirror for element in again.layout.elements} == mirrors
+
+
+def test_a_doubled_element_keeps_both_of_its_handles_and_pays_nothing(face):
+    twice = with_sections(Settings(), symmetry=SymmetrySettings(double_middle="always"))
+    doubled = lay_out(face, twice)
+    assert any(name.endswith("_mirror") for name in chain.by_name(doubled))
+    prior = prior_of_previous(doubled.layout.elements, face, 50.0)
+    for again in (lay_out(face, prior=prior), lay_out(face, fixed=doubled.layout)):
+        assert set(chain.by_name(again)) == set(chain.by_name(doubled))
+        assert anchors(again.layout) == anchors(doubled.layout)
+        assert again.assignment.cost < 0.0
 
 
 def test_a_group_on_the_board_stays_together_whatever_takes_its_controls_off_the_face():
