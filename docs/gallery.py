@@ -39,15 +39,18 @@ REMARKS: dict[str, str] = tomllib.loads((DOCS / "gallery.toml").read_text("utf-8
 
 _INTRODUCTION = """\
 Layouts of real rigs with default settings: each with its remaining faults. *On the character*:
-controls with an element on the character, of all; *kept*: mean displacement at the handle as a
-share of the control's peak; *gap*: proven distance of the cost from the optimum; *placed*:
-controls (of joints: axes) that are where an animator expects them, judged by a separate program;
-- where it knows no place for any.
+controls with an element on the character, of all; *clear*: elements that can be read and grabbed
+at a glance in a picture 640 pixels high, of all that are visible at first, as `usdrigui check`
+tells; *kept*: mean displacement at the handle as a share of the control's peak; *gap*: proven
+distance of the cost from the optimum; *placed*: controls (of joints: axes) that are where an
+animator expects them, judged by a separate program; - where it knows no place for any.
 
 Sources and licences are in the `customLayerData` of each file. `ict_*`: ICT FaceKit, MIT; `mh_*`:
 MakeHuman, CC0; vitruvian: CharMorph Vitruvian, CC0; godette: Godette by SirRichard94, VRM by Lyuma,
 CC-BY 3.0; facecap_blender: Face Cap, (c) 2020 Niels J., MIT; rocketbox_male17: Microsoft Rocketbox,
-MIT; hand_webxr: WebXR input profiles, Amazon, MIT; openusd_blendshapes: OpenUSD's own test."""
+MIT; rpm_xr: Ready Player Me template in ubiq-rocketbox, (c) 2024 Ready Player Me, MIT;
+weboji_tiger: jeelizWeboji, Apache-2.0; hand_webxr: WebXR input profiles, Amazon, MIT;
+openusd_blendshapes: OpenUSD's own test."""
 
 
 @dataclass(frozen=True)
@@ -56,6 +59,7 @@ class Result:
 
     parts: str
     on_character: str
+    clear: str
     kept: str
     gap: str
     judged: str
@@ -76,7 +80,7 @@ def main() -> int:
             print(f"{name}: absent, skipped")
             continue
         rows[name] = asdict(_result(name, asset, given.judge))
-    ROWS.write_text(json.dumps(rows, indent=1) + "\n", "utf-8")
+        ROWS.write_text(json.dumps(rows, indent=1) + "\n", "utf-8")
     PAGE.write_text(page(rows), "utf-8")
     return 0
 
@@ -89,10 +93,11 @@ def _result(name: str, asset: Path, judge: Path | None) -> Result:
         _picture(layer).save(IMAGES / f"{name}.jpg", quality=QUALITY)
         judged = _judged(layer, judge)
     (character, *_) = report.characters
-    on_face, kept = character.count("face"), character.kept
+    on_face, kept, legible = character.count("face"), character.kept, character.legibility
     return Result(
         ", ".join(part.name for part in character.parts),
         f"{on_face}/{len(character.rows)}",
+        f"{legible.clear}/{legible.elements}" if legible.elements else "-",
         f"{kept:.0%}" if math.isfinite(kept) else "-",
         f"{character.assignment.gap:.1e}",
         judged,
@@ -124,13 +129,13 @@ def page(rows: dict[str, dict[str, str]]) -> str:
         "",
         *_INTRODUCTION.splitlines(),
         "",
-        "| rig | parts | on the character | kept | gap | placed |",
-        "|---|---|---|---|---|---|",
+        "| rig | parts | on the character | clear | kept | gap | placed |",
+        "|---|---|---|---|---|---|---|",
     ]
     shown = [name for name in REMARKS if name in rows]
     for name in shown:
         row = rows[name]
-        columns = (row[key] for key in ("parts", "on_character", "kept", "gap", "judged"))
+        columns = (row[key] for key in ("parts", "on_character", "clear", "kept", "gap", "judged"))
         lines.append(f"| {name} | {' | '.join(columns)} |")
     for name in shown:
         lines += [

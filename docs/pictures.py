@@ -313,11 +313,13 @@ SCENES: tuple[Scene, ...] = (
     Scene(
         "flat",
         "2 · Flat layouts",
-        "`--space view` spaces elements as the viewer sees them and measures their tracks in the"
-        " picture plane: what runs toward the viewer is anchored where it can still be seen to"
-        " move.",
+        "Elements of a head are kept apart as the viewer sees them, those of bodies and hands in"
+        " space; `--space object` keeps all apart in space. `--space view` measures their"
+        " tracks in the picture plane as well: what runs toward the viewer is anchored where it can"
+        " still be seen to move.",
         (
-            Panel("in space"),
+            Panel("in space", '[candidates]\nspace = "object"'),
+            Panel("by default"),
             Panel("as seen from the front", '[candidates]\nspace = "view"\nview = "front"'),
         ),
         ("mouthPucker", "mouthFunnel", "jawForward", "cheekPuff", "mouthShrug", "mouthRoll"),
@@ -535,13 +537,8 @@ SCENES: tuple[Scene, ...] = (
         " four and eight times as wide here as usual, and may not shrink as they otherwise do on a"
         " crowded face.",
         (
-            Panel(
-                "nothing keeps handles apart",
-                "[objective]\nhandle_size = 0.08\nmax_neighbours = 0\nseparation ="
-                " false\ndisplacement_weight = 1.0",
-            ),
-            Panel("kept apart", "[objective]\nhandle_size = 0.08\nmax_neighbours = 0"),
-            Panel("too large for all", "[objective]\nhandle_size = 0.16\nmax_neighbours = 0"),
+            Panel("four times as wide", "[objective]\nhandle_size = 0.08\nmax_neighbours = 0"),
+            Panel("eight times as wide", "[objective]\nhandle_size = 0.16\nmax_neighbours = 0"),
         ),
         MOUTH,
         labels=False,

@@ -311,6 +311,8 @@ def _numbers(controls: int, layout: Layout, width: float) -> str:
     parts += [f"{len(layout.left_off)} left off"] if layout.left_off else []
     if np.isfinite(proof.bound) and np.isfinite(proof.cost):
         parts.append(f"cost {proof.cost:.4g}, {proven(gap_of(proof.cost, proof.bound))}")
+    while len(parts) > 1 and width_of(_BETWEEN.join(parts), 14) > width:
+        parts.pop()
     return cut(_BETWEEN.join(parts), 14, width)
 
 

@@ -29,6 +29,8 @@ _MIN_ARM = 1e-3
 """Of the longest arm of an element: a shorter one is where its track begins, at the rest."""
 _MIN_RADIUS = 3.2
 """Of a handle, pixels: smaller ones are drawn larger than they are."""
+_SPREAD = np.array([[0, 0, 0], [0.7, 0, 0], [-0.7, 0, 0], [0, 0.7, 0], [0, -0.7, 0]])
+"""Places on a handle, in shares of its radius: it is hidden where all of them are."""
 
 
 def colour_of(element: Element) -> Colour:
@@ -68,7 +70,7 @@ def mark(
         element,
         tuple(track[:, :2] for track in tracks),
         tuple(_seen(track, depth, 0.5 * handle_width) for track in tracks),
-        not _seen(handle[None], depth, 0.5 * handle_width)[0],
+        not _seen(handle + radius * _SPREAD, depth, 0.5 * handle_width).any(),
         float(handle[2]),
         () if slider else _fields(element.manipulator, posed, camera),
         () if glyph is None else _outlines(glyph, camera.project(posed.glyph), handle, enlarged),
