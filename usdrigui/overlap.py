@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from usdrigui.character import Flags, Floats, Indices
-from usdrigui.model import AnyOverlap, LayoutProblem, MeanOverlap, Overlap, Variable
+from usdrigui.model import AnyOverlap, LayoutProblem, MeanOverlap, Overlap
 
 ROUNDING = 1e-12
 """Share of lengths and costs by which rounding may be off: bounds leave so much room."""
@@ -87,8 +87,12 @@ def pair_costs(
         return cost
     on_face = np.flatnonzero((one >= 0) & (other >= 0))
     reach = max(problem.overlap.reach, problem.separation)
-    for mine in _copies(problem.variables[a], one[on_face]):
-        for theirs in _copies(problem.variables[b], other[on_face]):
+    first_copies, second_copies = (
+        _copies(variable.samples[labels[on_face]], variable.handles[labels[on_face]])
+        for variable, labels in ((problem.variables[a], one), (problem.variables[b], other))
+    )
+    for mine in first_copies:
+        for theirs in second_copies:
             near = np.flatnonzero(_boxes_meet(mine, theirs, reach))
             cost[on_face[near]] += least_costs(
                 mine.of(near), theirs.of(near), problem.overlap, problem.separation
@@ -103,7 +107,7 @@ def own_costs(samples: Floats, handles: Floats, overlap: AnyOverlap, separation:
     `samples` (R, copies, u, d), `handles` (R, copies, d).  Returns ``(R,)`` costs, +inf
     where two copies' handles are nearer than the separation: such a candidate must be dropped.
     """
-    copies = [Drawn.of_labels(samples[:, i], handles[:, i]) for i in range(samples.shape[1])]
+    copies = _copies(samples, handles)
     cost = np.zeros(len(samples))
     for i, one in enumerate(copies):
         cost += short_costs(one, overlap)
@@ -142,8 +146,8 @@ def total_cost(problem: LayoutProblem, labels: ArrayLike) -> float:
     return float(cost)
 
 
-def _copies(variable: Variable, labels: Indices) -> list[Drawn]:
-    samples, handles = variable.samples[labels], variable.handles[labels]
+def _copies(samples: Floats, handles: Floats) -> list[Drawn]:
+    """Every copy of labels: `samples` (R, copies, u, d), `handles` (R, copies, d)."""
     return [Drawn.of_labels(samples[:, i], handles[:, i]) for i in range(samples.shape[1])]
 
 
