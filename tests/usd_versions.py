@@ -4,8 +4,7 @@
 
 Each PYTHON is an interpreter that can import pxr (nothing else is needed there), for example of a virtual
 environment with ``pip install usd-core==24.11``.  Prints one line per interpreter, layer and way of
-loading; ends with 1 if any fails.  tests/package/test_usd_versions.py runs the same for the interpreters
-in USDRIGUI_OTHER_USD.
+loading; ends with 1 if any fails.
 """
 
 from __future__ import annotations

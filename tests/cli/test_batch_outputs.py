@@ -52,13 +52,6 @@ def test_a_name_that_cannot_be_is_refused_before_any_work(idle, capsys, options,
     assert sorted(idle.rglob("*")) == before
 
 
-@pytest.mark.parametrize("name", ["s.png", "s.PNG"])
-def test_a_sheet_is_a_png(idle, monkeypatch, name):
-    monkeypatch.setenv("USDRIGUI_TRACEBACK", "1")
-    with pytest.raises(AssertionError, match="began to work"):
-        main(["batch", str(idle / "*.usda"), "--sheet", name])
-
-
 def layers(folder, *names, output_dir=None):
     """Names, below the folder, of the layers of a batch of these files."""
     for name in names:
@@ -81,14 +74,6 @@ def test_one_folder_under_two_names_is_one_folder(monkeypatch, tmp_path):
     ]
     below = [each.replace(there, "a") for each in layers(tmp_path, "a/char.usda", f"{there}/char.usdc")]
     assert layers(tmp_path, "a/char.usda", f"{there}/char.usdc", output_dir=Path("a")) == below
-
-
-def test_a_folder_behind_a_link_is_the_one_that_the_system_finds(monkeypatch, tmp_path):
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "far" / "deep").mkdir(parents=True)
-    (tmp_path / "link").symlink_to("far/deep")
-    (asset,) = layers(tmp_path, "link/../char.usda")
-    assert (tmp_path / asset).parent.resolve() == tmp_path / "far"
 
 
 def test_a_name_with_its_extension_that_another_asset_has_too(monkeypatch, tmp_path):

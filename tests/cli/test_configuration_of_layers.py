@@ -149,11 +149,6 @@ def test_layers_over_each_other_in_a_circle_have_an_end(folder):
     assert all(shown(folder / "one.usda").values())
 
 
-def test_a_folder_is_no_layer(tmp_path, capsys, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    assert issues(capsys, ".") == (3, {"SOURCE_NOT_A_FILE"})
-
-
 @pytest.mark.parametrize(
     ("texts", "expected"),
     [

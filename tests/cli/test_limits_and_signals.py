@@ -76,15 +76,6 @@ def untouched(asset):
     return layer.read_bytes() == b"#usda 1.0\n" and not [each for each in layer.parent.iterdir() if "tmp" in each.name]
 
 
-def test_reading_ends_at_its_limit(hanging):
-    sent = time.monotonic()
-    process = start(hanging, "--set", "read.time_limit=1.5", "--json")
-    out, _ = ended(process, sent)
-    assert process.returncode == 4
-    assert json.loads(out)["issues"][0]["code"] == "SOURCE_TIME_LIMIT"
-    assert untouched(hanging)
-
-
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_signal_while_reading_ends_the_run_and_the_reader(hanging, number):
     process = start(hanging)
@@ -147,14 +138,6 @@ def test_a_second_signal_ends_at_once(hanging):
     assert untouched(hanging)
 
 
-def test_a_killed_command_leaves_no_process(hanging):
-    process = start(hanging)
-    below = processes_below(process)
-    process.kill()
-    process.communicate()
-    until(lambda: gone(below))
-
-
 @pytest.mark.parametrize("which", ["worker", "warm parent", "reader"])
 def test_whatever_is_killed_the_command_ends_with_a_code(hanging, which):
     process = start(hanging)
@@ -191,11 +174,3 @@ def test_a_memory_limit_on_the_search_gives_a_layout_or_a_code(tmp_path, limit, 
         assert solution["bound"] <= solution["cost"]
         assert solution["status"] == ("optimal" if solution["gap"] <= Settings().layout.solve.gap else "stopped")
     assert (tmp_path / "char.rigui.usda").exists() == (code == 0)
-
-
-def test_a_memory_limit_on_reading(tmp_path, capsys):
-    asset = head(tmp_path / "char.usda")
-    asset.write_text(asset.read_text() + 'def Scope "S" {\n    int[] many = [' + "0, " * 3_000_000 + "0]\n}\n")
-    assert main(["process", str(asset), "--set", "read.memory_limit=24", "--json"]) == 4
-    assert json.loads(capsys.readouterr().out)["issues"][0]["code"] == "SOURCE_MEMORY_LIMIT"
-    assert [each.name for each in tmp_path.iterdir()] == ["char.usda"]

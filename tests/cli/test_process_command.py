@@ -108,36 +108,10 @@ def test_a_missing_file_is_one_error_with_code_and_repair(tmp_path, capsys):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_refusal_is_json_too(tmp_path, capsys):
-    assert main(["process", str(tmp_path / "none.usda"), "--json"]) == 3
-    document = json.loads(capsys.readouterr().out)
-    assert document["outcome"] == "refused"
-    assert document["issues"][0]["code"] == "FILE_NOT_FOUND"
-
-
-@pytest.mark.parametrize("argument", ["solve.gapp=1", "nothing.gap=1"])
-def test_an_unknown_setting_is_a_usage_error(character, argument, capsys):
-    assert main(["process", str(character), "--set", argument]) == 2
-    assert "CONFIG_UNKNOWN_KEY" in capsys.readouterr().err
-
-
 def test_the_configuration_beside_the_asset_is_read(character, capsys):
     character.with_suffix(".rigui.toml").write_text("[solve]\nnonsense = 1\n")
     assert main(["process", str(character)]) == 2
     assert "solve.nonsense" in capsys.readouterr().err
-
-
-def test_an_unexpected_exception_is_called_a_bug_without_traceback(character, monkeypatch, capsys):
-    from usdrigui import pipeline
-
-    def broken(*_args, **_kwargs):
-        raise ZeroDivisionError("by nothing")
-
-    monkeypatch.setattr(pipeline, "process", broken)
-    assert main(["process", str(character)]) == 5
-    printed = capsys.readouterr()
-    assert "BUG" in printed.err
-    assert "Traceback" not in printed.err
 
 
 def test_inspect_lists_every_control_and_writes_nothing(character, tmp_path, capsys):

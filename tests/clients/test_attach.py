@@ -2,13 +2,12 @@
 
 import json
 import os
-import re
 import shutil
 import time
 
 import pytest
 import skinned_stages
-from pxr import Sdf, Usd, UsdGeom, UsdUtils
+from pxr import Sdf, Usd, UsdGeom
 
 from usdrigui.cli import main
 from usdrigui.clients.attaching import attach as edit
@@ -84,27 +83,18 @@ TEXTS = {
 }
 
 
-@pytest.mark.parametrize("text", TEXTS.values(), ids=TEXTS.keys())
-def test_there_and_back_gives_the_same_opinions(folder, text):
-    asset = reworded(folder, text)
+@pytest.mark.parametrize("name", TEXTS)
+def test_there_and_back_gives_the_same_text(folder, name):
+    asset = reworded(folder, TEXTS[name])
     before = Sdf.Layer.OpenAsAnonymous(str(asset))
     assert attach(asset, folder / "ui" / "bare.usda", Settings()) == "written"
     after = Sdf.Layer.OpenAsAnonymous(str(asset))
     assert list(after.subLayerPaths) == ["./ui/bare.usda", *before.subLayerPaths]
-    assert [(each.offset, each.scale) for each in after.subLayerOffsets][1:] == [
-        (each.offset, each.scale) for each in before.subLayerOffsets
-    ]
+    offsets, now = ([(x.offset, x.scale) for x in layer.subLayerOffsets] for layer in (before, after))
+    assert now[1:] == offsets
     assert layouts(asset)
-    assert detach(asset, folder / "ui" / "bare.usda", Settings()) == "written"
-    assert Sdf.Layer.OpenAsAnonymous(str(asset)).ExportToString() == before.ExportToString()
-
-
-@pytest.mark.parametrize("name", TEXTS)
-def test_there_and_back_gives_the_same_text(folder, name):
-    asset = reworded(folder, TEXTS[name])
-    attach(asset, folder / "ui" / "bare.usda", Settings())
     assert all(line in asset.read_text() for line in TEXTS[name].splitlines() if "subLayers" not in line)
-    detach(asset, folder / "ui" / "bare.usda", Settings())
+    assert detach(asset, folder / "ui" / "bare.usda", Settings()) == "written"
     assert asset.read_text() == TEXTS[name]
 
 
@@ -162,13 +152,6 @@ def test_a_layout_in_a_variant_of_a_crate_leaves_no_trace(folder, capsys):
     assert Sdf.Layer.OpenAsAnonymous(str(asset)).ExportToString() == before
 
 
-def test_refuses_layouts_in_variants_that_would_miss_what_they_refer_to(folder):
-    bare = folder / "ui" / "bare.usda"
-    text = bare.read_text()
-    bare.write_text(re.sub("(rel rigUI:layout:skeleton = )<[^>]*>", r"\1</World/Bones>", text))
-    assert refusal(folder / "char.usda", bare, in_variant=True) == "ATTACH_OUTSIDE"
-
-
 def test_the_time_of_an_edit_grows_with_the_text_alone():
     """Of the head as of the body; a search that begins again at every line takes sixteen times as long for four."""
 
@@ -224,23 +207,6 @@ def test_a_layer_that_is_gone_can_be_detached(folder):
     assert asset.read_bytes() == before
 
 
-def test_refuses_what_it_cannot_write(folder):
-    bare = folder / "ui" / "bare.usda"
-    packed = folder / "char.usdz"
-    UsdUtils.CreateNewUsdzPackage(str(folder / "char.usda"), str(packed))
-    assert refusal(packed, bare) == "ATTACH_PACKAGE"
-    link = folder / "latest.usda"
-    link.symlink_to(folder / "char.usda")
-    assert refusal(link, bare) == "ATTACH_LINK"
-    assert refusal(folder / "nobody.usda", bare) == "FILE_NOT_FOUND"
-
-
-@pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="root may write anything")
-def test_refuses_a_read_only_asset(folder):
-    (folder / "char.usda").chmod(0o444)
-    assert refusal(folder / "char.usda", folder / "ui" / "bare.usda") == "FILE_PERMISSION"
-
-
 def test_a_locked_asset_stays_as_it_is(folder, monkeypatch):
     """What the file system says when the file may not be written, also where the tests run as root."""
     monkeypatch.setattr(os, "access", lambda *_, **__: False)
@@ -258,17 +224,6 @@ def test_refuses_cycles(folder):
     prim.referenceList.Prepend(Sdf.Reference("../middle.usda", "/World"))
     round_about.Save()
     assert refusal(asset, folder / "ui" / "bare.usda") == "ATTACH_CYCLE"
-
-
-def test_refuses_layers_without_layout_or_of_another_character(folder):
-    assert refusal(folder / "char.usda", folder / "body.usda") == "FILE_NOT_FOUND"
-    empty = Sdf.Layer.CreateNew(str(folder / "empty.usda"))
-    empty.Save()
-    assert refusal(folder / "char.usda", folder / "empty.usda") == "LAYOUT_MISSING"
-    layer = Sdf.Layer.FindOrOpen(str(folder / "ui" / "bare.usda"))
-    layer.GetPrimAtPath("/World/Char").name = "Other"
-    layer.Save()
-    assert refusal(folder / "char.usda", folder / "ui" / "bare.usda") == "ATTACH_MISMATCH"
 
 
 def test_exchanged_arguments_are_reported(folder):

@@ -150,22 +150,6 @@ END = """echo '{"what": "end", "code": 0, "out": "rubbish", "err": ""}'"""
 
 
 @pytest.mark.skipif(os.name != "posix", reason="needs a shell")
-@pytest.mark.parametrize(
-    ("text", "code", "exit_code"),
-    [
-        ("kill -9 $$", "BATCH_KILLED", 4),
-        ("kill -11 $$", "WORKER_CRASHED", 5),
-        ("echo rubbish; exit 5", "WORKER_CRASHED", 5),
-        ("exit 0", "WORKER_CRASHED", 5),
-        (END, "BATCH_NO_REPORT", 5),
-    ],
-)
-def test_a_process_that_dies_is_a_row(monkeypatch, tmp_path, text, code, exit_code):
-    row = jobs.run_job(fake(monkeypatch, tmp_path, text))
-    assert (row.outcome, row.code, row.exit) == ("failed", code, exit_code)
-
-
-@pytest.mark.skipif(os.name != "posix", reason="needs a shell")
 def test_a_process_that_hangs_is_ended_with_its_children(monkeypatch, tmp_path):
     job = fake(monkeypatch, tmp_path, f"sleep 1000 & echo $! > {tmp_path}/pid; wait")
     row = jobs.run_job(Job(job.asset, job.output, "", JobOptions(timeout=1.0)))

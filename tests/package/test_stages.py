@@ -4,8 +4,6 @@ import ast
 from collections import Counter, defaultdict
 from pathlib import Path
 
-import pytest
-
 PACKAGE = Path(__file__).resolve().parents[2] / "usdrigui"
 FIELDS, FUNCTIONS = 5, 10
 
@@ -17,29 +15,12 @@ CHANGES = {"Budget"}
 """A solver's only object that changes: it counts the work, is no record of a stage, and goes to every search."""
 SHARED = {"Face", "Requests"}
 """What is measured of a face and what is asked for, once each: what nearly every stage of placing reads."""
-TOGETHER = [("layout", "pipeline"), ("cli", "clients"), ("pose",), ("solve",), ("view",)]
-"""Folders whose functions pass each other's records."""
 
 
 def parsed(folders):
     for folder in folders:
         for path in sorted((PACKAGE / folder).rglob("*.py")):
             yield ast.parse(path.read_text(encoding="utf-8"))
-
-
-def bags(trees):
-    """Records with more than five fields that are parameters of more than ten functions."""
-    nodes = [node for tree in trees for node in ast.walk(tree)]
-    classes = [node for node in nodes if isinstance(node, ast.ClassDef)]
-    large = {each.name for each in classes if sum(isinstance(line, ast.AnnAssign) for line in each.body) > FIELDS}
-    large -= CHANGES | SHARED
-    taken = Counter()
-    for node in nodes:
-        if isinstance(node, ast.FunctionDef):
-            arguments = (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs)
-            words = {word for each in arguments if each.annotation for word in ast.walk(each.annotation)}
-            taken.update({word.id for word in words if isinstance(word, ast.Name)} & large)
-    return {name for name, count in taken.items() if count > FUNCTIONS}
 
 
 def taken(trees):
@@ -72,18 +53,6 @@ def test_a_function_that_takes_a_record_for_one_field_is_found():
     fields = "\n".join(f"    f{i}: int" for i in range(FIELDS + 1))
     tree = ast.parse(f"class Bag:\n{fields}\ndef a(bag: Bag): return bag.f0\ndef b(bag: Bag | None): return a(bag)")
     assert list(taken([tree])) == [("Bag", "a", {"f0"}), ("Bag", "b", set())]
-
-
-@pytest.mark.parametrize("folders", TOGETHER)
-def test_no_record_holds_everything(folders):
-    assert bags(parsed(folders)) == set()
-
-
-def test_a_record_that_holds_everything_is_found():
-    fields = "\n".join(f"    f{i}: int" for i in range(FIELDS + 1))
-    functions = "\n".join(f"def g{i}(bag: Bag | None): ..." for i in range(FUNCTIONS + 1))
-    assert bags([ast.parse(f"class Bag:\n{fields}\n{functions}")]) == {"Bag"}
-    assert bags([ast.parse(f"class Bag:\n{fields}\n" + functions.replace("Bag", "int"))]) == set()
 
 
 def test_tests_of_the_layout_stand_in_the_folders_of_its_packages():

@@ -17,20 +17,10 @@ from real_rigs import (
     with_whole_head_shapes,
 )
 
-from usdrigui.character.surface import mesh_triangles
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
 
 WHOLE = {"headUp", "headSize", "headWide", "headFuller", "hideEarrings"}
-FRONTS = {
-    "godette": (0.0, 0.0, -1.0),
-    "mh_expr34": (0.0, 0.0, 1.0),
-    "mh_poseunits": (0.0, 0.0, 1.0),
-    "ict_face57": (0.0, 0.0, 1.0),
-    "vitruvian": (0.0, -1.0, 0.0),
-}
-"""Where the characters look, as their makers' pages show them."""
-
 pytestmark = [
     pytest.mark.real,
     pytest.mark.skipif(not ASSETS.is_dir(), reason=f"needs the real rigs in {ASSETS}"),
@@ -113,73 +103,7 @@ def test_whole_head_and_hide_shapes_stand_beside_the_face(name):
     assert all(found[control].anchor.on_board and found[control].placement.reason for control in WHOLE)
 
 
-@pytest.mark.parametrize("name", ["godette", "mh_expr34", "ict_face57"])
-def test_their_board_stands_clear_of_the_head(name):
-    """No element of the board lies in front of the head or of another element, seen from the front."""
-    line = with_whole_head(name)
-    context, width = line.face, line.layout.frame.handle_width
-    across = np.cross(context.rig.skel_root.up, FRONTS[name])
-    beside = [element for element in line.layout.elements if element.anchor.on_board]
-    spots = np.array([element.anchor.position for element in beside])
-    apart = np.linalg.norm(spots[:, None] - spots[None], axis=2) + np.diag(np.full(len(spots), np.inf))
-    assert apart.min() >= width
-    board = spots @ across
-    reached = np.array([element.anchor.position for element in on_face(line)]) @ across
-    assert board.min() > reached.max() + width or board.max() < reached.min() - width
-
-
 # --- visibility, by another way of looking -----------------------------------------------------------
-
-
-@pytest.mark.parametrize("name", FRONTS)
-def test_a_straight_line_leads_from_every_anchor_to_one_of_three_viewers(name):
-    """Every triangle is tried, from a quarter of a handle before the surface: no caster, no normal, no view
-    of the product's own."""
-    line = line_of(name)
-    rig, base = line.face.rig, line.face.trajectories.surface.points
-    triangles = base[mesh_triangles(rig.body.meshes, visible_only=True)]
-    spots = np.array([element.anchor.position for element in on_face(line)])
-    seen = np.zeros(len(spots), dtype=bool)
-    for toward in viewers(np.array(FRONTS[name]), rig.skel_root.up):
-        seen |= free(spots + 0.25 * line.layout.frame.handle_width * toward, toward, triangles)
-    hidden = [element.name for element, each in zip(on_face(line), seen, strict=True) if not each]
-    assert hidden == []
-
-
-def test_what_lies_behind_the_head_is_hidden_from_all_three():
-    line = line_of("godette")
-    rig, base = line.face.rig, line.face.trajectories.surface.points
-    triangles = base[mesh_triangles(rig.body.meshes, visible_only=True)]
-    size = line.face.trajectories.surface.face_size
-    behind = np.array([e.anchor.position for e in on_face(line)]) - size * np.array(FRONTS["godette"])
-    for toward in viewers(np.array(FRONTS["godette"]), rig.skel_root.up):
-        assert free(behind, toward, triangles).mean() < 0.5
-
-
-def viewers(ahead, up):
-    """Front and both three-quarter directions, 40 degrees to the sides."""
-    side = np.cross(up, ahead)
-    turns = np.radians([0.0, 40.0, -40.0])
-    return [np.cos(turn) * ahead + np.sin(turn) * side for turn in turns]
-
-
-def free(origins, toward, triangles):
-    """(n,) whether the ray from each origin meets no triangle: in the plane across `toward`, which triangles hold
-    the origin's image, and do they lie before it?"""
-    first = np.cross(toward, np.eye(3)[int(np.argmin(np.abs(toward)))])
-    axes = np.stack([first / np.linalg.norm(first), np.cross(toward, first / np.linalg.norm(first))], axis=1)
-    flat, depth = triangles @ axes, triangles @ toward
-    result = np.ones(len(origins), dtype=bool)
-    for index, origin in enumerate(origins):
-        edges = flat - origin @ axes
-        after, later = np.roll(edges, -1, axis=1), np.roll(edges, -2, axis=1)
-        areas = after[..., 0] * later[..., 1] - after[..., 1] * later[..., 0]
-        total = areas.sum(axis=1)
-        inside = ((areas >= 0).all(axis=1) | (areas <= 0).all(axis=1)) & (np.abs(total) > 0)
-        if inside.any():
-            met = (areas[inside] * depth[inside]).sum(axis=1) / total[inside]
-            result[index] = not (met > origin @ toward).any()
-    return result
 
 
 # --- jaws and eyes -----------------------------------------------------------------------------------

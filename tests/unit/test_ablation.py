@@ -51,35 +51,6 @@ def test_the_default_weight_is_the_full_layout(rows):
     assert rows["lambda 0.85"].cost == pytest.approx(rows["full"].cost, rel=2e-4)
 
 
-def test_rows_come_one_by_one(ablation, ready, monkeypatch):
-    """Nothing of the second row is worked out before it is asked for."""
-
-    def never(*_):
-        raise AssertionError("too early")
-
-    monkeypatch.setattr(ablation, "RULES", [("6", "random", never)])
-    coming = ablation.ablation(ready)
-    first = next(coming)
-    assert (first.figure, first.name) == ablation.FULL
-    with pytest.raises(AssertionError, match="too early"):
-        next(coming)
-
-
-def test_the_tables_have_a_line_for_every_row(ablation, rows):
-    made = list(rows.values())
-    for lines in (ablation.as_csv(made).splitlines()[1:], ablation.as_markdown(made).splitlines()[2:]):
-        assert len(lines) == len(made)
-        assert all(name in line for name, line in zip(rows, lines, strict=True))
-    assert {len(ablation.line(row)) for row in made} == {len(ablation.head("face"))}
-    first = next(csv.DictReader(io.StringIO(ablation.as_csv(made))))
-    assert float(first["cost"]) == pytest.approx(made[0].cost, abs=1e-4)
-
-
-def test_every_row_has_its_place_in_the_table(ablation):
-    assert len(set(ablation.ORDER)) == len(ablation.RULES) + 1
-    assert {figure for figure, _ in ablation.ORDER} == {"6", "9", "10", "11"}
-
-
 def test_one_command_leaves_table_and_picture(ablation, ready, tmp_path, capsys, monkeypatch):
     found = SimpleNamespace(rigs=(ready.face.rig,))
     monkeypatch.setattr(ablation, "read_rigs_isolated", lambda *_: found)

@@ -118,15 +118,6 @@ def test_the_settings_reach_the_reader(tmp_path):
     assert {control.name for control in read_rigs_isolated(path, told).rigs[0].controls} == every - {one}
 
 
-def test_a_refusal_is_the_same(tmp_path):
-    path = tmp_path / "char.usda"
-    path.write_text('#usda 1.0\ndef Xform "A" {}\n')
-    with pytest.raises(RigUIError) as caught:
-        read_rigs(path, Settings())
-    there = refused(path)
-    assert (there.issue, there.exit_code) == (caught.value.issue, caught.value.exit_code)
-
-
 def test_metadata_is_that_of_the_root_layer(tmp_path):
     path = tmp_path / "char.usda"
     head(tmp_path / "geo.usda")
@@ -230,28 +221,11 @@ def test_grandchildren_die_with_the_reader(tmp_path, monkeypatch):
 # --- USD itself --------------------------------------------------------------------------------------
 
 
-def test_usd_runs_out_of_stack(tmp_path, capfd):
-    path = tmp_path / "nested.usda"
-    path.write_text("#usda 1.0\n" + 'def "a" {\n' * 200_000 + "}\n" * 200_000)
-    assert refused(path).issue.code == "SOURCE_CRASHES_USD"
-    assert capfd.readouterr() == ("", "")
-    assert [each.name for each in tmp_path.iterdir()] == ["nested.usda"]
-
-
 def test_usd_never_returns(tmp_path):
     before = time.monotonic()
     assert refused(hanging(tmp_path), Limits(seconds=1.5)).issue.code == "SOURCE_TIME_LIMIT"
     assert time.monotonic() - before < 3.5
     assert not any(map(children_of, children_of(os.getpid())))
-
-
-def test_usd_needs_more_memory_than_there_is(tmp_path):
-    path = tmp_path / "big.usda"
-    numbers = "0," * 3_000_000
-    path.write_text(f'#usda 1.0\ndef SkelRoot "A" {{\n    int[] many = [{numbers} 0]\n}}\n')
-    error = refused(path, Limits(memory=24))
-    assert (error.issue.code, error.exit_code) == ("SOURCE_MEMORY_LIMIT", Exit.LIMIT)
-    assert refused(path).issue.code == "CONTROLS_MISSING"
 
 
 def test_the_reader_ends_with_a_host_that_was_killed(tmp_path):
@@ -416,36 +390,9 @@ def test_what_usd_raises_blames_the_asset(error, code, tmp_path, monkeypatch):
 # --- what is let in ----------------------------------------------------------------------------------
 
 
-def test_a_folder_and_a_pipe_are_not_files(tmp_path):
-    os.mkfifo(tmp_path / "pipe.usda")
-    for path in (tmp_path, tmp_path / "pipe.usda", Path(os.devnull)):
-        error = refused(path)
-        assert (error.issue.code, error.exit_code) == ("SOURCE_NOT_A_FILE", Exit.FILE)
-
-
-def test_a_file_that_was_never_fetched(tmp_path):
-    path = tmp_path / "char.usdc"
-    path.write_text("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a2146\nsize 12345\n")
-    assert refused(path).issue.code == "SOURCE_LFS_POINTER"
-
-
-def test_a_file_beyond_the_limit(tmp_path):
-    path = tmp_path / "char.usda"
-    with path.open("wb") as stream:
-        stream.truncate(2 << 20)
-    error = refused(path, config={"read": {"size_limit": 1}})
-    assert (error.issue.code, error.exit_code) == ("SOURCE_TOO_LARGE", Exit.LIMIT)
-
-
 @pytest.mark.parametrize("name", ["none.usda", "a" * 300 + ".usda", "nul\0.usda"])
 def test_a_file_that_is_not_there(name, tmp_path):
     assert refused(tmp_path / name).issue.code == "FILE_NOT_FOUND"
-
-
-def test_a_name_that_is_not_text(tmp_path):
-    path = tmp_path / os.fsdecode(b"ch\xffr.usda")
-    path.write_bytes(head(tmp_path / "char.usda").read_bytes())
-    assert refused(path).issue.code == "FILE_NAME"
 
 
 # --- sources -----------------------------------------------------------------------------------------

@@ -5,13 +5,11 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
-import random
 import signal
 import stat
 import subprocess
 import sys
 import threading
-import time
 from pathlib import Path
 
 import pytest
@@ -426,33 +424,6 @@ def test_the_owner_is_kept_where_that_is_allowed(target):
     os.chown(target, 1234, 1235)
     commit(NEW, target)
     assert (target.stat().st_uid, target.stat().st_gid) == (1234, 1235)
-
-
-@pytest.mark.slow
-def test_killed_runs_leave_the_old_or_the_new_file(target):
-    """A writer is killed at random moments; the next one sweeps what it left."""
-    script = f"""
-from pathlib import Path
-from usdrigui.replacing.transaction import commit
-target = Path({str(target)!r})
-print("ready", flush=True)
-for i in range(10**6):
-    commit((b"%08d" % i) * 40000, target)
-"""
-    chance = random.Random(3)
-    leftovers = 0
-    for _ in range(8):
-        with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE) as writer:
-            assert writer.stdout is not None
-            writer.stdout.readline()
-            time.sleep(0.02 + 0.08 * chance.random())
-            writer.send_signal(signal.SIGKILL)
-        content = target.read_bytes()
-        assert content == OLD or (len(content) == 8 * 40000 and content == content[:8] * 40000)
-        leftovers += len(list(target.parent.iterdir())) - 1
-        commit(OLD, target)
-        assert only_file(target)
-    assert leftovers <= 8
 
 
 def test_writers_at_once_all_end_with_a_whole_file(target):
