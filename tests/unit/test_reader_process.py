@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import contextlib
+import errno
 import os
 import signal
 import subprocess
@@ -207,6 +208,17 @@ def test_every_death_has_its_code(how, tmp_path, monkeypatch, capfd):
 def test_a_reader_that_cannot_be_started(executable, code, tmp_path, monkeypatch):
     monkeypatch.setattr(sys, "executable", executable)
     assert refused(head(tmp_path / "char.usda")).issue.code == code
+
+
+def test_an_answer_that_the_system_does_not_hand_over(tmp_path, monkeypatch):
+    def failing(*_):
+        raise OSError(errno.EIO, os.strerror(errno.EIO))
+
+    path = head(tmp_path / "char.usda")
+    assert read_rigs_isolated(path, Settings()).rigs
+    monkeypatch.setattr(os, "read", failing)
+    error = refused(path)
+    assert (error.issue.code, error.exit_code) == ("SOURCE_READER_LOST", Exit.LIMIT)
 
 
 def test_grandchildren_die_with_the_reader(tmp_path, monkeypatch):

@@ -122,6 +122,8 @@ class Drain:
 
     def __init__(self, stream: IO[bytes], most: int | None = None) -> None:
         self.content = bytearray()
+        self.failure: OSError | None = None
+        """Why not all of it could be read."""
         self._stream = stream
         self._most = most
         self._thread = threading.Thread(target=self._drain, daemon=True)
@@ -138,13 +140,17 @@ class Drain:
         self._stream.close()
 
     def _drain(self) -> None:
-        with contextlib.suppress(OSError, ValueError):
+        try:
             while block := os.read(self._stream.fileno(), _BLOCK):
                 self.content += block
                 if self._most is None:
                     del self.content[:-_KEPT_TEXT]
                 elif len(self.content) > self._most:
                     return
+        except ValueError:  # somebody has let go of the stream
+            return
+        except OSError as error:
+            self.failure = error
 
 
 def kill(process: Process, *, group: bool = False) -> None:

@@ -78,6 +78,9 @@ def answered(question: Question, program: str, kind: type[_Answer]) -> _Answer:
     try:
         return decode(memoryview(answer.content).toreadonly(), kind)
     except RecordStreamError:
+        if answer.failure is not None:
+            message = f"its answer was not received: {answer.failure.strerror}"
+            raise refuse("SOURCE_READER_LOST", question.path, message) from None
         end = ProcessEnd(code, peak, bytes(printed.content))
         raise _failure(end, late, question) from None
 
