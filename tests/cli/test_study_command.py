@@ -86,6 +86,11 @@ def test_what_holds_no_results_is_refused(two, change, capsys):
     assert "STUDY_RESULTS" in capsys.readouterr().err
 
 
+def test_a_refusal_names_the_file(tmp_path, capsys):
+    assert main(["study", str(tmp_path / "none.csv")]) == 3
+    assert f"usdrigui: refused {tmp_path / 'none.csv'}; nothing was written" in capsys.readouterr().err
+
+
 def test_a_participant_counts_once(two, tmp_path, capsys):
     again = Path(tmp_path / "again.csv")
     again.write_bytes(two[0].read_bytes())

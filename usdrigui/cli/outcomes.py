@@ -93,7 +93,8 @@ def _subject(error: RigUIError, arguments: argparse.Namespace) -> str:
         for each in (getattr(arguments, "before", None), getattr(arguments, "layer", None))
         if each
     ]
-    named = named or list(getattr(arguments, "patterns", ()))
+    several = (getattr(arguments, name, ()) for name in ("patterns", "results"))
+    named = named or [str(each) for given in several for each in given]
     return error.issue.path if error.issue.path in named else ", ".join(named)
 
 

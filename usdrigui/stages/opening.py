@@ -59,7 +59,7 @@ def open_layer(path: Path) -> Sdf.Layer:
 
 
 def composition_issues(stage: Usd.Stage, roots: tuple[Usd.Prim, ...]) -> tuple[Issue, ...]:
-    """What USD could not compose.
+    """What USD could not compose; what is muted need not be there.
 
     Raises LAYER_MISSING or LAYER_UNREADABLE where a reference or payload on, above or below one of
     `roots` (on any prim if there are none) leads to no layer: the character would be read without a
@@ -68,6 +68,9 @@ def composition_issues(stage: Usd.Stage, roots: tuple[Usd.Prim, ...]) -> tuple[I
     found = []
     for error in stage.GetCompositionErrors():
         site = _site(error)
+        layer = _NAMED.search(_described(error))
+        if layer is not None and stage.IsLayerMuted(layer.group("path")):
+            continue
         near = [
             root
             for root in roots
