@@ -27,7 +27,7 @@ def test_the_variant_for_pythons_with_their_own_usd_differs_in_that_need_only():
     plain, variant = pyproject(), pyproject("meta")
     needs = [need for need in plain["project"]["dependencies"] if not need.startswith("usd-core")]
     assert variant["project"]["dependencies"] == needs
-    for name in ("requires-python", "scripts", "entry-points", "license"):
+    for name in ("requires-python", "scripts", "entry-points", "license", "authors"):
         assert variant["project"][name] == plain["project"][name]
 
 
