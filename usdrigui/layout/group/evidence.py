@@ -11,53 +11,53 @@ different regions, nor members of a family (a viseme, an emotion).
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Literal
 
 import numpy as np
 
 from usdrigui.character import Body, Control
 from usdrigui.character.rotation import rotation_part
-from usdrigui.conventions import Meaning, joysticks
+from usdrigui.conventions import joysticks
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.similarity import Similarity
+from usdrigui.layout.visibility import screen
 from usdrigui.settings import CandidateSettings
+from usdrigui.ties import first_largest
 
 Relation = Literal["convention", "open", ""]
 """The evidence of two controls' names: they belong together, none, or they do not."""
 
-OPPOSED = -0.5
+_OPPOSED = -0.5
 """Cosine of directions, weighted by displacement where both act, from which a pair of the
 convention is opposed."""
-TWINS_OPPOSED = -0.4
-"""The same for twins of each other (jaw left, jaw right): what they do upward they do alike."""
-SAME_REGION = 0.5
+_TWIN_LEEWAY = 0.8
+"""Twins of each other (jaw left, jaw right) are called opposed at this share of the usual cosine:
+what they do upward they do alike."""
+_SAME_REGION = 0.5
 """Least overlap of the regions of two controls, or axes, that the conventions join."""
+_LIKE_ENDS = 0.25
+"""Least amount of one end in shares of the other's, where no convention pairs them."""
+_LIKE_AXES = 0.1
+"""The same of the axes of a joystick: no drag could aim at a far lesser one."""
+_ACROSS = 0.4
+"""Largest cosine of the directions of two axes of a joystick."""
+_ACROSS_BY_CONVENTION = 0.7
+"""The same where the conventions make a joystick of them."""
 _HELD = CandidateSettings().least_kept
 """Share of both peaks that one visible place must keep: what any control keeps at its place."""
-_LIKE_AMOUNT = 0.25
-"""Least amount of one end in shares of the other's, where no convention pairs them."""
-
-_ALIKE = 1e-3
+_TURN_ALIKE = 1e-3
 """Radians within which two joints of one parent turn alike: single precision leaves less."""
-
-
-def alike(cosine: float, shared: float) -> str:
-    """How two motions compare, in words, the same on every processor: the `cosine` of their
-    directions and the share of their regions that is `shared`."""
-    apart = math.degrees(math.acos(min(max(round(cosine, 6), -1.0), 1.0)))
-    return f"their directions are {apart:.0f} degrees apart, their regions share {shared:.0%}"
 
 
 class Evidence:
     """Names, joints and motions of the controls of one character; indices are those of motions."""
 
-    def __init__(self, face: Face, similarity: Similarity) -> None:
+    def __init__(self, face: Face, similarity: Similarity, twin: Mapping[int, int]) -> None:
         motions, controls = face.trajectories.motions, face.rig.controls
-        self.face, self.similarity = face, similarity
+        self.face, self.similarity, self.twin = face, similarity, twin
         self.meanings = [face.meanings[motion.control] for motion in motions]
         self.joints = [_joints(face.rig.body, controls[motion.control]) for motion in motions]
-        self.ways = tuple(frozenset(pair) for pair in joysticks().values())
 
     def relation(self, a: int, b: int) -> Relation:
         """The evidence of names and joints on one element for two controls."""
@@ -68,72 +68,127 @@ class Evidence:
             return "" if self._specific(a) or self._specific(b) else "open"
         if one.action.in_family or other.action.in_family:
             return ""
-        if self._ends_of_one_axis(one, other) or self._axes_of_one_joystick(one, other):
+        axes = {one.action.axis, other.action.axis}
+        stick = len(axes) == 2 and axes in map(set, joysticks().values())
+        if self.ends_by_convention(a, b) or (stick and one.side == other.side):
             return "convention"
         vague = one.action.vague or other.action.vague or one.action == other.action
         return "open" if vague and one.action.region == other.action.region else ""
 
-    def crossing(self, first: Sequence[int], second: Sequence[int]) -> Relation:
-        """The same of one joystick for two axes: of controls whose names are specific the
-        convention has to have it."""
-        found = {self.relation(a, b) for a in first for b in second}
-        if found == {"convention"}:
-            return "convention"
-        return "" if "" in found or any(self._specific(i) for i in (*first, *second)) else "open"
-
     def ends_by_convention(self, a: int, b: int) -> bool:
         """Whether the conventions call two controls the ends of one axis; those of two joints are
         none."""
-        if self.joints[a] != self.joints[b]:
-            return False
         one, other = self.meanings[a], self.meanings[b]
-        return one is not None and other is not None and self._ends_of_one_axis(one, other)
+        if one is None or other is None or self.joints[a] != self.joints[b]:
+            return False
+        ends = one.action.axis == other.action.axis and one.action.pole == -other.action.pole
+        return bool(one.action.axis) and ends and one.side == other.side
 
-    def agrees(self, a: int, b: int, *, twins: bool) -> bool:
-        """Whether the motions of two ends by convention agree with it: opposed, in one region, with
-        one place."""
-        least = TWINS_OPPOSED if twins else OPPOSED
-        same_region = self.similarity.shared[a, b] >= SAME_REGION
-        return bool(self.similarity.direction[a, b] <= least and same_region)
+    def agrees(self, a: int, b: int) -> bool:
+        """Whether the motions of two ends by convention agree with it: opposed, in one region."""
+        same_region = self.similarity.shared[a, b] >= _SAME_REGION
+        opposed = self.similarity.direction[a, b] <= _OPPOSED * self.leeway(a, b)
+        return bool(opposed and same_region)
 
-    def like_amount(self, a: int, b: int) -> bool:
+    def leeway(self, a: int, b: int) -> float:
+        """Share of the usual cosine from which two controls are opposed."""
+        return _TWIN_LEEWAY if self.twin.get(a, -1) == b else 1.0
+
+    def like_ends(self, a: int, b: int) -> bool:
         """Whether one control moves about as much as the other."""
-        amounts = self.similarity.norm[[a, b]]
-        return bool(amounts.min() >= _LIKE_AMOUNT * amounts.max())
+        return self._like((a,), (b,), _LIKE_ENDS)
+
+    def crossing(
+        self, first: Sequence[int], second: Sequence[int], least: float
+    ) -> tuple[Relation, float]:
+        """What makes a joystick of two axes that share `least` of their regions, empty if nothing:
+        of controls whose names are specific the convention has to have it, and the motions agree.
+        And how well they cross, in [0, 1]."""
+        found = {self.relation(a, b) for a in first for b in second}
+        known, most = self._of_axes(found, (*first, *second)), _ACROSS
+        if known == "convention":
+            least, most = _SAME_REGION, _ACROSS_BY_CONVENTION
+        shared, across = self._compared(first, second)
+        fits = shared >= least and across <= most and self._like(first, second, _LIKE_AXES)
+        flat = self._flatness(second[0]) if fits else 0.0
+        return known if fits else "", shared * (1.0 - across) * flat
+
+    def _of_axes(self, relations: set[Relation], motions: Sequence[int]) -> Relation:
+        if relations == {"convention"}:
+            return "convention"
+        return "" if "" in relations or any(map(self._specific, motions)) else "open"
+
+    def _compared(self, first: Sequence[int], second: Sequence[int]) -> tuple[float, float]:
+        """Least overlap of the regions of two axes, and largest cosine of their directions."""
+        pick = np.ix_(first, second)
+        shared, direction = self.similarity.shared[pick], self.similarity.direction[pick]
+        return float(shared.min()), float(np.abs(direction).max())
+
+    def _like(self, first: Sequence[int], second: Sequence[int], least: float) -> bool:
+        amounts = [float(self.similarity.norm[list(axis)].max()) for axis in (first, second)]
+        return min(amounts) >= least * max(amounts)
 
     def one_place(self, motions: Sequence[int]) -> bool:
         """Whether some visible place keeps enough of all of these motions."""
-        return self.held(motions) >= _HELD
+        return self._held(motions) >= _HELD
 
-    def held(self, motions: Sequence[int]) -> float:
+    def _held(self, motions: Sequence[int]) -> float:
         """Largest share of their own peaks that all of these motions keep at one visible place."""
         share = np.where(self.face.views.anywhere, 1.0, 0.0)
         for motion in (self.face.trajectories.motions[i] for i in motions):
-            own = np.zeros(len(share))
-            own[motion.points] = np.where(motion.stands_on(), motion.arc_length, 0.0) / max(
-                motion.peak, 1e-300
-            )
-            share = np.minimum(share, own)
+            kept = np.zeros(len(share))
+            lengths = np.where(motion.stands_on(), motion.arc_length, 0.0)
+            kept[motion.points] = lengths / max(motion.peak, 1e-300)
+            share = np.minimum(share, kept)
         return float(share.max(initial=0.0))
+
+    # --- how the motions run ----------------------------------------------------------------------
+
+    def signed(self, pair: tuple[int, ...]) -> tuple[int, ...]:
+        """The pair with the end first that goes to the left or down as seen by the viewer."""
+        fields = self.similarity.fields
+        along = fields.weights @ (fields.vectors[pair[1]] - fields.vectors[pair[0]])
+        flat = screen(self.face.views) @ along
+        return pair if flat[first_largest(np.abs(flat))] >= 0.0 else pair[::-1]
+
+    def _flatness(self, index: int) -> float:
+        """How far a motion runs along the surface rather than out of it: what a drag on a screen
+        can follow."""
+        fields, vectors = self.similarity.fields, self.similarity.fields.vectors[index]
+        normals = self.face.trajectories.surface.normals[fields.places]
+        out = fields.weights @ np.einsum("mi,mi->m", vectors, normals) ** 2
+        return 1.0 - float(out) / max(float(self.similarity.norm[index]) ** 2, 1e-300)
+
+    def uprightness(self, index: int) -> float:
+        """Share of a motion that runs upright on the screen."""
+        fields = self.similarity.fields
+        across, upright = fields.weights @ np.abs(fields.vectors[index] @ screen(self.face.views).T)
+        return float(upright / max(float(across + upright), 1e-300))
+
+    # --- in words ---------------------------------------------------------------------------------
 
     def words(self, a: int, b: int) -> str:
         """The evidence for or against two opposed controls."""
-        compared = alike(
-            float(self.similarity.direction[a, b]), float(self.similarity.shared[a, b])
-        )
-        return f"{compared}, both keep {self.held((a, b)):.0%} of their largest motion at one place"
+        kept = f"both keep {self._held((a, b)):.0%} of their largest motion at one place"
+        return f"{_alike(self.similarity.direction[a, b], self.similarity.shared[a, b])}, {kept}"
+
+    def words_of_joystick(self, first: Sequence[int], second: Sequence[int]) -> str:
+        """The reason for a joystick of two axes."""
+        found = {self.relation(a, b) for a in first for b in second}
+        by = " by convention" if found == {"convention"} else ""
+        shared, across = self._compared(first, second)
+        return f"two axes of one region: a joystick{by} ({_alike(across, shared)})"
 
     def _specific(self, index: int) -> bool:
         meaning = self.meanings[index]
         return meaning is not None and not meaning.action.vague
 
-    def _ends_of_one_axis(self, one: Meaning, other: Meaning) -> bool:
-        a, b = one.action, other.action
-        return bool(a.axis) and a.axis == b.axis and a.pole == -b.pole and one.side == other.side
 
-    def _axes_of_one_joystick(self, one: Meaning, other: Meaning) -> bool:
-        axes = frozenset((one.action.axis, other.action.axis))
-        return len(axes) == 2 and one.side == other.side and axes in self.ways
+def _alike(cosine: float, shared: float) -> str:
+    """How two motions compare, in words, the same on every processor: the `cosine` of their
+    directions and the share of their regions that is `shared`."""
+    apart = math.degrees(math.acos(min(max(round(float(cosine), 6), -1.0), 1.0)))
+    return f"their directions are {apart:.0f} degrees apart, their regions share {shared:.0%}"
 
 
 def _joints(body: Body, control: Control) -> frozenset[int]:
@@ -151,6 +206,7 @@ def _joints(body: Body, control: Control) -> frozenset[int]:
         joint
         for i, joint in enumerate(joints)
         if not any(
-            parents[i] == parents[j] and np.allclose(own[i], own[j], atol=_ALIKE) for j in range(i)
+            parents[i] == parents[j] and np.allclose(own[i], own[j], atol=_TURN_ALIKE)
+            for j in range(i)
         )
     )

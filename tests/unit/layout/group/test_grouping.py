@@ -1,7 +1,6 @@
 """Which controls share an element."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import chain
 import makers
@@ -10,8 +9,7 @@ import pytest
 
 from usdrigui.character import Joint
 from usdrigui.errors import RigUIError
-from usdrigui.layout.group.evidence import Evidence
-from usdrigui.layout.group.grouping import _Grouping, find_groups, suggested_groups
+from usdrigui.layout.group.grouping import find_groups, suggested_groups
 
 POINTS, QUADS = makers.mask()
 
@@ -245,47 +243,3 @@ def test_wrong_groups_are_refused(groups, code):
     with pytest.raises(RigUIError) as refused:
         groups_of(makers.face(), groups={"groups": groups})
     assert refused.value.issue.code == code
-
-
-@pytest.mark.parametrize(
-    ("relations", "specific", "said"),
-    [
-        ({"open"}, set(), "open"),
-        ({"open"}, {0}, ""),
-        ({"open"}, {1}, ""),
-        ({"open", ""}, set(), ""),
-        ({"open", "convention"}, set(), "open"),
-        ({"convention"}, {0, 1}, "convention"),
-    ],
-)
-def test_two_axes_cross_by_convention_or_where_no_name_is_specific(relations, specific, said):
-    known = iter([*relations, *relations])
-    names = SimpleNamespace(relation=lambda *_: next(known), _specific=lambda control: control in specific)
-    assert Evidence.crossing(names, (0,), (1, 2)) == said
-
-
-@pytest.mark.parametrize(
-    ("motions", "twins", "categories", "together"),
-    [
-        ((0, 1), [1, 0, 2], ["", "", ""], True),
-        ((0, 2), [1, 0, 3, 2], ["", "", "", ""], True),
-        ((0, 1, 2), [1, 0, 3, 2], ["", "", "", ""], False),
-        ((0, 2), [1, 0, 2], ["", "", ""], False),
-        ((0, 1), [1, 0], ["", "hidden"], False),
-        ((0, 1), [-1, -1], ["", ""], True),
-        ((0, 1), [-1, 1], ["", ""], False),
-    ],
-    ids=["a pair", "one of each pair", "a pair and a half", "a half and a middle", "off the face", "without", "mixed"],
-)
-def test_controls_go_together_if_their_mirror_image_is_whole_or_elsewhere(motions, twins, categories, together):
-    said = SimpleNamespace(twin=twins, category=categories)
-    said._image = lambda each: _Grouping._image(said, each)
-    assert _Grouping._go_together(said, motions) == together
-
-
-def test_an_image_keeps_its_order_and_what_has_no_twin_stands_for_itself():
-    said = SimpleNamespace(twin=[1, 0, -1, 3])
-    assert _Grouping._image(said, (0, 2, 3)) == (1, 2, 3)
-    said._image = lambda each: _Grouping._image(said, each)
-    assert _Grouping._with_image(said, (0, 1)) == [(0, 1)]
-    assert _Grouping._with_image(said, (0, 2)) == [(0, 2), (1, 2)]
