@@ -7,7 +7,8 @@ reflection to pairs of nearest points, and the far pairs (hair, clothes) are tri
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -24,34 +25,27 @@ from usdrigui.ties import axis_across, rounded, towards
 
 _SAMPLE = 2000
 """Points of the moving region that the search for the plane looks at."""
-_ROUGH = 250
-"""Points among them on which candidate planes are compared."""
 _LARGE = 4.0
 """Points of more than this many times the usual area count no more than that."""
-_DIRECTIONS = 16
-"""Candidate normals around the up axis, besides the principal axes."""
+_THINNED = 8
+"""Of so many points of the sample one is looked at to choose among candidate planes."""
+_FINALISTS = 6
+"""Candidate planes that are fitted to an end, at least."""
 _LEVELS = (0.3, 0.5, 0.7)
 """Shares of the region's weight below a candidate plane: hair on one side moves the middle."""
-_FINALISTS = 6
 _EQUAL = 0.01
 """In tolerances: planes whose misfits differ by less fit equally well."""
-_SAME = 1e-3
-"""Planes that mirror every point to places nearer than this share of the region's extent are
-one."""
 _TRIM = 0.7
 """Share of the pairs, the nearest ones, that a fit believes."""
-_TIE = 1e-3
+_MOTION_WEIGHT = 1e-3
 """Weight of motion against position when partners are chosen: decides only between points that
 nearly touch, as closed lips do."""
 _HALF_A_CELL = 0.75
 """Distance of any place of a surface from the nearest point, in spacings of its points, at most."""
 LEAST_SHARE = 0.5
 """Least share of the points whose mirror image must meet the surface."""
-
 _AGREES = 0.7
 """Cosine from which a plane is that of the names of joints."""
-_HARDLY_TURNED = 0.98
-"""Least cosine between the plane of names and the same fitted to the surface."""
 
 
 @dataclass(frozen=True)
@@ -86,8 +80,9 @@ def find_symmetry(
     plane = named = None
     if mirror.enabled and trajectories.motions:
         named = plane_of_names(rig.body.skeletons, rig.body.joints)
-        found = _find_plane(rig.skel_root.up, trajectories, fields, tolerance)
-        plane = _named_instead(named, found, trajectories)
+        search = _search(trajectories, tolerance)
+        if search is not None:
+            plane = search.named_instead(named, search.best(rig.skel_root.up, fields))
     if plane is None:
         partner = np.full(count, -1, dtype=np.int64)
         origin, normal = np.zeros(3), np.zeros(3)
@@ -121,79 +116,22 @@ def plane_distance(points: Floats, plane: MirrorPlane) -> Floats:
 # --- the plane ------------------------------------------------------------------------------------
 
 
-def _find_plane(
-    up: Floats, trajectories: Trajectories, fields: DisplacementFields, tolerance: float
-) -> _Plane | None:
-    """The best mirror plane, or None where the character has none."""
+def _search(trajectories: Trajectories, tolerance: float) -> _Search | None:
+    """The search for the plane of what the rig moves; None where that is next to nothing."""
     region, weights = _moving_region(trajectories)
     if len(region) < 4:
         return None
     # All places, not only those that move: a control of one side must not tilt the plane.
-    every = trajectories.surface.points[np.unique(trajectories.surface.places)]
-    tree = cKDTree(every)
-    sample = _thinned(region, weights)
-    rough = sample[:: max(1, len(sample) // _ROUGH)]
-    slack = _EQUAL * tolerance
-    starts = [_refined(plane, tree, rough, 2) for plane in _starts(every, region, weights, up)]
-    best, equal = _ranked(starts, tree, rough, slack)
-    finalists = [_refined(plane, tree, rough, 12) for plane in best[: max(_FINALISTS, equal)]]
-    best, equal = _ranked(finalists, tree, sample, slack)
-    found = [
-        _polished(_refined(plane, tree, sample, 60), tree, sample, tolerance)
-        for plane in best[:equal]
-    ]
-    found = _distinct(
-        [plane for plane in found if _share(plane, tree, sample, tolerance) >= LEAST_SHARE], sample
+    places = trajectories.surface.points[np.unique(trajectories.surface.places)]
+    return _Search(
+        trajectories, tolerance, (region, weights), cKDTree(places), _thinned(region, weights)
     )
-    return found[0] if len(found) == 1 else _by_motions(found, up, trajectories, fields, tolerance)
 
 
-def _ranked(
-    planes: list[_Plane], tree: cKDTree, sample: Floats, slack: float
-) -> tuple[list[_Plane], int]:
-    """The distinct planes, the best first, and how many of them fit as well as the best."""
-    misfits = {id(plane): _misfit(plane, tree, sample) for plane in planes}
-    order = sorted(planes, key=lambda plane: round(misfits[id(plane)] / slack, 3))
-    distinct = _distinct(order, sample)
-    least = min(misfits.values()) + slack
-    return distinct, sum(misfits[id(plane)] <= least for plane in distinct)
-
-
-def _distinct(planes: list[_Plane], sample: Floats) -> list[_Plane]:
-    """The first of all planes that are one: those that mirror the sample to the same places."""
-    kept: list[_Plane] = []
-    images: list[Floats] = []
-    near = _SAME * float(np.ptp(sample, axis=0).max())
-    for plane in planes:
-        image = plane.reflect(sample)
-        if all(np.abs(image - other).max() > near for other in images):
-            kept.append(plane)
-            images.append(image)
-    return kept
-
-
-def _by_motions(
-    planes: list[_Plane],
-    up: Floats,
-    trajectories: Trajectories,
-    fields: DisplacementFields,
-    tolerance: float,
-) -> _Plane | None:
-    """Of planes that the surface fits equally well (a face as symmetric upside down as left to
-    right), the one whose mirror maps the controls' motions to each other best; of those alike in
-    this, the one most along the up axis.
-    """
-
-    def preference(plane: _Plane) -> tuple[float, float]:
-        partner = _partners(plane, trajectories, tolerance)
-        agreed = pairable(agreements(fields, partner, plane.normal), trajectories.motions).max(
-            axis=1
-        )
-        return -round(float(np.maximum(agreed, 0.0).mean()), 3), round(
-            abs(float(plane.normal @ up)), 3
-        )
-
-    return min(planes, key=preference, default=None)
+def _thinned(points: Floats, weights: Floats) -> Floats:
+    """Fewer than twice `_SAMPLE` of the points, evenly from the heaviest, in any order of them."""
+    heaviest = np.lexsort((*rounded(points).T, -rounded(weights)))[: 4 * _SAMPLE]
+    return points[heaviest[:: max(1, len(heaviest) // _SAMPLE)]]
 
 
 def _moving_region(trajectories: Trajectories) -> tuple[Floats, Floats]:
@@ -201,86 +139,155 @@ def _moving_region(trajectories: Trajectories) -> tuple[Floats, Floats]:
     prevail, times how many controls move them, so that the face prevails over what only a few
     controls move.
     """
-    count = len(trajectories.surface.points)
+    surface, count = trajectories.surface, len(trajectories.surface.points)
     moved = np.zeros(count)
     for motion in trajectories.motions:
         moved[motion.points] += np.minimum(motion.arc_length / motion.arc_length.mean(), 1.0)
-    area = trajectories.surface.areas
-    usual = float(np.median(area[(area > 0.0) & (moved > 0.0)])) if (area * moved).any() else 0.0
+    used = (surface.areas > 0.0) & (moved > 0.0)
+    usual = float(np.median(surface.areas[used])) if used.any() else 0.0
     # A few huge faces (cards, cloth) must not drag the middle to themselves.
-    weights = np.minimum(area, _LARGE * usual) * moved
+    weights = np.minimum(surface.areas, _LARGE * usual) * moved
     chosen = np.flatnonzero(weights > 0.0)
     if not len(chosen):
-        chosen = np.flatnonzero((trajectories.surface.places == np.arange(count)) & (moved > 0.0))
+        chosen = np.flatnonzero((surface.places == np.arange(count)) & (moved > 0.0))
         weights = moved
-    return trajectories.surface.points[chosen], weights[chosen]
+    return surface.points[chosen], weights[chosen]
 
 
-def _thinned(points: Floats, weights: Floats) -> Floats:
-    """Fewer than twice `_SAMPLE` of the points, evenly from the heaviest, in any order of them."""
-    if len(points) <= _SAMPLE:
-        return points
-    heaviest = np.lexsort((*rounded(points).T, -rounded(weights)))[: 4 * _SAMPLE]
-    return points[heaviest[:: len(heaviest) // _SAMPLE]]
+@dataclass(frozen=True, eq=False)
+class _Search:
+    """Candidate planes, compared on a sample of what the rig moves."""
 
+    trajectories: Trajectories
+    tolerance: float
+    region: tuple[Floats, Floats]
+    """As of `_moving_region`."""
+    tree: cKDTree
+    """Of all places of the surface."""
+    sample: Floats
+    """(p, 3) of the region."""
 
-def _starts(every: Floats, region: Floats, weights: Floats, up: Floats) -> list[_Plane]:
-    """Candidate planes in all directions about the up axis: through the middle of the moving region
-    and to both sides of it, and through the middle of the whole character, where a mesh modelled
-    symmetric has it.
-    """
-    found = []
-    for normal in _normals(region - np.average(region, axis=0, weights=weights), weights, up):
-        along = region @ normal
-        order = np.argsort(rounded(along), kind="stable")
-        share = np.cumsum(weights[order]) / weights.sum()
-        found += [
-            _Plane(normal, float(along[order[np.searchsorted(share, level)]])) for level in _LEVELS
+    def best(self, up: Floats, fields: DisplacementFields) -> _Plane | None:
+        """The best mirror plane, or None where the character has none."""
+        rough = replace(self, sample=self.sample[::_THINNED])
+        starts = [rough.fitted(plane, 2) for plane in self._starts(up)]
+        finalists = [rough.fitted(plane, 12) for plane in rough.ranked(starts)[0]]
+        best, equal = self.ranked(finalists)
+        found = self._distinct(self._polished(self.fitted(plane, 60)) for plane in best[:equal])
+        whole = [
+            plane
+            for plane in found
+            if (self._apart(plane)[0] <= self.tolerance).mean() >= LEAST_SHARE
         ]
-    middle = every.mean(axis=0)
-    found += [
-        _Plane(normal, float(normal @ middle))
-        for normal in _normals(every - middle, np.ones(len(every)), up)
-    ]
-    return found
+        return self._by_motions(whole, up, fields) if len(whole) > 1 else next(iter(whole), None)
+
+    def ranked(self, planes: list[_Plane]) -> tuple[list[_Plane], int]:
+        """The distinct planes, the best first: those that fit as well as the best, of which the
+        number is told, and no fewer than the finalists."""
+        misfits = {id(plane): self._misfit(plane) for plane in planes}
+        slack = _EQUAL * self.tolerance
+        order = sorted(planes, key=lambda plane: round(misfits[id(plane)] / slack, 3))
+        distinct = self._distinct(order)
+        equal = sum(misfits[id(plane)] <= misfits[id(order[0])] + slack for plane in distinct)
+        return distinct[: max(_FINALISTS, equal)], equal
+
+    def named_instead(
+        self, named: tuple[Floats, float] | None, found: _Plane | None
+    ) -> _Plane | None:
+        """The plane that was found, or the one between the joints `named` left and right where it
+        lies across that: a robot may be as symmetric from front to back."""
+        if named is None or (found and abs(float(found.normal @ named[0])) >= _AGREES):
+            return found
+        return _Plane(*named)
+
+    def _starts(self, up: Floats) -> Iterator[_Plane]:
+        """Candidate planes in all directions about the up axis and along the principal axes:
+        through the moving region, and through the middle of the whole character, where a
+        mesh modelled symmetric has it."""
+        (region, weights), every = self.region, np.asarray(self.tree.data)
+        for normal in (*_level(up), *_principal(region, weights)):
+            along = region @ normal
+            order = np.argsort(rounded(along), kind="stable")
+            share = np.cumsum(weights[order]) / weights.sum()
+            for level in _LEVELS:
+                yield _Plane(normal, float(along[order[np.searchsorted(share, level)]]))
+        for normal in (*_level(up), *_principal(every, np.ones(len(every)))):
+            yield _Plane(normal, float(normal @ every.mean(axis=0)))
+
+    def _apart(self, plane: _Plane) -> tuple[Floats, Indices]:
+        """(p,) distance of the mirror image of each point of the sample from the nearest place, and
+        that place."""
+        apart, nearest = self.tree.query(plane.reflect(self.sample))
+        return apart, nearest
+
+    def _misfit(self, plane: _Plane) -> float:
+        """Trimmed mean distance of the mirror image from the surface's points."""
+        apart = np.sort(self._apart(plane)[0])
+        return float(apart[: max(1, int(_TRIM * len(apart)))].mean())
+
+    def fitted(self, plane: _Plane, rounds: int) -> _Plane:
+        """Alternate between nearest pairs and the reflection that fits them best, until it
+        settles."""
+        last = int(_TRIM * (len(self.sample) - 1))
+        for _ in range(rounds):
+            apart, nearest = self._apart(plane)
+            near = apart <= np.partition(apart, last)[last]
+            found = _between(self.sample[near], self.tree.data[nearest[near]], plane)
+            if np.abs(found.normal - plane.normal).max() < 1e-12:
+                return found
+            plane = found
+        return plane
+
+    def _polished(self, plane: _Plane) -> _Plane:
+        """Fit again to the pairs that meet almost exactly, where the mesh was modelled
+        symmetric."""
+        for share in (1.0, 0.1, 0.01, 0.001):
+            apart, nearest = self._apart(plane)
+            near = apart <= share * self.tolerance
+            if near.mean() < 0.2:
+                break
+            plane = _between(self.sample[near], self.tree.data[nearest[near]], plane)
+        return plane
+
+    def _distinct(self, planes: Iterable[_Plane]) -> list[_Plane]:
+        """The first of all planes that mirror the sample to the same places, as good as."""
+        kept: list[tuple[_Plane, Floats]] = []
+        for plane in planes:
+            image = plane.reflect(self.sample)
+            if all(np.abs(image - other).max() > _EQUAL * self.tolerance for _, other in kept):
+                kept.append((plane, image))
+        return [plane for plane, _ in kept]
+
+    def _by_motions(self, planes: list[_Plane], up: Floats, fields: DisplacementFields) -> _Plane:
+        """Of planes that the surface fits equally well (a face as symmetric upside down as left to
+        right), the one whose mirror maps the controls' motions to each other best; of those alike
+        in this, the one most along the up axis.
+        """
+
+        def preference(plane: _Plane) -> tuple[float, float]:
+            partner = _partners(plane, self.trajectories, self.tolerance)
+            raw = agreements(fields, partner, plane.normal)
+            agreed = np.maximum(pairable(raw, self.trajectories.motions).max(axis=1), 0.0)
+            return -round(float(agreed.mean()), 3), round(abs(float(plane.normal @ up)), 3)
+
+        return min(planes, key=preference)
 
 
-def _normals(centred: Floats, weights: Floats, up: Floats) -> list[Floats]:
-    """Candidate plane normals: directions around the up axis, and the principal axes of the
-    region."""
+def _level(up: Floats) -> list[Floats]:
+    """Eight directions about the up axis."""
     side = np.cross(up, axis_across(up))
     side /= np.linalg.norm(side)
     ahead = np.cross(up, side)
-    angles = np.arange(_DIRECTIONS) * np.pi / _DIRECTIONS
-    _, axes = np.linalg.eigh((centred * weights[:, None]).T @ centred)
-    return [*(np.cos(angle) * side + np.sin(angle) * ahead for angle in angles), *axes.T]
+    return [np.cos(angle) * side + np.sin(angle) * ahead for angle in np.arange(8) * np.pi / 8.0]
 
 
-def _refined(plane: _Plane, tree: cKDTree, sample: Floats, rounds: int) -> _Plane:
-    """Alternate between nearest pairs and the reflection that fits them best, until it settles."""
-    last = int(_TRIM * (len(sample) - 1))
-    for _ in range(rounds):
-        apart, nearest = tree.query(plane.reflect(sample))
-        near = apart <= np.partition(apart, last)[last]
-        found = _fitted(sample[near], tree.data[nearest[near]], plane)
-        if np.abs(found.normal - plane.normal).max() < 1e-12:
-            return found
-        plane = found
-    return plane
+def _principal(points: Floats, weights: Floats) -> list[Floats]:
+    """The principal axes of weighted points."""
+    centred = points - np.average(points, axis=0, weights=weights)
+    return [*np.linalg.eigh((centred * weights[:, None]).T @ centred)[1].T]
 
 
-def _polished(plane: _Plane, tree: cKDTree, sample: Floats, tolerance: float) -> _Plane:
-    """Fit again to the pairs that meet almost exactly, where the mesh was modelled symmetric."""
-    for share in (1.0, 0.1, 0.01, 0.001):
-        apart, nearest = tree.query(plane.reflect(sample))
-        near = apart <= share * tolerance
-        if near.mean() < 0.2:
-            break
-        plane = _fitted(sample[near], tree.data[nearest[near]], plane)
-    return plane
-
-
-def _fitted(points: Floats, images: Floats, before: _Plane) -> _Plane:
+def _between(points: Floats, images: Floats, before: _Plane) -> _Plane:
     """The plane whose reflection brings `points` nearest to `images` in the least-squares sense.
 
     With both centred, the squared misfit of normal n is a constant plus 4 (p . n)(q . n): the
@@ -288,38 +295,8 @@ def _fitted(points: Floats, images: Floats, before: _Plane) -> _Plane:
     """
     a, b = points.mean(axis=0), images.mean(axis=0)
     product = (points - a).T @ (images - b)
-    _, axes = np.linalg.eigh(product + product.T)
-    normal = axes[:, 0] if axes[:, 0] @ before.normal >= 0.0 else -axes[:, 0]
+    normal = towards(np.linalg.eigh(product + product.T)[1][:, 0], before.normal)
     return _Plane(normal, float(normal @ (0.5 * (a + b))))
-
-
-def _misfit(plane: _Plane, tree: cKDTree, sample: Floats) -> float:
-    """Trimmed mean distance of the mirror image from the surface's points."""
-    apart, _ = tree.query(plane.reflect(sample))
-    return float(np.sort(apart)[: max(1, int(_TRIM * len(apart)))].mean())
-
-
-def _share(plane: _Plane, tree: cKDTree, sample: Floats, tolerance: float) -> float:
-    apart, _ = tree.query(plane.reflect(sample))
-    return float((apart <= tolerance).mean())
-
-
-def _named_instead(
-    named: tuple[Floats, float] | None, found: _Plane | None, trajectories: Trajectories
-) -> _Plane | None:
-    """The plane that was found, or the one between the joints `named` left and right where it lies
-    across that: a robot may be as symmetric from front to back.  Fitted to the surface where that
-    hardly turns it."""
-    if named is None or (found is not None and abs(float(found.normal @ named[0])) >= _AGREES):
-        return found
-    plane = _Plane(*named)
-    region, weights = _moving_region(trajectories)
-    if len(region) < 4:
-        return found
-    tree = cKDTree(trajectories.surface.points[np.unique(trajectories.surface.places)])
-    sample = _thinned(region, weights)
-    fitted = _refined(plane, tree, sample, 60)
-    return fitted if abs(float(fitted.normal @ plane.normal)) >= _HARDLY_TURNED else plane
 
 
 def _towards_left(
@@ -353,7 +330,7 @@ def _partners(plane: _Plane, trajectories: Trajectories, tolerance: float) -> In
     base, places = trajectories.surface.points, trajectories.surface.places
     chosen = np.flatnonzero(places == np.arange(len(base)))
     motion = total_motion(trajectories.motions, len(base)).astype(np.float64)
-    unit = _TIE * trajectories.surface.face_size / (float(np.abs(motion).max()) or 1.0)
+    unit = _MOTION_WEIGHT * trajectories.surface.face_size / (float(np.abs(motion).max()) or 1.0)
     turned = motion - 2.0 * (motion @ plane.normal)[:, None] * plane.normal
     tree = cKDTree(np.hstack([base[chosen], unit * motion[chosen]]))
     _, nearest = tree.query(np.hstack([plane.reflect(base[chosen]), unit * turned[chosen]]))
