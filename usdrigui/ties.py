@@ -23,6 +23,12 @@ def rounded(values: Floats) -> Floats:
     return np.asarray(np.round(values / largest, _DIGITS) if 0.0 < largest < np.inf else values)
 
 
+def steady(values: Floats) -> Floats:
+    """The values to six decimals: agreements and shares, whose noise in single precision must
+    decide nothing."""
+    return np.asarray(np.round(values, 6), dtype=np.float64)
+
+
 def first_largest(values: Floats) -> int:
     """Index of the largest value, the first of equals."""
     return int(np.argmax(rounded(values)))

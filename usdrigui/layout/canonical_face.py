@@ -17,7 +17,6 @@ import numpy as np
 
 from usdrigui.character import Flags, Floats, Record
 from usdrigui.conventions import Meaning
-from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.layout.visibility import Views
 from usdrigui.model import BaseSurface, MirrorPlane, Motion, Symmetry, Trajectories
 
@@ -196,7 +195,7 @@ def _middle(surface: BaseSurface, plane: MirrorPlane, views: Views, motion: Moti
     two lobes of a symmetric motion that of one) and height, scene units."""
     weight = _weights(surface.areas, views.anywhere, motion)
     points = surface.points[motion.points]
-    apart = plane_distance(points, plane)
+    apart = plane.distance(points)
     middle, spread = float(weight @ apart), float(weight @ np.abs(apart))
     one_sided = abs(middle) > 0.5 * spread
     return np.array([middle if one_sided else 0.0, float(weight @ (points @ views.up))])

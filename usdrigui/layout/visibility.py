@@ -10,7 +10,6 @@ from usdrigui.character import Flags, Floats, Record, Rig
 from usdrigui.character.rays import Caster, blocked, hidden_share, make_caster, visible_from
 from usdrigui.character.surface import mesh_triangles
 from usdrigui.layout.symmetry.front import front_of, three_quarter
-from usdrigui.layout.symmetry.mirror_plane import projected
 from usdrigui.model import BaseSurface, MirrorPlane, Trajectories
 from usdrigui.settings import view_angles
 from usdrigui.ties import axis_across
@@ -126,7 +125,7 @@ def _frame(surface: BaseSurface, plane: MirrorPlane, ahead: Floats, up: Floats) 
     """The face's frame at the middle of the character."""
     middle = surface.points.mean(axis=0) if len(surface.points) else np.zeros(3)
     axes = np.stack([np.cross(up, ahead), up, ahead])
-    return FaceFrame(projected(middle, plane), axes, surface.face_size)
+    return FaceFrame(plane.projected(middle), axes, surface.face_size)
 
 
 def mostly_hidden(views: Views, tracks: Floats, normals: Floats, depth: float) -> Flags:

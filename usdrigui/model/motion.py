@@ -149,6 +149,19 @@ class MirrorPlane(Record):
     normal: Floats
     """(3,) unit, points to the character's left; zero when there is no symmetry."""
 
+    def distance(self, points: Floats) -> Floats:
+        """(...) signed distance of `points` (..., 3) from the plane, positive on the character's
+        left."""
+        return np.asarray((points - self.origin) @ self.normal, dtype=np.float64)
+
+    def reflected(self, points: Floats) -> Floats:
+        """(..., 3) mirror images of `points`."""
+        return np.asarray(points - 2.0 * self.distance(points)[..., None] * self.normal)
+
+    def projected(self, points: Floats) -> Floats:
+        """(..., 3) nearest points of the plane; `points` themselves without one."""
+        return np.asarray(points - self.distance(points)[..., None] * self.normal)
+
 
 @dataclass(frozen=True, eq=False)
 class Symmetry(Record):

@@ -7,7 +7,6 @@ import numpy as np
 
 from usdrigui.character import Body, Floats, Indices, Skin
 from usdrigui.layout.face import Face
-from usdrigui.layout.symmetry.mirror_plane import projected
 from usdrigui.model import MirrorPlane, Trajectories
 from usdrigui.ties import first_largest
 
@@ -15,7 +14,7 @@ from usdrigui.ties import first_largest
 def face_middle(trajectories: Trajectories, plane: MirrorPlane) -> Floats:
     """(3,) middle of the moving region, on the mirror plane where there is one."""
     points = trajectories.surface.points[_face_points(trajectories)]
-    return projected(0.5 * (points.min(axis=0) + points.max(axis=0)), plane)
+    return plane.projected(0.5 * (points.min(axis=0) + points.max(axis=0)))
 
 
 def silhouette(face: Face, middle: Floats, frame: Floats, half: float) -> float:

@@ -25,7 +25,7 @@ from usdrigui.character import Flags, Floats, Indices
 from usdrigui.layout.classify.basis import least_squares
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.model import Trajectories
-from usdrigui.ties import first_largest
+from usdrigui.ties import first_largest, steady
 
 _RANGE = 2.0
 """Times its own range that another control may go in the sum: a tiny control scaled up explains
@@ -34,8 +34,6 @@ _HALF = 0.5
 """Share up to which a motion is the control's own."""
 _NOTABLE = 0.5
 """Share of its visible peak that a control keeps at its allowed places."""
-_DIGITS = 6
-"""Decimals of a share: rounding of sums must not decide between places."""
 
 
 def with_common_motion(
@@ -77,9 +75,7 @@ def _shares(similarity: Similarity, index: int, on_face: Flags, at: Indices) -> 
     parts, weights = _sum_of_others(similarity, index, on_face)
     rest = own - np.einsum("k,kai->ai", weights, similarity.fields.vectors[np.ix_(parts, at)])
     length = np.maximum(np.linalg.norm(own, axis=1), 1e-300)
-    return np.asarray(
-        np.round(1.0 - np.minimum(np.linalg.norm(rest, axis=1) / length, 1.0), _DIGITS)
-    )
+    return steady(1.0 - np.minimum(np.linalg.norm(rest, axis=1) / length, 1.0))
 
 
 def _sum_of_others(similarity: Similarity, index: int, on_face: Flags) -> tuple[Indices, Floats]:

@@ -18,7 +18,6 @@ from usdrigui.layout.motion.tracks import arc_lengths, paths
 from usdrigui.layout.names import common_label, element_name
 from usdrigui.layout.place.labels import drawn_magnification, own_mirror_image
 from usdrigui.layout.place.problem import PlacementProblem
-from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.model import (
     Anchor,
     Assignment,
@@ -225,7 +224,7 @@ def _side(face: Face, point: int) -> Side:
     """The side of the character on which a point lies."""
     if not face.symmetry.plane.normal.any():
         return "none"
-    apart = float(plane_distance(face.trajectories.surface.points[point], face.symmetry.plane))
+    apart = float(face.symmetry.plane.distance(face.trajectories.surface.points[point]))
     if abs(apart) <= _ON_PLANE * face.trajectories.surface.face_size:
         return "middle"
     return "left" if apart > 0.0 else "right"

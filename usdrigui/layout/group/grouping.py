@@ -25,7 +25,6 @@ from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.similarity import bidirectional
 from usdrigui.layout.names import element_name
 from usdrigui.layout.symmetry.lobes import all_aside, two_lobed
-from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.layout.symmetry.orbits import configured_orbits
 from usdrigui.model import Candidates, CandidateSet, ElementKind, Group
 from usdrigui.model.candidates import axes_of
@@ -422,7 +421,7 @@ class _Grouping:
         decide in the middle."""
         surface = self.face.trajectories.surface
         points = np.concatenate([self.sets[i].points for i in sorted(element.motions)])
-        apart = plane_distance(surface.points[points], self.face.symmetry.plane)
+        apart = self.face.symmetry.plane.distance(surface.points[points])
         names = sorted((not has_side(self.names[i]), self.names[i]) for i in element.motions)
         return -round(float(apart.mean() / surface.face_size), 3), names
 

@@ -8,7 +8,6 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.reuse.partial_layout import MIRROR, fixed_anchor
 from usdrigui.layout.reuse.prior_layout import ONE_PLACE
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.layout.symmetry.mirror_plane import plane_distance, reflected
 from usdrigui.settings import ControlSettings
 
 
@@ -29,7 +28,7 @@ def has_own_place(face: Face, requests: Requests, control: int) -> bool:
         return False
     if mine.on_board or other.on_board:
         return mine.on_board != other.on_board
-    apart = np.linalg.norm(reflected(mine.position, symmetry.plane) - other.position)
+    apart = np.linalg.norm(symmetry.plane.reflected(mine.position) - other.position)
     return bool(apart > ONE_PLACE * face.handle_width)
 
 
@@ -47,6 +46,6 @@ def _fixed_in_mirror(face: Face, requests: Requests, control: int) -> bool:
         return False
     pair = [fixed_anchor(rig, rig.controls[c].name, overrides[c].anchor) for c in (control, twin)]
     points = np.array([point for point in pair if point is not None])
-    apart = plane_distance(face.trajectories.surface.points[points], symmetry.plane)
+    apart = symmetry.plane.distance(face.trajectories.surface.points[points])
     left, right = points if apart[0] >= apart[1] else points[::-1]
     return bool(symmetry.partner[left] == right)

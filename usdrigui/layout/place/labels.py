@@ -23,7 +23,6 @@ from usdrigui.layout.motion.tracks import (
     resampled,
 )
 from usdrigui.layout.place.terms import LinearTerms, displacement_unit, linear_cost, off_plane
-from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.layout.symmetry.orbits import orbit_points
 from usdrigui.model import CandidateSet, Choice, Group, Motion
 from usdrigui.settings import ControlSettings, SymmetrySettings
@@ -163,10 +162,7 @@ def _with_copies(
     kept = (anchors >= 0).all(axis=1) & (sources >= 0).all(axis=1)
     if group.doubled:
         # The mirror image of a label of a doubled element is the same layout.
-        kept &= (
-            plane_distance(face.trajectories.surface.points[anchors[:, 0]], face.symmetry.plane)
-            >= 0.0
-        )
+        kept &= face.symmetry.plane.distance(face.trajectories.surface.points[anchors[:, 0]]) >= 0.0
     return Choice(index, group.copies, anchors[kept], sources[kept])
 
 

@@ -14,7 +14,6 @@ from usdrigui.errors import listed, meant, refuse
 from usdrigui.layout.face import Face
 from usdrigui.layout.reuse.partial_layout import MIRROR, point_index
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.layout.symmetry.mirror_plane import reflected
 from usdrigui.ties import first_smallest
 
 _PROXIES = 24
@@ -69,7 +68,7 @@ def _distances(face: Face, where: str, near: str) -> Floats:
     else:
         centres = np.array(base[_named_points(face.rig, where, name)])
     if near.startswith(MIRROR):
-        centres = reflected(centres, face.symmetry.plane)
+        centres = face.symmetry.plane.reflected(centres)
     straight, _ = cKDTree(centres).query(base)
     if joint:
         return np.asarray(straight)

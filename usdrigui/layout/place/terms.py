@@ -15,7 +15,6 @@ from usdrigui.character import Floats, Indices, Singles
 from usdrigui.layout.face import Face
 from usdrigui.layout.place.extensions import user_linear_cost
 from usdrigui.layout.symmetry.lobes import ON_PLANE
-from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.model import Motion
 from usdrigui.settings import LayoutSettings
 
@@ -117,8 +116,7 @@ def off_plane(face: Face, points: Indices, weight: float, *, of_joint: bool = Fa
     two mirror images it then takes the one on the character's left.  An element of a joint, which
     moves its own skin much alike, is more firmly held to the plane."""
     apart = (
-        plane_distance(face.trajectories.surface.points[points], face.symmetry.plane)
-        / face.handle_width
+        face.symmetry.plane.distance(face.trajectories.surface.points[points]) / face.handle_width
     )
     cost = weight * np.abs(apart) + np.where(apart < -_MIDDLE, _TIE, 0.0)
     if of_joint and weight:

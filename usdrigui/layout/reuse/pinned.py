@@ -17,7 +17,6 @@ from usdrigui.character import Floats, Indices, Rig
 from usdrigui.errors import Issue, RigUIError, issue
 from usdrigui.layout.reuse.partial_layout import MIRROR, fixed_anchor, place_of
 from usdrigui.layout.reuse.prior_layout import ONE_PLACE, points_of_meshes, same_point
-from usdrigui.layout.symmetry.mirror_plane import reflected
 from usdrigui.model import Decision, Element, Layout, Symmetry, Trajectories
 from usdrigui.model.levels import outer_first
 from usdrigui.settings import ControlSettings
@@ -195,7 +194,7 @@ def _image(trajectories: Trajectories, symmetry: Symmetry, twin: int, point: int
     partner = int(symmetry.partner[point])
     if partner in motion.points:
         return partner
-    there = reflected(trajectories.surface.points[point], symmetry.plane)
+    there = symmetry.plane.reflected(trajectories.surface.points[point])
     far = motion.points[motion.arc_length >= _MOVES * motion.peak]
     return int(
         far[first_smallest(np.linalg.norm(trajectories.surface.points[far] - there, axis=1))]

@@ -8,17 +8,15 @@ from dataclasses import replace
 import numpy as np
 
 from usdrigui.character import Floats, Rig
+from usdrigui.character.joint_tree import unit
 from usdrigui.layout.motion.similarity import DisplacementFields, displacement_fields
 from usdrigui.layout.motion.trajectory import of_controls
 from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
 from usdrigui.layout.parts.joint_regions import FACE
-from usdrigui.layout.symmetry.mirror_plane import LEAST_SHARE, find_symmetry, plane_distance
+from usdrigui.layout.symmetry.mirror_plane import LEAST_SHARE, find_symmetry
 from usdrigui.layout.symmetry.twins import paired
 from usdrigui.model import BaseSurface, MirrorPlane, Symmetry, Trajectories
 from usdrigui.settings import Settings, TrajectorySettings
-
-_APART = 0.05
-"""Pairs nearer to each other than this share of the face determine the plane badly."""
 
 
 def symmetry_at_pose(
@@ -107,15 +105,15 @@ def _same_controls(
 def _at_pose(symmetry: Symmetry, surface: BaseSurface, base: Floats) -> Symmetry:
     """The same partners with the plane where most pairs now have it: what one side does must not
     tilt it."""
-    side = plane_distance(surface.points, symmetry.plane)
-    left = np.flatnonzero((symmetry.partner >= 0) & (side > 0.5 * _APART * surface.face_size))
+    side = symmetry.plane.distance(surface.points)
+    left = np.flatnonzero((symmetry.partner >= 0) & (side > 0.0))
     if not len(left):
         return symmetry
+    # Pairs near the middle determine the plane badly.
+    left = left[side[left] >= np.median(side[left])]
     other = base[symmetry.partner[left]]
     across = base[left] - other
-    normal = np.median(across / np.maximum(np.linalg.norm(across, axis=1), 1e-300)[:, None], axis=0)
-    normal = normal / np.linalg.norm(normal)
+    normal = unit(np.median(across / np.linalg.norm(across, axis=1)[:, None], axis=0))
     offset = float(np.median(0.5 * (base[left] + other) @ normal))
-    middle = base.mean(axis=0)
-    plane = MirrorPlane(middle - (middle @ normal - offset) * normal, normal)
-    return replace(symmetry, plane=plane)
+    plane = MirrorPlane(offset * normal, normal)
+    return replace(symmetry, plane=replace(plane, origin=plane.projected(base.mean(axis=0))))

@@ -11,7 +11,6 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.character import Flags, Indices
-from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.model import BaseSurface, MirrorPlane, Motion, Symmetry
 
 ON_PLANE = 0.5
@@ -34,7 +33,7 @@ _ASIDE = 0.1
 def all_aside(surface: BaseSurface, plane: MirrorPlane, points: Indices) -> bool:
     """Whether all of these points, the candidates of a symmetric control, lie to the sides of the
     face: one handle would be on one side only."""
-    apart = np.abs(plane_distance(surface.points[points], plane))
+    apart = np.abs(plane.distance(surface.points[points]))
     return bool(apart.min(initial=np.inf) > _ASIDE * surface.face_size)
 
 
@@ -57,7 +56,7 @@ def two_lobed(
     length = np.where(visible[motion.points], motion.arc_length, 0.0)
     if not length.any():
         length = motion.arc_length
-    apart = np.abs(plane_distance(surface.points[motion.points], plane))
+    apart = np.abs(plane.distance(surface.points[motion.points]))
     middle = length[apart <= _MIDDLE * surface.face_size].max(initial=0.0)
     least = _KEPT if both_sides is None else _KEPT_IN_PAIRS if both_sides else _KEPT_IN_THE_MIDDLE
     return bool(middle < least * length.max())
@@ -71,5 +70,5 @@ def in_the_middle(
     own = motion.shares.owned is not None and int(symmetry.twins[motion.control]) == motion.control
     if not (own and symmetry.plane.normal.any()):
         return np.zeros(len(motion.points), dtype=bool)
-    apart = np.abs(plane_distance(surface.points[motion.points], symmetry.plane))
+    apart = np.abs(symmetry.plane.distance(surface.points[motion.points]))
     return np.asarray(apart <= ON_PLANE * handle_width)

@@ -48,19 +48,6 @@ _AGREES = 0.7
 """Cosine from which a plane is that of the names of joints."""
 
 
-@dataclass(frozen=True)
-class _Plane:
-    """A mirror plane: points p with normal . p = offset."""
-
-    normal: Floats
-    offset: float
-
-    def reflect(self, points: Floats) -> Floats:
-        return np.asarray(
-            points - 2.0 * (points @ self.normal - self.offset)[:, None] * self.normal
-        )
-
-
 def find_symmetry(
     rig: Rig,
     trajectories: Trajectories,
@@ -81,36 +68,24 @@ def find_symmetry(
     if mirror.enabled and trajectories.motions:
         named = plane_of_names(rig.body.skeletons, rig.body.joints)
         search = _search(trajectories, tolerance)
-        if search is not None:
-            plane = search.named_instead(named, search.best(rig.skel_root.up, fields))
+        plane = search.best(rig.skel_root.up, fields) if search is not None else None
+        # A robot may be as symmetric from front to back.
+        if named is not None and not _agree(named, plane):
+            plane = named
     if plane is None:
+        plane = MirrorPlane(np.zeros(3), np.zeros(3))
         partner = np.full(count, -1, dtype=np.int64)
-        origin, normal = np.zeros(3), np.zeros(3)
     else:
         plane = _towards_left(plane, named, rig, trajectories)
-        partner = _partners(plane, trajectories, tolerance)
         middle = trajectories.surface.points.mean(axis=0)
-        normal = plane.normal
-        origin = middle - (middle @ plane.normal - plane.offset) * plane.normal
-    return paired(
-        rig, trajectories.motions, (fields, MirrorPlane(origin, normal), partner), settings
-    )
+        plane = replace(plane, origin=plane.projected(middle))
+        partner = _partners(plane, trajectories, tolerance)
+    return paired(rig, trajectories.motions, (fields, plane, partner), settings)
 
 
-def reflected(points: Floats, plane: MirrorPlane) -> Floats:
-    """(..., 3) mirror images of `points`."""
-    apart = (points - plane.origin) @ plane.normal
-    return np.asarray(points - 2.0 * apart[..., None] * plane.normal, dtype=np.float64)
-
-
-def projected(points: Floats, plane: MirrorPlane) -> Floats:
-    """(..., 3) nearest points of the plane; `points` themselves without one."""
-    return np.asarray(points - plane_distance(points, plane)[..., None] * plane.normal)
-
-
-def plane_distance(points: Floats, plane: MirrorPlane) -> Floats:
-    """(...) signed distance from the mirror plane, positive on the character's left."""
-    return np.asarray((points - plane.origin) @ plane.normal, dtype=np.float64)
+def _agree(named: MirrorPlane, plane: MirrorPlane | None) -> bool:
+    """Whether the plane between joints `named` left and right is one that was found."""
+    return plane is not None and abs(float(named.normal @ plane.normal)) >= _AGREES
 
 
 # --- the plane ------------------------------------------------------------------------------------
@@ -167,7 +142,7 @@ class _Search:
     sample: Floats
     """(p, 3) of the region."""
 
-    def best(self, up: Floats, fields: DisplacementFields) -> _Plane | None:
+    def best(self, up: Floats, fields: DisplacementFields) -> MirrorPlane | None:
         """The best mirror plane, or None where the character has none."""
         rough = replace(self, sample=self.sample[::_THINNED])
         starts = [rough.fitted(plane, 2) for plane in self._starts(up)]
@@ -181,7 +156,7 @@ class _Search:
         ]
         return self._by_motions(whole, up, fields) if len(whole) > 1 else next(iter(whole), None)
 
-    def ranked(self, planes: list[_Plane]) -> tuple[list[_Plane], int]:
+    def ranked(self, planes: list[MirrorPlane]) -> tuple[list[MirrorPlane], int]:
         """The distinct planes, the best first: those that fit as well as the best, of which the
         number is told, and no fewer than the finalists."""
         misfits = {id(plane): self._misfit(plane) for plane in planes}
@@ -191,16 +166,7 @@ class _Search:
         equal = sum(misfits[id(plane)] <= misfits[id(order[0])] + slack for plane in distinct)
         return distinct[: max(_FINALISTS, equal)], equal
 
-    def named_instead(
-        self, named: tuple[Floats, float] | None, found: _Plane | None
-    ) -> _Plane | None:
-        """The plane that was found, or the one between the joints `named` left and right where it
-        lies across that: a robot may be as symmetric from front to back."""
-        if named is None or (found and abs(float(found.normal @ named[0])) >= _AGREES):
-            return found
-        return _Plane(*named)
-
-    def _starts(self, up: Floats) -> Iterator[_Plane]:
+    def _starts(self, up: Floats) -> Iterator[MirrorPlane]:
         """Candidate planes in all directions about the up axis and along the principal axes:
         through the moving region, and through the middle of the whole character, where a
         mesh modelled symmetric has it."""
@@ -210,22 +176,22 @@ class _Search:
             order = np.argsort(rounded(along), kind="stable")
             share = np.cumsum(weights[order]) / weights.sum()
             for level in _LEVELS:
-                yield _Plane(normal, float(along[order[np.searchsorted(share, level)]]))
+                yield MirrorPlane(region[order[np.searchsorted(share, level)]], normal)
         for normal in (*_level(up), *_principal(every, np.ones(len(every)))):
-            yield _Plane(normal, float(normal @ every.mean(axis=0)))
+            yield MirrorPlane(every.mean(axis=0), normal)
 
-    def _apart(self, plane: _Plane) -> tuple[Floats, Indices]:
+    def _apart(self, plane: MirrorPlane) -> tuple[Floats, Indices]:
         """(p,) distance of the mirror image of each point of the sample from the nearest place, and
         that place."""
-        apart, nearest = self.tree.query(plane.reflect(self.sample))
+        apart, nearest = self.tree.query(plane.reflected(self.sample))
         return apart, nearest
 
-    def _misfit(self, plane: _Plane) -> float:
+    def _misfit(self, plane: MirrorPlane) -> float:
         """Trimmed mean distance of the mirror image from the surface's points."""
         apart = np.sort(self._apart(plane)[0])
         return float(apart[: max(1, int(_TRIM * len(apart)))].mean())
 
-    def fitted(self, plane: _Plane, rounds: int) -> _Plane:
+    def fitted(self, plane: MirrorPlane, rounds: int) -> MirrorPlane:
         """Alternate between nearest pairs and the reflection that fits them best, until it
         settles."""
         last = int(_TRIM * (len(self.sample) - 1))
@@ -238,7 +204,7 @@ class _Search:
             plane = found
         return plane
 
-    def _polished(self, plane: _Plane) -> _Plane:
+    def _polished(self, plane: MirrorPlane) -> MirrorPlane:
         """Fit again to the pairs that meet almost exactly, where the mesh was modelled
         symmetric."""
         for share in (1.0, 0.1, 0.01, 0.001):
@@ -249,22 +215,24 @@ class _Search:
             plane = _between(self.sample[near], self.tree.data[nearest[near]], plane)
         return plane
 
-    def _distinct(self, planes: Iterable[_Plane]) -> list[_Plane]:
+    def _distinct(self, planes: Iterable[MirrorPlane]) -> list[MirrorPlane]:
         """The first of all planes that mirror the sample to the same places, as good as."""
-        kept: list[tuple[_Plane, Floats]] = []
+        kept: list[tuple[MirrorPlane, Floats]] = []
         for plane in planes:
-            image = plane.reflect(self.sample)
+            image = plane.reflected(self.sample)
             if all(np.abs(image - other).max() > _EQUAL * self.tolerance for _, other in kept):
                 kept.append((plane, image))
         return [plane for plane, _ in kept]
 
-    def _by_motions(self, planes: list[_Plane], up: Floats, fields: DisplacementFields) -> _Plane:
+    def _by_motions(
+        self, planes: list[MirrorPlane], up: Floats, fields: DisplacementFields
+    ) -> MirrorPlane:
         """Of planes that the surface fits equally well (a face as symmetric upside down as left to
         right), the one whose mirror maps the controls' motions to each other best; of those alike
         in this, the one most along the up axis.
         """
 
-        def preference(plane: _Plane) -> tuple[float, float]:
+        def preference(plane: MirrorPlane) -> tuple[float, float]:
             partner = _partners(plane, self.trajectories, self.tolerance)
             raw = agreements(fields, partner, plane.normal)
             agreed = np.maximum(pairable(raw, self.trajectories.motions).max(axis=1), 0.0)
@@ -287,7 +255,7 @@ def _principal(points: Floats, weights: Floats) -> list[Floats]:
     return [*np.linalg.eigh((centred * weights[:, None]).T @ centred)[1].T]
 
 
-def _between(points: Floats, images: Floats, before: _Plane) -> _Plane:
+def _between(points: Floats, images: Floats, before: MirrorPlane) -> MirrorPlane:
     """The plane whose reflection brings `points` nearest to `images` in the least-squares sense.
 
     With both centred, the squared misfit of normal n is a constant plus 4 (p . n)(q . n): the
@@ -296,35 +264,32 @@ def _between(points: Floats, images: Floats, before: _Plane) -> _Plane:
     a, b = points.mean(axis=0), images.mean(axis=0)
     product = (points - a).T @ (images - b)
     normal = towards(np.linalg.eigh(product + product.T)[1][:, 0], before.normal)
-    return _Plane(normal, float(normal @ (0.5 * (a + b))))
+    return MirrorPlane(0.5 * (a + b), normal)
 
 
 def _towards_left(
-    plane: _Plane, named: tuple[Floats, float] | None, rig: Rig, trajectories: Trajectories
-) -> _Plane:
+    plane: MirrorPlane, named: MirrorPlane | None, rig: Rig, trajectories: Trajectories
+) -> MirrorPlane:
     """The plane with its normal to the character's left.
 
     What controls of skin move faces ahead.  The skin that a joint turns lies all around it: where
     joints alone are controls, the names of the joints decide, and then the face on the head, which
     hair hangs behind and a muzzle reaches beyond.
     """
-    up = rig.skel_root.up
-    left = None
+    up, ahead = rig.skel_root.up, None
     if all(rig.controls[motion.control].kind == "joint" for motion in trajectories.motions):
-        if named is not None and abs(float(named[0] @ plane.normal)) >= _AGREES:
-            left = named[0]
-        elif (ahead := ahead_of_head(rig, trajectories)) is not None:
-            left = np.cross(up, ahead)
-    if left is None:
-        left = np.cross(up, front(up, trajectories, plane.normal))
-    normal = towards(plane.normal, left)
-    return _Plane(normal, float(np.copysign(1.0, normal @ plane.normal)) * plane.offset)
+        if named is not None and _agree(named, plane):
+            return replace(plane, normal=towards(plane.normal, named.normal))
+        ahead = ahead_of_head(rig, trajectories)
+    if ahead is None:
+        ahead = front(up, trajectories, plane.normal)
+    return replace(plane, normal=towards(plane.normal, np.cross(up, ahead)))
 
 
 # --- points ---------------------------------------------------------------------------------------
 
 
-def _partners(plane: _Plane, trajectories: Trajectories, tolerance: float) -> Indices:
+def _partners(plane: MirrorPlane, trajectories: Trajectories, tolerance: float) -> Indices:
     """For every point the place nearest to its mirror image; -1 where that lies beyond the
     tolerance and beyond three quarters of the spacing of points there."""
     base, places = trajectories.surface.points, trajectories.surface.places
@@ -333,9 +298,9 @@ def _partners(plane: _Plane, trajectories: Trajectories, tolerance: float) -> In
     unit = _MOTION_WEIGHT * trajectories.surface.face_size / (float(np.abs(motion).max()) or 1.0)
     turned = motion - 2.0 * (motion @ plane.normal)[:, None] * plane.normal
     tree = cKDTree(np.hstack([base[chosen], unit * motion[chosen]]))
-    _, nearest = tree.query(np.hstack([plane.reflect(base[chosen]), unit * turned[chosen]]))
+    _, nearest = tree.query(np.hstack([plane.reflected(base[chosen]), unit * turned[chosen]]))
     partner = np.full(len(base), -1, dtype=np.int64)
-    apart = np.linalg.norm(plane.reflect(base[chosen]) - base[chosen[nearest]], axis=1)
+    apart = np.linalg.norm(plane.reflected(base[chosen]) - base[chosen[nearest]], axis=1)
     near: Flags = apart <= tolerance
     far = np.flatnonzero(~near)
     # Where a mesh is coarse and not its own mirror image, the nearest place lies within its mesh.

@@ -1,58 +1,59 @@
-"""Left, right and the front of the skeleton: by the sides in names of joints and the
-face on its head."""
+"""Left, right and the front of the skeleton, and which joint mirrors which: by the sides in names
+of joints, their places in the tree, and the face on its head."""
 
 from __future__ import annotations
 
 import re
 from collections import Counter
+from itertools import product
 
 import numpy as np
 
-from usdrigui.character import Floats, Joint, Rig, Skeleton
+from usdrigui.character import Body, Floats, Joint, Rig, Skeleton
+from usdrigui.character.joint_tree import Tree, unit
 from usdrigui.conventions.sides import mirrored, side_of
 from usdrigui.layout.motion.owned_skin import joint_places
 from usdrigui.layout.parts.joint_regions import FACE, joint_regions, owner_of_points
-from usdrigui.model import Trajectories
+from usdrigui.model import MirrorPlane, Trajectories
 
 _PAIRS = 2
 """Least number of pairs of joints whose names have a side."""
-_AGREE = 0.7
-"""Share of the pairs that lie across the plane that they have in common, at least."""
-_ACROSS = 0.5
-"""Cosine to that plane's normal from which a pair lies across it."""
-_AHEAD = 0.1
-"""Least distance of the joints of a face ahead of its head, as a share of the head's extent."""
+_ACROSS = 0.7
+"""Mean cosine of these pairs to the normal of the plane that they have in common, at least."""
+_OFF = 0.1
+"""Share of the skeleton's extent by which a joint may miss the mirror image of its pair: characters
+rest in poses."""
 _COUNT = re.compile(r"[ _.-]*\d+$")
 """What an exporter counts the joints with."""
 
 
 def plane_of_names(
     skeletons: tuple[Skeleton, ...], joints: tuple[Joint, ...]
-) -> tuple[Floats, float] | None:
-    """Normal (3,) to the left and offset of the plane between the joints whose names have left and
-    right, at the base pose; None where too few do or they do not agree."""
+) -> MirrorPlane | None:
+    """The plane between the joints whose names have left and right, at the base pose; None where
+    too few do or they do not agree."""
     places = joint_places(skeletons, joints)
-    last = [joint.name for joint in joints]
-    pairs = []
-    for i, other in _twins(joints, last).items():
-        if side_of(last[i]) == "left" and (places[i] != places[other]).any():
-            pairs.append((places[i], places[other]))
+    pairs = [
+        (places[i], places[other])
+        for i, other in _twins(joints).items()
+        if side_of(joints[i].name) == "left" and (places[i] != places[other]).any()
+    ]
     if len(pairs) < _PAIRS:
         return None
     left, right = np.array(pairs).transpose(1, 0, 2)
     across = (left - right) / np.linalg.norm(left - right, axis=1)[:, None]
-    normal = np.median(across, axis=0)
-    length = float(np.linalg.norm(normal))
-    if length == 0.0 or float((across @ normal >= _ACROSS * length).mean()) < _AGREE:
+    normal = unit(np.median(across, axis=0))
+    if float((across @ normal).mean()) < _ACROSS:
         return None
-    normal = normal / length
-    return normal, float(np.median(0.5 * (left + right) @ normal))
+    offset = float(np.median(0.5 * (left + right) @ normal))
+    return MirrorPlane(offset * normal, normal)
 
 
-def _twins(joints: tuple[Joint, ...], names: list[str]) -> dict[int, int]:
+def _twins(joints: tuple[Joint, ...]) -> dict[int, int]:
     """Joints whose names are those of others with the sides swapped, to these; a number at the end,
     by which exporters count joints, may differ where the name is the only one of its kind."""
     found: dict[int, int] = {}
+    names = [joint.name for joint in joints]
     for spelt in (names, [_COUNT.sub("", name) for name in names]):
         keys = [(joint.skeleton, name.lower()) for joint, name in zip(joints, spelt, strict=True)]
         counts = Counter(keys)
@@ -61,6 +62,39 @@ def _twins(joints: tuple[Joint, ...], names: list[str]) -> dict[int, int]:
             other = alone.get((skeleton, mirrored(name)), i)
             if other != i:
                 found.setdefault(i, other)
+    return found
+
+
+def mirrored_joints(body: Body, plane: MirrorPlane) -> dict[int, int]:
+    """The mirror image of each joint that has one; itself in the middle.
+
+    From the roots down, the joints on a joint of the middle mirror each other, those on a joint of
+    one side those of its pair.  Names with sides come first, then what is nearest to the mirror
+    image and has as many joints below.
+    """
+    if not body.joints:
+        return {}
+    tree, named = Tree(body.joints, body.meshes), _twins(body.joints)
+    places = joint_places(body.skeletons, body.joints)
+    reach = _OFF * float(np.ptp(places, axis=0).max()) or 1.0
+    apart = np.linalg.norm(plane.reflected(places)[:, None] - places[None], axis=2)
+    below = [len(tree.below((joint,))) for joint in range(len(body.joints))]
+    found: dict[int, int] = {}
+
+    def cost(pair: tuple[int, int]) -> tuple[bool, float]:
+        a, b = pair
+        unlike = 0.5 if below[a] != below[b] else 0.0
+        return named.get(a) != b, round(unlike + float(apart[a, b]) / reach, 3)
+
+    roots = [joint for joint, parent in enumerate(tree.parents) if parent < 0]
+    pending = [(roots, roots)]
+    while pending:
+        ours, theirs = pending.pop()
+        for a, b in sorted(product(ours, theirs), key=cost):
+            near = named.get(a) == b or (apart[a, b] <= reach and not {a, b} & named.keys())
+            if near and a not in found and b not in found:
+                found[a], found[b] = b, a
+                pending.append(([*tree.children[a]], [*tree.children[b]]))
     return found
 
 
@@ -77,6 +111,4 @@ def ahead_of_head(rig: Rig, trajectories: Trajectories) -> Floats | None:
         return None
     middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
     way = joint_places(rig.body.skeletons, rig.body.joints)[facial].mean(axis=0) - middle
-    level = np.asarray(way - (way @ rig.skel_root.up) * rig.skel_root.up)
-    extent = float(np.ptp(points, axis=0).max())
-    return level if float(np.linalg.norm(level)) >= _AHEAD * extent else None
+    return np.asarray(way - (way @ rig.skel_root.up) * rig.skel_root.up)

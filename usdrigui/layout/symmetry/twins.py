@@ -8,7 +8,8 @@ only where the motions leave room; the configuration has the last word.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from itertools import combinations_with_replacement
 
 import networkx as nx
 import numpy as np
@@ -18,15 +19,15 @@ from usdrigui.conventions.sides import has_side, hints_at_twin
 from usdrigui.errors import Faults, meant, refuse
 from usdrigui.layout.control_overrides import control_index, control_overrides
 from usdrigui.layout.motion.similarity import DisplacementFields, bidirectional
+from usdrigui.layout.symmetry.sides_of_joints import mirrored_joints
 from usdrigui.model import MirrorPlane, Motion, Symmetry
 from usdrigui.settings import ControlSettings, Settings
+from usdrigui.ties import steady
 
 _NAME_BONUS = 0.15
 """What a matching name adds to the agreement of two controls."""
 _NAME_FLOOR = 0.3
 """Least agreement of the motions of two controls that only their names call twins."""
-_DIGITS = 6
-"""Of an agreement: vectors in single precision leave noise from the eighth digit on."""
 
 
 def paired(
@@ -52,9 +53,19 @@ def paired(
         raw = 0.5 * (raw + raw.T)
         free = [i for i, motion in enumerate(motions) if motion.control not in configured]
         names = [rig.controls[motion.control].name for motion in motions]
-        for a, b, source in _matched(names, motions, raw, free, least):
+        agreed, mirrored = pairable(raw, motions), _mirrored_by(rig, motions, plane)
+        possible = {}
+        for i, j in combinations_with_replacement(free, 2):
+            hinted = hints_at_twin(names[i], names[j]) if i != j else not has_side(names[i])
+            of_joints = mirrored(i, j)
+            believed = i != j and (hinted or of_joints is True)
+            floor = min(least, _NAME_FLOOR) if believed else least
+            if of_joints is not False and agreed[i, j] >= floor and agreed[i, j] > 0.0:
+                possible[i, j] = float(agreed[i, j]) + (_NAME_BONUS if hinted else 0.0)
+        for i, j in _matched(possible, names):
+            a, b = motions[i].control, motions[j].control
             twins[a], twins[b] = b, a
-            sources[a] = sources[b] = source
+            sources[a] = sources[b] = "geometry" if agreed[i, j] >= least else "name"
         reversed_twins = _reversed(motions, twins, raw)
     return Symmetry(plane, partner, twins, tuple(sources), reversed_twins)
 
@@ -87,7 +98,7 @@ def agreements(fields: DisplacementFields, partner: Indices, normal: Floats) -> 
     )
     both = one[:, None] + other[None, :]
     ratio = np.divide(2.0 * product, both, out=np.zeros_like(product), where=both > 0.0)
-    return np.asarray(np.round(ratio, _DIGITS), dtype=np.float64)
+    return steady(ratio)
 
 
 def pairable(raw: Floats, motions: tuple[Motion, ...]) -> Floats:
@@ -139,37 +150,38 @@ def _named_twin(own: int, name: str, twin: str, index: dict[str, int]) -> int:
     return index[twin]
 
 
-def _matched(
-    names: Sequence[str], motions: tuple[Motion, ...], raw: Floats, free: list[int], least: float
-) -> list[tuple[int, int, str]]:
+def _matched(pairs: Mapping[tuple[int, int], float], names: Sequence[str]) -> list[tuple[int, int]]:
     """Disjoint pairs of controls (a control with itself: self-symmetric) that agree best, all at
-    once.
+    once; `pairs` (i <= j) are those that may be, and how well each control agrees.
 
     A matching of greatest weight (Edmonds; `networkx.max_weight_matching`): a pair weighs what both
     of its controls agree, a control that is its own mirror image is matched with a node of its own.
     Where weights tie, the pair whose names come first is matched.
     """
-    raw = pairable(raw, motions)
-    found = {}
-    for i in free:
-        for j in free:
-            if j < i or raw[i, j] <= 0.0:
-                continue
-            named = hints_at_twin(names[i], names[j]) if i != j else not has_side(names[i])
-            floor = min(least, _NAME_FLOOR) if named and i != j else least
-            if raw[i, j] >= floor:
-                score = raw[i, j] + (_NAME_BONUS if named else 0.0)
-                found[i, j] = round(1e9 * (score if i == j else 2.0 * score))
-    by_name = sorted(found, key=lambda pair: sorted(names[i] for i in pair), reverse=True)
+    by_name = sorted(pairs, key=lambda pair: sorted(names[i] for i in pair), reverse=True)
     graph = nx.Graph()
     for rank, (i, j) in enumerate(by_name):
         # Whole numbers: the matching is exact, and the ranks of all pairs together weigh less than
         # one unit.
-        graph.add_edge(i, j if i != j else -1 - i, weight=len(by_name) ** 2 * found[i, j] + rank)
-    matched = sorted(
-        sorted(i if i >= 0 else -1 - i for i in pair) for pair in nx.max_weight_matching(graph)
+        whole = round(1e9 * pairs[i, j] * (1.0 if i == j else 2.0))
+        graph.add_edge(i, j if i != j else -1 - i, weight=len(by_name) ** 2 * whole + rank)
+    found = (
+        tuple(sorted(i if i >= 0 else -1 - i for i in pair))
+        for pair in nx.max_weight_matching(graph)
     )
-    controls = [motion.control for motion in motions]
-    return [
-        (controls[i], controls[j], "geometry" if raw[i, j] >= least else "name") for i, j in matched
-    ]
+    return sorted((i, j) for i, j in found)
+
+
+def _mirrored_by(
+    rig: Rig, motions: tuple[Motion, ...], plane: MirrorPlane
+) -> Callable[[int, int], bool | None]:
+    """Whether two motions are of joints that mirror each other; None for motions of which one is
+    not of joints."""
+    images = mirrored_joints(rig.body, plane)
+    controls = [rig.controls[motion.control] for motion in motions]
+    first = [int(each.drive.joints[0]) if each.kind == "joint" else -1 for each in controls]
+
+    def mirrored(i: int, j: int) -> bool | None:
+        return images.get(first[i]) == first[j] if min(first[i], first[j]) >= 0 else None
+
+    return mirrored

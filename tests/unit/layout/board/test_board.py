@@ -9,6 +9,7 @@ import pytest
 
 from usdrigui.character import MeshDisplay
 from usdrigui.layout.board import board, board_place
+from usdrigui.model import MirrorPlane
 
 POINTS, QUADS = makers.mask()
 
@@ -106,7 +107,7 @@ def scene(base, *lengths):
 def test_the_middle_of_the_face_is_that_of_what_moves_and_on_the_mirror_plane(origin, normal, middle):
     """Points count that some control moves by half of its own peak."""
     found = scene([(0, 0, 0), (3, 2, 2), (9, 9, 9), (-9, 0, 0)], [4, 2, 1.9, 0], [0.1, 0, 0, 0.04])
-    plane = SimpleNamespace(origin=np.array(origin), normal=np.array(normal))
+    plane = MirrorPlane(np.array(origin), np.array(normal))
     assert board_place.face_middle(found, plane) == pytest.approx(middle)
 
 

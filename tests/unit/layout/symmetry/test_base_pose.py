@@ -5,8 +5,6 @@ import makers
 import numpy as np
 import pytest
 
-from usdrigui.layout.symmetry.mirror_plane import reflected
-
 
 def pose(rig, **values):
     return np.array([values.get(control.name, control.default) for control in rig.controls])
@@ -20,7 +18,7 @@ def rig():
 def apart(face):
     """Distance of each point's partner from its exact mirror image."""
     points = face.trajectories.surface.points
-    return np.linalg.norm(reflected(points, face.symmetry.plane) - points[face.symmetry.partner], axis=1)
+    return np.linalg.norm(face.symmetry.plane.reflected(points) - points[face.symmetry.partner], axis=1)
 
 
 def test_a_one_sided_pose_keeps_partners_and_twins(rig):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from usdrigui.layout.symmetry.lobes import all_aside, in_the_middle, two_lobed
-from usdrigui.model import Shares
+from usdrigui.model import MirrorPlane, Shares
 
 POINTS, QUADS = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
@@ -73,7 +73,7 @@ def test_the_middle_is_a_hundredth_of_the_face_wide_to_either_side(apart, kept, 
     base = np.array([[-apart, 0, 0], [apart, 0, 0], [-0.4, 0, 0], [0.4, 0, 0]])
     shares = np.array([kept, kept, 1.0, 1.0])
     scene = SimpleNamespace(points=base, face_size=1.0)
-    plane = SimpleNamespace(origin=np.zeros(3), normal=np.array([1.0, 0, 0]))
+    plane = MirrorPlane(np.zeros(3), np.array([1.0, 0, 0]))
     motion = SimpleNamespace(shares=Shares(), points=np.arange(4), arc_length=3.0 * shares)
     least = {None: 0.75, True: 0.8, False: 0.5}[both_sides]
     inside = kept if apart == 0.01 else 0.0
@@ -85,7 +85,7 @@ def test_the_middle_is_a_hundredth_of_the_face_wide_to_either_side(apart, kept, 
 
 
 def test_all_places_lie_aside_from_a_tenth_of_the_face_on():
-    plane = SimpleNamespace(origin=np.zeros(3), normal=np.array([1.0, 0, 0]))
+    plane = MirrorPlane(np.zeros(3), np.array([1.0, 0, 0]))
     scene = SimpleNamespace(points=np.array([[-0.21, 0, 0], [0.3, 0, 0], [0.19, 0, 0], [0.2, 0, 0]]), face_size=2.0)
     assert all_aside(scene, plane, np.array([0, 1]))
     assert not all_aside(scene, plane, np.array([0, 1, 2]))
@@ -94,7 +94,7 @@ def test_all_places_lie_aside_from_a_tenth_of_the_face_on():
 
 @pytest.mark.parametrize(("owned", "twin", "found"), [(True, 7, [0, 1]), (False, 7, []), (True, 8, [])])
 def test_the_handle_of_a_joint_in_the_middle_covers_what_is_nearer_than_its_radius(owned, twin, found):
-    plane = SimpleNamespace(origin=np.zeros(3), normal=np.array([1.0, 0, 0]))
+    plane = MirrorPlane(np.zeros(3), np.array([1.0, 0, 0]))
     symmetry = SimpleNamespace(plane=plane, twins={7: twin})
     scene = SimpleNamespace(points=np.array([[0.0, 9, 9], [-0.5, 0, 0], [0.51, 0, 0]]), face_size=2.0)
     motion = SimpleNamespace(shares=Shares(np.ones(3) if owned else None), control=7, points=np.arange(3))

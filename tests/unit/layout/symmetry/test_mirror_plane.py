@@ -13,7 +13,7 @@ from usdrigui.layout.motion.similarity import displacement_fields
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.names import common_label
 from usdrigui.layout.symmetry import mirror_plane
-from usdrigui.layout.symmetry.mirror_plane import find_symmetry, plane_distance, reflected
+from usdrigui.layout.symmetry.mirror_plane import find_symmetry
 from usdrigui.layout.symmetry.twins import agreements, configured_twins
 from usdrigui.settings import ControlSettings, Settings, load
 
@@ -30,7 +30,7 @@ def symmetry_of(rig, settings=None):
 def apart(rig, symmetry):
     """Distance of each point's partner from its exact mirror image."""
     points = rig.body.meshes[0].points
-    return np.linalg.norm(reflected(points, symmetry.plane) - points[symmetry.partner], axis=1)
+    return np.linalg.norm(symmetry.plane.reflected(points) - points[symmetry.partner], axis=1)
 
 
 def names(rig, symmetry):
@@ -49,7 +49,7 @@ def test_the_plane_is_found_wherever_the_face_stands(matrix, offset):
     scale = np.linalg.norm(matrix[0])
     left = matrix @ [1.0, 0.0, 0.0] / scale
     assert symmetry.plane.normal @ left == pytest.approx(1.0, abs=1e-9)
-    assert abs(plane_distance(np.asarray(offset, dtype=float), symmetry.plane)) < 1e-6 * scale
+    assert abs(symmetry.plane.distance(np.asarray(offset, dtype=float))) < 1e-6 * scale
     assert (symmetry.partner >= 0).all()
     assert apart(rig, symmetry).max() < 1e-5 * scale
 
@@ -86,7 +86,7 @@ def test_partners_are_images_and_come_in_twos():
     rig = makers.face()
     symmetry = symmetry_of(rig)
     points = rig.body.meshes[0].points
-    assert np.allclose(reflected(points, symmetry.plane), points[symmetry.partner], atol=1e-6)
+    assert np.allclose(symmetry.plane.reflected(points), points[symmetry.partner], atol=1e-6)
     assert np.array_equal(symmetry.partner[symmetry.partner], np.arange(len(points)))
 
 

@@ -11,8 +11,11 @@ from makers import changed
 
 from usdrigui.character.rotation import rotations
 from usdrigui.layout.motion.trajectory import trajectories
-from usdrigui.layout.symmetry.sides_of_joints import ahead_of_head
+from usdrigui.layout.symmetry.sides_of_joints import ahead_of_head, mirrored_joints
+from usdrigui.model import MirrorPlane
 from usdrigui.settings import Settings
+
+ACROSS = MirrorPlane(np.zeros(3), np.array([1.0, 0.0, 0.0]))
 
 
 def robot(swapped=False):
@@ -86,6 +89,36 @@ def test_a_character_that_rests_in_a_pose_has_the_pairs_of_its_bind_pose():
     plain, posed = chain.face_of(rig), chain.face_of(resting(rig))
     assert twins(plain)["a0:rx"] == "b0:rx"
     assert len(twins(posed)) >= 0.9 * len(twins(plain))
+
+
+def test_joints_mirror_as_a_tree_with_and_without_names():
+    """No joint of the spine is the image of another."""
+    body = limbs.whole_body().body
+    names = [joint.name for joint in body.joints]
+    known = {
+        name: names[image]
+        for name, image in zip(names, map(mirrored_joints(body, ACROSS).get, range(99)), strict=False)
+        if image is not None
+    }
+    assert known["a0"] == "b0"
+    assert known["h"] == "h"
+    assert known.keys() == set(names)
+    nameless = tuple(
+        replace(joint, path="/".join(f"j{names.index(part)}" for part in joint.path.split("/")))
+        for joint in body.joints
+    )
+    assert mirrored_joints(replace(body, joints=nameless), ACROSS) == mirrored_joints(body, ACROSS)
+
+
+def test_controls_of_unpaired_joints_are_no_twins_however_alike_they_move():
+    """Two joints of a spine at nearly one place turn alike."""
+    rig = limbs.with_default_controls(limbs.whole_body())
+    face = chain.face_of(rig)
+    images = mirrored_joints(rig.body, face.symmetry.plane)
+    of = [int(control.drive.joints[0]) for control in rig.controls]
+    pairs = [(of[i], of[twin]) for i, twin in enumerate(face.symmetry.twins.tolist()) if twin >= 0]
+    assert pairs
+    assert all(images[a] == b for a, b in pairs)
 
 
 def test_the_face_lies_straight_ahead_of_the_middle_of_a_symmetric_head():
