@@ -1,6 +1,6 @@
 """Small faults put into the code one by one, and whether the tests of the file notice.
 
-    python benchmarks/mutants.py [--count 100] [--seed 0] [--within layout pipeline solve pose usd]
+    python benchmarks/mutants.py [--count 100] [--seed 0] [--within layout pipeline solve errors.py]
     [--record tests/unit tests/laws] [--reached FILE ...] [--seconds 60] [--json FILE]
 
 A mutant is one change of one expression: a number, a comparison, `+` for `-`, `max` for `min`, the
@@ -36,9 +36,12 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-PACKAGES = ("layout", "pipeline", "pose", "solve", "usd")
-RECORDED = ("tests/unit", "tests/laws")
-"""Tests of whole commands reach everything and take long: they are recorded when asked for."""
+ROOMS = sorted(
+    path.name
+    for path in (ROOT / "usdrigui").iterdir()
+    if path.suffix == ".py" or path.joinpath("__init__.py").is_file()
+)
+RECORDED = ("tests/unit", "tests/laws", "tests/cli", "tests/clients")
 COMPARED = {ast.Lt: "<=", ast.LtE: "<", ast.Gt: ">=", ast.GtE: ">", ast.Eq: "!=", ast.NotEq: "=="}
 REPLACED = {ast.Add: "-", ast.Sub: "+", ast.Mult: "/", ast.Div: "*"}
 NAMES = {
@@ -168,15 +171,16 @@ def _expressions(
                 yield from _expressions(node, inside, function)
 
 
-def drawn(packages: Sequence[str], count: int, seed: int) -> list[Mutant]:
-    """`count` of the packages' mutants, of every kind alike.
+def drawn(rooms: Sequence[str], count: int, seed: int) -> list[Mutant]:
+    """`count` of the rooms' mutants, of every kind alike.
 
     The seed and its place give a mutant its turn, so that code which changes elsewhere draws the
     same mutants again.
     """
     by_kind: dict[str, list[Mutant]] = {}
-    for package in packages:
-        for path in sorted((ROOT / "usdrigui" / package).rglob("*.py")):
+    for room in rooms:
+        place = ROOT / "usdrigui" / room
+        for path in [place] if place.suffix else sorted(place.rglob("*.py")):
             for each in mutants(path):
                 by_kind.setdefault(each.kind, []).append(each)
     turns = [
@@ -386,7 +390,7 @@ def main() -> int:
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--first", type=int, default=0, help="pass over so many of those drawn")
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--within", nargs="+", choices=PACKAGES, default=PACKAGES)
+    parser.add_argument("--within", nargs="+", choices=ROOMS, default=ROOMS)
     parser.add_argument("--record", nargs="+", default=RECORDED, metavar="TESTS")
     parser.add_argument("--only-record", type=Path, metavar="FILE")
     parser.add_argument("--reached", nargs="+", type=Path, metavar="FILE")

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import subprocess
 import time
+from pathlib import Path
 
 
 def until(question, seconds=30.0):
@@ -20,3 +22,14 @@ def children_of(*processes):
     parents = ",".join(map(str, processes))
     found = subprocess.run(["ps", "-o", "pid=", "--ppid", parents], capture_output=True, text=True, check=False)
     return [int(each) for each in found.stdout.split()]
+
+
+def gone(*processes):
+    """Whether none of these runs any more; one that nobody has waited for yet has ended, too."""
+
+    def ended(process):
+        with contextlib.suppress(OSError):
+            return " Z " in Path(f"/proc/{process}/stat").read_text()
+        return True
+
+    return all(map(ended, processes))

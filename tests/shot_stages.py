@@ -63,15 +63,6 @@ def take(path: Path, moves: dict[str, np.ndarray], prim: str = "/Take") -> Usd.S
     return stage
 
 
-def second_best(asset: Path, shape: str) -> int:
-    """The point that a blend shape moves second furthest."""
-    stage = Usd.Stage.Open(str(asset))
-    found = UsdSkel.BlendShape(stage.GetPrimAtPath(shape))
-    offsets = np.array(found.GetOffsetsAttr().Get())
-    points = found.GetPointIndicesAttr().Get() or range(len(offsets))
-    return int(list(points)[int(np.argsort(-np.linalg.norm(offsets, axis=1), kind="stable")[1])])
-
-
 def layout_prims(stage: Usd.Stage) -> list[Sdf.Path]:
     """Elements of the layouts on a stage."""
     return [prim.GetPath() for scope in layout_scopes(stage) for prim in element_prims(scope)]

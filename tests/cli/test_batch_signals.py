@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import contextlib
 import json
 import os
 import signal
 import subprocess
 import sys
 import time
-from pathlib import Path
 
 import pytest
-from processes import children_of, until
+from processes import children_of, gone, until
 
 from usdrigui.clients.batch import run
 
@@ -26,12 +24,6 @@ def hanging(folder, count=3):
     for index in range(count):
         (folder / f"char{index}.usd").write_text("#usda 1.0\n(\n    subLayers = [@./pipe.usda@]\n)\n")
     return str(folder / "*.usd")
-
-
-def gone(process):
-    with contextlib.suppress(OSError):
-        return " Z " in Path(f"/proc/{process}/stat").read_text()
-    return True
 
 
 def batch_of(folder, *options):
@@ -61,7 +53,7 @@ def test_a_signal_ends_the_processes_of_a_batch_and_not_its_account(tmp_path, nu
     assert batch.returncode == 4
     assert "Traceback" not in errors
     assert told.splitlines()[-1].startswith("usdrigui: stopped; 0 of 4 assets")
-    until(lambda: all(map(gone, processes)))
+    until(lambda: gone(*processes))
     rows = json.loads((tmp_path / "summary.json").read_text())["assets"]
     assert [row["code"] == "INTERRUPTED" for row in rows] == [False, True, True, True]
     assert not [each.name for each in tmp_path.iterdir() if "rigui" in each.name]
@@ -73,7 +65,7 @@ def test_a_batch_that_is_killed_leaves_no_process(tmp_path):
     processes = processes_of(batch)
     batch.kill()
     batch.communicate(timeout=60)
-    until(lambda: all(map(gone, processes)))
+    until(lambda: gone(*processes))
 
 
 def test_a_signal_while_jobs_are_handed_out_leaves_none_of_them(monkeypatch):

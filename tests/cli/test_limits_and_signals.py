@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from processes import children_of, until
+from processes import children_of, gone, until
 from skel_stages import add_mesh, add_shape, character, grid, head
 
 from usdrigui.cli import main
@@ -40,10 +40,6 @@ def processes_below(process):
     for _ in range(2 if sys.platform == "linux" else 1):
         below.append(until(lambda: children_of(*below[-1])))
     return [number for numbers in below for number in numbers]
-
-
-def gone(numbers):
-    return not any(Path(f"/proc/{number}").exists() for number in numbers)
 
 
 def wait_for_line(process, word):
@@ -86,7 +82,7 @@ def test_a_signal_while_reading_ends_the_run_and_the_reader(hanging, number):
     assert process.returncode == 4
     assert "INTERRUPTED" in err
     assert err.splitlines()[-1].endswith("nothing was written")
-    until(lambda: gone(below))
+    until(lambda: gone(*below))
     assert untouched(hanging)
 
 
@@ -146,7 +142,7 @@ def test_whatever_is_killed_the_command_ends_with_a_code(hanging, which):
     out, err = ended(process, time.monotonic())
     assert process.returncode == 4
     assert ("WORKER_LOST" if which == "worker" else "SOURCE_READER_LOST") in out + err
-    until(lambda: gone(below))
+    until(lambda: gone(*below))
     assert untouched(hanging)
 
 

@@ -2,10 +2,8 @@
 
 import json
 import os
-import signal
 import sys
 import threading
-import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,6 +11,7 @@ import batch_assets
 import minimal_assets
 import pytest
 from PIL import Image
+from processes import gone, until
 from pxr import Sdf
 
 from usdrigui.cli import main
@@ -154,7 +153,7 @@ def test_a_process_that_hangs_is_ended_with_its_children(monkeypatch, tmp_path):
     job = fake(monkeypatch, tmp_path, f"sleep 1000 & echo $! > {tmp_path}/pid; wait")
     row = jobs.run_job(Job(job.asset, job.output, "", JobOptions(timeout=1.0)))
     assert (row.outcome, row.code, row.exit) == ("failed", "BATCH_TIME_LIMIT", 4)
-    assert not alive(int((tmp_path / "pid").read_text()))
+    until(lambda: gone(int((tmp_path / "pid").read_text())))
 
 
 @pytest.mark.skipif(os.name != "posix", reason="needs a shell")
@@ -163,14 +162,12 @@ def test_leaving_early_ends_what_still_runs(monkeypatch, tmp_path):
     many = [Job(str(tmp_path / f"{i}.usda"), str(tmp_path / f"{i}.rigui.usda"), "", JobOptions()) for i in range(6)]
     rows = run.run_local(many, 2)
     assert next(rows).code == "WORKER_CRASHED"
-    deadline = time.monotonic() + 30
-    while not (tmp_path / "pid").exists() and time.monotonic() < deadline:
-        time.sleep(0.05)
+    until((tmp_path / "pid").exists)
     closing = threading.Thread(target=rows.close)
     closing.start()
     closing.join(30)
     assert not closing.is_alive()
-    assert not alive(int((tmp_path / "pid").read_text()))
+    until(lambda: gone(int((tmp_path / "pid").read_text())))
 
 
 STATES = {
@@ -222,20 +219,6 @@ def test_a_broken_configuration_and_a_part_cost_no_other_asset(monkeypatch, tmp_
         outcomes.append({Path(row["asset"]).stem: (row["outcome"], row["code"]) for row in rows})
     rest = {"geo": ("part", ""), "typo": ("refused", "CONFIG_SYNTAX")}
     assert outcomes == [{"char": ("written", "")} | rest, {"char": ("skipped", "")} | rest]
-
-
-def alive(process):
-    deadline = time.monotonic() + 10
-    while time.monotonic() < deadline:
-        try:
-            os.kill(process, 0)
-        except ProcessLookupError:
-            return False
-        if Path(f"/proc/{process}/stat").exists() and " Z " in Path(f"/proc/{process}/stat").read_text():
-            return False
-        time.sleep(0.05)
-    os.kill(process, signal.SIGKILL)
-    return True
 
 
 def test_patterns(tmp_path):

@@ -7,17 +7,12 @@ import subprocess
 import sys
 from pathlib import Path
 
-import numpy as np
 import pytest
-import shot_stages
 import skinned_stages
 import studio_assets
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 BLOCK = re.compile(r"^<!-- run(?:: (?P<needs>\S+))? -->\n```sh\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
-SAMPLE = DOCS.parent / "sample_assets"
-OF_THE_SAMPLE = ("animator.md", "pipeline.md", "rigger.md")
-"""Pages that name controls of the sample; for the others a smaller character will do."""
 PAGES = ("animator.md", "hosts.md", "internals/assets.md", "pipeline.md", "rigger.md")
 
 
@@ -68,31 +63,13 @@ def test_every_page_with_commands_to_run_is_listed():
     )
 
 
-def _sample(folder):
-    """The embedded sample, and what the page on the life of a layout needs besides: another character, animation of
-    the sample, a correction of its layout."""
-    for path in SAMPLE.glob("*.usda"):
-        shutil.copy(path, folder)
-    shutil.copy(folder / "char.usda", folder / "hero.usda")
-    ramp = np.array([0.0, 0.5, 1.0, 0.5, 0.0])
-    brows = {"browDownLeft": ramp[::-1] ** 2, "browDownRight": ramp}
-    shot_stages.take(folder / "take.usda", {"jawOpen": ramp, "mouthPucker": ramp, **brows})
-    point = shot_stages.second_best(folder / "char.usda", "/Char/Geometry/Head/cheekPuff")
-    edit = f"uniform int rigUI:anchor:pointIndex = {point}"
-    for name in ("cheekPuff", "RigUI", "Char"):
-        edit = f'over "{name}"\n{{\n{edit}\n}}'
-    (folder / "corrections.usda").write_text(f"#usda 1.0\n(\nsubLayers = [@./char.rigui.usda@]\n)\n{edit}\n")
-
-
 @pytest.mark.slow
 @pytest.mark.skipif(shutil.which("bash") is None, reason="needs bash")
 @pytest.mark.parametrize("page", PAGES)
 def test_the_commands_of_a_page(page, tmp_path):
-    if page in OF_THE_SAMPLE:
-        _sample(tmp_path)
-    elif page == "internals/assets.md":
+    if page == "internals/assets.md":
         studio_assets.asset(tmp_path)
-    else:
+    elif page == "hosts.md":
         skinned_stages.character(tmp_path / "char.usda")
     for name in ("one", "two"):
         (tmp_path / "assets" / name).mkdir(parents=True)

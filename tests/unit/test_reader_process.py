@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from mutations import package
+from processes import children_of, gone, until
 from pxr import Sdf
 from skel_stages import character, head
 
@@ -44,56 +45,6 @@ def hanging(folder):
     path = folder / "char.usda"
     path.write_text(HANG)
     return path
-
-
-def readers():
-    """Process ids of all reading processes on this machine that name no other test's folder."""
-    found = set()
-    for entry in Path("/proc").glob("[0-9]*"):
-        try:
-            command = (entry / "cmdline").read_bytes()
-            state = (entry / "stat").read_text().rpartition(")")[2].split()[0]
-        except OSError:
-            continue
-        if b"usdrigui.isolation.reader" in command and state != "Z":
-            found.add(int(entry.name))
-    return found
-
-
-def children_of(parent):
-    found = set()
-    for each in readers():
-        try:
-            status = Path(f"/proc/{each}/status").read_text()
-        except OSError:
-            continue
-        if f"PPid:\t{parent}\n" in status:
-            found.add(each)
-    return found
-
-
-def gone(process, seconds=5.0):
-    """Whether the process is gone, or soon will be."""
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        try:
-            state = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
-        except OSError:
-            return True
-        if state == "Z":
-            return True
-        time.sleep(0.01)
-    return False
-
-
-def eventually(question, seconds=20.0):
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        found = question()
-        if found:
-            return found
-        time.sleep(0.01)
-    raise AssertionError("did not come to pass")
 
 
 def encoded(record):
@@ -227,7 +178,7 @@ def test_grandchildren_die_with_the_reader(tmp_path, monkeypatch):
     impostor.chmod(0o755)
     monkeypatch.setattr(sys, "executable", str(impostor))
     assert refused(head(tmp_path / "char.usda"), Limits(seconds=0.5)).issue.code == "SOURCE_TIME_LIMIT"
-    assert gone(int((tmp_path / "grandchild").read_text()))
+    until(lambda: gone(int((tmp_path / "grandchild").read_text())))
 
 
 # --- USD itself --------------------------------------------------------------------------------------
@@ -245,15 +196,14 @@ def test_the_reader_ends_with_a_host_that_was_killed(tmp_path):
     host = f"import pathlib, usdrigui; usdrigui.inspect(pathlib.Path({str(path)!r}), usdrigui.Settings())"
     parent = subprocess.Popen([sys.executable, "-c", host], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
-        (warm,) = eventually(lambda: children_of(parent.pid))
-        (reader,) = eventually(lambda: children_of(warm))
+        (warm,) = until(lambda: children_of(parent.pid))
+        (reader,) = until(lambda: children_of(warm))
         for process in (warm, reader):
             assert b"_usd" in Path(f"/proc/{process}/maps").read_bytes()
     finally:
         parent.kill()
         parent.wait()
-    assert gone(warm)
-    assert gone(reader)
+    until(lambda: gone(warm, reader))
 
 
 def test_the_reader_has_an_alarm_of_its_own(tmp_path):
