@@ -1,9 +1,10 @@
 """Evaluation of a rig at a pose, without USD: the same points as UsdSkel computes.
 
-`deform` answers for one pose, `channel_state` for what a pose sets, `posed` and `sweep` make the
+`deform` answers for one pose, `channel_state` for what a pose sets, `posed` and `Sweep` make the
 trajectories of many controls around one pose cheap, and `knots` lists where a control bends.  The
 rules are those of the UsdSkel specification: blend shapes first, in mesh space, then
-geomBindTransform, then linear or dual-quaternion skinning in skeleton space.  numpy only.
+geomBindTransform, then linear or dual-quaternion skinning in skeleton space.  numpy and
+scipy only.
 """
 
 from __future__ import annotations
@@ -13,10 +14,12 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.sparse import csr_array
 
 from usdrigui.character import (
     Body,
     Drive,
+    Flags,
     Floats,
     Indices,
     Joint,
@@ -29,12 +32,11 @@ from usdrigui.character import (
 from usdrigui.character.rotation import rotation_part, rotations
 from usdrigui.character.skinning import (
     SAME,
-    add_influences,
     applied,
     bound_points,
+    influences,
     point_maps,
     skeleton_to_root,
-    skinned,
     skinning_matrices,
 )
 
@@ -58,19 +60,14 @@ class Posed(Record):
 def deform(rig: Rig, values: ArrayLike | None = None) -> Floats:
     """Points of all meshes in root space, (n, 3), at control `values` (controls,); None for the
     defaults."""
-    weights, local = channel_state(rig, values)
-    skinning = skinning_matrices(rig.body.joints, local)
-    points = [
-        skinned(rig.body, mesh, _blended(mesh, weights), skinning) for mesh in rig.body.meshes
-    ]
-    return np.concatenate(points) if points else np.zeros((0, 3))
+    return posed(rig, values).points
 
 
 def posed(rig: Rig, values: ArrayLike | None = None) -> Posed:
     """The rig held at control `values` (controls,), or at the defaults: the starting point of
     `sweep`."""
     weights, moves = _driven(rig, values)
-    skinning = skinning_matrices(rig.body.joints, _moved(rig.body.joints, moves))
+    skinning = skinning_matrices(rig.body.joints, _moved(rig.body.joints, moves[None])[0])
     blended = [_blended(mesh, weights) for mesh in rig.body.meshes]
     maps = tuple(point_maps(rig.body, mesh, skinning) for mesh in rig.body.meshes)
     points = [applied(shape, to_root) for shape, to_root in zip(blended, maps, strict=True)]
@@ -85,22 +82,14 @@ def channel_state(rig: Rig, values: ArrayLike | None = None) -> tuple[Floats, Fl
     scales are added before they are applied, so that the order of the controls does not matter.
     """
     weights, moves = _driven(rig, values)
-    return weights, _moved(rig.body.joints, moves)
+    return weights, _moved(rig.body.joints, moves[None])[0]
 
 
 def sweep(rig: Rig, base: Posed, control: int, values: ArrayLike) -> tuple[Indices, Singles]:
-    """Motion of the points as one control takes `values` (k,) and all others stay as in `base`.
-
-    Returns the points that the control can move (p,), ascending, and their offsets (k, p, 3) from
-    `base.points` in root space.  Under blend shapes alone the offset is the blended offset times
-    the point's own 3x3 map, whatever the skinning, because the skin does not change.
-    """
-    drive = rig.controls[control].drive
-    at = np.atleast_1d(np.asarray(values, dtype=np.float64))
-    added = _interpolated(drive.values, drive.weights, at)
-    if len(drive.joints):
-        return _sweep_joints(rig.body, base, drive, at, added)
-    return _sweep_shapes(rig.body, base, drive.channels, base.weights[drive.channels] + added)
+    """The points that one control can move (p,), and their offsets (k, p, 3) at its `values` (k,),
+    as `Sweep` has them."""
+    found = Sweep(rig, base, control)
+    return found.points, found.offsets(np.atleast_1d(np.asarray(values, dtype=np.float64)))
 
 
 def sweep_start(
@@ -145,47 +134,34 @@ def _driven(rig: Rig, values: ArrayLike | None) -> tuple[Floats, Floats]:
     if values is not None:
         for control, value in zip(rig.controls, np.asarray(values, dtype=np.float64), strict=True):
             if value != control.default:
-                _add_drive(control.drive, float(value), weights, moves)
+                added, turned = _at(control.drive, value[None])
+                weights[control.drive.channels] += added[0]
+                moves[:, control.drive.joints] += turned[0]
     return weights, moves
 
 
-def _add_drive(drive: Drive, value: float, weights: Floats, moves: Floats) -> None:
-    # One value at a time, many times a second while posing: as `_interpolated`, without its arrays.
+def _at(drive: Drive, values: Floats) -> tuple[Floats, Floats]:
+    """Added weights (m, t) and moves (m, 3, j, 3) of a drive at control `values` (m,): linear
+    between its keys, and on beyond them."""
     keys = drive.values
-    i = min(max(int(keys.searchsorted(value, side="right")) - 1, 0), len(keys) - 2)
-    share = (value - keys[i]) / (keys[i + 1] - keys[i])
-    if len(drive.channels):
-        weights[drive.channels] += (1.0 - share) * drive.weights[i] + share * drive.weights[i + 1]
-    if len(drive.joints):
-        for row, table in enumerate((drive.rotations, drive.translations, drive.scales)):
-            moves[row, drive.joints] += (1.0 - share) * table[i] + share * table[i + 1]
+    i = np.clip(np.searchsorted(keys, values, side="right") - 1, 0, len(keys) - 2)
+    share = (values - keys[i]) / (keys[i + 1] - keys[i])
 
+    def between(table: Floats) -> Floats:
+        shares = share.reshape(-1, *(1,) * (table.ndim - 1))
+        return np.asarray((1.0 - shares) * table[i] + shares * table[i + 1])
 
-def _interpolated(keys: Floats, table: Floats, at: Floats) -> Floats:
-    """Rows of `table` (k, ...) at `at` (m,), linear between `keys` (k,) and extrapolated beyond
-    them."""
-    i = np.clip(np.searchsorted(keys, at, side="right") - 1, 0, len(keys) - 2)
-    share = (at - keys[i]) / (keys[i + 1] - keys[i])
-    share = share.reshape(-1, *(1,) * (table.ndim - 1))
-    return np.asarray((1.0 - share) * table[i] + share * table[i + 1], dtype=np.float64)
-
-
-def _base_locals(joints: tuple[Joint, ...]) -> Floats:
-    return np.array([joint.base for joint in joints], dtype=np.float64).reshape(-1, 4, 4)
+    moves = np.stack([drive.rotations, drive.translations, drive.scales], axis=1)
+    return between(drive.weights), between(moves)
 
 
 def _moved(joints: tuple[Joint, ...], moves: Floats) -> Floats:
-    """Local transforms (joints, 4, 4) after `moves` (3, joints, 3)."""
-    local: Floats = _moved_joints(_base_locals(joints), moves[None])[0]
-    return local
-
-
-def _moved_joints(base: Floats, moves: Floats) -> Floats:
-    """Local transforms (m, joints, 4, 4) of `base` (joints, 4, 4) after `moves` (m, 3, joints, 3).
+    """Local transforms (m, joints, 4, 4) after `moves` (m, 3, joints, 3).
 
     With ``base = S R`` and translation t, the result is ``exp(scales) S exp(rotations) R`` and t
     plus the translations: exactly the components that a SkelAnimation holds.
     """
+    base = np.array([joint.base for joint in joints]).reshape(-1, 4, 4)
     local: Floats = np.broadcast_to(base, (len(moves), *base.shape)).copy()
     moved = np.flatnonzero(moves.any(axis=(0, 1, 3)))
     if len(moved):
@@ -246,9 +222,7 @@ def _offsets(shape: Shape, shares: Floats) -> NDArray[np.floating]:
     """Blended offsets (m, p, 3) in mesh space for `shares` (m, k)."""
     singles = shares.astype(np.float32)[:, :, None, None]
     total: NDArray[np.floating] = singles[:, 0] * shape.offsets[0]
-    for row in range(
-        1, len(shape.weights)
-    ):  # a matrix product would add in another order on each processor
+    for row in range(1, len(shape.weights)):  # added in the same order on every processor
         total += singles[:, row] * shape.offsets[row]
     return total
 
@@ -264,49 +238,139 @@ def _blended(mesh: RigMesh, weights: Floats) -> Floats:
     return points
 
 
-def _sweep_shapes(
-    body: Body, base: Posed, channels: Indices, weights: Floats
-) -> tuple[Indices, Singles]:
-    """`sweep` for a control that drives `channels` (t,) with `weights` (k, t)."""
-    column = {int(channel): i for i, channel in enumerate(channels)}
-    driven: dict[int, list[Shape]] = {}
-    for channel in column:
-        for index, shape in body.shapes_by_channel.get(channel, ()):
-            driven.setdefault(index, []).append(shape)
-    starts = body.starts
-    parts = []
-    for index in sorted(driven):
-        local, moved = _mesh_offsets(driven[index], column, weights, base.weights)
-        parts.append((starts[index] + local, _turned(moved, base.maps[index], local)))
-    return _joined(parts, len(weights))
+# --- sweeps ---------------------------------------------------------------------------------------
 
 
-def _joined(parts: list[tuple[Indices, Singles]], count: int) -> tuple[Indices, Singles]:
-    """Points (p,) and offsets (count, p, 3) of several meshes as one."""
-    if len(parts) == 1:
-        return parts[0]
-    nothing = (np.zeros(0, dtype=np.int64), np.zeros((count, 0, 3), dtype=np.float32))
-    points, offsets = zip(nothing, *parts, strict=True)
-    return np.concatenate(points), np.concatenate(offsets, axis=1)
+class Sweep:
+    """Motion of the points as one control moves and all others stay as in `base`.
+
+    What does not depend on the control's value is found once.  Under blend shapes alone the offset
+    is the blended offset times the point's own 3x3 map, whatever the skinning, because the skin
+    does not change.
+    """
+
+    points: Indices
+    """(p,) the points that the control can move, ascending."""
+
+    def __init__(self, rig: Rig, base: Posed, control: int) -> None:
+        self._body, self._base, self._drive = rig.body, base, rig.controls[control].drive
+        turning = _turning(rig.body.joints, self._drive.joints)
+        channels = frozenset(self._drive.channels.tolist())
+        reached = (
+            _Reached.of(rig.body, base, index, turning, channels)
+            for index in range(len(rig.body.meshes))
+        )
+        self._parts = [part for part in reached if len(part.local)]
+        starts = rig.body.starts
+        parts = [starts[part.index] + part.local for part in self._parts]
+        self.points = np.concatenate([np.zeros(0, dtype=np.int64), *parts])
+
+    def offsets(self, values: Floats) -> Singles:
+        """(k, p, 3) from `base` in root space, at control `values` (k,)."""
+        added, turned = _at(self._drive, values)
+        weights = np.repeat(self._base.weights[None], len(values), axis=0)
+        weights[:, self._drive.channels] += added
+        skinning = np.zeros((0, 0, 4, 4))
+        if len(self._drive.joints):
+            moves = np.repeat(self._base.moves[None], 1 + len(values), axis=0)
+            moves[1:, :, self._drive.joints] += turned
+            joints = self._body.joints
+            skinning = skinning_matrices(joints, _moved(joints, moves))
+        nothing = np.zeros((len(values), 0, 3), dtype=np.float32)
+        parts = [self._of(part, weights, skinning) for part in self._parts]
+        return parts[0] if len(parts) == 1 else np.concatenate([nothing, *parts], axis=1)
+
+    def _of(self, part: _Reached, weights: Floats, skinning: Floats) -> Singles:
+        """Offsets (k, p, 3) of one mesh at `weights` (k, channels); `skinning` holds the base and
+        then k poses, or nothing."""
+        body, mesh = self._body, self._body.meshes[part.index]
+        if not part.turning:
+            offsets = _shape_offsets(part, weights, self._base.weights)
+            return _turned(offsets, self._base.maps[part.index], part.local)
+        skin = mesh.binding.skin
+        if part.weighted is not None and skin is not None:
+            to_root = skeleton_to_root(body.skeletons, body.joints, skin)[:3, :3]
+            change = (skinning[1:] - skinning[0])[..., :3] @ to_root
+            table = change.transpose(1, 2, 0, 3).reshape(4 * len(body.joints), -1)
+            swept = (part.weighted @ table).reshape(len(part.local), -1, 3)
+            return swept.transpose(1, 0, 2).astype(np.float32)
+        before = self._base.points[body.starts[part.index] + part.local]
+        offsets = np.empty((len(weights), len(part.local), 3), dtype=np.float32)
+        for k, pose in enumerate(weights):
+            maps = point_maps(body, mesh, skinning[k + 1], part.local)
+            offsets[k] = applied(_blended(mesh, pose)[part.local], maps) - before
+        return offsets
 
 
-def _mesh_offsets(
-    shapes: list[Shape], column: dict[int, int], weights: Floats, base: Floats
-) -> tuple[Indices, NDArray[np.floating]]:
-    """Local points (p,) of `shapes` and their blended offsets (k, p, 3) from the base weights, in
-    mesh space."""
-    parts = []
-    for shape in shapes:
-        now = _shares(shape, weights[:, column[shape.channel]])
-        before = _shares(shape, base[shape.channel][None])
-        parts.append(_offsets(shape, now - before))
-    if len(shapes) == 1:
-        return shapes[0].points, parts[0]
-    points = np.unique(np.concatenate([shape.points for shape in shapes]))
-    total = np.zeros((len(weights), len(points), 3), dtype=np.float32)
-    for shape, part in zip(shapes, parts, strict=True):
-        total[:, np.searchsorted(points, shape.points)] += part
-    return points, total
+@dataclass(frozen=True, eq=False)
+class _Reached:
+    """What a control can move of one mesh."""
+
+    index: int
+    local: Indices
+    """(p,) points of the mesh, ascending."""
+    shapes: tuple[Shape, ...]
+    """Those that it drives."""
+    turning: bool
+    """Whether joints turn that act on the mesh."""
+    weighted: csr_array | None
+    """(p, 4 joints) points after geomBindTransform, times the weight of each turning joint: only
+    these joints contribute to the offsets, linearly.  None where shapes or dual quaternions make
+    them depend on more."""
+
+    @classmethod
+    def of(
+        cls, body: Body, base: Posed, index: int, turning: Flags, channels: frozenset[int]
+    ) -> _Reached:
+        """What the joints `turning` (joints,) and the shapes of `channels` move."""
+        mesh = body.meshes[index]
+        shapes = tuple(shape for shape in mesh.binding.shapes if shape.channel in channels)
+        skin = mesh.binding.skin
+        if skin is None or not turning.any():
+            local = [shape.points for shape in shapes] or [np.zeros(0, dtype=np.int64)]
+            points = local[0] if len(local) == 1 else np.unique(np.concatenate(local))
+            return cls(index, points, shapes, False, None)
+        acting = influences(
+            skin.joints, np.where(turning[skin.joints], skin.weights, 0.0), len(turning)
+        )
+        reached = np.diff(acting.indptr) > 0
+        turns = bool(reached.any())
+        for shape in shapes:
+            reached[shape.points] = True
+        local_points = np.flatnonzero(reached)
+        if shapes or skin.method != "classicLinear":
+            return cls(index, local_points, shapes, turns, None)
+        bound = bound_points(_blended(mesh, base.weights), skin)
+        owner = np.repeat(np.arange(len(bound)), np.diff(acting.indptr))
+        data = (acting.data[:, None] * bound[owner]).ravel()
+        columns = (4 * acting.indices[:, None] + np.arange(4)).ravel()
+        ends = np.append(0, 4 * acting.indptr[1:][reached])
+        shape_of = (len(local_points), 4 * len(body.joints))
+        return cls(index, local_points, (), turns, csr_array((data, columns, ends), shape=shape_of))
+
+
+def _turning(joints: tuple[Joint, ...], driven: Indices) -> Flags:
+    """(joints,) the `driven` ones and all below them."""
+    found = np.zeros(len(joints), dtype=bool)
+    found[driven] = True
+    for i, joint in enumerate(joints):
+        found[i] |= joint.parent >= 0 and found[joint.parent]
+    return found
+
+
+def _shape_offsets(part: _Reached, weights: Floats, base: Floats) -> NDArray[np.floating]:
+    """Blended offsets (k, p, 3) of the shapes in mesh space, from the `base` weights (channels,) to
+    `weights` (k, channels)."""
+    found = []
+    for shape in part.shapes:
+        now, before = (_shares(shape, each[:, shape.channel]) for each in (weights, base[None]))
+        found.append(_offsets(shape, now - before))
+    if len(found) == 1:
+        return found[0]
+    total = np.zeros((len(weights), len(part.local), 3), dtype=np.float32)
+    for shape, offsets in zip(part.shapes, found, strict=True):
+        total[:, np.searchsorted(part.local, shape.points)] += offsets
+    return total
 
 
 def _turned(offsets: NDArray[np.floating], maps: Floats, local: Indices) -> Singles:
@@ -321,79 +385,3 @@ def _turned(offsets: NDArray[np.floating], maps: Floats, local: Indices) -> Sing
         turned[..., j] += offsets[..., 1] * by_point[:, 1, j]
         turned[..., j] += offsets[..., 2] * by_point[:, 2, j]
     return turned
-
-
-# --- joints ---------------------------------------------------------------------------------------
-
-
-def _sweep_joints(
-    body: Body, base: Posed, drive: Drive, at: Floats, added: Floats
-) -> tuple[Indices, Singles]:
-    """`sweep` for a control that moves joints, and perhaps weights too."""
-    moves = np.repeat(base.moves[None], len(at), axis=0)
-    for row, table in enumerate((drive.rotations, drive.translations, drive.scales)):
-        moves[:, row, drive.joints] += _interpolated(drive.values, table, at)
-    moves = np.concatenate([base.moves[None], moves])
-    skinning = skinning_matrices(body.joints, _moved_joints(_base_locals(body.joints), moves))
-    turning = (skinning[1:] != skinning[0]).any(axis=(0, 2, 3))
-    weights = np.repeat(base.weights[None], len(at), axis=0)
-    weights[:, drive.channels] += added
-    parts = []
-    for index, mesh in enumerate(body.meshes):
-        moved = _reached(mesh, turning, drive.channels)
-        if len(moved):
-            offsets = _mesh_sweep(body, base, index, moved, weights, skinning, turning)
-            parts.append((body.starts[index] + moved, offsets))
-    return _joined(parts, len(at))
-
-
-def _mesh_sweep(
-    body: Body,
-    base: Posed,
-    index: int,
-    moved: Indices,
-    weights: Floats,
-    skinning: Floats,
-    turning: NDArray[np.bool_],
-) -> Singles:
-    """Offsets (k, p, 3) of the `moved` local points of one mesh; `skinning` holds the base and then
-    k poses."""
-    mesh = body.meshes[index]
-    driven = [
-        shape
-        for shape in mesh.binding.shapes
-        if (weights[:, shape.channel] != base.weights[shape.channel]).any()
-    ]
-    skin = mesh.binding.skin
-    if skin is not None and skin.method == "classicLinear" and not driven:
-        # Only the turning joints contribute to the offset, linearly.
-        bound = bound_points(_blended(mesh, base.weights)[moved], skin)
-        change = (skinning[1:] - skinning[0])[..., :3] @ skeleton_to_root(
-            body.skeletons, body.joints, skin
-        )[:3, :3]
-        total = np.zeros((len(moved), 3 * len(change)))
-        flat = np.ascontiguousarray(change.transpose(1, 2, 0, 3)).reshape(len(body.joints), 4, -1)
-        row = np.zeros(len(mesh.points), dtype=np.int64)
-        row[moved] = np.arange(len(moved))
-        add_influences(skin, bound, flat, total, turning, row)
-        return total.reshape(len(moved), -1, 3).transpose(1, 0, 2).astype(np.float32)
-    before = base.points[body.starts[index] + moved]
-    offsets = np.empty((len(weights), len(moved), 3), dtype=np.float32)
-    for k, pose in enumerate(weights):
-        blended = _blended(mesh, pose)[moved]
-        offsets[k] = applied(blended, point_maps(body, mesh, skinning[k + 1], moved)) - before
-    return offsets
-
-
-def _reached(mesh: RigMesh, turning: NDArray[np.bool_], channels: Indices) -> Indices:
-    """Local points that turning joints or the channels' shapes move."""
-    reached = np.zeros(len(mesh.points), dtype=np.bool_)
-    if mesh.binding.skin is not None:
-        points, _, joints, starts = mesh.binding.skin.by_joint
-        for i in np.flatnonzero(turning[joints]):
-            reached[points[starts[i] : starts[i + 1]]] = True
-    driven = set(channels.tolist())
-    for shape in mesh.binding.shapes:
-        if shape.channel in driven:
-            reached[shape.points] = True
-    return np.flatnonzero(reached)

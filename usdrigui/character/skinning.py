@@ -1,13 +1,16 @@
 """Skinning as UsdSkel does it: joint matrices, influences, and the affine map of each point.
 
 Linear skinning and dual-quaternion skinning alike give, at a fixed pose, one affine map for each
-point, which is what makes blend-shape trajectories under any skin exact polylines.  numpy only.
+point, which is what makes blend-shape trajectories under any skin exact polylines.
+numpy and scipy only.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
-from numpy.typing import NDArray
+from scipy.sparse import csr_array
 
 from usdrigui.character import Body, Floats, Indices, Joint, RigMesh, Skeleton, Skin
 from usdrigui.character.rotation import (
@@ -27,65 +30,44 @@ _FACE_SHARE = 0.9
 def skinning_matrices(joints: tuple[Joint, ...], local: Floats) -> Floats:
     """(..., joints, 4, 4) inverse bind times pose, in skeleton space, for local transforms of that
     shape."""
-    pose = local.copy()
-    for i, joint in enumerate(joints):
-        if joint.parent >= 0:
-            pose[..., i, :, :] = local[..., i, :, :] @ pose[..., joint.parent, :, :]
     bind = np.array([joint.bind for joint in joints], dtype=np.float64).reshape(-1, 4, 4)
-    return np.asarray(np.linalg.inv(bind) @ pose, dtype=np.float64)
+    return np.asarray(np.linalg.inv(bind) @ in_skeleton_space(joints, local), dtype=np.float64)
 
 
-def point_maps(body: Body, mesh: RigMesh, skinning: Floats, local: Indices | None = None) -> Floats:
-    """Affine maps (1 or p, 4, 3) of the `local` points (all if None) from mesh space to root
-    space."""
-    if mesh.binding.skin is None:
-        return mesh.binding.to_root[None, :, :3]
+def in_skeleton_space(joints: Sequence[Joint], local: Floats) -> Floats:
+    """(..., joints, 4, 4) local transforms times those of all joints above, one generation after
+    the other."""
+    parents = np.array([joint.parent for joint in joints], dtype=np.int64)
+    pose, done = local.copy(), parents < 0
+    while not done.all():
+        ready = np.flatnonzero(~done & done[parents])
+        pose[..., ready, :, :] = local[..., ready, :, :] @ pose[..., parents[ready], :, :]
+        done[ready] = True
+    return pose
+
+
+def point_maps(
+    body: Body, mesh: RigMesh, skinning: Floats, local: Indices | slice = slice(None)
+) -> Floats:
+    """Affine maps (1 or p, 4, 3) of the `local` points from mesh space to root space."""
     skin = mesh.binding.skin
-    joints, weights = (
-        (skin.joints, skin.weights) if local is None else (skin.joints[local], skin.weights[local])
-    )
-    if skin.rigid:
-        joints, weights = joints[:1], weights[:1]
-    skinned = _shared_or_own_maps(
-        skin, joints, weights, skinning, float(np.abs(mesh.points).max(initial=1e-30))
-    )
+    if skin is None:
+        return mesh.binding.to_root[None, :, :3]
+    rows = slice(1) if skin.rigid else local
+    size = float(np.abs(mesh.points).max(initial=1e-30))
+    skinned = _shared_or_own_maps(skin, rows, skinning, size)
+    to_root = skeleton_to_root(body.skeletons, body.joints, skin)
     return _composed(
         _composed(skin.geom_bind[None, :, :3], skinned),
-        skeleton_to_root(body.skeletons, body.joints, skin)[None, :, :3],
+        to_root[None, :, :3],
     )
 
 
-def skinned(body: Body, mesh: RigMesh, points: Floats, skinning: Floats) -> Floats:
-    """Blended `points` (n, 3) of a mesh in root space; linear skinning needs no map for each
-    point."""
-    skin = mesh.binding.skin
-    if skin is None or skin.rigid or skin.method == "dualQuaternion":
-        return applied(points, point_maps(body, mesh, skinning))
-    to_root = skeleton_to_root(body.skeletons, body.joints, skin)
-    total = np.repeat(to_root[None, 3, :3], len(points), axis=0)
-    add_influences(skin, bound_points(points, skin), skinning[:, :, :3] @ to_root[:3, :3], total)
-    return total
-
-
-def add_influences(
-    skin: Skin,
-    bound: Floats,
-    matrices: Floats,
-    total: Floats,
-    acting: NDArray[np.bool_] | None = None,
-    row: Indices | None = None,
-) -> None:
-    """Add to `total` (p, m) the weighted images of `bound` (p, 4) under `matrices` (joints, 4, m).
-
-    Only the `acting` joints count (all if None); local point i stands in `row[i]` (i itself if
-    None).
-    """
-    points, weights, joints, starts = skin.by_joint
-    for i, joint in enumerate(joints):
-        if acting is None or acting[joint]:
-            part = slice(starts[i], starts[i + 1])
-            at = points[part] if row is None else row[points[part]]
-            total[at] += weights[part, None] * (bound[at] @ matrices[joint])
+def influences(joints: Indices, weights: Floats, count: int) -> csr_array:
+    """(p, count) the influences (p, k) of points by joint, without zeros."""
+    acting = weights != 0.0
+    ends = np.append(0, np.cumsum(acting.sum(axis=1)))
+    return csr_array((weights[acting], joints[acting], ends), shape=(len(joints), count))
 
 
 def bound_points(points: Floats, skin: Skin) -> Floats:
@@ -110,16 +92,12 @@ def carrying_joint(body: Body, rows: Indices) -> int:
     total = float(share.sum())
     if not total > 0.0:
         return -1
-    depth = np.zeros(len(body.joints), dtype=np.int64)
-    for i, joint in enumerate(body.joints):
-        depth[i] = depth[joint.parent] + 1 if joint.parent >= 0 else 0
     for i in range(len(body.joints) - 1, -1, -1):
         if body.joints[i].parent >= 0:
             share[body.joints[i].parent] += share[i]
+    # Each of them lies below the one before: two that do not hold no such share both.
     carrying = np.flatnonzero(share >= _FACE_SHARE * total)
-    if not len(carrying):
-        return int(share.argmax())
-    return int(carrying[np.lexsort((carrying, -share[carrying], -depth[carrying]))[0]])
+    return int(carrying[-1] if len(carrying) else share.argmax())
 
 
 def skeleton_to_root(
@@ -136,10 +114,9 @@ def applied(points: Floats, maps: Floats) -> Floats:
     return np.asarray(np.einsum("pi,pij->pj", points, maps[:, :3]) + maps[:, 3], dtype=np.float64)
 
 
-def _shared_or_own_maps(
-    skin: Skin, joints: Indices, weights: Floats, skinning: Floats, size: float
-) -> Floats:
-    """Maps (1 or p, 4, 3) of bound points into skeleton space."""
+def _shared_or_own_maps(skin: Skin, rows: Indices | slice, skinning: Floats, size: float) -> Floats:
+    """Maps (1 or p, 4, 3) of the bound points `rows` into skeleton space."""
+    joints, weights = skin.joints[rows], skin.weights[rows]
     used = np.flatnonzero(
         np.bincount(joints.ravel(), weights=np.abs(weights).ravel(), minlength=len(skinning))
     )
@@ -152,18 +129,15 @@ def _shared_or_own_maps(
         return np.asarray(skinning[used[:1], :, :3], dtype=np.float64)
     if skin.method == "dualQuaternion":
         return _dual_quaternion_maps(joints, weights, skinning)
-    return _weighted(weights, joints, np.ascontiguousarray(skinning[:, :, :3]))
+    return _weighted(weights, joints, skinning[:, :, :3])
 
 
 def _weighted(weights: Floats, joints: Indices, tables: Floats) -> Floats:
     """Sum over influences: (p, ...) of weights (p, k) times tables (joints, ...) at joints (p,
     k)."""
     flat = tables.reshape(len(tables), -1)
-    total = np.zeros((len(joints), flat.shape[1]))
-    for influence in range(joints.shape[1]):
-        active = np.flatnonzero(weights[:, influence])
-        total[active] += weights[active, influence, None] * flat[joints[active, influence]]
-    return total.reshape(len(joints), *tables.shape[1:])
+    total = influences(joints, weights, len(flat)) @ flat
+    return np.asarray(total.reshape(len(joints), *tables.shape[1:]))
 
 
 def _composed(first: Floats, second: Floats) -> Floats:

@@ -18,7 +18,7 @@ from usdrigui.character import (
     RigMesh,
     Singles,
 )
-from usdrigui.character.deform import Posed, knots, posed, sweep, sweep_start
+from usdrigui.character.deform import Posed, Sweep, knots, posed, sweep_start
 from usdrigui.character.joint_tree import Hanging, hanging
 from usdrigui.character.surface import (
     faces_inward,
@@ -174,9 +174,10 @@ def _motion(
     values = knots(rig, index)
     if value not in values:
         values = np.union1d(values, [value])
-    points, offsets = sweep(rig, start, index, values)
+    swept = Sweep(rig, start, index)
+    points, offsets = swept.points, swept.offsets(values)
     if len(rig.controls[index].drive.joints):
-        values, offsets = _refined(rig, start, index, values, offsets, settings)
+        values, offsets = _refined(swept, values, offsets, settings)
     # Offsets count from where the point is at the base pose, not at the default.
     start_offsets = offsets[np.searchsorted(values, value)]
     if start_offsets.any():
@@ -190,12 +191,7 @@ def _motion(
 
 
 def _refined(
-    rig: Rig,
-    start: Posed,
-    index: int,
-    values: Floats,
-    offsets: Singles,
-    settings: TrajectorySettings,
+    swept: Sweep, values: Floats, offsets: Singles, settings: TrajectorySettings
 ) -> tuple[Floats, Singles]:
     """Halve the steps of a curved path until no chord misses the curve's middle by more than the
     tolerance."""
@@ -203,24 +199,17 @@ def _refined(
     while pending.any() and len(values) < settings.max_samples:
         where = np.flatnonzero(pending)[: settings.max_samples - len(values)]
         middles = 0.5 * (values[where] + values[where + 1])
-        _, found = sweep(rig, start, index, middles)
+        found = swept.offsets(middles)
         chord = 0.5 * (offsets[where] + offsets[where + 1])
         missed = np.linalg.norm(found - chord, axis=2).max(axis=1, initial=0.0)
         allowed = settings.tolerance * max(float(_arc_lengths(offsets).max(initial=0.0)), 1e-30)
-        # The middle is kept, and a chord of half the length misses a smooth curve by a quarter.
-        wrong = missed > 4.0 * allowed
-        pending = _split(pending, where, wrong)
+        # The middle is kept, and a chord of half the length misses a smooth curve by a quarter;
+        # both halves of a piece stay pending where that is too much.
+        pending[where] = missed > 4.0 * allowed
+        pending = np.insert(pending, where + 1, pending[where])
         values = np.insert(values, where + 1, middles)
         offsets = np.insert(offsets, where + 1, found, axis=0)
     return values, offsets
-
-
-def _split(pending: Flags, where: Indices, wrong: Flags) -> Flags:
-    """Flags of the pieces after the pieces `where` were halved; halves stay pending where
-    `wrong`."""
-    pending = pending.copy()
-    pending[where] = wrong
-    return np.insert(pending, where + 1, wrong)
 
 
 def _arc_lengths(offsets: Singles) -> Floats:
