@@ -16,7 +16,7 @@ import numpy as np
 
 from usdrigui.character import Rig
 from usdrigui.character.deform import knots, posed, sweep
-from usdrigui.character.rays import GridCaster, make_caster
+from usdrigui.character.rays import TreeCaster, make_caster
 from usdrigui.character.surface import mesh_triangles, vertex_normals
 from usdrigui.model import (
     Anchor,
@@ -114,7 +114,7 @@ def main() -> None:
         f"{given.asset.name}: {points} points, {len(layout.elements)} elements, 3 views, 1800 x"
         " 1000"
     )
-    for name, caster in (("as installed", make_caster), ("numpy alone", GridCaster)):
+    for name, caster in (("as installed", make_caster), ("numpy alone", TreeCaster)):
         shading.make_caster = caster
         began, clock = time.process_time(), time.perf_counter()
         image = render(rig, layout)

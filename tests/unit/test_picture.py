@@ -14,7 +14,7 @@ import pytest
 from PIL import Image
 
 from usdrigui.character import palette
-from usdrigui.character.rays import GridCaster
+from usdrigui.character.rays import TreeCaster
 from usdrigui.errors import RigUIError
 from usdrigui.pipeline.joining import joined
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare, values_of
@@ -286,7 +286,7 @@ def test_a_pose_moves_face_and_elements(rig, layout, front):
 
 
 def test_pictures_without_embree_look_the_same(rig, layout, front, monkeypatch):
-    monkeypatch.setattr(shading, "make_caster", GridCaster)
+    monkeypatch.setattr(shading, "make_caster", TreeCaster)
     other = render(rig, layout, views=["front"], size=SMALL)
     apart = np.abs(np.asarray(front, dtype=np.int64) - np.asarray(other, dtype=np.int64)).max(axis=2)
     assert (apart > 8).mean() < 0.005

@@ -10,7 +10,7 @@ import pytest
 from usdrigui.character.rays import (
     Caster,
     EmbreeCaster,
-    GridCaster,
+    TreeCaster,
     blocked,
     hidden_share,
     make_caster,
@@ -19,7 +19,7 @@ from usdrigui.character.rays import (
 
 HAS_EMBREE = importlib.util.find_spec("embreex") is not None
 NEEDS_EMBREE = pytest.mark.skipif(not HAS_EMBREE, reason="embreex not installed")
-METHODS = [GridCaster, pytest.param(EmbreeCaster, marks=NEEDS_EMBREE)]
+METHODS = [TreeCaster, pytest.param(EmbreeCaster, marks=NEEDS_EMBREE)]
 
 
 def sphere(rows: int = 40, radius: float = 1.0, centre: tuple[float, float, float] = (0, 0, 0)) -> np.ndarray:
@@ -88,9 +88,9 @@ def test_the_two_casters_agree() -> None:
     soup = np.concatenate([sphere(30, 0.2 + 0.1 * i, tuple(at)) for i, at in enumerate(random_directions(6))])
     rng = np.random.default_rng(1)
     starts = rng.uniform(-1.5, 1.5, (4000, 3))
-    embree, grid = EmbreeCaster(soup), GridCaster(soup)
+    embree, tree = EmbreeCaster(soup), TreeCaster(soup)
     for toward in random_directions(5):
-        one, other = embree.first_hits(starts, toward), grid.first_hits(starts, toward)
+        one, other = embree.first_hits(starts, toward), tree.first_hits(starts, toward)
         met = (one.triangle >= 0) & (other.triangle >= 0)
         assert ((one.triangle >= 0) == (other.triangle >= 0)).mean() > 0.999
         assert one.distance[met] - other.distance[met] == pytest.approx(0, abs=1e-3)
@@ -111,9 +111,9 @@ def test_visibility_does_not_depend_on_scale_or_place(method: type[Caster], scal
 
 def test_the_fall_back_is_exact_in_small_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
     soup, starts, toward = sphere(), random_directions(300) * 2, np.array([0.1, 0.7, 0.2])
-    whole = GridCaster(soup).first_hits(starts, toward)
+    whole = TreeCaster(soup).first_hits(starts, toward)
     monkeypatch.setattr("usdrigui.character.rays._PAIRS", 50)
-    pieces = GridCaster(soup).first_hits(starts, toward)
+    pieces = TreeCaster(soup).first_hits(starts, toward)
     assert (whole.triangle == pieces.triangle).all()
     assert (whole.distance == pieces.distance).all()
 
@@ -132,7 +132,7 @@ def test_an_empty_soup_hides_nothing() -> None:
 
 def test_edge_on_triangles_hide_nothing() -> None:
     sliver = np.array([[[0.0, -1, -1], [0.0, 1, -1], [0.0, 0, 1]]])
-    assert not blocked(GridCaster(sliver), np.array([[0.0, 0.0, -5.0]]), np.array([0.0, 0.0, 1.0])).any()
+    assert not blocked(TreeCaster(sliver), np.array([[0.0, 0.0, -5.0]]), np.array([0.0, 0.0, 1.0])).any()
 
 
 def test_a_direction_has_a_length() -> None:
@@ -142,4 +142,4 @@ def test_a_direction_has_a_length() -> None:
 
 def test_numpy_casts_where_embree_is_not_installed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("usdrigui.character.rays.find_spec", lambda _: None)
-    assert isinstance(make_caster(sphere()), GridCaster)
+    assert isinstance(make_caster(sphere()), TreeCaster)

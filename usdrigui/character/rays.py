@@ -2,22 +2,22 @@
 it.
 
 Views are orthographic: a *direction* ``toward`` points from the face to the viewer, and all rays of
-one call share it.  One `Caster` has two ways to cast: Embree, where the optional package
-`embreex` is installed, and `GridCaster` in numpy alone.  Both are exact up to rounding and
+one call share it.  One `Caster` has two ways to cast: Embree, where the package `embreex` is
+installed, and `TreeCaster`, by numpy and scipy alone.  Both are exact up to rounding and
 deterministic.  The fall-back computes in double precision where Embree computes in single, so they
-may differ for rays that graze an edge or start within rounding of a surface; and it prepares one
-grid per call and tests pairs in numpy, which makes it some twenty times slower.  numpy only, apart
-from the optional import.
+may differ for rays that graze an edge or start within rounding of a surface; and it is some
+twenty times slower.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib.util import find_spec
+from itertools import chain
 from typing import Protocol
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from usdrigui.character import Flags, Floats, Indices, Record
 from usdrigui.ties import axis_across
@@ -27,8 +27,7 @@ OFFSET = 1e-4
 single precision by three orders, below the thickness of an eyelid."""
 
 _PAIRS = 200_000
-"""Ray and triangle pairs that `GridCaster` tests at a time: more bring nothing and leave the
-cache."""
+"""Ray and triangle pairs that `TreeCaster` tests at a time, about."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +58,7 @@ class Caster(Protocol):
 def make_caster(triangles: Floats) -> Caster:
     """A caster for finite ``triangles`` (t, 3, 3): Embree's where it is installed."""
     if find_spec("embreex") is None or not len(triangles):
-        return GridCaster(triangles)
+        return TreeCaster(triangles)
     return EmbreeCaster(triangles)
 
 
@@ -102,9 +101,9 @@ def hidden_share(caster: Caster, polylines: Floats, normals: Floats, toward: Flo
 
 
 @dataclass(frozen=True, eq=False)
-class GridCaster(Record):
-    """Exact ray casting without Embree: triangles are binned in a grid across the rays'
-    direction."""
+class TreeCaster(Record):
+    """Exact ray casting without Embree: a k-d tree of the rays, seen along them, gives those that
+    pass by each triangle."""
 
     triangles: Floats
     """(t, 3, 3)."""
@@ -116,128 +115,45 @@ class GridCaster(Record):
 
     def first_hits(self, origins: Floats, direction: Floats) -> Hits:
         """Nearest triangle along each ray; of several at one distance the first in the soup."""
-        count = len(origins)
-        triangle, distance = np.full(count, -1, dtype=np.int64), np.full(count, np.inf)
-        if not count or not len(self.triangles):
-            return Hits(triangle, distance)
         frame = _frame(_unit(direction))
-        flat = _facing(self.triangles @ frame.T)
-        grid = _binned(flat, origins @ frame.T)
-        for ray, member in _pairs(grid):
-            met, apart = _meetings(flat.planes[member], grid.rays[ray])
-            _keep_nearest(triangle, distance, ray[met], flat.index[member[met]], apart)
+        triangle, distance = np.full(len(origins), -1), np.full(len(origins), np.inf)
+        if not len(origins) or not len(self.triangles):
+            return Hits(triangle, distance)
+        corners, starts = self.triangles @ frame.T, origins @ frame.T
+        least, most = corners[:, :, :2].min(axis=1), corners[:, :, :2].max(axis=1)
+        middles, radii = 0.5 * (least + most), 0.5 * np.linalg.norm(most - least, axis=1)
+        tree = cKDTree(starts[:, :2])
+        count = tree.query_ball_point(middles, radii, return_length=True)
+        cuts = np.flatnonzero(np.diff(np.cumsum(count) // _PAIRS)) + 1
+        for some in np.split(np.arange(len(corners)), cuts):
+            near = chain.from_iterable(tree.query_ball_point(middles[some], radii[some]))
+            ray, member = np.fromiter(near, np.int64), np.repeat(some, count[some])
+            apart = _distances(corners[member], starts[ray])
+            order = np.lexsort((member, apart, ray))
+            first = order[np.diff(ray[order], prepend=-1) > 0]
+            nearer = first[apart[first] < distance[ray[first]]]
+            triangle[ray[nearer]], distance[ray[nearer]] = member[nearer], apart[nearer]
         return Hits(triangle, distance)
 
 
-@dataclass(frozen=True, eq=False)
-class _Flat:
-    """The triangles in the rays' frame: x and y across, z along; edge-on ones left out."""
-
-    corners: Floats
-    planes: Floats
-    """(t, 3, 3) coefficients of x, y and 1 that give the second and third barycentric weight, and
-    z."""
-    index: Indices
-
-
-@dataclass(frozen=True, eq=False)
-class _Grid:
-    """Members of every cell, in cell order, and the cell of every ray (-1 outside)."""
-
-    rays: Floats
-    cell: Indices
-    starts: Indices
-    members: Indices
+def _distances(corners: Floats, starts: Floats) -> Floats:
+    """(n,) how far each triangle of (n, 3, 3) lies ahead of its start (n, 3), along z; inf where it
+    does not or is seen edge-on."""
+    first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    way = starts - corners[:, 0]
+    area = _crossed(first, second)
+    longest = np.maximum((first * first).sum(axis=1), (second * second).sum(axis=1))
+    flat = np.abs(area) <= 1e-12 * longest
+    area = np.where(flat, 1.0, area)
+    one, other = _crossed(way, second) / area, _crossed(first, way) / area
+    apart = one * first[:, 2] + other * second[:, 2] - way[:, 2]
+    inside = (one >= -1e-9) & (other >= -1e-9) & (one + other <= 1.0 + 1e-9)
+    return np.where(inside & (apart > 0.0) & ~flat, apart, np.inf)
 
 
-def _facing(corners: Floats) -> _Flat:
-    edges = corners[:, 1:, :2] - corners[:, :1, :2]
-    twice_area = edges[:, 0, 0] * edges[:, 1, 1] - edges[:, 0, 1] * edges[:, 1, 0]
-    longest = np.square(edges).sum(axis=2).max(axis=1)
-    index = np.flatnonzero(np.abs(twice_area) > 1e-12 * longest)
-    corners, edges, twice_area = corners[index], edges[index], twice_area[index, None]
-    second = np.stack([edges[:, 1, 1], -edges[:, 1, 0]], axis=1) / twice_area
-    third = np.stack([-edges[:, 0, 1], edges[:, 0, 0]], axis=1) / twice_area
-    heights = corners[:, :, 2] - corners[:, :1, 2]
-    slope = heights[:, 1:2] * second + heights[:, 2:] * third
-    planes = np.empty((len(index), 3, 3))
-    for row, across in enumerate((second, third, slope)):
-        planes[:, row, :2] = across
-        planes[:, row, 2] = -(across * corners[:, 0, :2]).sum(axis=1)
-    planes[:, 2, 2] += corners[:, 0, 2]
-    return _Flat(corners, planes, index)
-
-
-def _binned(flat: _Flat, rays: Floats) -> _Grid:
-    """Bin the triangles that can meet a ray: one to four cells for each, as there are rays to make
-    use of them."""
-    low, high = rays[:, :2].min(axis=0), rays[:, :2].max(axis=0)
-    least, most = flat.corners[:, :, :2].min(axis=1), flat.corners[:, :, :2].max(axis=1)
-    near = np.flatnonzero(
-        ((most >= low) & (least <= high)).all(axis=1)
-        & (flat.corners[:, :, 2].max(axis=1) > rays[:, 2].min())
-    )
-    span = np.maximum(high - low, 1e-9 * max(float((high - low).max()), 1e-30))
-    wanted = max(len(near), min(4 * len(near), len(rays)), 1)
-    pitch = max(float(np.sqrt(span.prod() / wanted)), float(span.max()) / 2048.0)
-    shape = np.floor(span / pitch).astype(np.int64) + 1
-
-    def cells(at: Floats) -> Indices:
-        return np.asarray(np.clip(np.floor((at - low) / pitch), 0, shape - 1), dtype=np.int64)
-
-    first, last = cells(least[near]), cells(most[near])
-    wide = last - first + 1
-    count = wide.prod(axis=1)
-    owner = np.repeat(np.arange(len(near)), count)
-    rank = _ranks(count)
-    column = first[owner, 0] + rank % wide[owner, 0]
-    row = first[owner, 1] + rank // wide[owner, 0]
-    bins = row * shape[0] + column
-    order = np.argsort(bins, kind="stable")
-    starts = np.searchsorted(bins[order], np.arange(shape.prod() + 1))
-    at = cells(rays[:, :2])
-    return _Grid(rays, at[:, 1] * shape[0] + at[:, 0], starts.astype(np.int64), near[owner[order]])
-
-
-def _pairs(grid: _Grid) -> Iterator[tuple[Indices, Indices]]:
-    """Yield (ray, member) index arrays, at most about `_PAIRS` at a time, rays ascending within
-    each."""
-    count = grid.starts[grid.cell + 1] - grid.starts[grid.cell]
-    chunk = np.cumsum(count) // _PAIRS
-    for rays in np.split(np.arange(len(count)), np.flatnonzero(np.diff(chunk)) + 1):
-        ray = np.repeat(rays, count[rays])
-        if len(ray):
-            yield ray, grid.members[grid.starts[grid.cell[ray]] + _ranks(count[rays])]
-
-
-def _meetings(planes: Floats, rays: Floats) -> tuple[Indices, Floats]:
-    """Which pairs of triangle and ray meet ahead of the ray's start, and at what distance along
-    +z."""
-    x, y = rays[:, 0], rays[:, 1]
-    second = planes[:, 0, 0] * x + planes[:, 0, 1] * y + planes[:, 0, 2]
-    third = planes[:, 1, 0] * x + planes[:, 1, 1] * y + planes[:, 1, 2]
-    within = np.flatnonzero((second >= -1e-9) & (third >= -1e-9) & (second + third <= 1.0 + 1e-9))
-    level = planes[within, 2]
-    apart = level[:, 0] * x[within] + level[:, 1] * y[within] + level[:, 2] - rays[within, 2]
-    ahead = apart > 0.0
-    return within[ahead], apart[ahead]
-
-
-def _keep_nearest(
-    triangle: Indices, distance: Floats, ray: Indices, candidate: Indices, apart: Floats
-) -> None:
-    """Update `triangle` and `distance` (in place) by the nearest candidate of each ray; rays come
-    once, ascending."""
-    order = np.lexsort((candidate, apart, ray))
-    first = order[np.diff(ray[order], prepend=-1) > 0]
-    triangle[ray[first]] = candidate[first]
-    distance[ray[first]] = apart[first]
-
-
-def _ranks(count: Indices) -> Indices:
-    """0, 1, ... count - 1 for each entry of `count`, one after the other."""
-    starts = np.cumsum(count) - count
-    return np.arange(count.sum(), dtype=np.int64) - np.repeat(starts, count)
+def _crossed(first: Floats, second: Floats) -> Floats:
+    """(n,) how far vectors (n, 3) turn from `first` to `second`, seen along z."""
+    return np.asarray(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0])
 
 
 class EmbreeCaster:

@@ -112,7 +112,7 @@ def weld(points: Floats, extra: Floats | None = None, resolution: float = 1e-9) 
     if extra is not None and extra.size:
         scale = float(np.abs(extra).max()) or 1.0
         cells = np.concatenate([cells, np.round(extra / (scale * 1e-4)).astype(np.int64)], axis=1)
-    _, first, inverse = np.unique(_row_keys(cells), return_index=True, return_inverse=True)
+    _, first, inverse = np.unique(cells, axis=0, return_index=True, return_inverse=True)
     return np.asarray(first[inverse.reshape(-1)], dtype=np.int64)
 
 
@@ -222,18 +222,6 @@ def _cells(points: Floats, resolution: float) -> Indices:
     low = points.min(axis=0)
     extent = float((points.max(axis=0) - low).max()) or 1.0
     return np.asarray(np.round((points - low) / (extent * resolution)), dtype=np.int64)
-
-
-def _row_keys(cells: Indices) -> Indices:
-    """(n,) one number per distinct row of `cells`, folding the columns one by one."""
-    keys = np.zeros(len(cells), dtype=np.int64)
-    for column in cells.T:
-        column = column - column.min(initial=0)
-        width = int(column.max(initial=0)) + 1
-        if width * (int(keys.max(initial=0)) + 1) >= 2**62:
-            keys = np.unique(keys, return_inverse=True)[1].reshape(-1)
-        keys = keys * width + column
-    return keys
 
 
 def _graph(pairs: Indices, count: int, lengths: Floats | None = None) -> csr_array:

@@ -12,7 +12,6 @@ from usdrigui.character import (
     Findings,
     Flags,
     Floats,
-    Indices,
     LeftOff,
     Rig,
     RigMesh,
