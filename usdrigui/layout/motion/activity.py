@@ -12,16 +12,19 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.spatial.distance import cdist, squareform
 
 from usdrigui.character import Control, Floats, Joint, Performance, Record, Rig
 from usdrigui.character.rotation import rotation_part, rotation_vectors
-from usdrigui.errors import Issue, issue, refuse
+from usdrigui.errors import Issue, issue, listed, refuse
 from usdrigui.settings import ControlSettings
 
 _LEAST_USE = 1e-3
 """Mean activity below which a control is not used at all."""
 _MOST = 3.0
 """Use beyond this many times the mean counts no more."""
+_ROUNDING = 1e-9
+"""By which two controls that agree just enough may seem to agree less."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,32 +58,21 @@ def activity(rig: Rig, performances: Iterable[Performance]) -> Activity:
     amounts = np.nan_to_num(np.clip(np.abs(values - rest) / extent, 0.0, 1.0))
     names = tuple(f"{clip.source}{clip.path}" for clip in clips)
     unknown = sorted({token for clip in clips for token in _moving_tokens(clip)} - _tokens(rig))
-    listed = ", ".join(unknown[:3]) + (" and more" if len(unknown) > 3 else "")
+    issues, why = (), "is moved by none of them"
+    if unknown:
+        what = f"{len(unknown)} of them: {listed(unknown)}"
+        issues = (issue("CLIP_UNKNOWN_CONTROL", rig.skel_root.path, what),)
+        why = f"has no control for what they move: {listed(unknown)}"
     if not (amounts.mean(axis=0) > _LEAST_USE).any():
-        why = (
-            f"has no control for what they move: {listed}"
-            if unknown
-            else "is moved by none of them"
-        )
         raise refuse("CLIP_FOREIGN", rig.skel_root.path, why)
-    issues = (
-        (issue("CLIP_UNKNOWN_CONTROL", rig.skel_root.path, f"{len(unknown)} of them: {listed}"),)
-        if unknown
-        else ()
-    )
     return Activity(tuple(c.name for c in rig.controls), values, amounts, names, issues)
 
 
 def agreement(amounts: Floats) -> Floats:
     """(controls, controls) weighted Jaccard index of the columns of (frames, controls)
     activities."""
-    count = amounts.shape[1]
-    found = np.zeros((count, count))
-    for i in range(count):
-        least = np.minimum(amounts, amounts[:, i : i + 1]).sum(axis=0)
-        most = np.maximum(amounts, amounts[:, i : i + 1]).sum(axis=0)
-        found[i] = np.divide(least, most, out=np.zeros(count), where=most > 0.0)
-    return found
+    apart = cdist(amounts.T, amounts.T, "braycurtis")  # not a number for two that are never used
+    return np.nan_to_num((1.0 - apart) / (1.0 + apart))
 
 
 def together(
@@ -92,30 +84,22 @@ def together(
     `twins` names the mirror control of each; the two go as one, moving as far as both do on
     average.  Sets grow as long as all their members agree by `least` (complete linkage).
     """
+    from scipy.cluster.hierarchy import fcluster, linkage
+
     units = _units(done, twins)
     amounts = np.stack([done.amounts[:, list(unit)].mean(axis=1) for unit in units], axis=1)
-    table = agreement(amounts)
-    used = amounts.mean(axis=0) > _LEAST_USE
-    table[~used] = table[:, ~used] = 0.0
-    sets: list[tuple[int, ...]] = [(i,) for i in range(len(units))]
-    while True:
-        ranked = [
-            (-float(table[np.ix_(a, b)].min()), a, b)
-            for n, a in enumerate(sets)
-            for b in sets[n + 1 :]
-        ]
-        best = min(ranked, default=(0.0, (), ()))
-        if -best[0] < least or best[0] == 0.0:
-            break
-        sets = [each for each in sets if each not in best[1:]] + [tuple(sorted(best[1] + best[2]))]
-    found = [
-        (
-            tuple(done.controls[i] for unit in each for i in units[unit]),
-            float(table[np.ix_(each, each)].min()),
-        )
-        for each in sets
-        if len(each) > 1
-    ]
+    used = np.flatnonzero(amounts.mean(axis=0) > _LEAST_USE)
+    if len(used) < 2:
+        return ()
+    table = agreement(amounts[:, used])
+    tree = linkage(squareform(1.0 - table, checks=False), "complete")
+    of_unit = fcluster(tree, 1.0 - least + _ROUNDING, "distance")
+    found = []
+    for label in np.unique(of_unit):
+        members = np.flatnonzero(of_unit == label)
+        if len(members) > 1:
+            names = tuple(done.controls[i] for unit in used[members].tolist() for i in units[unit])
+            found.append((names, float(table[np.ix_(members, members)].min())))
     return tuple(sorted(found, key=lambda pair: (-round(pair[1], 9), pair[0])))
 
 
@@ -142,11 +126,9 @@ def with_importances(
     """(controls,) `overrides` with the importance `found` for every control to which the
     configuration gives none."""
     return tuple(
-        (
-            replace(override, importance=found.get(control.name))
-            if override.importance is None
-            else override
-        )
+        override
+        if override.importance is not None
+        else replace(override, importance=found.get(control.name))
         for control, override in zip(controls, overrides, strict=True)
     )
 
@@ -188,13 +170,12 @@ def _values(
 def _turned(joints: tuple[Joint, ...], control: Control, clip: Performance) -> Floats | None:
     """(frames,) rotation about the control's axis, in its own units, from the base pose."""
     joint = joints[int(control.drive.joints[0])]
-    leaf = joint.path.rpartition("/")[2]
-    column = next((i for i, path in enumerate(clip.joints) if path == joint.path), None)
-    alike = [i for i, path in enumerate(clip.joints) if path.rpartition("/")[2] == leaf]
-    if column is None and len(alike) == 1:
-        column = alike[0]
-    if column is None:
+    leaves = [path.rpartition("/")[2] for path in clip.joints]
+    same = [i for i, path in enumerate(clip.joints) if path == joint.path]
+    same = same or [i for i, leaf in enumerate(leaves) if leaf == joint.path.rpartition("/")[2]]
+    if len(same) != 1:
         return None
+    column = same[0]
     turns = rotation_vectors(clip.rotations[:, column] @ rotation_part(joint.base).T)
     axis = int(np.argmax(np.abs(control.drive.rotations).max(axis=(0, 1))))
     return np.asarray(np.degrees(turns[:, axis]), dtype=np.float64)

@@ -33,13 +33,13 @@ class DisplacementFields(Record):
     def products(self, others: Singles | None = None) -> Floats:
         """(motions, motions) weighted inner products of `others` (default: the vectors) with the
         vectors."""
-        first = self._sparse if others is None else sparse_rows(_rows(others))
+        first = self._sparse if others is None else csr_array(_rows(others))
         return inner_products(first, self._weighted)
 
     @cached_property
     def _sparse(self) -> csr_array:
         """(motions, 3 m) the vectors, row by row."""
-        return sparse_rows(_rows(self.vectors))
+        return csr_array(_rows(self.vectors))
 
     @cached_property
     def _weighted(self) -> csr_array:
@@ -101,8 +101,8 @@ def similarity(fields: DisplacementFields) -> Similarity:
     product = fields.products()
     norm = np.sqrt(np.maximum(np.diagonal(product), 1e-300))
     lengths = np.sqrt(np.einsum("cmi,cmi->cm", fields.vectors, fields.vectors))
-    weighted = sparse_rows(lengths * fields.weights.astype(np.float32))
-    both = inner_products(sparse_rows(lengths), weighted)
+    weighted = csr_array(lengths * fields.weights.astype(np.float32))
+    both = inner_products(csr_array(lengths), weighted)
     scale = np.outer(norm, norm)
     return Similarity(fields, norm, product / scale, both / scale)
 
@@ -114,14 +114,6 @@ def bidirectional(motions: tuple[Motion, ...]) -> tuple[int, ...]:
         for i, motion in enumerate(motions)
         if motion.polylines.offsets[0].any() and motion.polylines.offsets[-1].any()
     )
-
-
-def sparse_rows(rows: Singles) -> csr_array:
-    """The entries of ``rows`` (a, k) that are not zero."""
-    taken = rows != 0.0
-    at, ends = np.flatnonzero(taken), np.cumsum(taken.sum(axis=1))
-    columns = (at % max(1, rows.shape[1])).astype(np.int32)
-    return csr_array((rows.ravel()[at], columns, np.append(0, ends).astype(np.int32)), rows.shape)
 
 
 def inner_products(first: csr_array, second: csr_array) -> Floats:

@@ -9,7 +9,7 @@ import pytest
 
 from usdrigui.character import Drive, Joint, Skeleton
 from usdrigui.layout.motion.coverage import _covered, coverage_of_smaller, notable_points, shares_of_face
-from usdrigui.layout.motion.trajectory import _beyond_drift, _split, trajectories
+from usdrigui.layout.motion.trajectory import _beyond_drift, trajectories
 from usdrigui.model import Motion, Polylines, Shares
 from usdrigui.settings import TrajectorySettings
 
@@ -186,12 +186,6 @@ def test_faces_wound_inward_are_noticed_and_turned():
         assert (np.einsum("ni,ni->n", found.surface.normals, points) > 0.0).all()
     assert [each.code for each in wrong.findings.issues] == ["NORMALS_INWARD"]
     assert not right.findings.issues
-
-
-def test_halves_of_a_piece_that_missed_its_curve_stay_pending_and_the_others_wait():
-    pending, halved = np.array([True, True, False, True]), np.array([0, 3])
-    assert _split(pending, halved, np.array([True, False])).tolist() == [True, True, True, False, False, False]
-    assert pending.tolist() == [True, True, False, True]
 
 
 @pytest.mark.parametrize(("still", "kept"), [(0, 4), (4, 4), (5, 40)])
