@@ -140,7 +140,6 @@ def test_a_run_loads_nothing_that_few_layouts_need():
     parts = ("scipy.stats", "scipy.interpolate", "scipy.ndimage", "PIL", "rich.console")
     code = (
         "import sys, usdrigui.pipeline, usdrigui.cli.terminal.review_lines; from usdrigui.reader import reader_main;"
-        "reader_main.load();"
         f"print([name for name in {parts} if name in sys.modules])"
     )
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "[]\n"

@@ -325,7 +325,7 @@ def test_a_mistake_of_ours_is_called_one(tmp_path, monkeypatch):
     def broken(*_):
         raise IndexError("of ours")
 
-    monkeypatch.setattr("usdrigui.reading.character.read_characters", broken)
+    monkeypatch.setattr("usdrigui.reader.reader_main.read_characters", broken)
     request = Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits())
     found = reader_main.answer(request)
     assert found.refusal is not None
@@ -344,7 +344,7 @@ def test_what_usd_raises_blames_the_asset(error, code, tmp_path, monkeypatch):
     def broken(*_):
         raise error
 
-    monkeypatch.setattr("usdrigui.reading.character.read_characters", broken)
+    monkeypatch.setattr("usdrigui.reader.reader_main.read_characters", broken)
     request = Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits())
     assert reader_main.answer(request).refusal.code == code
 
@@ -425,7 +425,7 @@ def test_a_sublayer_that_changes_around_its_reading_is_noticed(layered, when, mo
             meddle()
         return rigs
 
-    monkeypatch.setattr("usdrigui.reading.character.read_characters", read)
+    monkeypatch.setattr("usdrigui.reader.reader_main.read_characters", read)
     request = Request("rigs", str(layered), Settings(), Limits())
     found = reader_main.answer(request)
     assert found.refusal is not None
@@ -439,7 +439,7 @@ def test_an_asset_of_one_file_is_parsed_once(tmp_path, monkeypatch):
         assert Sdf.Layer.Find(str(path)) is not None
         return read_characters(path, settings)
 
-    monkeypatch.setattr("usdrigui.reading.character.read_characters", read)
+    monkeypatch.setattr("usdrigui.reader.reader_main.read_characters", read)
     assert reader_main.answer(Request("rigs", str(path), Settings(), Limits())).rigs is not None
 
 

@@ -154,7 +154,7 @@ def test_a_mesh_with_influences_and_a_skeleton_in_vain_is_reported(tmp_path):
         (lambda stage: UsdGeom.Imageable(stage.GetPrimAtPath("/Char/Face")).MakeInvisible(), "is invisible; "),
         (
             lambda stage: UsdGeom.Imageable(stage.GetPrimAtPath("/Char")).MakeInvisible(),
-            "is invisible, as /Char is; ",
+            "is invisible; ",
         ),
         (
             lambda stage: UsdGeom.Imageable(stage.GetPrimAtPath("/Char")).CreatePurposeAttr("proxy"),

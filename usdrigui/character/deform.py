@@ -293,7 +293,7 @@ class Sweep:
             change = (skinning[1:] - skinning[0])[..., :3] @ to_root
             table = change.transpose(1, 2, 0, 3).reshape(4 * len(body.joints), -1)
             swept = (part.weighted @ table).reshape(len(part.local), -1, 3)
-            return swept.transpose(1, 0, 2).astype(np.float32)
+            return np.asarray(swept.transpose(1, 0, 2), dtype=np.float32)
         before = self._base.points[body.starts[part.index] + part.local]
         offsets = np.empty((len(weights), len(part.local), 3), dtype=np.float32)
         for k, pose in enumerate(weights):

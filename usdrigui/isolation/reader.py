@@ -1,9 +1,9 @@
 """The reader's side of `usdrigui.isolation.reading`: one question, one answer, and nothing
 else that a process could do.
 
-A *program* is a module that knows how to answer: `load` imports what it needs, `QUESTION` is the
+A *program* is a module that knows how to answer and imports all that it needs: `QUESTION` is the
 class of what it is asked, `answer` gives the record that goes back.  `serve` is a warm parent: it
-has loaded a program, reads nothing itself, and forks a confined reader for each question.
+has imported a program, reads nothing itself, and forks a confined reader for each question.
 """
 
 from __future__ import annotations
@@ -60,7 +60,6 @@ def main() -> NoReturn:
     socket, else a reader of the question that it holds."""
     program = importlib.import_module(sys.argv[1])
     if sys.argv[2:] == ["warm"]:
-        program.load()
         serve(program, socket.socket(fileno=os.dup(0)))
     answer_to = os.dup(1)
     os.dup2(2, 1)
@@ -111,7 +110,6 @@ def _answer(program: ModuleType, question_from: int, answer_to: int) -> NoReturn
     farewell, which may crash on what was read."""
     with os.fdopen(question_from, "rb") as stream:
         question = decode(stream.read(), program.QUESTION)
-    program.load()
     confine(question.limits.seconds, question.limits.memory)
     for chunk in encode(program.answer(question)):
         rest = chunk

@@ -279,7 +279,6 @@ def _forked_from_here(program: str, served: socket.socket) -> int:
     """A warm parent that is this process as it is now, which has loaded the program and read
     nothing."""
     module = importlib.import_module(program)
-    module.load()
     with warnings.catch_warnings():
         # The only other thread of a worker waits for its supervisor and holds nothing.
         warnings.simplefilter("ignore", DeprecationWarning)

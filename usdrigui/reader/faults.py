@@ -8,10 +8,9 @@ checks and with the same codes.
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import partial
 
-import numpy as np
 from pxr import Sdf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.character import Floats
@@ -19,10 +18,11 @@ from usdrigui.errors import NO_LAYOUT, Issue, RigUIError, issue
 from usdrigui.layer.contradictions import contradictions
 from usdrigui.layer.read_layout import read_layout
 from usdrigui.reading.blend_shape import is_shape, names_and_targets, shape_arrays
+from usdrigui.reading.clips import checked_weights
 from usdrigui.reading.mesh import read_faces, topology_hash
 from usdrigui.reading.range import limit_entries, limit_table
 from usdrigui.reading.skeleton import repeated
-from usdrigui.stages.arrays import floats, tokens, value_at, vector_count
+from usdrigui.stages.arrays import tokens, value_at, vector_count
 
 
 def stage_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
@@ -49,12 +49,19 @@ def mesh_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
 
 def animation_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
     """ANIMATION_LENGTH, ARRAY_TYPE, NOT_FINITE and WEIGHTS_BEYOND_LIMITS of the weights of a
-    SkelAnimation."""
+    SkelAnimation, each at the first of the times at which it is so."""
     animation, path = UsdSkel.Animation(prim), str(prim.GetPath())
-    faults: list[Issue] = []
+    attribute, faults = animation.GetBlendShapeWeightsAttr(), list[Issue]()
     with _collecting(faults):
         names = tokens(animation.GetBlendShapesAttr().Get(), path, "blendShapes")
-        faults += _sample_faults(animation.GetBlendShapeWeightsAttr(), names, path)
+        entries = limit_entries(attribute)
+        entry = entries.get("hard", entries.get("soft"))
+        limits = None if entry is None else limit_table(entry, len(names))
+        for code in (Usd.TimeCode.Default(), *map(Usd.TimeCode, attribute.GetTimeSamples())):
+            with _collecting(faults):
+                values = checked_weights(animation, path, len(names), code)
+                if limits is not None and len(values):
+                    faults += _beyond([*zip(names, values, limits, strict=True)], path, code)
     found: dict[tuple[str, str], Issue] = {}
     for each in faults:
         found.setdefault((each.code, each.message.partition(" at ")[0]), each)
@@ -173,36 +180,16 @@ def _order_faults(prim: Usd.Prim, names: tuple[str, ...]) -> Iterator[Issue]:
         yield issue("TOKEN_ORDER", str(prim.GetPath()), f"the first at another index is {first!r}")
 
 
-def _sample_faults(attribute: Usd.Attribute, names: tuple[str, ...], path: str) -> Iterator[Issue]:
-    """What is wrong with the weights at each time at which they are authored; raises ARRAY_TYPE."""
-    entries = limit_entries(attribute)
-    entry = entries.get("hard", entries.get("soft"))
-    limits = None if entry is None else limit_table(entry, len(names))
-    for code in (Usd.TimeCode.Default(), *map(Usd.TimeCode, attribute.GetTimeSamples())):
-        values = floats(attribute.Get(code), path, "blendShapeWeights")
-        if len(values):
-            yield from _weight_faults(values.astype(np.float64), names, limits, path, code)
-
-
-def _weight_faults(
-    values: Floats, names: tuple[str, ...], limits: Floats | None, path: str, code: Usd.TimeCode
+def _beyond(
+    weights: Sequence[tuple[str, float, Floats]], path: str, code: Usd.TimeCode
 ) -> Iterator[Issue]:
-    when = "" if code.IsDefault() else f" at time {code.GetValue():g}"
-    if len(values) != len(names):
-        counts = f"{len(names)} blendShapes but {len(values)} blendShapeWeights{when}"
-        yield issue("ANIMATION_LENGTH", path, counts)
-        return
-    is_number = np.isfinite(values)
-    for index in np.flatnonzero(~is_number)[:1]:
-        yield issue("NOT_FINITE", path, f"the weight of {names[index]!r}{when}")
-    if limits is None:
-        return
-    slack = 1e-5 * np.maximum(1.0, np.abs(limits).max(axis=1))
-    beyond = (values < limits[:, 0] - slack) | (values > limits[:, 1] + slack)
-    for index in np.flatnonzero(beyond & is_number):
-        low, high = limits[index]
-        what = f"{names[index]!r} has weights outside {low:g} to {high:g}, {values[index]:g}"
-        yield issue("WEIGHTS_BEYOND_LIMITS", path, f"{what}{when or ' at the default time'}")
+    """Which of some weights, each with its name and limits (2,), are outside of these."""
+    when = "the default time" if code.IsDefault() else f"time {code.GetValue():g}"
+    for name, value, (low, high) in weights:
+        slack = 1e-5 * max(1.0, abs(low), abs(high))
+        if not low - slack <= value <= high + slack:
+            what = f"{name!r} has weights outside {low:g} to {high:g}, {value:g} at {when}"
+            yield issue("WEIGHTS_BEYOND_LIMITS", path, what)
 
 
 def _topology(prim: Usd.Prim | None) -> str:

@@ -11,24 +11,22 @@ from typing import TYPE_CHECKING
 
 from pxr import Sdf, Usd
 
-from usdrigui.layer.contradictions import contradictions
-from usdrigui.layer.read_layout import composed_layouts, listed_controls, own_layouts, read_layout
+from usdrigui.layer.read_layout import read_layout
 from usdrigui.model import Layout
-from usdrigui.reader.existing_layouts import without_layout
-from usdrigui.reader.reader_main import cameras_toward
+from usdrigui.reader.reader_main import read_result
 from usdrigui.reader.reader_records import ReadResult
 from usdrigui.reading.character import read_characters
 from usdrigui.settings import Settings
 from usdrigui.stages.variants import select, variant_sets
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterator, Mapping
+    from collections.abc import Iterator, Mapping
 
 
 def read_open_rigs(source: Usd.Stage | Sdf.Layer, settings: Settings) -> ReadResult:
     """What an open stage or layer holds; raises as `usdrigui.reading.character.read_rigs`."""
     stage = _copy(source, settings.rig.read.variants)
-    return _result(stage, settings, own_layouts(stage), None)
+    return read_result(stage, settings, read_characters(stage, settings.rig))
 
 
 def read_open_layouts(
@@ -40,32 +38,9 @@ def read_open_layouts(
     """
     stage = _copy(source, settings.rig.read.variants)
     layouts = read_layout(stage)
-    return layouts, _result(stage, settings, (), {each.character.root for each in layouts})
-
-
-def _result(
-    stage: Usd.Stage, settings: Settings, layouts: tuple[str, ...], laid_out: Collection[str] | None
-) -> ReadResult:
-    from usdrigui.layer.write_layout import stage_metadata
-
+    laid_out = {each.character.root for each in layouts}
     found = read_characters(stage, settings.rig, laid_out)
-    cameras = cameras_toward(stage, found.rigs, settings.layout.candidates.view)
-    return ReadResult(
-        found.rigs,
-        stage_metadata(stage.GetRootLayer()),
-        cameras,
-        (),
-        layouts,
-        "",
-        composed_layouts(stage),
-        without_layout=()
-        if laid_out is None
-        else without_layout(stage, laid_out, settings.rig.read.skel_root),
-        lost=found.lost,
-        contradictions=() if laid_out is None else contradictions(stage),
-        listed={} if laid_out is None else listed_controls(stage),
-        config_faults=found.faults.issues,
-    )
+    return layouts, read_result(stage, settings, found, laid_out)
 
 
 def read_open_variants(

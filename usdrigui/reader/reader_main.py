@@ -4,16 +4,32 @@
 from __future__ import annotations
 
 import contextlib
-import importlib
 import os
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from usdrigui.character import Performance, Rig
+import numpy as np
+from pxr import Ar, Gf, Sdf, Usd, UsdGeom
+
+from usdrigui.character import Floats, Rig
 from usdrigui.errors import Issue, RigUIError, issue, raised_at, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_unchanged, hashed
+from usdrigui.layer.contradictions import contradictions
+from usdrigui.layer.read_layout import (
+    composed_layouts,
+    layout_paths,
+    listed_controls,
+    own_layouts,
+    read_layout,
+    roots_off,
+    source_of,
+    with_corrections,
+)
+from usdrigui.layer.write_layout import SIGNATURE, stage_metadata
+from usdrigui.reader.existing_layouts import existing_prims, without_layout
+from usdrigui.reader.faults import stage_faults
 from usdrigui.reader.reader_records import (
     FaultsResult,
     LayerResult,
@@ -22,8 +38,14 @@ from usdrigui.reader.reader_records import (
     ReadResult,
     Request,
     Response,
+    Task,
 )
+from usdrigui.reading.character import Characters, read_characters
+from usdrigui.reading.clips import read_performances
 from usdrigui.settings import Settings
+from usdrigui.stages.opening import check_archive, listening, open_layer, open_stage
+from usdrigui.stages.variant_paths import asset_selections
+from usdrigui.stages.variants import select_unselected, variant_path, variant_sets
 
 _OUT_OF_MEMORY = ("bad_alloc", "Cannot allocate memory", "Resource temporarily unavailable")
 """What USD's messages hold when an allocation or a thread was refused."""
@@ -32,42 +54,11 @@ _OUT_OF_MEMORY = ("bad_alloc", "Cannot allocate memory", "Resource temporarily u
 QUESTION = Request
 
 
-_NEEDED = (
-    "usdrigui.layer.contradictions",
-    "usdrigui.layer.read_layout",
-    "usdrigui.layer.write_layout",
-    "usdrigui.reader.existing_layouts",
-    "usdrigui.reader.faults",
-    "usdrigui.reading.character",
-    "usdrigui.reading.clips",
-)
-"""Modules that the tasks import, and with them all that these do."""
-
-
-def load() -> None:
-    """Import what the tasks need before the reader is confined: none of it is the asset's doing."""
-    for name in _NEEDED:
-        importlib.import_module(name)
-
-
 def answer(request: Request) -> Response:
     """Do what is asked; every exception becomes a refusal."""
-    path, peak = Path(request.path), _peak()
+    peak = _peak()
     try:
-        variants = request.settings.rig.read.variants
-        if request.task == "composed":
-            return _composed(path, request.settings)
-        if request.task == "layouts":
-            return Response(layouts=_layouts(path, variants))
-        if request.task == "clips":
-            return Response(performances=_performances(path))
-        if request.task == "faults":
-            return Response(faults=_faults(path, variants))
-        if request.task == "variants":
-            return Response(variants=_variants(path, variants))
-        if request.task == "layer":
-            return Response(layer=_layer(path))
-        return Response(rigs=_rigs(path, request.settings))
+        return _TASKS[request.task](Path(request.path), request.settings)
     except RigUIError as error:
         return _refusal(
             _starved(request) if _is_memory(error.issue, _peak() - peak, request.limits) else error
@@ -81,135 +72,62 @@ def answer(request: Request) -> Response:
 # --- the tasks ------------------------------------------------------------------------------------
 
 
-def _rigs(path: Path, settings: Settings) -> ReadResult:
-    from usdrigui.layer.read_layout import composed_layouts, own_layouts, roots_off, source_of
-    from usdrigui.layer.write_layout import stage_metadata
-    from usdrigui.reading.character import read_characters
-    from usdrigui.stages.variants import variant_path
-
-    with (
-        _hashed_before(path, settings.rig.read.variants) as (before, diagnostics),
-        _kept_stages() as stages,
-    ):
-        found = read_characters(path, settings.rig)
-        rigs = _with_diagnostics(found.rigs, path, diagnostics)
-        stage = _stage_of(path, stages)
-        cameras = cameras_toward(stage, rigs, settings.layout.candidates.view)
-        metadata = {
-            key: _as_json(value) for key, value in stage_metadata(stage.GetRootLayer()).items()
-        }
-        layouts = own_layouts(stage)
-        below = source_of(path) if layouts else ""
-        sources = _sources(path, stages.GetAllStages(), before)
-        paths = {
-            rig.skel_root.path: variant_path(stage.GetPrimAtPath(rig.skel_root.path))
-            for rig in rigs
-        }
-        return ReadResult(
-            rigs,
-            metadata,
-            cameras,
-            sources,
-            layouts,
-            below,
-            composed_layouts(stage),
-            roots_off(stage),
-            paths,
-            config_faults=_as_text(found.faults.issues),
-        )
+def _rigs(path: Path, settings: Settings) -> Response:
+    with _reading(path, settings) as asset:
+        found = asset.with_diagnostics(read_characters(path, settings.rig))
+        result = read_result(asset.stage, settings, found)
+        below = source_of(path) if result.layouts else ""
+        return Response(rigs=replace(result, below=below, sources=asset.sources()))
 
 
-def _layouts(path: Path, variants: Mapping[str, str]) -> LayoutsResult:
-    from usdrigui.layer.read_layout import layout_paths, with_corrections
-    from usdrigui.stages.opening import open_stage
-    from usdrigui.stages.variants import select_unselected
-
-    with _hashed_before(path, variants) as (before, _), _kept_stages() as stages:
-        stage = open_stage(path, variants)  # kept, so that what opens it next finds it so
+def _layouts(path: Path, settings: Settings) -> Response:
+    with _reading(path, settings) as asset:
+        # Kept, so that what opens it next finds it so.
+        stage = open_stage(path, settings.rig.read.variants)
         if not stage.GetRootLayer().subLayerPaths:
             select_unselected(stage, layout_paths(stage.GetRootLayer()))
-        found = _layouts_in(path, stages, before)
-        return replace(found, layouts=with_corrections(_stage_of(path, stages), found.layouts))
+        found = _layouts_in(asset)
+        corrected = with_corrections(asset.stage, found.layouts)
+        return Response(layouts=replace(found, layouts=corrected))
 
 
-def _layouts_in(path: Path, stages: Any, before: Mapping[str, SourceFile]) -> LayoutsResult:
-    from usdrigui.layer.read_layout import composed_layouts, read_layout, source_of
-    from usdrigui.reader.existing_layouts import existing_prims
-
-    layouts = read_layout(path)
-    stage = _stage_of(path, stages)
-    sources = _sources(path, stages.GetAllStages(), before)
-    return LayoutsResult(
-        layouts, source_of(path), sources, existing_prims(stage), composed_layouts(stage)
-    )
+def _layouts_in(asset: _Asset) -> LayoutsResult:
+    layouts, stage = read_layout(asset.path), asset.stage
+    sources = asset.sources()
+    prims, composed = existing_prims(stage), composed_layouts(stage)
+    return LayoutsResult(layouts, source_of(asset.path), sources, prims, composed)
 
 
 def _composed(path: Path, settings: Settings) -> Response:
     """The layouts of a stage and their characters as the stage composes them."""
-    from usdrigui.layer.contradictions import contradictions
-    from usdrigui.layer.read_layout import listed_controls
-    from usdrigui.reader.existing_layouts import without_layout
-    from usdrigui.reading.character import read_characters
-    from usdrigui.stages.opening import open_stage
-
-    read = settings.rig.read
-    with (
-        _hashed_before(path, read.variants) as (before, diagnostics),
-        _kept_stages() as stages,
-    ):
-        open_stage(path, read.variants)  # kept, so that what opens it next finds it so
-        found = _layouts_in(path, stages, before)
-        laid_out = {each.character.root for each in found.layouts}
-        some = read_characters(path, settings.rig, laid_out)
-        rigs = _with_diagnostics(some.rigs, path, diagnostics)
-        stage = _stage_of(path, stages)
-        cameras = cameras_toward(stage, rigs, settings.layout.candidates.view)
-        sources = _sources(path, stages.GetAllStages(), before)
-        bare = without_layout(stage, laid_out, read.skel_root)
-        result = ReadResult(
-            rigs,
-            {},
-            cameras,
-            sources,
-            without_layout=_as_text(bare),
-            lost=_as_text(some.lost),
-            contradictions=_as_text(contradictions(stage)),
-            listed=listed_controls(stage),
-            config_faults=_as_text(some.faults.issues),
-        )
-        return Response(rigs=result, layouts=found)
+    with _reading(path, settings) as asset:
+        # Kept, so that what opens it next finds it so.
+        open_stage(path, settings.rig.read.variants)
+        layouts = _layouts_in(asset)
+        laid_out = {each.character.root for each in layouts.layouts}
+        found = asset.with_diagnostics(read_characters(path, settings.rig, laid_out))
+        result = read_result(asset.stage, settings, found, laid_out)
+        return Response(rigs=replace(result, sources=asset.sources()), layouts=layouts)
 
 
-def _performances(path: Path) -> tuple[Performance, ...]:
-    from usdrigui.reading.clips import read_performances
-
-    return read_performances(path)
+def _performances(path: Path, _: Settings) -> Response:
+    return Response(performances=read_performances(path))
 
 
-def _variants(path: Path, variants: Mapping[str, str]) -> Mapping[str, tuple[str, ...]]:
-    from usdrigui.stages.opening import open_stage
-    from usdrigui.stages.variants import variant_sets
-
-    return variant_sets(open_stage(path, variants))
+def _variants(path: Path, settings: Settings) -> Response:
+    return Response(variants=variant_sets(open_stage(path, settings.rig.read.variants)))
 
 
-def _faults(path: Path, variants: Mapping[str, str]) -> FaultsResult:
-    from usdrigui.reader.faults import stage_faults
-    from usdrigui.stages.opening import open_stage
-
-    stage = open_stage(path, variants)
-    return FaultsResult(stage_faults(stage), not stage.GetPseudoRoot().GetAllChildren())
+def _faults(path: Path, settings: Settings) -> Response:
+    stage = open_stage(path, settings.rig.read.variants)
+    is_empty = not stage.GetPseudoRoot().GetAllChildren()
+    return Response(faults=FaultsResult(stage_faults(stage), is_empty))
 
 
-def _layer(path: Path) -> LayerResult:
-    from usdrigui.layer.read_layout import layout_paths
-    from usdrigui.layer.write_layout import SIGNATURE
-    from usdrigui.stages.opening import open_layer
-    from usdrigui.stages.variant_paths import asset_selections
-
+def _layer(path: Path, _: Settings) -> Response:
     needed: dict[str, str] = {}
 
-    def follow(layer: Any, folder: Path) -> None:
+    def follow(layer: Sdf.Layer, folder: Path) -> None:
         """Note the files that a layer names, and those that these name, as far as they are
         there."""
         for each in sorted(layer.GetCompositionAssetDependencies()):
@@ -224,91 +142,126 @@ def _layer(path: Path) -> LayerResult:
     scopes = dict.fromkeys(map(str, layout_paths(layer)))
     chosen = {tuple(sorted(asset_selections(each).items())): None for each in scopes}
     variants = tuple(map(dict, chosen)) if any(chosen) else ()
-    return LayerResult(
-        tuple(layer.subLayerPaths),
-        tuple(needed.values()),
-        SIGNATURE in layer.customLayerData,
-        variants,
+    ours = SIGNATURE in layer.customLayerData
+    below = tuple(layer.subLayerPaths)
+    return Response(layer=LayerResult(below, tuple(needed.values()), ours, variants))
+
+
+_TASKS: Mapping[Task, Callable[[Path, Settings], Response]] = {
+    "rigs": _rigs,
+    "layouts": _layouts,
+    "composed": _composed,
+    "clips": _performances,
+    "faults": _faults,
+    "layer": _layer,
+    "variants": _variants,
+}
+
+
+# --- what is read ---------------------------------------------------------------------------------
+
+
+def read_result(
+    stage: Usd.Stage,
+    settings: Settings,
+    found: Characters,
+    laid_out: Collection[str] | None = None,
+) -> ReadResult:
+    """What a stage holds besides its characters `found`; `laid_out` are the SkelRoots that have a
+    layout where only these were read."""
+    layer = stage.GetRootLayer()
+    result = ReadResult(
+        found.rigs,
+        {key: _as_json(value) for key, value in stage_metadata(layer).items()},
+        cameras_toward(stage, found.rigs, settings.layout.candidates.view),
+        (),
+        own_layouts(stage),
+        composed_from=composed_layouts(stage),
+        switched_off=roots_off(stage),
+        variant_paths={
+            path: variant_path(stage.GetPrimAtPath(path))
+            for path in (rig.skel_root.path for rig in found.rigs)
+        },
+        lost=_as_text(found.lost),
+        config_faults=_as_text(found.faults.issues),
+    )
+    if laid_out is None:
+        return result
+    return replace(
+        result,
+        without_layout=_as_text(without_layout(stage, laid_out, settings.rig.read.skel_root)),
+        contradictions=_as_text(contradictions(stage)),
+        listed=listed_controls(stage),
     )
 
 
+@dataclass(frozen=True)
+class _Asset:
+    """A file that is being read."""
+
+    path: Path
+    before: Mapping[str, SourceFile]
+    """The files that compose it, by path, as they were before anything was read for good; none for
+    an asset of one file, which the parent hashed."""
+    diagnostics: Sequence[str]
+    """What USD said as it parsed them."""
+    opened: Usd.StageCache
+    """Every stage that is opened meanwhile."""
+
+    @property
+    def stage(self) -> Usd.Stage:
+        """That of the asset itself, where others were opened beside it."""
+        own, found = os.path.realpath(self.path), self.opened.GetAllStages()
+        return next(
+            (each for each in found if os.path.realpath(each.GetRootLayer().realPath) == own),
+            found[0],
+        )
+
+    def sources(self) -> tuple[SourceFile, ...]:
+        """Every file that composed what was read, the asset first, all unchanged since.
+
+        Raises SOURCE_CHANGED, and FILE_CORRUPT for a package that is damaged.
+        """
+        check_unchanged(self.before.values())
+        files = _files(self.path, self.opened.GetAllStages())
+        found = tuple(self.before.get(each) or hashed(each) for each in files)
+        for each in found[1:]:
+            if each.path.lower().endswith(".usdz"):
+                check_archive(Path(each.path))
+        return found
+
+    def with_diagnostics(self, found: Characters) -> Characters:
+        """The characters, the first of which has the issues of USD before they were read, too."""
+        if not found.rigs:
+            return found
+        first, *others = found.rigs
+        issues = dict.fromkeys(first.findings.issues)
+        issues |= {issue("USD_DIAGNOSTIC", str(self.path), each): None for each in self.diagnostics}
+        told = replace(first, findings=replace(first.findings, issues=tuple(issues)))
+        return replace(found, rigs=(told, *others))
+
+
 @contextlib.contextmanager
-def _kept_stages() -> Iterator[Any]:
-    """A cache that keeps every stage opened meanwhile, to be asked for the files it used."""
-    from pxr import Usd
+def _reading(path: Path, settings: Settings) -> Iterator[_Asset]:
+    """A file, of which every stage is kept.
 
-    cache = Usd.StageCache()
-    with Usd.StageCacheContext(cache):
-        yield cache
-
-
-def _stage_of(path: Path, stages: Any) -> Any:
-    """The stage of the asset itself, where others were opened beside it."""
-    own, found = os.path.realpath(path), stages.GetAllStages()
-    return next(
-        (each for each in found if os.path.realpath(each.GetRootLayer().realPath) == own), found[0]
-    )
-
-
-@contextlib.contextmanager
-def _hashed_before(
-    path: Path, variants: Mapping[str, str]
-) -> Iterator[tuple[Mapping[str, SourceFile], Sequence[str]]]:
-    """The files that compose an asset of several, by path, as they were before anything is read for
-    good.
-
-    Only composition finds these files, so they are composed, let go, and hashed.  An asset
-    of one file was hashed by the parent: its layer is kept for the reading, which will not hear
-    the issues of USD while it parses the file; that comes second.
+    Only composition finds the files of an asset, so they are composed, let go, and hashed.  The
+    layer of an asset of one file is kept for the reading, which will not hear the issues of USD
+    while it parses the file; that comes second.
     """
-    from usdrigui.stages.opening import listening, open_stage
-
     with listening() as diagnostics:
-        stage = open_stage(path, variants)
-    names = _files(path, (stage,)) if _depends(stage) else ()
-    if names:
+        stage = open_stage(path, settings.rig.read.variants)
+    names: tuple[str, ...] = ()
+    if any(layer.GetCompositionAssetDependencies() for layer in stage.GetUsedLayers()):
+        names = _files(path, (stage,))
         del stage
-    yield {each.path: each for each in map(hashed, names)}, diagnostics
+    before = {each.path: each for each in map(hashed, names)}
+    with Usd.StageCacheContext(opened := Usd.StageCache()):
+        yield _Asset(path, before, diagnostics, opened)
 
 
-def _with_diagnostics(
-    rigs: tuple[Rig, ...], path: Path, diagnostics: Iterable[str]
-) -> tuple[Rig, ...]:
-    """The rigs, the first of which has the issues of USD before they were read, too."""
-    issues = [issue("USD_DIAGNOSTIC", str(path), text) for text in diagnostics]
-    if not rigs:
-        return rigs
-    new = tuple(each for each in issues if each not in rigs[0].findings.issues)
-    findings = replace(rigs[0].findings, issues=(*rigs[0].findings.issues, *new))
-    return (replace(rigs[0], findings=findings), *rigs[1:])
-
-
-def _depends(stage: Any) -> bool:
-    return any(layer.GetCompositionAssetDependencies() for layer in stage.GetUsedLayers())
-
-
-def _sources(
-    path: Path, stages: Iterable[Any], before: Mapping[str, SourceFile]
-) -> tuple[SourceFile, ...]:
-    """Every file behind the layers of the stages: the asset first, the others by path; packages are
-    checked.
-
-    Raises RigUIError SOURCE_CHANGED where one is not what it was `before` it was read.
-    """
-    from usdrigui.stages.opening import check_archive
-
-    check_unchanged(before.values())
-    found = tuple(before.get(each) or hashed(each) for each in _files(path, stages))
-    for each in found[1:]:
-        if each.path.lower().endswith(".usdz"):
-            check_archive(Path(each.path))
-    return found
-
-
-def _files(path: Path, stages: Iterable[Any]) -> tuple[str, ...]:
+def _files(path: Path, stages: Iterable[Usd.Stage]) -> tuple[str, ...]:
     """Real paths of the files behind the layers of the stages, the asset first."""
-    from pxr import Ar
-
     used = {layer.realPath for stage in stages for layer in stage.GetUsedLayers() if layer.realPath}
     files = {
         Ar.SplitPackageRelativePathOuter(each)[0] if Ar.IsPackageRelativePath(each) else each
@@ -319,11 +272,8 @@ def _files(path: Path, stages: Iterable[Any]) -> tuple[str, ...]:
     return (own, *(each for each in others if os.path.isfile(each)))  # noqa: PTH113
 
 
-def cameras_toward(stage: Any, rigs: Iterable[Any], view: str) -> dict[str, Any]:
+def cameras_toward(stage: Usd.Stage, rigs: Iterable[Rig], view: str) -> dict[str, Floats]:
     """Direction to the viewer of the camera that `view` names, in the space of each SkelRoot."""
-    import numpy as np
-    from pxr import Gf, Sdf, UsdGeom
-
     if not (view.startswith("/") and Sdf.Path.IsValidPathString(view)[0]):
         return {}
     camera = UsdGeom.Camera.Get(stage, view)

@@ -45,7 +45,6 @@ from usdrigui.reading.range import read_ranges
 from usdrigui.reading.refusal import (
     Reading,
     check_names,
-    in_variants,
     why_lost,
     without_controls,
 )
@@ -107,11 +106,7 @@ def read_characters(
         roots = skel_roots(stage, settings.read.skel_root)
         issues = (*composition_issues(stage, roots), *outside_issues(stage))
         if not roots:
-            raise refuse(
-                "SKELROOT_MISSING",
-                str(path),
-                f"no prim on the stage is a SkelRoot{in_variants(stage)}",
-            )
+            raise refuse("SKELROOT_MISSING", str(path), "no prim on the stage is a SkelRoot")
         if laid_out is not None:
             roots = _with_layout(roots, laid_out, path)
         instances = laid_out is not None
@@ -172,10 +167,11 @@ def _usd_errors(path: str) -> Iterator[None]:
 
 def _read(root: Usd.Prim, settings: RigSettings, faults: Faults, *, instances: bool) -> Reading:
     if not instances and (root.IsInstance() or root.IsInstanceProxy()):
-        reason = (
-            f"is an instance: no layer can add prims below {root.GetPath()}{_others_clause(root)}"
-        )
-        raise refuse("INSTANCE", str(_instance(root).GetPath()), reason)
+        instance = root
+        while not instance.IsInstance():
+            instance = instance.GetParent()
+        reason = f"is an instance: no layer can add prims below {root.GetPath()}"
+        raise refuse("INSTANCE", str(instance.GetPath()), reason)
     scene = _scene(root, settings.read, instances=instances)
     body, found, rate = scene.animated.body, scene.found, root.GetStage().GetTimeCodesPerSecond()
     drafts, lost = _drafts(root, scene, settings, faults)
@@ -232,7 +228,7 @@ def _scene(root: Usd.Prim, settings: ReadSettings, *, instances: bool) -> _Scene
         _refuse_instances(armatures, stage)
     meshes = read_meshes(root, bound, frames, found)
     vain = bound_in_vain(stage, (mesh.path for mesh in meshes), bound)
-    found.issues.extend((*vain, *hidden_issues(stage, meshes, frames.time)))
+    found.issues.extend((*vain, *hidden_issues(stage, meshes)))
     channels = _with_unanimated(root, channels, found)
     skeletons = tuple(armature.record for armature in armatures)
     weights = np.zeros(len(channels)) if time is None else weights_at(armatures, channels, time)
@@ -302,25 +298,6 @@ def skel_roots(stage: Usd.Stage, wanted: str = "") -> tuple[Usd.Prim, ...]:
         known = ", ".join(str(root.GetPath()) for root in roots) or "none"
         raise refuse("SKELROOT_UNKNOWN", wanted, f"the SkelRoots are: {known}")
     return chosen
-
-
-def _instance(prim: Usd.Prim) -> Usd.Prim:
-    """The instance that a prim is or lies in."""
-    while not prim.IsInstance() and prim.GetParent():
-        prim = prim.GetParent()
-    return prim
-
-
-def _others_clause(instance: Usd.Prim) -> str:
-    """A clause with the SkelRoots beside one in an instance that are in none; empty if there are no
-    such."""
-    roots = skel_roots(instance.GetStage())
-    free = [
-        str(each.GetPath())
-        for each in roots
-        if not each.IsInstance() and not each.IsInstanceProxy()
-    ]
-    return f"; in no instance: {listed(free)}" if free else ""
 
 
 def _up(root: Usd.Prim) -> Floats:

@@ -15,7 +15,7 @@ from usdrigui.character import Body, Channel, Clip, Floats, Performance
 from usdrigui.character.rotation import quaternion_matrices
 from usdrigui.errors import Issue, RigUIError, issue, refuse
 from usdrigui.reading.skeleton import Armature, locals_at
-from usdrigui.stages.arrays import floats, quaternions, tokens
+from usdrigui.stages.arrays import check_finite, floats, quaternions, tokens
 from usdrigui.stages.opening import open_stage
 
 _CLIP_BYTES = 128 * 1024 * 1024
@@ -131,21 +131,24 @@ def _weights(armature: Armature, time: float | None) -> Floats:
     if armature.animation is None or not armature.tokens:
         return np.zeros(0)
     code = Usd.TimeCode.Default() if time is None else Usd.TimeCode(time)
-    path, animation = armature.record.animation, UsdSkel.Animation(armature.animation.GetPrim())
+    animation = UsdSkel.Animation(armature.animation.GetPrim())
+    return checked_weights(animation, armature.record.animation, len(armature.tokens), code)
+
+
+def checked_weights(
+    animation: UsdSkel.Animation, path: str, count: int, code: Usd.TimeCode
+) -> Floats:
+    """(count,) weights of an animation at a time code, or none where none are authored.
+
+    Raises ANIMATION_LENGTH, ARRAY_TYPE and NOT_FINITE for the animation at `path`.
+    """
     authored = floats(animation.GetBlendShapeWeightsAttr().Get(code), path, "blendShapeWeights")
-    if not len(authored):
-        return np.zeros(0)
-    if len(authored) != len(armature.tokens):
-        raise refuse(
-            "ANIMATION_LENGTH",
-            path,
-            f"{len(armature.tokens)} blendShapes but {len(authored)} blendShapeWeights"
-            + ("" if time is None else f" at time {time:g}"),
-        )
-    values = np.asarray(authored, dtype=np.float64)
-    if not np.isfinite(values).all():
-        raise refuse("NOT_FINITE", path, "blendShapeWeights holds NaN or infinity")
-    return values
+    if len(authored) not in (0, count):
+        counts = f"{count} blendShapes but {len(authored)} blendShapeWeights"
+        when = "" if code.IsDefault() else f" at time {code.GetValue():g}"
+        raise refuse("ANIMATION_LENGTH", path, f"{counts}{when}")
+    check_finite(authored, path, "blendShapeWeights")
+    return np.asarray(authored, dtype=np.float64)
 
 
 # --- of any character -----------------------------------------------------------------------------

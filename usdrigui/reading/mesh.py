@@ -39,6 +39,9 @@ from usdrigui.stages.arrays import (
 )
 from usdrigui.stages.colours import point_colours
 
+_DRAWN = (UsdGeom.Tokens.default_, UsdGeom.Tokens.render)
+"""Purposes of what a default render draws."""
+
 
 def read_meshes(
     root: Usd.Prim, bindings: Mapping[Sdf.Path, Binding], frames: Frames, found: Found
@@ -108,7 +111,8 @@ def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found)
     counts, indices = _faces(mesh, time, len(points))
     varying = (mesh.GetPointsAttr(), mesh.GetFaceVertexIndicesAttr())
     if any(attribute.GetNumTimeSamples() > 1 for attribute in varying):
-        found.issues.append(issue("POINTS_ANIMATED", path, f"taken at {_time_name(mesh, time)}"))
+        when = "the default or earliest" if time.IsDefault() else f"{time.GetValue():g}"
+        found.issues.append(issue("POINTS_ANIMATED", path, f"taken at time {when}"))
     # The skin first: a mesh that is left off for it must not have named channels.
     skin, to_root = _skin(binding, len(points), path, time, found), frames.to_root(prim)
     shapes = read_shapes(prim, binding, len(points), found)
@@ -191,22 +195,14 @@ def _faces(mesh: UsdGeom.Mesh, time: Usd.TimeCode, count: int) -> tuple[Indices,
 
 
 def _visible(mesh: UsdGeom.Mesh, time: Usd.TimeCode) -> bool:
-    drawn = mesh.ComputePurpose() in (UsdGeom.Tokens.default_, UsdGeom.Tokens.render)
+    drawn = mesh.ComputePurpose() in _DRAWN
     return bool(drawn and mesh.ComputeVisibility(time) != UsdGeom.Tokens.invisible)
-
-
-def _time_name(mesh: UsdGeom.Mesh, time: Usd.TimeCode) -> str:
-    if not time.IsDefault():
-        return f"time {time.GetValue():g}"
-    return "the default value" if mesh.GetPointsAttr().Get() is not None else "the earliest time"
 
 
 # --- not drawn ------------------------------------------------------------------------------------
 
 
-def hidden_issues(
-    stage: Usd.Stage, meshes: tuple[RigMesh, ...], time: Usd.TimeCode
-) -> tuple[Issue, ...]:
+def hidden_issues(stage: Usd.Stage, meshes: tuple[RigMesh, ...]) -> tuple[Issue, ...]:
     """One for each mesh that is not drawn and has what no drawn mesh has: blend shapes, or being
     deformed at all.
 
@@ -226,20 +222,10 @@ def hidden_issues(
         what = "no mesh that is drawn deforms"
         if own:
             what = f"{own} of its blend shapes are on no mesh that is drawn"
-        why = _why_hidden(stage.GetPrimAtPath(mesh.path), time)
+        purpose = UsdGeom.Imageable(stage.GetPrimAtPath(mesh.path)).ComputePurpose()
+        why = "is invisible" if purpose in _DRAWN else f"has the purpose {purpose}"
         found.append(issue("MESH_HIDDEN", mesh.path, f"{why}; {what}"))
     return tuple(found)
-
-
-def _why_hidden(prim: Usd.Prim, time: Usd.TimeCode) -> str:
-    """Why a mesh is not drawn."""
-    image = UsdGeom.Imageable(prim)
-    if image.ComputeVisibility(time) != UsdGeom.Tokens.invisible:
-        return f"has the purpose {image.ComputePurpose()}"
-    at = prim
-    while at and UsdGeom.Imageable(at).GetVisibilityAttr().Get(time) != UsdGeom.Tokens.invisible:
-        at = at.GetParent()
-    return "is invisible" if not at or at == prim else f"is invisible, as {at.GetPath()} is"
 
 
 # --- influences -----------------------------------------------------------------------------------

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from pxr import Usd, UsdSkel
+from pxr import Usd
 
 from usdrigui.character import LeftOff, Rig
 from usdrigui.errors import Faults, Issue, RigUIError, issue, listed, meant, of_character, refuse
@@ -14,8 +14,6 @@ from usdrigui.stages.schema import SCOPE
 
 _JOINTS_TOLD = 12
 """Names of joints in one message."""
-_VARIANTS_TRIED = 64
-"""Variants that are looked into for a character that the selected ones lack."""
 
 
 @dataclass(frozen=True)
@@ -116,24 +114,3 @@ def _vain_clause(vain: list[Issue]) -> str:
         return ""
     more = f" (and {len(vain) - 1} more meshes)" if len(vain) > 1 else ""
     return f"; {vain[0].path}{more} {vain[0].message}"
-
-
-def in_variants(stage: Usd.Stage) -> str:
-    """A clause with the variants that would bring in a SkelRoot, each being selected by itself;
-    empty without."""
-    places = [
-        (prim.GetPath(), name, variant)
-        for prim in stage.Traverse()
-        for name in prim.GetVariantSets().GetNames()
-        for variant in prim.GetVariantSet(name).GetVariantNames()
-        if variant != prim.GetVariantSet(name).GetVariantSelection()
-    ]
-    found = []
-    with Usd.EditContext(stage, stage.GetSessionLayer()):
-        for path, name, variant in places[:_VARIANTS_TRIED]:
-            stage.GetPrimAtPath(path).GetVariantSet(name).SetVariantSelection(variant)
-            below = Usd.PrimRange(stage.GetPrimAtPath(path), Usd.TraverseInstanceProxies())
-            if any(prim.IsA(UsdSkel.Root) for prim in below):
-                found.append(f"{variant!r} of the variant set {name!r} of {path}")
-            stage.GetPrimAtPath(path).GetVariantSet(name).ClearVariantSelection()
-    return f"; there is one in {listed(found)}" if found else ""

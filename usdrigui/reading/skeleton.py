@@ -49,7 +49,6 @@ class Frames:
         self.time = time
         # Exporters often write transforms as samples only, which the default time does not see.
         self._cache = UsdGeom.XformCache(Usd.TimeCode.EarliestTime() if time.IsDefault() else time)
-        self._root = root
         self._world_to_root = self._cache.GetLocalToWorldTransform(root).GetInverse()
 
     def to_root(self, prim: Usd.Prim) -> Floats:
@@ -60,22 +59,6 @@ class Frames:
         if not np.isfinite(found).all():
             raise refuse("NOT_FINITE", str(prim.GetPath()), "its transform holds NaN or infinity")
         return found
-
-    def collapsing(self, prim: Usd.Prim) -> Usd.Prim | None:
-        """The uppermost prim whose own transform cannot be inverted, of those between the prim's
-        space and root space.
-
-        None where each of them can by itself.
-        """
-        for end in (self._root, prim):
-            chain = [end]
-            while chain[-1].GetParent() and not self._cache.GetLocalTransformation(chain[-1])[1]:
-                chain.append(chain[-1].GetParent())
-            for each in reversed(chain):
-                own = np.array(self._cache.GetLocalTransformation(each)[0], dtype=np.float64)
-                if np.linalg.matrix_rank(own) < 4:
-                    return each
-        return None
 
     def direction(self, world: Gf.Vec3d) -> Floats:
         """(3,) unit vector in root space of a world direction."""
@@ -184,10 +167,8 @@ def _armature(
     shapes = tuple(str(token) for token in animation.GetBlendShapeOrder()) if animation else ()
     to_root = frames.to_root(prim)
     if np.linalg.matrix_rank(to_root) < 4:
-        culprit = frames.collapsing(prim) or prim
-        reason = "its transform collapses space (is a scale 0?)"
-        below = "" if culprit == prim else f", and with it that of the Skeleton {path}"
-        raise refuse("SKELETON_INVALID", str(culprit.GetPath()), f"{reason}{below}")
+        what = "its transform, or that of a prim above it, collapses space (is a scale 0?)"
+        raise refuse("SKELETON_INVALID", path, what)
     record = Skeleton(
         path, str(_in_instance(animated.GetPath(), prim)) if animated else "", to_root
     )

@@ -58,7 +58,7 @@ def activity(rig: Rig, performances: Iterable[Performance]) -> Activity:
     amounts = np.nan_to_num(np.clip(np.abs(values - rest) / extent, 0.0, 1.0))
     names = tuple(f"{clip.source}{clip.path}" for clip in clips)
     unknown = sorted({token for clip in clips for token in _moving_tokens(clip)} - _tokens(rig))
-    issues, why = (), "is moved by none of them"
+    why, issues = "is moved by none of them", tuple[Issue, ...]()
     if unknown:
         what = f"{len(unknown)} of them: {listed(unknown)}"
         issues = (issue("CLIP_UNKNOWN_CONTROL", rig.skel_root.path, what),)
@@ -72,7 +72,7 @@ def agreement(amounts: Floats) -> Floats:
     """(controls, controls) weighted Jaccard index of the columns of (frames, controls)
     activities."""
     apart = cdist(amounts.T, amounts.T, "braycurtis")  # not a number for two that are never used
-    return np.nan_to_num((1.0 - apart) / (1.0 + apart))
+    return np.asarray(np.nan_to_num((1.0 - apart) / (1.0 + apart)))
 
 
 def together(
