@@ -225,4 +225,4 @@ def _sizes(names, owners):
 
 def with_default_controls(rig):
     """The rig with the controls that its joints have by default."""
-    return replace(rig, controls=tuple(as_control(draft) for draft in default_joint_drafts(rig.body)))
+    return replace(rig, controls=tuple(as_control(draft) for draft in default_joint_drafts(rig.body, None, (), {})))

@@ -7,13 +7,17 @@ from types import SimpleNamespace
 import limbs
 import numpy as np
 import pytest
+import skel_stages
+from pxr import Gf, Vt
 
 from usdrigui.character.deform import posed
 from usdrigui.character.joint_tree import Tree
 from usdrigui.character.rotation import rotation_part, rotations
 from usdrigui.reading import joint as joint_defaults
+from usdrigui.reading.character import read_rigs
 from usdrigui.reading.control import default_joint_drafts
 from usdrigui.reading.joint import default_turns, posed_locals
+from usdrigui.settings import JointSettings, Settings
 
 HAND = limbs.hand_rig()
 
@@ -106,7 +110,7 @@ def test_what_a_flat_skeleton_does_under_a_control_is_what_the_hierarchy_does():
 
 def with_defaults(rig):
     """The rig with the default controls of its fingers."""
-    drafts = default_joint_drafts(rig.body)
+    drafts = default_joint_drafts(rig.body, None, (), {})
     drafts = sorted((each for each in drafts if ":r" not in each.name), key=lambda draft: draft.name.rsplit("/", 1)[-1])
     controls = tuple(limbs.as_control(draft) for draft in drafts)
     return replace(rig, controls=controls)
@@ -147,14 +151,14 @@ def test_an_eye_turns_about_the_axes_that_lie_across_its_gaze(turned):
 
 def test_keys_of_a_flat_skeleton_are_no_more_than_ten_degrees_apart_and_no_more_than_needed():
     made = limbs.flattened(HAND)
-    for draft in default_joint_drafts(made.body):
+    for draft in default_joint_drafts(made.body, None, (), {}):
         low, high, values = draft.range.minimum, draft.range.maximum, draft.drive_over(draft.range).values
         assert np.diff(values).max() <= 10.0 + 1e-9
         assert set(values) == {0.0, *np.linspace(low, high, int(np.ceil((high - low) / 10.0)) + 1)}
 
 
 def test_a_wrist_turns_by_thirty_degrees_each_way():
-    ranges = {draft.name: draft.range for draft in default_joint_drafts(HAND.body)}
+    ranges = {draft.name: draft.range for draft in default_joint_drafts(HAND.body, None, (), {})}
     balls = [span for name, span in ranges.items() if name[-3:] in (":rx", ":ry", ":rz")]
     assert [(span.minimum, span.maximum) for span in balls] == [(-30.0, 30.0)] * 3
 
@@ -211,3 +215,52 @@ def test_at_the_end_of_a_chain_those_two_axes_count_about_which_the_skin_turns_f
     assert joint_defaults._levers(tree, 0) == [1, 2]
     lesser = SimpleNamespace(**{**vars(tree), "skin": [(skin[0][:2], np.array([0.2, 1.0]))]})
     assert joint_defaults._levers(lesser, 0) == [0, 2], "2 about x, .6 about y, 2 about z"
+
+
+def staged_body(path, *, smiling, waving):
+    """A body on a stage: with a shape on its face, and with a clip that turns one upper arm by up to 90 degrees."""
+    rig = limbs.whole_body()
+    stage, _ = skel_stages.new_stage(path)
+    joints, (mesh,) = [joint.path for joint in rig.body.joints], rig.body.meshes
+    rest = [Gf.Matrix4d(*joint.rest.ravel().tolist()) for joint in rig.body.joints]
+    skel_stages.add_skeleton(stage, "/Char/Skel", joints, rest)
+    made = skel_stages.add_mesh(stage, "/Char/Body", "/Char/Skel")
+    made.GetPointsAttr().Set(Vt.Vec3fArray.FromNumpy(mesh.points.astype(np.float32)))
+    made.GetFaceVertexCountsAttr().Set([4] * (len(mesh.points) // 8 * 6))
+    made.GetFaceVertexIndicesAttr().Set(mesh.topology.face_indices.tolist())
+    skel_stages.add_skin(made, mesh.binding.skin.joints, mesh.binding.skin.weights, 1)
+    if smiling:
+        offsets = np.where(mesh.points[:, 1:2] > 1.4, [[0.0, 0.0, 0.05]], 0.0)
+        skel_stages.add_shape(made, "smile", offsets)
+    if waving:
+        arm = next(i for i, name in enumerate(joints) if name.endswith("/a0"))
+        raised = [skel_stages.matrix((0, 0, 90)) * local if i == arm else local for i, local in enumerate(rest)]
+        skel_stages.add_animation(
+            stage, "/Char/Anim", "/Char/Skel", ("smile",) * smiling, None, joints, {0.0: rest, 1.0: raised}
+        )
+    elif smiling:
+        skel_stages.add_animation(stage, "/Char/Anim", "/Char/Skel", ("smile",))
+    stage.GetRootLayer().Save()
+    return path
+
+
+def test_a_body_has_the_same_controls_whatever_else_moves_it(tmp_path):
+    """Shapes on its face and a clip of one arm add or widen, and take no control of a joint away."""
+    cases = [(smiling, waving) for smiling in (False, True) for waving in (False, True)]
+    rigs = [
+        read_rigs(staged_body(tmp_path / f"{i}.usda", smiling=smiling, waving=waving), Settings())[0]
+        for i, (smiling, waving) in enumerate(cases)
+    ]
+    turns = [{each.name: each for each in rig.controls if each.kind == "joint"} for rig in rigs]
+    assert {"a1:bend", "b1:bend", "af00:curl", "bf00:curl", "h:rx", "al1:bend"} <= turns[0].keys()
+    assert all(each.keys() == turns[0].keys() for each in turns)
+    assert [each["a0:rz"].maximum for each in turns] == pytest.approx([30.0, 90.0, 30.0, 90.0])
+    assert [each["b0:rz"].maximum for each in turns] == [30.0] * 4
+
+
+def test_what_is_configured_or_set_by_a_pose_has_no_control_by_default():
+    body = limbs.whole_body().body
+    hips = next(i for i, joint in enumerate(body.joints) if joint.path == "h")
+    found = default_joint_drafts(body, None, {hips}, {"a0": JointSettings(axes=("x",))})
+    assert not {draft.source for draft in found} & {"h", "h/s/t/a0"}
+    assert "b0:rx" in {draft.name for draft in found}

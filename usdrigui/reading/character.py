@@ -33,6 +33,7 @@ from usdrigui.reading.control import (
     Draft,
     blend_shape_drafts,
     default_joint_drafts,
+    has_limbs,
     ignored_motion,
     joint_drafts,
     pose_drafts,
@@ -245,14 +246,17 @@ def _drafts(
     body, named = animated.body, bool(scene.names.frames)
     ranges = read_ranges(root, animated, clip, found.issues)
     drafts = blend_shape_drafts(body, ranges)
-    drafts += joint_drafts(body.joints, clip, named, read, settings.joints)
+    by_place = read.joints == "auto" and has_limbs(body)
+    which = "none" if by_place or (named and read.joints == "auto") else read.joints
+    drafts += joint_drafts(body.joints, clip, which, settings)
     if read.joints != "none" and not named:
         found.issues += ignored_motion(str(root.GetPath()), body.joints, clip)
     poses = named_poses(scene.names.frames, animated, settings.poses, faults)
     more, still = pose_drafts(poses, animated.base, {draft.name for draft in drafts})
     lost = [*left_off_tokens(found, body), *still]
-    if not (drafts or more or lost or found.faults) and read.joints == "auto":
-        drafts = default_joint_drafts(body)
+    if by_place or (read.joints == "auto" and not (drafts or more or lost or found.faults)):
+        posed = {joint for pose in more for joint in pose.drive_over(pose.range).joints.tolist()}
+        drafts += default_joint_drafts(body, clip, posed, settings.joints)
     return drafts + more, lost
 
 

@@ -17,8 +17,8 @@ from usdrigui.errors import Faults, Issue, issue, listed, refuse
 from usdrigui.reading.clips import State
 from usdrigui.reading.joint import Turn, default_turns, posed_locals
 from usdrigui.reading.pose import NamedPose, pose_drives, unwrapped
-from usdrigui.reading.range import Range
-from usdrigui.settings import ControlSettings, JointSettings, ReadSettings
+from usdrigui.reading.range import Range, Source
+from usdrigui.settings import ControlSettings, JointSettings, RigSettings
 
 _AXES = "xyz"
 _KEY_DEGREES = 10.0
@@ -65,18 +65,19 @@ def blend_shape_drafts(body: Body, ranges: Sequence[Range]) -> list[Draft]:
 def joint_drafts(
     joints: tuple[Joint, ...],
     clip: Clip | None,
-    named_poses: bool,
-    settings: ReadSettings,
-    configured: Mapping[str, JointSettings],
+    which: str,
+    settings: RigSettings,
 ) -> list[Draft]:
-    """Rotations of joints about their own axes, in degrees from the base pose; `configured` is what
-    the configuration asks of joints."""
-    names = joint_names(joints)
-    spans = _animated_spans(joints, clip) if clip is not None else np.zeros((len(joints), 3, 2))
+    """Rotations of joints about their own axes, in degrees from the base pose: those that the
+    configuration asks for and `which` of the others, as of ``read.joints``."""
+    names, turns = joint_names(joints), _animated_turns(joints, clip)
+    spans = np.stack([turns.min(axis=0), turns.max(axis=0)], axis=-1)
     drafts = []
-    for index, override in enumerate(joint_settings(joints, configured)):
+    for index, override in enumerate(joint_settings(joints, settings.joints)):
         for axis, letter in enumerate(_AXES):
-            span = _joint_range(override, axis, spans[index, axis], named_poses, settings)
+            span = _joint_range(
+                override, axis, spans[index, axis], which, settings.read.joint_min_degrees
+            )
             if span is not None:
                 name = f"{names[index]}:r{letter}"
                 label = f"{override.label} {letter}" if override and override.label else ""
@@ -85,12 +86,35 @@ def joint_drafts(
     return drafts
 
 
-def default_joint_drafts(body: Body) -> list[Draft]:
-    """The controls of a rig that joints alone drive, in degrees from the base pose."""
+def has_limbs(body: Body) -> bool:
+    """Whether the joints make a body: chains part somewhere.  The jaw and the eyes of a bust are
+    none."""
+    tree = Tree(body.joints, body.meshes)
+    return any(len(tree.branches(joint)) > 1 for joint in range(len(body.joints)))
+
+
+def default_joint_drafts(
+    body: Body,
+    clip: Clip | None,
+    posed: Collection[int],
+    configured: Mapping[str, JointSettings],
+) -> list[Draft]:
+    """The controls that the place of each joint in the skeleton suggests, in degrees from the base
+    pose: what the clip does widens their ranges.  Joints that poses set (`posed`) and those that
+    are `configured` have none."""
     names, drafts = joint_names(body.joints), []
     tree = Tree(body.joints, body.meshes)
+    turns = _animated_turns(body.joints, None if tree.flat else clip)
+    asked = enumerate(joint_settings(body.joints, configured))
+    taken = {*posed, *(joint for joint, override in asked if override is not None)}
     for turn in default_turns(tree):
-        span = Range(turn.range[0], 0.0, turn.range[1], "default")
+        if not taken.isdisjoint(turn.joints):
+            continue
+        reached = np.einsum("fji,ji->fj", turns[:, list(turn.joints)], turn.axes)
+        low, high = float(reached.min()), float(reached.max())
+        within = turn.range[0] <= low and high <= turn.range[1]
+        evidence: Source = "default" if within else "animation"
+        span = Range(min(low, turn.range[0]), 0.0, max(high, turn.range[1]), evidence)
         name, source = f"{names[turn.joints[0]]}:{turn.name}", body.joints[turn.home].path
         drive = partial(_turning_drive, turn.joints, turn.axes)
         if tree.flat:
@@ -312,34 +336,33 @@ def joint_names(joints: tuple[Joint, ...]) -> list[str]:
     ]
 
 
-def _animated_spans(joints: tuple[Joint, ...], clip: Clip) -> Floats:
-    """(joints, 3, 2) least and greatest rotation about each own axis, in degrees from the base
-    pose.
+def _animated_turns(joints: tuple[Joint, ...], clip: Clip | None) -> Floats:
+    """(frames, joints, 3) rotation about each own axis at every frame of the clip, one of zeros
+    without a clip, in degrees from the base pose.
 
     Without the noise of quaternions in single precision: some 1e-5 degrees.
     """
+    if clip is None:
+        return np.zeros((1, len(joints), 3))
     base = rotation_part(np.array([joint.base for joint in joints]).reshape(-1, 4, 4))
     turns = unwrapped(rotation_vectors(rotation_part(clip.locals) @ np.swapaxes(base, -1, -2)))
-    spans = np.stack([turns.min(axis=0), turns.max(axis=0)], axis=-1)
-    return np.asarray(np.round(np.degrees(spans), 3) + 0.0, dtype=np.float64)
+    return np.asarray(np.round(np.degrees(turns), 3) + 0.0, dtype=np.float64)
 
 
 def _joint_range(
     override: JointSettings | None,
     axis: int,
     span: Floats,
-    named_poses: bool,
-    settings: ReadSettings,
+    which: str,
+    least: float,
 ) -> Range | None:
     """The range of one joint axis, or None if it is no control."""
     if override is not None:
         if _AXES[axis] not in override.axes:
             return None
         return Range(override.minimum, 0.0, override.maximum, "config")
-    which = settings.joints
-    if which == "none" or (which == "auto" and named_poses):
+    if which == "none":
         return None
-    least = settings.joint_min_degrees
     if span[1] - span[0] > least:
         low, high = (float(end) if abs(end) > least else 0.0 for end in span)
         return Range(min(0.0, low), 0.0, max(0.0, high), "animation")

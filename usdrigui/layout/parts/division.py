@@ -22,6 +22,7 @@ from usdrigui.layout.parts.joint_regions import (
     FACE,
     FEET,
     HANDS,
+    HEAD,
     INTERIOR,
     PROPS,
     JointRegions,
@@ -32,7 +33,7 @@ from usdrigui.model import Motion, Trajectories
 from usdrigui.settings import Settings
 from usdrigui.ties import first_largest
 
-ORDER = (FACE, INTERIOR, EYES, HANDS, FEET, PROPS)
+ORDER = (FACE, INTERIOR, EYES, HEAD, HANDS, FEET, PROPS)
 """Parts that are laid out first, in this order; the body comes last, for its handles are the
 widest."""
 _NEAR = 0.5
@@ -50,8 +51,8 @@ class Part(Record):
     """One part of a character."""
 
     name: str
-    """``face``, ``interior`` (of the mouth), ``eyes``, ``hands``, ``feet``, ``props``, ``body``, or
-    as the configuration calls it."""
+    """``face``, ``interior`` (of the mouth), ``eyes``, ``head``, ``hands``, ``feet``, ``props``,
+    ``body``, or as the configuration calls it."""
     controls: frozenset[int]
     """Indices of its controls."""
     excluded: frozenset[int] = frozenset()
@@ -60,7 +61,7 @@ class Part(Record):
 
 def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...]:
     """The parts of a character in the order in which they are laid out: face, inside of the mouth,
-    eyes, hands, feet, props, others, body.
+    eyes, head, hands, feet, props, others, body.
 
     Every control that moves something is in one part.  Without ``parts.divide`` all are in one, and
     so they are where the skeleton has no parts; controls that the configuration groups or pairs
@@ -71,6 +72,7 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     # Where the skeleton has no parts all is the face.
     tell = (lambda *_: FACE) if regions is None else _Names(rig, found, regions, whole).of
     names = {each.control: tell(rig.controls[each.control], each) for each in found.motions}
+    names |= _beside_the_face(rig.controls, names)
     if settings.layout.candidates.conventions:
         names |= dict.fromkeys(_inside_mouth(rig.controls, names), INTERIOR)
     if not settings.character.parts.divide:
@@ -89,6 +91,14 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     main = main_part(known)
     left_out = {control: name if name in known else main for control, name in left_out.items()}
     return tuple(Part(name, _named(names, name), _named(left_out, name)) for name in known)
+
+
+def _beside_the_face(controls: tuple[Control, ...], names: Mapping[int, str]) -> dict[int, str]:
+    """The joints of a face that other controls move, as a part of their own where the character has
+    a body: the face is laid out as without them."""
+    on_face = {control for control, part in names.items() if part == FACE}
+    joints = {control for control in on_face if controls[control].kind == "joint"}
+    return dict.fromkeys(joints, HEAD) if joints < on_face and BODY in names.values() else {}
 
 
 def _inside_mouth(controls: tuple[Control, ...], names: Mapping[int, str]) -> list[int]:

@@ -22,7 +22,9 @@ from usdrigui.ties import first_largest
 FACE, EYES, HANDS, FEET, PROPS, BODY = "face", "eyes", "hands", "feet", "props", "body"
 INTERIOR = "interior"
 """Tongue, teeth and gums."""
-FLAT = (FACE, EYES, INTERIOR)
+HEAD = "head"
+"""Joints that hang on a head whose face other controls move: brows, ears, hair."""
+FLAT = (FACE, EYES, HEAD, INTERIOR)
 """Parts that are looked at from the front alone: their elements are kept apart on its screen."""
 
 _HEAD = ("head", "頭")

@@ -11,6 +11,7 @@ import makers
 import numpy as np
 import pytest
 
+from usdrigui.character import Channel
 from usdrigui.character.joint_tree import Tree
 from usdrigui.character.rotation import rotations
 from usdrigui.layer import write_layout as layer
@@ -44,6 +45,22 @@ def posed(rig, seed=3):
         world.append(local @ world[joint.parent] if joint.parent >= 0 else local)
         joints.append(replace(joint, rest=local, base=local))
     return makers.changed(rig, joints=tuple(joints))
+
+
+def test_joints_of_a_face_that_shapes_move_are_a_part_of_their_own():
+    """The face of a body is laid out as without its joints; a bust is one part."""
+    (mesh,) = BODY.body.meshes
+    smile = makers.shape(0, np.where(mesh.points[:, 1:2] > 1.4, [[0.0, 0.0, 0.05]], 0.0))
+    smiling = makers.changed(
+        BODY,
+        meshes=(makers.changed(mesh, shapes=(smile,)),),
+        channels=(Channel("smile", "/Root/anim", 0),),
+        base_weights=np.zeros(1),
+        controls=(makers.control("smile", 0), *BODY.controls),
+    )
+    found = named(smiling)
+    assert found["face"] == {"smile"}
+    assert found["head"] == named(BODY)["face"]
 
 
 @pytest.mark.parametrize(
