@@ -501,8 +501,8 @@ SCENES: tuple[Scene, ...] = (
     Scene(
         "joints",
         "9 · Which joints are controls",
-        "Of a body every joint with skin is one, by the kind of its place; of a bust like the sample"
-        " those that the animation of the asset rotates, about the axes that it uses"
+        "Of a body every joint with skin is one, by the kind of its place; of a bust like the"
+        " sample those that the animation of the asset rotates, about the axes that it uses"
         ' ([joints.md](joints.md)). With `"all"` every joint turns about all of its axes, with'
         ' `"none"` none does.',
         (

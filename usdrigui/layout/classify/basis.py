@@ -18,18 +18,15 @@ from scipy.optimize import nnls
 from usdrigui.character import Flags, Floats, Indices, Record
 from usdrigui.ties import rounded
 
-PARALLEL = 0.98
-"""Cosine of two motions from which one repeats the other."""
-_PARALLEL_ATOMS = 0.995
-"""The same where both are to be atoms in any case: a smile that parts the lips is another smile."""
+PARALLEL = 0.99
+"""Cosine of two motions from which one repeats the other: a smile that parts the lips is another
+smile."""
 EXPLAINED = 0.85
 """Share of a motion's energy that a sum of others must explain."""
 _PARTS = 1.8
 """Effective number of parts from which a sum is one, and not one control with some noise."""
 _LISTED = 0.1
 """Least weight, relative to the largest, of a part that an explanation names."""
-_LIKE = 0.05
-"""Cosine from which another motion can be a part of a sum."""
 _RIDGE = 1e-4
 """Keeps the products of nearly parallel motions invertible."""
 
@@ -79,8 +76,7 @@ def choose_basis(cosine: Floats, costs: Floats, twins: Indices) -> Basis:
 
 def _explanation(index: int, atoms: Flags, cosine: Floats, costs: Floats) -> Explanation | None:
     """A motion as the first atom that it repeats, or as a sum of several."""
-    both_needed = (costs[index] < 0.0) & (costs < 0.0)
-    parallel = atoms & (cosine[index] > np.where(both_needed, _PARALLEL_ATOMS, PARALLEL))
+    parallel = atoms & (cosine[index] > PARALLEL)
     if parallel.any():
         return Explanation(np.flatnonzero(parallel)[:1], np.ones(1), 1.0)
     return explain(index, atoms, cosine) if costs[index] > 0.0 else None
@@ -120,7 +116,7 @@ def least_squares(index: int, among: Flags, cosine: Floats) -> tuple[Indices, Fl
     |sum_j w_j f_j - f|^2 by way of the products: with L L' = T + ridge, it is a constant and
     |L' w - L^-1 t|^2.
     """
-    parts = np.flatnonzero(among & (cosine[index] > _LIKE))
+    parts = np.flatnonzero(among & (cosine[index] > 0.0))
     parts = parts[parts != index]
     root = np.linalg.cholesky(cosine[np.ix_(parts, parts)] + _RIDGE * np.eye(len(parts)))
     return parts, np.asarray(root.T), np.asarray(np.linalg.solve(root, cosine[parts, index]))

@@ -20,9 +20,6 @@ from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import BaseSurface, Category, Motion, Symmetry
 from usdrigui.settings import CandidateSettings
 
-_FELT = 0.25
-"""Displacement that can be felt, in typical peaks of the rig's controls."""
-
 
 @dataclass(frozen=True)
 class Classification:
@@ -89,9 +86,7 @@ def classify(
             vanishes=bool(vanish[index]),
             visible_share=_visible_share(surface, seen, own),
             kept=float(kept[index]),
-            essential=_essential(
-                meaning, kept[index] * motion.peak, face.trajectories.typical_length
-            ),
+            essential=_essential(meaning),
             composite=None if alone else repeated.get(index),
         )
         category, reason = _category(evidence, motion.control, requests, settings)
@@ -170,12 +165,12 @@ def _kept(motions: tuple[Motion, ...], symmetry: Symmetry, visible: Flags) -> Fl
     return np.maximum(found, found[twins])
 
 
-def _essential(meaning: Meaning | None, seen: float, typical_length: float) -> bool:
-    """Whether the name is that of an atom without which no face is animated, of one whose visible
-    displacement, of length `seen`, can be felt, or of a family, which stays together."""
-    if meaning is None or meaning.action.category not in ("atom", "viseme", "emotion"):
-        return False
-    return meaning.action.is_needed or seen >= _FELT * typical_length
+def _essential(meaning: Meaning | None) -> bool:
+    """Whether the name is that of an atom without which no face is animated, or of a family, which
+    stays together."""
+    return (
+        meaning is not None and meaning.action.is_needed and meaning.action.category != "identity"
+    )
 
 
 def _named_local(meaning: Meaning | None) -> bool:

@@ -36,14 +36,13 @@ _TWIN_LEEWAY = 0.8
 what they do upward they do alike."""
 _SAME_REGION = 0.5
 """Least overlap of the regions of two controls, or axes, that the conventions join."""
-_LIKE_ENDS = 0.25
-"""Least amount of one end in shares of the other's, where no convention pairs them."""
-_LIKE_AXES = 0.1
-"""The same of the axes of a joystick: no drag could aim at a far lesser one."""
-_ACROSS = 0.4
+_LIKE = 0.16
+"""Least amount of one axis of a joystick, or of one of two ends that no convention pairs, in shares
+of the other's: no drag could aim at a far lesser one."""
+_SHARED = 0.8
+"""Least overlap of the regions of two axes that no convention joins, if they make a joystick."""
+_ACROSS = 0.5
 """Largest cosine of the directions of two axes of a joystick."""
-_ACROSS_BY_CONVENTION = 0.7
-"""The same where the conventions make a joystick of them."""
 _HELD = CandidateSettings().least_kept
 """Share of both peaks that one visible place must keep: what any control keeps at its place."""
 _TURN_ALIKE = 1e-3
@@ -96,20 +95,17 @@ class Evidence:
 
     def like_ends(self, a: int, b: int) -> bool:
         """Whether one control moves about as much as the other."""
-        return self._like((a,), (b,), _LIKE_ENDS)
+        return self._like((a,), (b,))
 
-    def crossing(
-        self, first: Sequence[int], second: Sequence[int], least: float
-    ) -> tuple[Relation, float]:
-        """What makes a joystick of two axes that share `least` of their regions, empty if nothing:
-        of controls whose names are specific the convention has to have it, and the motions agree.
-        And how well they cross, in [0, 1]."""
+    def crossing(self, first: Sequence[int], second: Sequence[int]) -> tuple[Relation, float]:
+        """What makes a joystick of two axes, empty if nothing: of controls whose names are specific
+        the convention has to have it, and the motions agree.  And how well they cross, in
+        [0, 1]."""
         found = {self.relation(a, b) for a in first for b in second}
-        known, most = self._of_axes(found, (*first, *second)), _ACROSS
-        if known == "convention":
-            least, most = _SAME_REGION, _ACROSS_BY_CONVENTION
+        known = self._of_axes(found, (*first, *second))
+        least = _SAME_REGION if known == "convention" else _SHARED
         shared, across = self._compared(first, second)
-        fits = shared >= least and across <= most and self._like(first, second, _LIKE_AXES)
+        fits = shared >= least and across <= _ACROSS and self._like(first, second)
         flat = self._flatness(second[0]) if fits else 0.0
         return known if fits else "", shared * (1.0 - across) * flat
 
@@ -124,9 +120,9 @@ class Evidence:
         shared, direction = self.similarity.shared[pick], self.similarity.direction[pick]
         return float(shared.min()), float(np.abs(direction).max())
 
-    def _like(self, first: Sequence[int], second: Sequence[int], least: float) -> bool:
+    def _like(self, first: Sequence[int], second: Sequence[int]) -> bool:
         amounts = [float(self.similarity.norm[list(axis)].max()) for axis in (first, second)]
-        return min(amounts) >= least * max(amounts)
+        return min(amounts) >= _LIKE * max(amounts)
 
     def one_place(self, motions: Sequence[int]) -> bool:
         """Whether some visible place keeps enough of all of these motions."""

@@ -29,11 +29,6 @@ from usdrigui.layout.symmetry.orbits import configured_orbits
 from usdrigui.model import Candidates, CandidateSet, ElementKind, Group
 from usdrigui.model.candidates import axes_of
 
-_SHARED_BY_AXES = 0.8
-"""Least overlap of the regions of two axes that make a joystick."""
-_SHARED_BY_A_SINGLE = 0.9
-"""The same for an axis and a single control."""
-
 
 @dataclass(frozen=True)
 class _Merged:
@@ -229,8 +224,8 @@ class _Grouping:
         pairs = combinations(sorted([*sliders, *swinging], key=lambda axis: axis.motions), 2)
         made = _compatible(
             [
-                *self._joysticks(pairs, _SHARED_BY_AXES),
-                *self._joysticks(product(sliders, lone), _SHARED_BY_A_SINGLE),
+                *self._joysticks(pairs),
+                *self._joysticks(product(sliders, lone), second_choice=True),
             ]
         )
         used = _motions_of(made)
@@ -295,16 +290,15 @@ class _Grouping:
         )
 
     def _joysticks(
-        self, pairs: Iterable[tuple[_Merged, _Merged]], least: float
+        self, pairs: Iterable[tuple[_Merged, _Merged]], *, second_choice: bool = False
     ) -> Iterable[_Proposal]:
-        """Pairs of axes that share at least so much of their regions as joysticks, those of the
-        convention and the best first."""
+        """Pairs of axes as joysticks, those of the convention and the best first."""
         for first, second in pairs:
-            known, score = self.evidence.crossing(first.motions, second.motions, least)
+            known, score = self.evidence.crossing(first.motions, second.motions)
             motions = (*first.motions, *second.motions)
             if known and self.share_a_place(motions):
                 names = sorted(self.names[i] for i in motions)
-                rank = (least, known == "open", -round(score, 9), names)
+                rank = (second_choice, known == "open", -round(score, 9), names)
                 yield rank, self._with_joined_image(self._joined(first.axes, second.axes))
 
     def _with_joined_image(self, joined: _Merged) -> list[_Merged]:

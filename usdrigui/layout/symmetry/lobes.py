@@ -17,13 +17,10 @@ ON_PLANE = 0.5
 """Distance from the plane, in handle widths, up to which a handle covers it."""
 _MIDDLE = 0.01
 """Distance from the plane, in face sizes, up to which a point lies in the middle."""
-_KEPT = 0.75
-"""A control whose name gives no place has two lobes if it keeps less of its peak in the
-middle."""
-_KEPT_IN_PAIRS = 0.8
+_KEPT = 0.8
+"""A control has two lobes if it keeps less of its peak in the middle."""
 _KEPT_IN_THE_MIDDLE = 0.5
-"""The same where the conventions expect it on both sides (a cheek), and in the middle (the
-lips)."""
+"""The same where the conventions expect it in the middle (the lips)."""
 
 
 _ASIDE = 0.1
@@ -58,7 +55,7 @@ def two_lobed(
         length = motion.arc_length
     apart = np.abs(plane.distance(surface.points[motion.points]))
     middle = length[apart <= _MIDDLE * surface.face_size].max(initial=0.0)
-    least = _KEPT if both_sides is None else _KEPT_IN_PAIRS if both_sides else _KEPT_IN_THE_MIDDLE
+    least = _KEPT_IN_THE_MIDDLE if both_sides is False else _KEPT
     return bool(middle < least * length.max())
 
 

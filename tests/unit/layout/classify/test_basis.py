@@ -49,10 +49,10 @@ def test_a_sum_that_explains_a_dear_one_is_no_atom_where_its_own_parts_explain_t
     assert chosen(vectors, [-1.0, -1.0, 1.0, 4.0]).atoms.tolist() == [True, True, False, False]
 
 
-@pytest.mark.parametrize(("cost", "atoms"), [(1.0, 1), (-1.0, 2)])
-def test_two_that_are_to_be_atoms_are_one_only_where_they_hardly_differ(cost, atoms):
+@pytest.mark.parametrize("cost", [1.0, -1.0])
+def test_two_are_one_only_where_they_hardly_differ(cost):
     smiles = np.stack([E[0], E[0] + 0.15 * E[1]])
-    assert chosen(smiles, [cost, cost]).atoms.sum() == atoms
+    assert chosen(smiles, [cost, cost]).atoms.sum() == 2
     assert chosen(np.stack([E[0], E[0] + 0.05 * E[1]]), [cost, cost]).atoms.sum() == 1
 
 
