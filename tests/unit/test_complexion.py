@@ -12,6 +12,7 @@ from PIL import Image
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdShade, Vt
 
 from usdrigui.character import Topology
+from usdrigui.character.deform import deform
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
 from usdrigui.stages.colours import point_colours
@@ -128,18 +129,11 @@ def bare(rig):
 
 
 def layout_of(rig):
-    """What `complexion` reads of a layout: where the face is and how large it is drawn."""
+    """Every control at the point that it moves furthest, as large as `process` draws it."""
     from viewer_layouts import peak_layout
 
     layout = peak_layout(rig)
-    head = next(mesh for mesh in rig.body.meshes if mesh.path.endswith(("Head", "part0")))
-    on_face = [
-        replace(element, anchor=replace(element.anchor, mesh=head.path, on_board=False, position=np.array(at)))
-        for element, at in zip(layout.elements, ([-6.0, -11.0, 6.0], [6.0, 4.0, 6.0]), strict=False)
-    ]
-    return replace(
-        layout, elements=tuple(on_face), frame=replace(layout.frame, view=np.array([0.0, 0.0, 1.0]), handle_width=0.44)
-    )
+    return replace(layout, frame=replace(layout.frame, handle_width=0.28))
 
 
 def test_colours_of_the_asset_are_taken_as_they_are(sample):
@@ -167,8 +161,8 @@ def test_form_finds_the_pupils_and_the_lips_that_colours_say(sample):
     assert np.count_nonzero(painted & lips) > 0.5 * np.count_nonzero(painted)
 
 
-@pytest.mark.parametrize(("inner", "is_clear"), [(1.4, True), (1.1, True), (0.3, False)])
-def test_what_covers_the_pupil_is_clear(sample, inner, is_clear):
+@pytest.mark.parametrize(("inner", "before"), [(1.4, True), (1.1, True), (0.3, False)])
+def test_what_covers_the_pupil_is_clear_or_bears_it(sample, inner, before):
     """A cap before the eye; off to the side of the pupil it is left as it is, like a lid."""
     plain = bare(sample)
     eye = next(
@@ -177,7 +171,7 @@ def test_what_covers_the_pupil_is_clear(sample, inner, is_clear):
     faces = np.split(eye.topology.face_indices, np.cumsum(eye.topology.face_counts)[:-1])
     front = [face for face in faces if (eye.points[face, 2] > inner).all()]
     beside = [face for face in front if (eye.points[face, 0] > 0.5).all()]
-    cap = front if is_clear else beside
+    cap = front if before else beside
     shell = changed(
         eye,
         path="/Char/shell",
@@ -188,7 +182,8 @@ def test_what_covers_the_pupil_is_clear(sample, inner, is_clear):
     )
     rig = changed(plain, meshes=(*plain.body.meshes, shell))
     found = complexion.complexion(rig, layout_of(rig))
-    assert found.clear[rig.body.starts[-2] :].any() == is_clear
+    on_cap = slice(rig.body.starts[-2], None)
+    assert (found.clear | (np.abs(found.gaze) <= 2.0).all(axis=1))[on_cap].any() == before
     assert not found.clear[: rig.body.starts[-2]].any()
 
 
@@ -196,3 +191,40 @@ def test_an_eye_is_black_then_coloured_then_white():
     away = np.array([0.0, 0.9 * shading.PUPIL, 0.5 * (shading.PUPIL + shading.IRIS), 1.1 * shading.IRIS, 1.0, 2.0])
     black, pupil, iris, white, edge, back = shading.eye_colours(np.stack([0.0 * away, away], axis=1)).sum(axis=1)
     assert black == pupil < iris < white == edge == back
+
+
+# --- real rigs ---------------------------------------------------------------------------------------
+
+GAZES = {
+    "facecap_blender": 2,
+    "godette": 2,
+    "hand_webxr": 0,
+    "ict_face57": 2,
+    "ict_parts17": 2,
+    "mh_expr34": 0,
+    "mh_poseunits": 2,
+    "rocketbox_male17": 2,
+    "rpm_xr": 2,
+    "vitruvian": 2,
+    "weboji_tiger": 2,
+}
+"""Eyes of each rig that can have a pupil."""
+
+
+@pytest.mark.real
+@pytest.mark.parametrize("name", GAZES)
+def test_elements_are_on_skin_and_eyes_have_pupils(name):
+    """Nine in ten points that controls of the face move most are of a colour that says what they are."""
+    import real_rigs
+
+    line = real_rigs.line_of(name)
+    rig, layout = line.face.rig, line.layout
+    found = complexion.complexion(rig, layout)
+    points = [real_rigs.point_of(line, element) for element in real_rigs.on_face(line)]
+    is_trim = (found.colours[points] == complexion._TRIM).all(axis=1) & (found.gaze[points, 0] > 2.0)
+    assert is_trim.mean() <= 0.1
+    across = shading.look(layout.frame.view, rig.skel_root.up)[0]
+    at = deform(rig, layout.character.base_values) @ across
+    on_eye = np.linalg.norm(found.gaze, axis=1) < 1.2 * shading.IRIS
+    middle = layout.frame.plane.origin @ across
+    assert sum((on_eye & side).any() for side in (at > middle, at < middle)) == GAZES[name]

@@ -14,12 +14,14 @@ import pytest
 from PIL import Image
 
 from usdrigui.character import palette
+from usdrigui.character.deform import deform
 from usdrigui.character.rays import TreeCaster
 from usdrigui.errors import RigUIError
 from usdrigui.pipeline.joining import joined
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare, values_of
 from usdrigui.view import picture, sheet
 from usdrigui.view.body import shading
+from usdrigui.view.body.complexion import complexion
 from usdrigui.view.flat import callouts, framing, lettering, marks
 from usdrigui.view.flat import scene as flat
 from usdrigui.view.flat.columns import board
@@ -262,7 +264,7 @@ def drawn(mark):
 
 
 def test_what_the_face_hides_is_drawn_faintly(rig, layout):
-    subject = shading.subject_of(rig.body.meshes, np.concatenate([mesh.points for mesh in rig.body.meshes]))
+    subject = shading.subject_of(rig.body.meshes, deform(rig), complexion(rig, layout))
     depth = shading.shade(subject, CAMERA).depth
     element, at = layout.elements[0], elements_at(prepare(rig, layout), layout.character.base_values)[0]
     back = np.array([0.0, 0.0, 1.0])
@@ -376,12 +378,12 @@ def test_camera_turns_points_to_pixels_and_back():
     assert above @ above.T == pytest.approx(np.eye(3), abs=1e-12)
 
 
-def test_a_body_with_collapsed_and_missing_points_is_still_drawn(rig):
+def test_a_body_with_collapsed_and_missing_points_is_still_drawn(rig, layout):
     points = np.concatenate([mesh.points for mesh in rig.body.meshes])
     points[5] = np.nan
     points[100:140] = 0.0
     camera = shading.Camera(np.eye(3), np.zeros(3), 60.0, 120, 120)
-    shaded = shading.shade(shading.subject_of(rig.body.meshes, points), camera)
+    shaded = shading.shade(shading.subject_of(rig.body.meshes, points, complexion(rig, layout)), camera)
     assert np.isfinite(shaded.colour).all()
     assert shaded.cover.max() == 1.0
 

@@ -25,7 +25,7 @@ from usdrigui.view.flat.pillow import painted
 from usdrigui.view.flat.scene import Label, Mark, Page, Panel, stacked
 from usdrigui.view.flat.svg import png
 from usdrigui.view.panels import board_of, body, marks_of, on_character
-from usdrigui.view.sections import Section, main_layout, sections
+from usdrigui.view.sections import Section, sections
 
 _RADIUS = 11.0
 """Of a handle, in picture units."""
@@ -112,7 +112,7 @@ def background_png(page: Page) -> bytes:
 def _pages(rig: Rig, layout: Layout, labels: bool) -> Iterator[Page]:
     """One page a part of a character."""
     posed = evaluate(prepare(rig, layout))
-    subject = subject_of(rig.body.meshes, posed.points, complexion(rig, main_layout(layout)))
+    subject = subject_of(rig.body.meshes, posed.points, complexion(rig, layout))
     for section in sections(layout, posed, rig.skel_root.up):
         panels = []
         top, width = _TITLE if section.title else _MARGIN, _BOARD_WIDTH

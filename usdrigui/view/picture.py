@@ -27,7 +27,7 @@ from usdrigui.view.flat.marks import FORMS, colour_of, form_of
 from usdrigui.view.flat.pillow import painted
 from usdrigui.view.flat.scene import INK, PAPER, QUIET, Label, Mark, Page, Panel, stacked
 from usdrigui.view.panels import board_of, body, marks_of, on_character
-from usdrigui.view.sections import Section, main_layout, sections, undivided
+from usdrigui.view.sections import Section, sections, undivided
 
 VIEWS = {
     "front": 0.0,
@@ -96,7 +96,7 @@ def scene(rig: Rig, layout: Layout, values: ArrayLike | None, wanted: Wanted) ->
     """The picture before it is drawn; arguments and errors as of `render`."""
     _check(wanted.views, wanted.size)
     posed = evaluate(prepare(rig, layout), values)
-    subject = subject_of(rig.body.meshes, posed.points, complexion(rig, main_layout(layout)))
+    subject = subject_of(rig.body.meshes, posed.points, complexion(rig, layout))
     up, parted = rig.skel_root.up, wanted.views is None
     close_ups = sections(layout, posed, up) if parted else (undivided(layout, posed),)
     pages = []
@@ -109,18 +109,12 @@ def scene(rig: Rig, layout: Layout, values: ArrayLike | None, wanted: Wanted) ->
 
 
 def film(
-    rig: Rig,
-    layout: Layout,
-    poses: ArrayLike,
-    views: Sequence[str] = ("front",),
-    size: tuple[int, int] = (760, 820),
-    title: str = "",
+    rig: Rig, layout: Layout, poses: ArrayLike, size: tuple[int, int] = (760, 820)
 ) -> Iterator[Image.Image]:
-    """One picture per row of ``poses`` (frames, controls), all framed as the base pose is; raises
-    as `render`."""
-    _check(views, size)
-    poser, colours = prepare(rig, layout), complexion(rig, main_layout(layout))
-    section, wanted = undivided(layout, evaluate(poser)), Wanted(views, size, False, title)
+    """One picture from the front per row of ``poses`` (frames, controls), all framed as the base
+    pose is; raises as `render`."""
+    poser, colours = prepare(rig, layout), complexion(rig, layout)
+    section, wanted = undivided(layout, evaluate(poser)), Wanted(("front",), size)
     subject = subject_of(rig.body.meshes, section.posed.points, colours)
     placed = _arranged(rig, section, subject, wanted)
     for values in np.asarray(poses, dtype=np.float64):

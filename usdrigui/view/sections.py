@@ -60,16 +60,6 @@ def sections(layout: Layout, posed: PosedLayout, up: Floats) -> tuple[Section, .
     return tuple(found)
 
 
-def main_layout(layout: Layout) -> Layout:
-    """The elements of the first part, which is the face where there is one; all of a character in
-    one part."""
-    if not layout.frame.parts:
-        return layout
-    first = layout.frame.parts[0].name
-    elements = tuple(each for each in layout.elements if each.placement.part == first)
-    return replace(layout, elements=elements)
-
-
 def _section(
     layout: Layout,
     posed: PosedLayout,

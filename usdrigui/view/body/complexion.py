@@ -1,15 +1,17 @@
 """Colours to judge a face by: those of the asset, and for what has none skin, eyes with pupils,
-lips, brows and teeth.
+lips and teeth.
 
-Where the asset has no colour, form decides: a pair of balls in front are the eyes; the surface
-that faces itself across the mid-plane is the mouth; the ridge above an eye carries its brow; what
-lies behind the mouth are teeth and tongue.  Where the form is unclear, everything is skin.  The
-layout is not changed by any of this.
+Where the asset has no colour, the layout tells what is what.  Skin is the piece of surface that
+bears the elements of the face or lies behind what bears them; the piece that a gaze control turns
+is an eye; a card before the skin is of the colour of the region that its controls move.  Form tells
+the rest: where the skin faces itself among the elements of the mouth are the lips.  The layout is
+not changed by any of this.
 """
 
 from __future__ import annotations
 
 import re
+from collections import Counter
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,11 +19,12 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import KDTree
 
-from usdrigui.character import Flags, Floats, Indices, Record, Rig, RigMesh
-from usdrigui.character.deform import deform
+from usdrigui.character import Control, Flags, Floats, Indices, Record, Rig, RigMesh
+from usdrigui.character.deform import Posed, posed, sweep
 from usdrigui.character.surface import components, mesh_triangles, vertex_normals, weld
-from usdrigui.model import Layout
-from usdrigui.view.body.shading import SKIN, Complexion, look
+from usdrigui.conventions import Meaning, meanings
+from usdrigui.model import Element, Layout
+from usdrigui.view.body.shading import IRIS, SKIN, Complexion, look, smooth_step
 
 _TRIM, _TEETH, _GUMS, _HAIR = (
     (0.66, 0.63, 0.60),
@@ -29,47 +32,65 @@ _TRIM, _TEETH, _GUMS, _HAIR = (
     (0.52, 0.20, 0.19),
     (0.07, 0.045, 0.03),
 )
-_LIPS, _BROWS = (0.43, 0.17, 0.15), (0.12, 0.075, 0.05)
+_LIPS, _BROWS, _BLUSH = (0.43, 0.17, 0.15), (0.12, 0.075, 0.05), (0.60, 0.33, 0.27)
 _NAMED = (
     (re.compile(r"teeth|tooth|denture", re.IGNORECASE), _TEETH),
     (re.compile(r"tongue|gum", re.IGNORECASE), _GUMS),
     (re.compile(r"lash|brow|hair|beard|moustache", re.IGNORECASE), _HAIR),
 )
 """Colours of meshes by a word of their name; numbers are linear light."""
+_CARDS = {"brow": _BROWS, "eye": _HAIR, "gaze": _HAIR}
+"""Colours of what lies on the skin, by the region that its controls move; of the mouth and below it
+is of the lips' colour."""
+_LASH = re.compile(r"lash", re.IGNORECASE)
+"""Lashes are cards that a texture cuts out: without one they are bands around the eyes, and left
+out."""
 
-_ROUND = 0.08
-"""Root mean square by which an eyeball may differ from a ball, in radii: corneas and flat irises
-do."""
+_BEFORE = 0.12
+"""How far before the skin a card lies at most, in the larger extent of the elements' box."""
+_TURNED = 0.5
+"""Share of a piece that the gaze moves more than half as far as anything."""
+_ABOUT = 0.65
+"""How far the elements of an eye are from its middle at most, in its width and height."""
+_MAX_PART = 0.5
+"""Width of an eye, or of what lies on the skin, in the extent of all elements."""
+_MOUTH = ("mouth", "mouthCorner", "upperLip", "lowerLip")
+_FLAT = 3.0
+"""Radius by which an eye is a card, in half widths of it: its iris fills it."""
 _SHELL = (0.6, 1.6)
 """What lies so many radii from an eye's centre lies over the eye: tears, corneas, shadows of
 lids."""
-_GAP = 2.0
-"""Handle widths between lips that touch, at most."""
+_LIP_STEP = 0.028
+"""Half of the gap between lips that touch, at most, in the extent of all elements."""
 
 
-@dataclass(frozen=True)
-class _Seen:
+@dataclass(frozen=True, eq=False)
+class _Face(Record):
     """The character at rest in its layout's view: x to the right, y up, z toward the viewer."""
 
     at: Floats
     """(n, 3)."""
     normals: Floats
-    pieces: Indices
-    """(n,) connected piece of the visible surface, -1 for points of none."""
     corners: Indices
     """(t, 3) of the visible surface."""
+    pieces: Indices
+    """(n,) connected piece of the visible surface, -1 for points of none."""
     sheets: Indices
     """(n,) as `pieces`, but of points that share triangles, whatever else lies where they lie."""
     free: Flags
     """(n,) visible points whose mesh has no colour, neither by values nor by its
     name."""
-    width: float
-    """Of a handle."""
+    anchors: Indices
+    """(k,) points of the elements on the face."""
+    regions: tuple[str, ...]
+    """(k,) what the controls of each move, or an empty word."""
     middle: float
     """x of the mid-plane."""
-    low: Floats
-    """(2,) lower left corner of the elements on the face."""
-    high: Floats
+
+    @property
+    def extent(self) -> float:
+        """The larger side of the box of the elements."""
+        return float(np.ptp(self.at[self.anchors, :2], axis=0).max())
 
 
 @dataclass(frozen=True)
@@ -81,165 +102,254 @@ class _Eye:
 
 def complexion(rig: Rig, layout: Layout) -> Complexion:
     """Colours of a character in the base pose of its layout."""
-    colours = _of_meshes(rig.body.meshes)
-    gaze, clear = np.full((len(colours), 2), 9.0), np.zeros(len(colours), dtype=bool)
-    seen = _seen(rig, layout)
-    if seen is None:
+    colours, clear = _of_meshes(rig.body.meshes)
+    gaze = np.full((len(colours), 2), 9.0)
+    start = posed(rig, layout.character.base_values)
+    face = _face(rig, layout, start)
+    if face is None:
         return Complexion(colours, gaze, clear)
-    skin = _skin(seen)
-    colours[seen.free & ~skin] = _TRIM
-    eyes = _eyes(seen, skin)
+    turned = _turned(rig, layout, start, face)
+    main = _main_piece(face, turned)
+    eyes = _eyes_of(face, turned) if turned else _eyes_by_region(face, main)
+    cards, bearing = _cards(face, main, turned | {eye.piece for eye in eyes})
+    skin = face.free & np.isin(face.pieces, list(bearing))
+    colours[face.free & ~skin] = _TRIM
+    for piece, colour in cards.items():
+        colours[face.free & (face.pieces == piece)] = colour
     for eye in eyes:
-        on, over = _on_eye(seen, eye, skin)
-        gaze[on], clear[over] = _directions(seen.at[on] - eye.centre, eye.radius), True
-    brows = [_brow(seen, skin, eye) for eye in eyes]
-    mouth = _mouth(seen, skin)
-    _paint(colours, _BROWS, np.max(brows, axis=0) if brows else np.zeros(len(colours)))
-    if mouth is not None:
-        _paint(colours, _LIPS, mouth.lips(seen.at, seen.normals) * skin)
-        inside = mouth.behind(seen.at) & seen.free & ~skin & (gaze[:, 0] > 2.0)
+        on, over = _on_eye(face, eye, skin)
+        gaze[on], clear[over] = _directions(face.at[on] - eye.centre, eye.radius), True
+    line = _mouth_line(face, skin)
+    if line is not None:
+        lips, behind = _mouth(face, line)
+        colours += (lips * skin)[:, None] * (np.array(_LIPS) - colours)
+        inside = behind & face.free & ~skin & (gaze[:, 0] > 2.0)
         colours[inside] = _TEETH
-        largest = np.bincount(seen.pieces[inside]).argmax() if inside.any() else -1
-        colours[inside & (seen.pieces == largest)] = _GUMS
+        largest = np.bincount(face.pieces[inside]).argmax() if inside.any() else -1
+        colours[inside & (face.pieces == largest)] = _GUMS
     return Complexion(colours, gaze, clear)
 
 
-def _of_meshes(meshes: tuple[RigMesh, ...]) -> Floats:
-    """(n, 3) the colours that meshes have, or the usual ones of the things that they name."""
-    parts = [np.zeros((0, 3))]
+def _of_meshes(meshes: tuple[RigMesh, ...]) -> tuple[Floats, Flags]:
+    """(n, 3) the colours that meshes have, or the usual ones of the things that they name; (n,)
+    what is left out for want of a colour."""
+    colours, clear = [np.zeros((0, 3))], [np.zeros(0, dtype=bool)]
     for mesh in meshes:
-        usual = np.tile(np.array(_said(mesh.path) or SKIN), (len(mesh.points), 1))
-        parts.append(usual if mesh.display.colours is None else np.asarray(mesh.display.colours))
-    return np.concatenate(parts)
+        count, own = len(mesh.points), mesh.display.colours
+        usual = np.tile(np.array(_usual(mesh) or SKIN), (count, 1))
+        colours.append(usual if own is None else np.asarray(own))
+        clear.append(np.full(count, own is None and _LASH.search(_name(mesh)) is not None))
+    return np.concatenate(colours), np.concatenate(clear)
 
 
-def _said(path: str) -> tuple[float, float, float] | None:
+def _name(mesh: RigMesh) -> str:
+    return mesh.path.rsplit("/", 1)[-1]
+
+
+def _usual(mesh: RigMesh) -> tuple[float, float, float] | None:
     """The colour of the thing that a mesh names."""
-    name = path.rsplit("/", 1)[-1]
-    return next((colour for word, colour in _NAMED if word.search(name)), None)
+    return next((colour for word, colour in _NAMED if word.search(_name(mesh))), None)
 
 
-def _seen(rig: Rig, layout: Layout) -> _Seen | None:
+def _face(rig: Rig, layout: Layout, start: Posed) -> _Face | None:
     """None where no point is left to be coloured."""
-    coloured = [
-        mesh.display.colours is not None or _said(mesh.path) is not None for mesh in rig.body.meshes
-    ]
+    body, elements = rig.body, _on_face(layout)
+    plain = [mesh.display.colours is None and _usual(mesh) is None for mesh in body.meshes]
     spans = [
-        np.full(len(mesh.points), mesh.display.visible and not has)
-        for mesh, has in zip(rig.body.meshes, coloured, strict=True)
+        np.full(len(mesh.points), mesh.display.visible and bare)
+        for mesh, bare in zip(body.meshes, plain, strict=True)
     ]
     free = np.concatenate([np.zeros(0, dtype=bool), *spans])
-    corners = mesh_triangles(rig.body.meshes, visible_only=True)
-    on_face = [
-        element.anchor.position for element in layout.elements if not element.anchor.on_board
-    ]
-    if not free.any() or not len(corners) or not on_face:
+    corners = mesh_triangles(body.meshes, visible_only=True)
+    starts = {mesh.path: int(first) for mesh, first in zip(body.meshes, body.starts, strict=False)}
+    anchors = [starts[each.anchor.mesh] + each.anchor.point for each in elements]
+    if not free.any() or not len(corners) or not anchors:
         return None
     rows = look(layout.frame.view, rig.skel_root.up)
-    points = deform(rig, layout.character.base_values)
-    points = np.where(np.isfinite(points), points, 0.0)
+    points = np.where(np.isfinite(start.points), start.points, 0.0)
     places = weld(points)
     used = np.isin(np.arange(len(points)), corners)
-    pieces = np.where(used, components(corners, places), -1)
-    sheets = np.where(used, components(corners, np.arange(len(points))), -1)
-    anchors = np.array(on_face) @ rows[:2].T
-    middle = float(layout.frame.plane.origin @ rows[0])
-    normals = vertex_normals(points, corners, places) @ rows.T
-    low, high = anchors.min(axis=0), anchors.max(axis=0)
-    return _Seen(
-        points @ rows.T,
-        normals,
-        pieces,
-        corners,
-        sheets,
-        free & used,
-        layout.frame.handle_width,
-        middle,
-        low,
-        high,
+    words = _meanings(rig)
+    acts = [words.get(element.manipulator.members[0].control) for element in elements]
+    return _Face(
+        at=points @ rows.T,
+        normals=vertex_normals(points, corners, places) @ rows.T,
+        corners=corners,
+        pieces=np.where(used, components(corners, places), -1),
+        sheets=np.where(used, components(corners, np.arange(len(points))), -1),
+        free=free & used,
+        anchors=np.array(anchors),
+        regions=tuple("" if act is None else act.action.region for act in acts),
+        middle=float(layout.frame.plane.origin @ rows[0]),
     )
 
 
-def _skin(seen: _Seen) -> Flags:
-    """(n,) the largest piece among those without colours."""
-    pieces = seen.pieces[seen.free]
-    return seen.free & (seen.pieces == np.bincount(pieces).argmax()) if len(pieces) else seen.free
+def _on_face(layout: Layout) -> list[Element]:
+    """The elements of the first part, which is the face where there is one, that are not on the
+    board."""
+    main = [part.name for part in layout.frame.parts[:1]]
+    return [
+        element
+        for element in layout.elements
+        if not (element.anchor.on_board or (main and element.placement.part not in main))
+    ]
 
 
-def _paint(colours: Floats, colour: tuple[float, float, float], share: Floats) -> None:
-    colours += share[:, None] * (np.array(colour) - colours)
+def _meanings(rig: Rig) -> dict[str, Meaning | None]:
+    names = [control.name for control in rig.controls]
+    return dict(zip(names, meanings(names), strict=True))
+
+
+# --- skin and what lies on it ---------------------------------------------------------------------
+
+
+def _main_piece(face: _Face, eyes: set[int]) -> int:
+    """The piece that bears most elements of the face, or lies behind those that do."""
+    own, free = face.pieces[face.anchors], set(face.pieces[face.free].tolist()) - eyes
+    votes = Counter(own.tolist())
+    for anchor, piece in zip(face.anchors, own, strict=True) if len(votes) > 1 else ():
+        votes.update(_pierced(face, face.at[anchor]) - {int(piece)})
+    return max(sorted(free), key=lambda piece: votes[piece], default=-1)
+
+
+def _pierced(face: _Face, at: Floats) -> set[int]:
+    """Pieces whose front the line of sight through a place (3,) meets not far behind it."""
+    depth = face.at[face.corners, 2].mean(axis=1)
+    near = (depth < at[2]) & (depth > at[2] - _BEFORE * face.extent)
+    met = _crossed(face.at[face.corners[near], :2] - at[:2])
+    corners = face.corners[near][met]
+    front = face.normals[corners, 2].mean(axis=1) > 0.0
+    return set(face.pieces[corners[front, 0]].tolist())
+
+
+def _crossed(flat: Floats) -> Flags:
+    """(t,) triangles (t, 3, 2) that hold the origin."""
+    a, b, c = flat[:, 0], flat[:, 1], flat[:, 2]
+    turns = np.stack(
+        [p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0] for p, q in ((a, b), (b, c), (c, a))], axis=1
+    )
+    return np.asarray((turns >= 0.0).all(axis=1) | (turns <= 0.0).all(axis=1))
+
+
+def _cards(
+    face: _Face, main: int, eyes: set[int]
+) -> tuple[dict[int, tuple[float, float, float]], set[int]]:
+    """The colour of each small piece before the main one, and the pieces of skin: the main one and
+    what else bears elements."""
+    cards, skin = {}, {main}
+    own = face.pieces[face.anchors]
+    for piece in set(face.pieces[face.free].tolist()) - eyes - {main}:
+        on, at = np.flatnonzero(own == piece), face.at[face.pieces == piece]
+        places = at.mean(axis=0)[None] if not len(on) else face.at[face.anchors[on]]
+        if _is_small(face, at) and all(main in _pierced(face, place) for place in places):
+            region = Counter(face.regions[i] for i in on).most_common(1)
+            cards[piece] = _CARDS.get(region[0][0], _LIPS) if region else _BLUSH
+        elif len(on):
+            skin.add(piece)
+    return cards, skin
+
+
+def _is_small(face: _Face, at: Floats) -> bool:
+    """Whether places (k, 3) are a small part of the box of the elements, or near it."""
+    box, room = face.at[face.anchors, :2], _BEFORE * face.extent
+    middle = at[:, :2].mean(axis=0)
+    inside = ((middle > box.min(axis=0) - room) & (middle < box.max(axis=0) + room)).all()
+    return bool(inside and np.ptp(at[:, :2], axis=0).max() < _MAX_PART * face.extent)
 
 
 # --- eyes -----------------------------------------------------------------------------------------
 
 
-def _eyes(seen: _Seen, skin: Flags) -> list[_Eye]:
-    """The pair of balls that mirror each other farthest in front, the outer where several have one
-    centre."""
-    balls = [
-        ball
-        for piece in np.unique(seen.pieces[seen.free & ~skin])
-        if (ball := _ball(seen, int(piece)))
-    ]
-    depth = float(seen.at[skin, 2].min() + seen.at[skin, 2].max()) / 2.0 if skin.any() else 0.0
-    pairs = [
-        (a, b)
-        for a in balls
-        for b in balls
-        if _mirrored(seen, a, b) and a.centre[2] + a.radius > depth
-    ]
-    if not pairs:
-        return []
-    foremost = max(
-        pairs, key=lambda pair: (round(float(pair[0].centre[2]) / seen.width), pair[0].radius)
+def _turned(rig: Rig, layout: Layout, start: Posed, face: _Face) -> set[int]:
+    """Pieces that the controls of a gaze turn as wholes."""
+    words, index = _meanings(rig), {each.name: i for i, each in enumerate(rig.controls)}
+    sizes = np.bincount(face.pieces[face.free], minlength=int(face.pieces.max()) + 1)
+    found: set[int] = set()
+    for element in layout.elements:
+        controls = [rig.controls[index[name]] for name in element.manipulator.controls]
+        gazes = [each for each in controls if _is_gaze(each, words[each.name])]
+        share = np.zeros(len(sizes))
+        for control in gazes:
+            points, offsets = sweep(
+                rig, start, index[control.name], [control.minimum, control.maximum]
+            )
+            moved = np.linalg.norm(offsets, axis=2).max(axis=0)
+            far = points[(moved > 0.5 * moved.max(initial=0.0)) & face.free[points]]
+            share += np.bincount(face.pieces[far], minlength=len(sizes)) / len(gazes)
+        found.update(np.flatnonzero(share > _TURNED * np.maximum(sizes, 1)).tolist())
+    return found
+
+
+def _eyes_of(face: _Face, pieces: set[int]) -> list[_Eye]:
+    """The pieces as eyes, the one of most points of those about one centre."""
+    eyes: list[_Eye] = []
+    counts = np.bincount(face.pieces[face.free])
+    for piece in sorted(pieces, key=lambda piece: (-counts[piece], piece)):
+        eye = _eye(face, piece)
+        if all(np.linalg.norm(eye.centre - more.centre) > 0.5 * more.radius for more in eyes):
+            eyes.append(eye)
+    return eyes
+
+
+def _is_gaze(control: Control, meaning: Meaning | None) -> bool:
+    """Whether a control turns an eye by its name: a joint that is called an eye does."""
+    return meaning is not None and (
+        meaning.action.axis.startswith("gaze")
+        or (control.kind == "joint" and meaning.action.name == "eye")
     )
-    return [*foremost]
 
 
-def _ball(seen: _Seen, piece: int) -> _Eye | None:
-    """The ball that fits a piece in the least-squares sense, if it is round and not a mere cap."""
-    at = seen.at[seen.pieces == piece]
-    if len(at) < 16:
-        return None
-    system = np.hstack([2.0 * at, np.ones((len(at), 1))])
-    found = np.linalg.lstsq(system, (at**2).sum(axis=1), rcond=None)[0]
-    centre, radius = found[:3], float(np.sqrt(max(found[3] + found[:3] @ found[:3], 0.0)))
-    off = np.linalg.norm(at - centre, axis=1) - radius
-    spans = at.max(axis=0) - at.min(axis=0)
-    is_ball = (
-        radius > 0.0
-        and np.sqrt((off**2).mean()) < _ROUND * radius
-        and (spans[:2] > 1.5 * radius).all()
-    )
-    return _Eye(centre, radius, piece) if is_ball and spans[2] > radius else None
+def _eyes_by_region(face: _Face, main: int) -> list[_Eye]:
+    """On either side the largest piece about the elements of the eye."""
+    eyes = []
+    places, aside = face.at[face.anchors], face.at[face.anchors, 0] > face.middle
+    near = np.array([region in ("eye", "gaze") for region in face.regions])
+    for side in (near & aside, near & ~aside):
+        place = places[side, :2].mean(axis=0) if side.any() else np.full(2, np.inf)
+        sizes = {}
+        for piece in set(face.pieces[face.free].tolist()) - {main}:
+            at = face.at[face.pieces == piece]
+            low, high = at[:, :2].min(axis=0), at[:, :2].max(axis=0)
+            off = abs(place - 0.5 * (low + high)) / np.maximum(high - low, 1e-12)
+            if (off < _ABOUT).all() and _is_small(face, at):
+                sizes[piece] = float((high - low).min())
+        if sizes:
+            eyes.append(_eye(face, max(sizes, key=lambda piece: sizes[piece])))
+    return eyes
 
 
-def _mirrored(seen: _Seen, a: _Eye, b: _Eye) -> bool:
-    """Whether `b` is the mirror image of `a`, which lies to the right, and both leave room for a
-    nose."""
-    image = np.array([2.0 * seen.middle - b.centre[0], *b.centre[1:]])
-    apart = a.centre[0] - seen.middle
-    near = (
-        float(np.linalg.norm(a.centre - image)) < 0.4 * a.radius
-        and abs(a.radius - b.radius) < 0.15 * a.radius
-    )
-    return near and 1.02 * a.radius < apart < 5.0 * a.radius
+def _eye(face: _Face, piece: int) -> _Eye:
+    """The ball that fits a piece in the least-squares sense; of a flat one its middle, and a radius
+    by which its iris fills it."""
+    at = face.at[face.pieces == piece]
+    low, high = at.min(axis=0), at.max(axis=0)
+    system = np.hstack([2.0 * (at - low), np.ones((len(at), 1))])
+    fit = np.linalg.lstsq(system, ((at - low) ** 2).sum(axis=1), rcond=None)[0]
+    radius = float(np.sqrt(max(fit[3] + fit[:3] @ fit[:3], 0.0)))
+    half = 0.5 * float((high - low)[:2].max())
+    if radius > _FLAT * half:
+        return _Eye(0.5 * (low + high) - [0.0, 0.0, half / IRIS], half / IRIS, piece)
+    return _Eye(low + fit[:3], radius, piece)
 
 
-def _on_eye(seen: _Seen, eye: _Eye, skin: Flags) -> tuple[Flags, Flags]:
+def _on_eye(face: _Face, eye: _Eye, skin: Flags) -> tuple[Flags, Flags]:
     """(n,) points of the eyeball and of other balls about its centre, and of the shells that lie
     over its pupil."""
-    away = np.linalg.norm(seen.at - eye.centre, axis=1) / eye.radius
-    within = seen.free & (away > _SHELL[0]) & (away < _SHELL[1])
-    on = np.isin(
-        seen.pieces,
-        [each for each in _whole(seen.pieces, within & ~skin) if _ball(seen, each) is not None],
-    )
-    before = _around_axis(seen, eye)
-    over = [
-        each for each in _whole(seen.sheets, within & ~on) if (seen.sheets[before] == each).any()
-    ]
-    return on | (seen.pieces == eye.piece), np.isin(seen.sheets, over)
+    away = np.linalg.norm(face.at - eye.centre, axis=1) / eye.radius
+    within = face.free & (away > _SHELL[0]) & (away < _SHELL[1])
+    balls = [piece for piece in _whole(face.pieces, within & ~skin) if _is_about(face, piece, eye)]
+    on = np.isin(face.pieces, [*balls, eye.piece])
+    crossed = _crossed(face.at[face.corners, :2] - eye.centre[:2])
+    before = crossed & (face.at[face.corners, 2] > eye.centre[2]).all(axis=1)
+    over = np.intersect1d(_whole(face.sheets, within & ~on), face.sheets[face.corners[before, 0]])
+    return on, np.isin(face.sheets, over)
+
+
+def _is_about(face: _Face, piece: int, eye: _Eye) -> bool:
+    """Whether a piece is a ball about the centre of an eye, and no lid."""
+    spans = np.ptp(face.at[face.pieces == piece], axis=0)
+    apart = float(np.linalg.norm(_eye(face, piece).centre - eye.centre))
+    return apart < 0.5 * eye.radius and bool((spans[:2] > 1.5 * eye.radius).all())
 
 
 def _whole(labels: Indices, flags: Flags) -> list[int]:
@@ -247,18 +357,6 @@ def _whole(labels: Indices, flags: Flags) -> list[int]:
     return [
         int(each) for each in np.unique(labels[flags]) if each >= 0 and flags[labels == each].all()
     ]
-
-
-def _around_axis(seen: _Seen, eye: _Eye) -> Indices:
-    """A point of each triangle that the line of sight from an eye passes through."""
-    flat = (seen.at[seen.corners] - eye.centre)[..., :2]
-    a, b, c = flat[:, 0], flat[:, 1], flat[:, 2]
-    turns = np.stack(
-        [p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0] for p, q in ((a, b), (b, c), (c, a))], axis=1
-    )
-    through = (turns >= 0.0).all(axis=1) | (turns <= 0.0).all(axis=1)
-    front = (seen.at[seen.corners, 2] > eye.centre[2]).all(axis=1)
-    return np.asarray(seen.corners[through & front, 0])
 
 
 def _directions(offsets: Floats, radius: float) -> Floats:
@@ -269,81 +367,42 @@ def _directions(offsets: Floats, radius: float) -> Floats:
     return np.asarray(unit[:, :2] / np.maximum(across, 1e-12) * length)
 
 
-def _brow(seen: _Seen, skin: Flags, eye: _Eye) -> Floats:
-    """(n,) how much of a point the brow above an eye covers: an arc along the ridge, thinner to the
-    temple."""
-    x, y, z = ((seen.at - eye.centre) / eye.radius).T
-    outward = x * np.sign(eye.centre[0] - seen.middle)
-    column = skin & (abs(x) < 0.4) & (y > 1.1) & (y < 2.3) & (z > 0.0) & (seen.normals[:, 2] > 0.2)
-    if np.count_nonzero(column) < 8:
-        return np.zeros(len(x))
-    height = float(y[column][np.argsort(z[column])[-3:]].mean())
-    share = (outward + 1.15) / 2.6
-    arc = height + 0.12 - 0.5 * (share - 0.55) ** 2 - 0.25 * np.maximum(share - 0.8, 0.0)
-    half = 0.24 - 0.12 * np.clip(share, 0.0, 1.0)
-    cover = _soft(1.0 - abs(y - arc) / half) * _soft(8.0 * share) * _soft(5.0 * (1.0 - share))
-    return np.asarray(0.8 * cover * (skin & (z > 0.0) & (seen.normals[:, 2] > 0.0)))
-
-
 # --- mouth ----------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, eq=False)
-class _Mouth(Record):
-    """The line in which the lips meet, seen from the front."""
-
-    line: Floats
-    """(k, 3) from right to left of the picture."""
-
-    def _place(self, at: Floats) -> tuple[Floats, Floats, Floats, float]:
-        """Share of the way from the middle to a corner, height and depth against the line, half the
-        mouth's width."""
-        half = 0.5 * float(self.line[-1, 0] - self.line[0, 0])
-        middle = 0.5 * float(self.line[-1, 0] + self.line[0, 0])
-        height, depth = (
-            np.interp(at[:, 0], self.line[:, 0], self.line[:, axis]) for axis in (1, 2)
-        )
-        return (
-            (at[:, 0] - middle) / half,
-            (at[:, 1] - height) / half,
-            (at[:, 2] - depth) / half,
-            half,
-        )
-
-    def lips(self, at: Floats, normals: Floats) -> Floats:
-        across, above, before, _ = self._place(at)
-        full = np.sqrt(np.clip(1.0 - across**2, 0.0, 1.0))
-        thick = np.where(above > 0.0, 0.30, 0.36) * full + 1e-9
-        cover = _soft(2.5 * (1.0 - abs(above) / thick)) * (abs(before) < 0.8)
-        return np.asarray(
-            0.75 * cover * (full > 0.0) * ((normals[:, 2] > -0.5) | (abs(above) < 0.2))
-        )
-
-    def behind(self, at: Floats) -> Flags:
-        across, above, before, _ = self._place(at)
-        return np.asarray(
-            (abs(across) < 1.4) & (abs(above) < 1.6) & (before < 0.1) & (before > -4.0)
-        )
+def _mouth(face: _Face, line: Floats) -> tuple[Floats, Flags]:
+    """(n,) how much of a point the lips about a line cover, and what lies behind it."""
+    half, middle = 0.5 * float(np.ptp(line[:, 0])), 0.5 * float(line[0, 0] + line[-1, 0])
+    height, depth = (np.interp(face.at[:, 0], line[:, 0], line[:, axis]) for axis in (1, 2))
+    across, above, before = (
+        (face.at - np.stack([0.0 * depth + middle, height, depth], 1)) / half
+    ).T
+    full = np.sqrt(np.clip(1.0 - across**2, 0.0, 1.0))
+    thick = np.where(above > 0.0, 0.30, 0.36) * full + 1e-9
+    cover = smooth_step(0.0, 0.4, 1.0 - abs(above) / thick) * (abs(before) < 0.8) * (full > 0.0)
+    lips = 0.75 * cover * ((face.normals[:, 2] > -0.5) | (abs(above) < 0.2))
+    behind = (abs(across) < 1.4) & (abs(above) < 1.6) & (before < 0.1) & (before > -4.0)
+    return np.asarray(lips), np.asarray(behind)
 
 
-def _mouth(seen: _Seen, skin: Flags) -> _Mouth | None:
-    """Where the skin faces itself across a small gap, in one stretch over the mid-plane; the widest
-    one counts."""
-    room = (seen.high - seen.low).max() * 0.15
-    inside = ((seen.at[:, :2] > seen.low - room) & (seen.at[:, :2] < seen.high + room)).all(axis=1)
-    near = np.flatnonzero(skin & inside)
-    facing = (
-        near[_faces_itself(seen.at[near], seen.normals[near], _GAP * seen.width)]
-        if len(near)
-        else near
-    )
-    best: tuple[float, _Mouth | None] = (3.0 * seen.width, None)
-    for stretch in _stretches(seen.at[facing], 1.5 * seen.width):
-        line = _front_line(seen.at[facing[stretch]], seen.width)
-        right, left = seen.middle - line[0, 0], line[-1, 0] - seen.middle
-        if min(right, left) > 0.6 * max(right, left) and right + left > best[0]:
-            best = (float(right + left), _Mouth(line))
-    return best[1]
+def _mouth_line(face: _Face, skin: Flags) -> Floats | None:
+    """(k, 3) from right to left of the picture, where the skin faces itself across a small gap
+    among the elements of the mouth, in one stretch over the mid-plane; the widest one counts."""
+    of_mouth = face.anchors[np.isin(face.regions, _MOUTH)]
+    if not len(of_mouth):
+        return None
+    places, room = face.at[of_mouth, :2], 0.15 * face.extent
+    low, high = places.min(axis=0) - room, places.max(axis=0) + room
+    near = np.flatnonzero(skin & ((face.at[:, :2] > low) & (face.at[:, :2] < high)).all(axis=1))
+    step = _LIP_STEP * face.extent
+    facing = near[_faces_itself(face.at[near], face.normals[near], 2.0 * step)]
+    widest, best = 3.0 * step, None
+    for stretch in _stretches(face.at[facing], 1.5 * step):
+        line = _front_line(face.at[facing[stretch]], step)
+        right, left = face.middle - line[0, 0], line[-1, 0] - face.middle
+        if min(right, left) > 0.6 * max(right, left) and right + left > widest:
+            widest, best = right + left, line
+    return best
 
 
 def _faces_itself(at: Floats, normals: Floats, reach: float) -> Flags:
@@ -375,9 +434,3 @@ def _front_line(at: Floats, step: float) -> Floats:
     cell = np.floor(at[:, 0] / step).astype(np.int64)
     rows = [at[cell == each][np.argmax(at[cell == each][:, 2])] for each in np.unique(cell)]
     return np.array(sorted(rows, key=lambda row: float(row[0])))
-
-
-def _soft(share: Floats) -> Floats:
-    """0 below 0, 1 above 1, smooth between."""
-    t = np.clip(share, 0.0, 1.0)
-    return np.asarray(t * t * (3.0 - 2.0 * t))

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 from scipy.ndimage import gaussian_filter, maximum_filter, minimum_filter
 
 from usdrigui.character import Flags, Floats, Indices, Record, RigMesh, Singles
@@ -113,33 +112,17 @@ def look(toward: Floats, up: Floats) -> Floats:
     return np.stack([right, np.cross(ahead, right), ahead])
 
 
-def subject_of(
-    meshes: tuple[RigMesh, ...], points: Floats, complexion: Complexion | None = None
-) -> Subject:
-    """The rig's visible meshes (all, if none is visible) at ``points`` (n, 3) in root space;
-    without a complexion all is skin."""
-    look = complexion or _plain(len(points))
-    corners = drawn(meshes, points, look)
-    finite: Flags = np.asarray(np.isfinite(points).all(axis=1))
-    points = np.where(finite[:, None], points, 0.0)
-    normals = vertex_normals(points, corners, weld(points))
-    return Subject(points, corners, normals, look.colours, look.gaze, make_caster(points[corners]))
-
-
-def drawn(meshes: tuple[RigMesh, ...], points: Floats, look: Complexion) -> Indices:
-    """(t, 3) the triangles that `subject_of` draws: finite, and not clear."""
+def subject_of(meshes: tuple[RigMesh, ...], points: Floats, look: Complexion) -> Subject:
+    """The rig's visible meshes (all, if none is visible) at ``points`` (n, 3) in root space,
+    without triangles that are clear or not finite."""
     corners = mesh_triangles(meshes, visible_only=True)
     if not len(corners):
         corners = mesh_triangles(meshes)
     finite: Flags = np.asarray(np.isfinite(points).all(axis=1))
-    shown = finite[corners].all(axis=1) & ~look.clear[corners].all(axis=1)
-    return np.asarray(corners[shown], dtype=np.int64)
-
-
-def _plain(count: int) -> Complexion:
-    return Complexion(
-        np.tile(np.array(SKIN), (count, 1)), np.full((count, 2), 9.0), np.zeros(count, dtype=bool)
-    )
+    corners = corners[finite[corners].all(axis=1) & ~look.clear[corners].all(axis=1)]
+    points = np.where(finite[:, None], points, 0.0)
+    normals = vertex_normals(points, corners, weld(points))
+    return Subject(points, corners, normals, look.colours, look.gaze, make_caster(points[corners]))
 
 
 def shade(subject: Subject, camera: Camera) -> Shaded:
@@ -192,20 +175,20 @@ def eye_colours(gaze: Floats) -> Floats:
     """(n, 3) linear albedo of an eye at `Complexion.gaze` (n, 2); the viewer has the same
     (viewer/src/eye.js)."""
     away = np.linalg.norm(gaze, axis=1, keepdims=True)
-    rim = 1.0 - 0.6 * _step(0.75 * IRIS, IRIS, away)
+    rim = 1.0 - 0.6 * smooth_step(0.75 * IRIS, IRIS, away)
     inner = _mixed(
         np.array(EYE["pupil"]),
         rim * np.array(EYE["iris"]),
-        _step(PUPIL - 0.015, PUPIL + 0.015, away),
+        smooth_step(PUPIL - 0.015, PUPIL + 0.015, away),
     )
-    return _mixed(inner, np.array(EYE["white"]), _step(IRIS - 0.025, IRIS + 0.025, away))
+    return _mixed(inner, np.array(EYE["white"]), smooth_step(IRIS - 0.025, IRIS + 0.025, away))
 
 
 def _mixed(a: Floats, b: Floats, share: Floats) -> Floats:
     return np.asarray((1.0 - share) * a + share * b)
 
 
-def _step(low: float, high: float, value: Floats) -> Floats:
+def smooth_step(low: float, high: float, value: Floats) -> Floats:
     """0 below `low`, 1 above `high`, smooth between."""
     t = np.clip((value - low) / (high - low), 0.0, 1.0)
     return np.asarray(t * t * (3.0 - 2.0 * t))
@@ -245,10 +228,7 @@ def _lit(normals: Singles) -> Singles:
         facing, shine = np.split(n @ ways, 2, axis=1)
         # Light that wraps a little round the form keeps the turn to the shadow soft, as on skin.
         lit = np.maximum((facing + 0.15) / 1.15, 0.0)
-        shine = np.where(shine > 0.6, shine, np.float32(0.0))  # less adds nothing
-        for _ in range(3):
-            shine = shine * shine
-        lit += 0.10 * shine * shine * shine  # its 24th power
+        lit += 0.10 * np.maximum(shine, 0.0) ** 24
         light += lit * np.array(colour, dtype=np.float32)
     rim = (1.0 - np.clip(n[:, 2:], 0.0, 1.0)) ** 3 * np.clip(0.4 + 0.6 * n[:, 1:2], 0.0, 1.0)
     return np.asarray(light + _RIM * rim, dtype=np.float32)
@@ -278,21 +258,11 @@ def _openness(depth: Floats, camera: Camera) -> Floats:
     open_sky: Floats = np.ones_like(depth)
     for share, strength in ((0.007, 0.30), (0.03, 0.42)):
         sigma = share * camera.height
-        around = _blurred(values, sigma) / np.maximum(_blurred(weight, sigma), 1e-6)
+        around = _around(values, sigma) / np.maximum(_around(weight, sigma), 1e-6)
         below = (around - values) * camera.scale / sigma
         open_sky = open_sky * (1.0 - strength * np.clip(below, 0.0, 1.0))
     return np.where(known, open_sky, 1.0)
 
 
-def _blurred(image: NDArray[np.float32], sigma: float) -> NDArray[np.float32]:
-    """Gaussian blur by way of a smaller picture, where the blur is wide enough for that not to
-    show."""
-    step = max(1, int(sigma / 3.0))
-    tall, wide = -(-image.shape[0] // step), -(-image.shape[1] // step)
-    padded = np.pad(
-        image, ((0, tall * step - image.shape[0]), (0, wide * step - image.shape[1])), mode="edge"
-    )
-    small = padded.reshape(tall, step, wide, step).mean(axis=(1, 3))
-    soft = gaussian_filter(small, sigma / step)
-    large = Image.fromarray(soft).resize((wide * step, tall * step), Image.Resampling.BILINEAR)
-    return np.asarray(large)[: image.shape[0], : image.shape[1]]
+def _around(image: NDArray[np.float32], sigma: float) -> NDArray[np.float32]:
+    return np.asarray(gaussian_filter(image, sigma, truncate=2.5))

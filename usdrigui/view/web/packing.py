@@ -24,7 +24,6 @@ from usdrigui.character import (
     Body,
     Clip,
     Control,
-    Drive,
     Floats,
     Glyph,
     Indices,
@@ -36,7 +35,7 @@ from usdrigui.character import (
 from usdrigui.character.palette import SIDES
 from usdrigui.character.surface import triangles
 from usdrigui.errors import Issue, refuse
-from usdrigui.following import Following, following, shared
+from usdrigui.following import following, shared
 from usdrigui.model import Element, Layout, Member
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.settings import OutputSettings
@@ -46,7 +45,7 @@ from usdrigui.view.clip import ClipReading, reading
 from usdrigui.view.flat.callouts import shortened
 from usdrigui.view.flat.columns import heading, rank
 from usdrigui.view.flat.framing import SURROUNDINGS
-from usdrigui.view.sections import main_layout, sections
+from usdrigui.view.sections import sections
 
 Json = dict[str, Any]
 
@@ -116,32 +115,24 @@ class _Arrays:
 
 def _character(arrays: _Arrays, rig: Rig, layout: Layout) -> Json:
     body = rig.body
-    joints = body.joints
+    joints, packed = body.joints, _layout(rig, layout)
     return {
         "root": rig.skel_root.path,
         "identity": _identity(rig),
         "up": _list(rig.skel_root.up),
         "metresPerUnit": rig.skel_root.metres_per_unit,
-        "meshes": _meshes(arrays, body.meshes, body.starts, complexion(rig, main_layout(layout))),
+        "meshes": _meshes(arrays, body.meshes, body.starts, complexion(rig, layout)),
         "eye": {**{name: _srgb(colour) for name, colour in EYE.items()}, "radii": [PUPIL, IRIS]},
-        "skeletons": [
-            {"path": each.path, "animation": each.animation, "toRoot": _list(each.to_root)}
-            for each in body.skeletons
-        ],
-        "joints": [
-            {"path": each.path, "skeleton": each.skeleton, "parent": each.parent} for each in joints
-        ],
+        "skeletons": [_fields(each, "path animation to_root") for each in body.skeletons],
+        "joints": [_fields(each, "path skeleton parent") for each in joints],
         "bind": arrays.reals(np.array([each.bind for each in joints]).reshape(-1, 4, 4), "f8"),
         "base": arrays.reals(np.array([each.base for each in joints]).reshape(-1, 4, 4), "f8"),
-        "channels": [
-            {"token": each.token, "animation": each.animation, "index": each.index}
-            for each in body.channels
-        ],
+        "channels": [_fields(each, "token animation index") for each in body.channels],
         "baseWeights": _list(body.base_weights),
         "controls": _controls(rig.controls),
         "timeCodes": rig.skel_root.time_codes,
         "clip": _clip(arrays, rig.skel_root.clip, rig.findings.issues),
-        "layout": _layout(rig, layout),
+        "layout": packed,
     }
 
 
@@ -243,14 +234,11 @@ def _controls(controls: tuple[Control, ...]) -> list[Json]:
 
 def _control(control: Control, label: str) -> Json:
     return {
-        "name": control.name,
+        **_fields(control, "name kind source minimum default maximum"),
         "label": label,
-        "kind": control.kind,
-        "source": control.source,
-        "minimum": control.minimum,
-        "default": control.default,
-        "maximum": control.maximum,
-        "drive": _drive(control.drive),
+        "drive": _fields(
+            control.drive, "values channels weights joints rotations translations scales"
+        ),
         "reading": _reading(reading(control)),
     }
 
@@ -259,21 +247,7 @@ def _reading(found: ClipReading | None) -> Json | None:
     """Where a clip has the value of a control."""
     if found is None:
         return None
-    if found.rises:
-        return {"rises": [list(each) for each in found.rises]}
-    return {"joint": found.joint, "turn": _list(found.turn)}
-
-
-def _drive(drive: Drive) -> Json:
-    return {
-        "values": _list(drive.values),
-        "channels": drive.channels.tolist(),
-        "weights": _list(drive.weights),
-        "joints": drive.joints.tolist(),
-        "rotations": _list(drive.rotations),
-        "translations": _list(drive.translations),
-        "scales": _list(drive.scales),
-    }
+    return _fields(found, "rises" if found.rises else "joint turn")
 
 
 def _clip(arrays: _Arrays, clip: Clip | None, issues: tuple[Issue, ...]) -> Json | None:
@@ -295,9 +269,8 @@ def _layout(rig: Rig, layout: Layout) -> Json:
     controls = {control.name: index for index, control in enumerate(rig.controls)}
     meshes = {mesh.path: index for index, mesh in enumerate(rig.body.meshes)}
     return {
-        "handleWidth": layout.frame.handle_width,
+        **_fields(layout.frame, "handle_width view"),
         "surroundings": list(SURROUNDINGS),
-        "view": _list(layout.frame.view),
         "planeOrigin": _list(layout.frame.plane.origin),
         "planeNormal": _list(layout.frame.plane.normal),
         "baseValues": _list(layout.character.base_values),
@@ -306,8 +279,7 @@ def _layout(rig: Rig, layout: Layout) -> Json:
         "elements": _elements(rig, meshes, controls, layout),
         "sections": _sections(rig, layout),
         "leftOff": [[each.control, each.stage, each.reason] for each in layout.left_off],
-        "method": layout.proof.method,
-        "status": layout.proof.status,
+        **_fields(layout.proof, "method status"),
         "cost": _finite(layout.proof.cost),
         "bound": _finite(layout.proof.bound),
     }
@@ -320,8 +292,7 @@ def _sections(rig: Rig, layout: Layout) -> list[Json]:
     return [
         {
             "title": each.title,
-            "handleWidth": each.layout.frame.handle_width,
-            "view": _list(each.layout.frame.view),
+            **_fields(each.layout.frame, "handle_width view"),
             "elements": [element.name for element in each.layout.elements],
         }
         for each in sections(layout, evaluate(prepare(rig, layout)), rig.skel_root.up)
@@ -340,18 +311,14 @@ def _elements(
     for packed, mine, label, element in zip(found, own, labels, layout.elements, strict=True):
         packed["label"] = label
         static = element.look.adapt == "static"
-        places = [following(mine, all_of, on_board=board, static=static) for board in (False, True)]
-        packed["follows"] = {"character": _follows(places[0]), "board": _follows(places[1])}
+        packed["follows"] = {
+            place: _fields(
+                following(mine, all_of, on_board=place == "board", static=static),
+                "held deforms joint",
+            )
+            for place in ("character", "board")
+        }
     return found
-
-
-def _follows(following: Following) -> Json:
-    """What carries an element where it stands, and what it ignores there."""
-    return {
-        "held": following.held.tolist(),
-        "deforms": following.deforms,
-        "joint": following.joint,
-    }
 
 
 def _element(
@@ -368,22 +335,14 @@ def _element(
         )
     return {
         "name": element.name,
-        "kind": element.manipulator.kind,
+        **_fields(element.manipulator, "kind axes mirror reversed"),
+        **_fields(anchor, "point position normal on_board"),
+        **_fields(element.look, "side inner"),
+        **_fields(element.placement, "category reason"),
         "members": [_member(element.name, controls, each) for each in element.manipulator.members],
-        "axes": [list(axis) for axis in element.manipulator.axes],
         "mesh": meshes[anchor.mesh],
-        "point": anchor.point,
-        "position": _list(anchor.position),
-        "normal": _list(anchor.normal),
-        "onBoard": anchor.on_board,
-        "side": element.look.side,
-        "mirror": element.manipulator.mirror,
-        "reversed": list(element.manipulator.reversed),
-        "inner": list(element.look.inner),
-        "category": element.placement.category,
         "rank": rank(element.placement.category),
         "heading": _capitalised(heading(element.placement.category, element.placement.part)),
-        "reason": element.placement.reason,
         "glyph": _glyph(element.look.glyph),
     }
 
@@ -414,13 +373,28 @@ def _member(name: str, controls: dict[str, int], member: Member) -> Json:
         )
     return {
         "control": controls[member.control],
-        "values": _list(member.values),
-        "track": _list(member.track),
-        "magnification": member.magnification,
+        **_fields(member, "values track magnification"),
     }
 
 
-# --- numbers --------------------------------------------------------------------------------------
+# --- fields and numbers ---------------------------------------------------------------------------
+
+
+def _fields(record: Any, names: str) -> Json:
+    """Some fields of a record, each as JavaScript spells its name."""
+    return {_spelt(name): _value(getattr(record, name)) for name in names.split()}
+
+
+def _spelt(name: str) -> str:
+    first, *rest = name.split("_")
+    return first + "".join(word.capitalize() for word in rest)
+
+
+def _value(value: Any) -> Any:
+    """Text, numbers and nested tuples as they are, arrays as `_list` of whole numbers."""
+    if isinstance(value, np.ndarray):
+        return _list(value) if value.dtype.kind == "f" else value.tolist()
+    return value
 
 
 def _list(array: ArrayLike) -> list[Any]:

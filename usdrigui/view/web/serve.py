@@ -118,10 +118,16 @@ class _Handler(BaseHTTPRequestHandler):
     """Seconds that a client may keep the server waiting."""
 
     def do_GET(self) -> None:
-        self._answer(with_body=True)
+        """The page, or the file of its live link, for its exact path; else 404."""
+        if (live := self.server.live) is not None and self._is_asked("edit"):
+            self._with_file(lambda: self._read(live))
+        elif self._is_asked(""):
+            self._send(HTTPStatus.OK, self.server.page, "text/html")
+        else:
+            self._send(HTTPStatus.NOT_FOUND, b"", "text/html")
 
     def do_HEAD(self) -> None:
-        self._answer(with_body=False)
+        self.do_GET()
 
     def do_PUT(self) -> None:
         """Replace the file of the live link, if it is as the page knows it."""
@@ -141,23 +147,9 @@ class _Handler(BaseHTTPRequestHandler):
         text = self.rfile.read(int(length))
         layer = animation(text) if len(text) == int(length) else None
         if layer is None:
-            self._send(
-                HTTPStatus.BAD_REQUEST,
-                b"this is no animation layer\n",
-                "text/plain",
-                with_body=True,
-            )
+            self._send(HTTPStatus.BAD_REQUEST, b"this is no animation layer\n")
             return
         self._with_file(lambda: self._replaced(live, layer))
-
-    def _answer(self, with_body: bool) -> None:
-        """The page, or the file of its live link, for its exact path; else 404."""
-        if (live := self.server.live) is not None and self._is_asked("edit"):
-            self._with_file(lambda: self._read(live, with_body))
-            return
-        found = self._is_asked("")
-        status = HTTPStatus.OK if found else HTTPStatus.NOT_FOUND
-        self._send(status, self.server.page if found else b"", "text/html", with_body)
 
     def _is_asked(self, name: str) -> bool:
         """Whether a name below the address is asked for, of this host: no other site's name can be
@@ -165,19 +157,19 @@ class _Handler(BaseHTTPRequestHandler):
         known = secrets.compare_digest(self.path.encode(), f"{self.server.path}{name}".encode())
         return known and self.headers.get("Host") == self.server.host
 
-    def _read(self, live: LiveFile, with_body: bool) -> None:
+    def _read(self, live: LiveFile) -> None:
         found = live.content()
         if self.headers.get("If-None-Match") == _tag(found):
-            self._send(HTTPStatus.NOT_MODIFIED, b"", "text/plain", with_body=False, tag=_tag(found))
+            self._send(HTTPStatus.NOT_MODIFIED, b"", tag=_tag(found))
         else:
-            self._send(HTTPStatus.OK, found.text, "text/plain", with_body, tag=_tag(found))
+            self._send(HTTPStatus.OK, found.text, tag=_tag(found))
 
     def _replaced(self, live: LiveFile, text: bytes) -> None:
         made = live.replace(text, self.headers.get("If-Match", "").strip('"'))
         if made is None:
-            self._send(HTTPStatus.PRECONDITION_FAILED, b"", "text/plain", with_body=False)
+            self._send(HTTPStatus.PRECONDITION_FAILED, b"")
         else:
-            self._send(HTTPStatus.OK, b"", "text/plain", with_body=False, tag=_tag(made))
+            self._send(HTTPStatus.OK, b"", tag=_tag(made))
 
     def _with_file(self, act: Callable[[], None]) -> None:
         """Read or write the file; the page receives what the disk refuses."""
@@ -185,7 +177,7 @@ class _Handler(BaseHTTPRequestHandler):
             act()
         except RigUIError as error:
             words = f"{error.issue.code} {sentences(error.issue)}\n".encode()
-            self._send(HTTPStatus.INSUFFICIENT_STORAGE, words, "text/plain", with_body=True)
+            self._send(HTTPStatus.INSUFFICIENT_STORAGE, words)
 
     def send_error(self, code: int, *_words: str | None) -> None:
         """One line instead of the base class's page; a method without a function here gets the
@@ -196,12 +188,7 @@ class _Handler(BaseHTTPRequestHandler):
             else HTTPStatus(code)
         )
         self._drain()
-        self._send(
-            status,
-            f"{status.value} {status.phrase}\n".encode(),
-            "text/plain",
-            self.command != "HEAD",
-        )
+        self._send(status, f"{status.value} {status.phrase}\n".encode())
 
     def _drain(self) -> None:
         """Read what a request brings, within bounds: closing before that would reset the
@@ -212,7 +199,7 @@ class _Handler(BaseHTTPRequestHandler):
                 self.rfile.read(min(int(length), _MOST_DRAINED))
 
     def _send(
-        self, status: HTTPStatus, content: bytes, kind: str, with_body: bool, tag: str = ""
+        self, status: HTTPStatus, content: bytes, kind: str = "text/plain", tag: str = ""
     ) -> None:
         self.send_response(status)
         self.send_header("Content-Type", f"{kind}; charset=utf-8")
@@ -225,7 +212,7 @@ class _Handler(BaseHTTPRequestHandler):
         self.send_header("Referrer-Policy", "no-referrer")
         self.send_header("X-Content-Type-Options", "nosniff")
         self.end_headers()
-        if with_body:
+        if self.command != "HEAD":
             self.wfile.write(content)
 
     def log_message(self, format: str, *args: object) -> None:  # noqa: A002 - the base class's name
