@@ -13,6 +13,7 @@ from pxr import Gf, Sdf, Usd, UsdGeom, UsdShade, Vt
 
 from usdrigui.character import Topology
 from usdrigui.character.deform import deform
+from usdrigui.character.rays import make_caster
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
 from usdrigui.stages.colours import point_colours
@@ -191,6 +192,21 @@ def test_an_eye_is_black_then_coloured_then_white():
     away = np.array([0.0, 0.9 * shading.PUPIL, 0.5 * (shading.PUPIL + shading.IRIS), 1.1 * shading.IRIS, 1.0, 2.0])
     black, pupil, iris, white, edge, back = shading.eye_colours(np.stack([0.0 * away, away], axis=1)).sum(axis=1)
     assert black == pupil < iris < white == edge == back
+
+
+def test_what_is_outside_is_open_to_the_light_and_what_is_inside_is_dark():
+    """A closed box inside another, as the inside of a mouth is."""
+    corners = np.array([[2.0 * (i >> axis & 1) - 1.0 for axis in range(3)] for i in range(8)])
+    faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+    triangles = np.array([face[:3] for face in faces] + [[face[0], *face[2:]] for face in faces])
+    points, both = np.concatenate([corners, 0.5 * corners]), np.concatenate([triangles, triangles + 8])
+    subject = shading.Subject(points, both, np.sign(points), 0.0 * points, points, make_caster(points[both]))
+    open_, shut = np.split(shading.openness(subject), 2)
+    assert open_.min() > 0.95
+    assert shut.max() < 0.2
+    look = shading.Complexion(np.ones((2, 3)), np.full((2, 2), 9.0), np.zeros(2, bool), np.array([1.0, 0.16]))
+    assert look.shaded[0].tolist() == [1.0] * 3
+    assert look.shaded[1, 0] > look.shaded[1, 1] == look.shaded[1, 2] > 0.05, "red goes last"
 
 
 # --- real rigs ---------------------------------------------------------------------------------------

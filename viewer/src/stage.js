@@ -3,11 +3,9 @@
 import { make } from './dom.js';
 import { Painter } from './painter.js';
 import { onEyes, tints } from './eye.js';
-import { openness } from './openness.js';
 import { facings, looks, seams, sumNormals, visibleTriangles } from './surface.js';
 import { Webgl, webglOf } from './webgl.js';
 
-const EYES = 0.5; // of the shade that lids cast falls on the eyes, which shine
 const TARGET = [0.8, 0.95, 1.08]; // a cooler face, so that it is not taken for one's own
 
 export class Stage {
@@ -26,23 +24,10 @@ export class Stage {
     this.eyes = onEyes(this.triangles, gaze);
     this.tints = tints(character.eye);
     this.skin = makeSkin(points, colours);
-    this.shade(colours);
+    sumNormals(points, this.triangles, this.welded, this.skin.normals);
     this.target = null;
     this.size = [1, 1, 1];
     this.open(how);
-  }
-
-  /** Darken colours where the shape at rest keeps the light off: red goes last, as in flesh. */
-  shade(colours) {
-    sumNormals(this.skin.points, this.triangles, this.welded, this.skin.normals);
-    const open = openness(this.skin.points, this.skin.normals, this.triangles);
-    for (let point = 0, i = 0; i < colours.length; point++, i += 3) {
-      const shaded = Math.abs(this.gaze[2 * point]) < 3 ? EYES * open[point] + 1 - EYES : open[point];
-      const light = Math.sqrt(shaded); // of colours as the screen shows them
-      colours[i] *= light ** 0.85;
-      colours[i + 1] *= light ** 1.15;
-      colours[i + 2] *= light ** 1.15;
-    }
   }
 
   /** Open a canvas; without WebGL, or where its context is lost for good, the processor draws. */

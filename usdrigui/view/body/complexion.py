@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.sparse import csr_array
@@ -24,7 +24,16 @@ from usdrigui.character.deform import Posed, posed, sweep
 from usdrigui.character.surface import components, mesh_triangles, vertex_normals, weld
 from usdrigui.conventions import Meaning, meanings
 from usdrigui.model import Element, Layout
-from usdrigui.view.body.shading import IRIS, SKIN, Complexion, look, smooth_step
+from usdrigui.view.body.shading import (
+    EYE,
+    IRIS,
+    SKIN,
+    Complexion,
+    look,
+    openness,
+    smooth_step,
+    subject_of,
+)
 
 _TRIM, _TEETH, _GUMS, _HAIR = (
     (0.66, 0.63, 0.60),
@@ -101,13 +110,20 @@ class _Eye:
 
 
 def complexion(rig: Rig, layout: Layout) -> Complexion:
-    """Colours of a character in the base pose of its layout."""
-    colours, clear = _of_meshes(rig.body.meshes)
-    gaze = np.full((len(colours), 2), 9.0)
+    """Colours of a character in the base pose of its layout, and the shade there."""
     start = posed(rig, layout.character.base_values)
+    coloured = _coloured(rig, layout, start)
+    subject = subject_of(rig.body.meshes, start.points, coloured)
+    return replace(coloured, open=openness(subject))
+
+
+def _coloured(rig: Rig, layout: Layout, start: Posed) -> Complexion:
+    """The colours, without shade."""
+    colours, clear = _of_meshes(rig.body.meshes)
+    gaze, everywhere = np.full((len(colours), 2), 9.0), np.ones(len(colours))
     face = _face(rig, layout, start)
     if face is None:
-        return Complexion(colours, gaze, clear)
+        return Complexion(colours, gaze, clear, everywhere)
     turned = _turned(rig, layout, start, face)
     main = _main_piece(face, turned)
     eyes = _eyes_of(face, turned) if turned else _eyes_by_region(face, main)
@@ -119,6 +135,7 @@ def complexion(rig: Rig, layout: Layout) -> Complexion:
     for eye in eyes:
         on, over = _on_eye(face, eye, skin)
         gaze[on], clear[over] = _directions(face.at[on] - eye.centre, eye.radius), True
+        colours[on] = EYE["white"]
     line = _mouth_line(face, skin)
     if line is not None:
         lips, behind = _mouth(face, line)
@@ -127,7 +144,7 @@ def complexion(rig: Rig, layout: Layout) -> Complexion:
         colours[inside] = _TEETH
         largest = np.bincount(face.pieces[inside]).argmax() if inside.any() else -1
         colours[inside & (face.pieces == largest)] = _GUMS
-    return Complexion(colours, gaze, clear)
+    return Complexion(colours, gaze, clear, everywhere)
 
 
 def _of_meshes(meshes: tuple[RigMesh, ...]) -> tuple[Floats, Flags]:

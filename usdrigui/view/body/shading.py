@@ -10,8 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.ndimage import gaussian_filter, maximum_filter, minimum_filter
+from scipy.ndimage import maximum_filter, minimum_filter
 
 from usdrigui.character import Flags, Floats, Indices, Record, RigMesh, Singles
 from usdrigui.character.rays import Caster, make_caster
@@ -27,6 +26,14 @@ _LIGHTS = (((-0.55, 0.60, 0.75), (0.84, 0.81, 0.77)), ((0.85, 0.05, 0.55), (0.20
 """Key and fill: direction in the camera's frame (right, up, toward) and linear colour."""
 _SKY, _GROUND = (0.25, 0.26, 0.28), (0.10, 0.09, 0.085)
 _RIM = 0.16
+_FADING = np.array([0.93, 1.26, 1.26])
+_SKIES = 40
+"""Directions from which the light of the sky comes."""
+_UNSEEN = 0.16
+"""Of the light reaches what no sky sees."""
+_SLACK = 0.013
+"""How far light passes what is before a point, in the diagonal of the character: soft shade is of
+folds, not of pores."""
 _SUBPIXELS = np.array([[-0.125, -0.375], [0.375, -0.125], [0.125, 0.375], [-0.375, 0.125]])
 
 
@@ -72,6 +79,17 @@ class Complexion(Record):
     the eyes."""
     clear: Flags
     """(n,) of what is transparent on a face and would hide the eyes."""
+    open: Floats
+    """(n,) share of the light of the sky that reaches a point at rest: soft shade in folds, dark
+    inside the mouth."""
+
+    @property
+    def shaded(self) -> Floats:
+        """(n, 3) linear colours darkened where little light comes: red goes last, as in flesh, and
+        eyes shine."""
+        on_eye = np.abs(self.gaze[:, 0]) < 3.0
+        light = np.where(on_eye, 0.5 * self.open + 0.5, self.open)
+        return np.asarray(self.colours * light[:, None] ** _FADING)
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,7 +102,7 @@ class Subject(Record):
     normals: Floats
     """(n, 3) smooth; zero where undefined."""
     colours: Floats
-    """(n, 3) linear albedo."""
+    """(n, 3) linear albedo, in the shade of the shape at rest."""
     gaze: Floats
     """(n, 2) as `Complexion.gaze`."""
     caster: Caster
@@ -122,11 +140,29 @@ def subject_of(meshes: tuple[RigMesh, ...], points: Floats, look: Complexion) ->
     corners = corners[finite[corners].all(axis=1) & ~look.clear[corners].all(axis=1)]
     points = np.where(finite[:, None], points, 0.0)
     normals = vertex_normals(points, corners, weld(points))
-    return Subject(points, corners, normals, look.colours, look.gaze, make_caster(points[corners]))
+    return Subject(points, corners, normals, look.shaded, look.gaze, make_caster(points[corners]))
+
+
+def openness(subject: Subject) -> Floats:
+    """(n,) share of the light of the sky that reaches each point, by rays to all around."""
+    seen, light = np.zeros(len(subject.points)), np.full(len(subject.points), 1e-12)
+    length = np.maximum(np.linalg.norm(subject.normals, axis=1), 1e-30)
+    height = 1.0 - (2.0 * np.arange(_SKIES) + 1.0) / _SKIES
+    angle = np.arange(_SKIES) * np.pi * (3.0 - np.sqrt(5.0))
+    across = np.sqrt(1.0 - height**2)
+    skies = np.stack([across * np.cos(angle), height, across * np.sin(angle)], axis=1)
+    for sky in skies:  # a Fibonacci lattice on the sphere
+        share = subject.normals @ sky / length
+        lit = np.flatnonzero(share > 0.05)
+        starts = subject.points[lit] + _SLACK * subject.caster.size * sky
+        free = subject.caster.first_hits(starts, sky).triangle < 0
+        light[lit] += share[lit]
+        seen[lit] += share[lit] * free
+    return np.asarray(_UNSEEN + (1.0 - _UNSEEN) * np.where(light > 1e-6, seen / light, 1.0))
 
 
 def shade(subject: Subject, camera: Camera) -> Shaded:
-    """Render the body under three lights, darkened in hollows."""
+    """Render the body under three lights."""
     y, x = np.mgrid[: camera.height, : camera.width]
     pixels = np.stack([x.ravel(), y.ravel()], axis=1) + 0.5
     colour, depth = _samples(subject, camera, pixels)
@@ -141,8 +177,7 @@ def shade(subject: Subject, camera: Camera) -> Shaded:
         total = (fine.reshape(*met.shape, 3) * met[..., None]).sum(axis=1)
         colour[edge] = total / np.maximum(met.sum(axis=1), 1)[:, None]
     shape = (camera.height, camera.width)
-    colour = colour.reshape(*shape, 3) * _openness(grid, camera)[..., None]
-    return Shaded(colour, cover.reshape(shape), grid)
+    return Shaded(colour.reshape(*shape, 3), cover.reshape(shape), grid)
 
 
 def _samples(subject: Subject, camera: Camera, pixels: Floats) -> tuple[Floats, Floats]:
@@ -166,7 +201,7 @@ def _samples(subject: Subject, camera: Camera, pixels: Floats) -> tuple[Floats, 
     on_eye: Flags = np.asarray((np.abs(subject.gaze) < 3.0).all(axis=1))
     eye = on_eye[corners].all(axis=1)
     if eye.any():
-        albedo[eye] = eye_colours(at_hits(subject.gaze)[eye].astype(np.float64))
+        albedo[eye] *= eye_colours(at_hits(subject.gaze)[eye].astype(np.float64)) / EYE["white"]
     colour[met] = _lit(at_hits(subject.normals @ camera.rows.T)) * albedo
     return colour, depth
 
@@ -241,28 +276,3 @@ def _outlines(depth: Floats, camera: Camera) -> Flags:
     filled = np.where(known, depth, low - 1e3 / camera.scale)
     jump = maximum_filter(filled, 3) - minimum_filter(filled, 3)
     return np.asarray(jump > 8.0 / camera.scale)
-
-
-def _openness(depth: Floats, camera: Camera) -> Floats:
-    """(height, width) factor on the light: less than 1 where the surface lies below its
-    surroundings.
-
-    The depth buffer is compared with blurred copies of itself, after Luft, Colditz and Deussen
-    2006, "Image enhancement by unsharp masking the depth buffer".
-    """
-    known = np.isfinite(depth)
-    if not known.any():
-        return np.ones_like(depth)
-    weight = known.astype(np.float32)
-    values = np.where(known, depth - depth[known].mean(), 0.0).astype(np.float32)
-    open_sky: Floats = np.ones_like(depth)
-    for share, strength in ((0.007, 0.30), (0.03, 0.42)):
-        sigma = share * camera.height
-        around = _around(values, sigma) / np.maximum(_around(weight, sigma), 1e-6)
-        below = (around - values) * camera.scale / sigma
-        open_sky = open_sky * (1.0 - strength * np.clip(below, 0.0, 1.0))
-    return np.where(known, open_sky, 1.0)
-
-
-def _around(image: NDArray[np.float32], sigma: float) -> NDArray[np.float32]:
-    return np.asarray(gaussian_filter(image, sigma, truncate=2.5))

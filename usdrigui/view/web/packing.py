@@ -151,7 +151,10 @@ def _meshes(
     arrays: _Arrays, meshes: tuple[RigMesh, ...], starts: Indices, look: Complexion
 ) -> list[Json]:
     spans = [slice(a, b) for a, b in itertools.pairwise(starts.tolist())]
-    looks = [Complexion(look.colours[span], look.gaze[span], look.clear[span]) for span in spans]
+    looks = [
+        Complexion(look.colours[span], look.gaze[span], look.clear[span], look.open[span])
+        for span in spans
+    ]
     return [_mesh(arrays, mesh, own) for mesh, own in zip(meshes, looks, strict=True)]
 
 
@@ -175,7 +178,7 @@ def _mesh(arrays: _Arrays, mesh: RigMesh, look: Complexion) -> Json:
         "toRoot": _list(mesh.binding.to_root),
         "skin": None if mesh.binding.skin is None else _skin(arrays, mesh.binding.skin),
         "shapes": [_shape(arrays, shape) for shape in mesh.binding.shapes],
-        "colours": arrays.integers(np.rint(255.0 * encoded(look.colours)), "u1"),
+        "colours": arrays.integers(np.rint(255.0 * encoded(look.shaded)), "u1"),
         "gaze": (
             arrays.integers(np.rint(look.gaze / _GAZE_STEP).clip(-32767, 32767), "i2")
             if on_eye
