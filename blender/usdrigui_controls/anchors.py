@@ -65,7 +65,7 @@ class _Bones:
         self.rest = {bone.name: _matrix(bone.matrix_local) for bone in bones}
         self.unbound = {name: np.linalg.inv(matrix) for name, matrix in self.rest.items()}
         self.parents = {bone.name: bone.parent.name if bone.parent else "" for bone in bones}
-        self.joints = {each.path: each.path.rpartition("/")[2] for each in rests.joints}
+        self.joints = {each.path: character.bone_name(skeleton, each.path) for each in rests.joints}
         self.frames = {
             name: character.frame(skeleton, joint) for joint, name in self.joints.items()
         }
@@ -181,7 +181,7 @@ class _AnchorBinding:
         if self.bones is None:
             return ()
         if not element.follows:
-            named = [(joint.rpartition("/")[2], weight) for joint, weight in element.carriers]
+            named = [(self.bones.joints[joint], weight) for joint, weight in element.carriers]
             return tuple(pair for pair in named if pair[0] in self.bones.rest)
         groups = self.target.vertex_groups
         vertex = self.target.data.vertices[element.point]
@@ -195,13 +195,10 @@ class _AnchorBinding:
         for member in element.members:
             control = character.controls[member.control]
             for drive in control.joints:
-                name = drive.joint.rpartition("/")[2]
-                if (
-                    drive.skeleton == self.skeleton
-                    and self.bones is not None
-                    and name in self.bones.frames
-                ):
-                    found.setdefault(name, []).append((control, drive))
+                if drive.skeleton == self.skeleton and self.bones is not None:
+                    name = self.bones.joints[drive.joint]
+                    if name in self.bones.rest:
+                        found.setdefault(name, []).append((control, drive))
         return {
             name: found[name]
             for name in sorted(found, key=lambda name: (self.bones.depth(name), name))
@@ -259,10 +256,9 @@ def _own_shapes(character, mesh, element):
         control = character.controls[member.control]
         for shape in control.shapes:
             tokens.setdefault(shape.token, []).append((control, shape))
-    block = mesh.data.shape_keys
-    found = {token: block.key_blocks.get(token) for token in tokens} if block else {}
+    found = {token: character.shape_key(element.mesh, token) for token in tokens}
     return tuple(
-        _OwnShape(tokens[token], key, *offsets_at(block, key, element.point))
+        _OwnShape(tokens[token], key, *offsets_at(mesh, key, element.point))
         for token, key in found.items()
         if key is not None
     )

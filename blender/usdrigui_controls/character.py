@@ -8,6 +8,8 @@ joints have no such place; theirs is a custom property of the holder.
 
 from __future__ import annotations
 
+import json
+
 import bpy
 import mathutils
 import numpy as np
@@ -17,18 +19,20 @@ from .layout import LayoutError, from_json, to_json
 
 LAYOUT = "usdrigui_layout"
 """Custom property of the holder with the layout as JSON."""
-_MESHES, _ARMATURES = "usdrigui_meshes", "usdrigui_armatures"
+SOURCE = "usdrigui_source"
+"""Custom property of the holder with the path of the layer that the layout was read from."""
+_MESHES, _ARMATURES, _NAMES = "usdrigui_meshes", "usdrigui_armatures", "usdrigui_names"
 _VALUE = "rig: "
 """Prefix of the custom properties that hold the values of poses."""
 
 
-def bind(layout, objects):
-    """Store a layout with the objects that it means; returns the holder.
+def bind(layout, match):
+    """Store a layout with the objects that it means, a `matching.Match`; returns the holder.
 
-    ``objects`` maps prim paths to the object imported from each.  The holder is the armature, or
-    the first mesh where there is none.  Raises LayoutError when a mesh that carries controls is
-    missing or has another number of points.
+    The holder is the armature, or the first mesh where there is none.  Raises LayoutError when a
+    mesh that carries controls is missing or has another number of points.
     """
+    objects = match.objects
     meshes = {each.path: objects[each.path] for each in layout.meshes if each.path in objects}
     armatures = {each.path: objects[each.path] for each in layout.skeletons if each.path in objects}
     _check(layout, meshes)
@@ -44,17 +48,16 @@ def bind(layout, objects):
         for i, each in enumerate(layout.skeletons)
         if each.path in armatures
     }
-    character = Character(holder)
-    character.widen_ranges()
-    character.take_rest_pose()
-    character.place_meshes()
+    mine = {*meshes, *armatures}
+    holder[_NAMES] = json.dumps({path: match.names[path] for path in match.names if path in mine})
+    Character(holder).widen_ranges()
     return holder
 
 
 def unbind(holder):
     """Forget the controls of a character."""
     for name in list(holder.keys()):
-        if name in (LAYOUT, _MESHES, _ARMATURES) or name.startswith(_VALUE):
+        if name in (LAYOUT, SOURCE, _MESHES, _ARMATURES, _NAMES) or name.startswith(_VALUE):
             del holder[name]
 
 
@@ -67,11 +70,15 @@ def _check(layout, meshes):
     expected = {each.path: each.points for each in layout.meshes}
     for path in {element.mesh for element in layout.elements if element.mesh}:
         if path not in meshes:
-            raise LayoutError(f"no object of the scene is the mesh {path}")
+            raise LayoutError(
+                f"no object of the scene is the mesh {path} with {expected[path]} vertices: import"
+                " that character, or lay out the one that is here"
+            )
         count = len(meshes[path].data.vertices)
         if count != expected.get(path, count):
             raise LayoutError(
-                f"{meshes[path].name} has {count} vertices, {path} has {expected[path]}"
+                f"{meshes[path].name} has {count} vertices, {path} has {expected[path]}: lay it out"
+                " again"
             )
 
 
@@ -85,6 +92,7 @@ class Character:
         self.controls = {control.name: control for control in self.layout.controls}
         self.meshes = _objects(holder, _MESHES, self.layout.meshes)
         self.armatures = _objects(holder, _ARMATURES, self.layout.skeletons)
+        self.names = json.loads(holder.get(_NAMES, "{}"))
 
     # --- values -----------------------------------------------------------------------------------
 
@@ -164,8 +172,10 @@ class Character:
                     else _extremes(shape.weights)
                 )
                 for key in self.shape_keys(shape.token):
-                    key.slider_min = min(key.slider_min, low)
-                    key.slider_max = max(key.slider_max, high)
+                    if low < key.slider_min:
+                        key.slider_min = low
+                    if high > key.slider_max:
+                        key.slider_max = high
 
     def take_rest_pose(self):
         """Put bones that the import left in the bind pose into the rest pose, where USD has
@@ -205,9 +215,13 @@ class Character:
 
     def shape_keys(self, token):
         """The shape keys of a token, one per mesh that has it."""
-        blocks = (mesh.data.shape_keys for mesh in self.meshes.values())
-        found = (block.key_blocks.get(token) for block in blocks if block is not None)
+        found = (self.shape_key(path, token) for path in self.meshes)
         return [key for key in found if key is not None]
+
+    def shape_key(self, path, token):
+        """The shape key of a token on the mesh of a path, or None."""
+        block = self.meshes[path].data.shape_keys
+        return block and block.key_blocks.get(self.names.get(path, {}).get(token, token))
 
     def bone(self, joint):
         """The pose bone of a `layout.JointDrive`, or None."""
@@ -216,7 +230,11 @@ class Character:
     def bone_of(self, skeleton, joint):
         """The pose bone of a joint, or None."""
         armature = self.armatures.get(skeleton)
-        return armature.pose.bones.get(joint.rpartition("/")[2]) if armature else None
+        return armature.pose.bones.get(self.bone_name(skeleton, joint)) if armature else None
+
+    def bone_name(self, skeleton, joint):
+        """The name that the bone of a joint has, if there is one."""
+        return self.names.get(skeleton, {}).get(joint, joint.rpartition("/")[2])
 
     def frame(self, skeleton, joint):
         """The `JointFrame` of a joint."""

@@ -9,29 +9,39 @@ import importlib
 import bpy
 
 from . import inbetweens
-from .character import bind
+from .character import SOURCE, Character, bind
 from .layout import LayoutError
+from .matching import Match, match, names_of
 
 
-def add_controls(stage, objects):
-    """Build the controls of every layout on a stage.
+def add_controls(stage, objects=None, fresh=False):
+    """Build the controls of every layout on a stage, on the objects of the scene that it means.
 
-    ``objects`` maps prim paths to imported objects.  Returns (holder, number of in-between keys
-    added) per character.  Raises LayoutError when the stage holds no layout, or one that does not
-    fit the scene.
+    ``objects`` maps prim paths to objects where that is known.  Objects that are ``fresh`` from an
+    import are put where USD has them; all others are left as they are, but for in-betweens that
+    they lack.  Returns (holder, number of in-between keys added) per character.  Raises
+    LayoutError when the stage holds no layout, or one that does not fit the scene.
     """
     from .reading import read_layouts
 
     layouts = read_layouts(stage)
     if not layouts:
         raise LayoutError("this stage holds no rig UI layout")
+    if objects is None:
+        found = match(stage, layouts, bpy.context.scene.objects)
+    else:
+        found = Match(objects, names_of(stage, layouts, objects))
+    added = inbetweens.build(stage, found)
     built = []
     for layout in layouts:
-        meshes = {mesh.path: objects[mesh.path] for mesh in layout.meshes if mesh.path in objects}
-        added = inbetweens.build(stage, meshes)
-        built.append((bind(layout, objects), added))
-        _hide_guides(objects, layout.root)
-        _name_elements(stage, objects, layout.root)
+        holder = bind(layout, found)
+        holder[SOURCE] = stage.GetRootLayer().realPath
+        if fresh:
+            Character(holder).take_rest_pose()
+            Character(holder).place_meshes()
+        _hide_guides(found.objects, layout.root)
+        _name_elements(stage, found.objects, layout.root)
+        built.append((holder, added))
     return built
 
 
@@ -45,34 +55,6 @@ def has_usd():
     except ImportError:
         return False
     return True
-
-
-def objects_by_name(stage):
-    """Prim paths of a stage's meshes and skeletons to the scene's objects of the same names.
-
-    For Blenders whose importer does not say which object came from which prim.  Of several objects
-    whose names differ in a numeric suffix, the selected or else the newest one is meant.
-    """
-    from pxr import UsdGeom, UsdSkel
-
-    found = {}
-    for prim in stage.Traverse():
-        wanted = (
-            "MESH" if prim.IsA(UsdGeom.Mesh) else "ARMATURE" if prim.IsA(UsdSkel.Skeleton) else ""
-        )
-        same = [
-            each
-            for each in bpy.data.objects
-            if each.type == wanted and _named(each, prim.GetName())
-        ]
-        if wanted and same:
-            found[str(prim.GetPath())] = max(same, key=lambda each: (each.select_get(), each.name))
-    return found
-
-
-def _named(thing, name):
-    stem, _, number = thing.name.rpartition(".")
-    return thing.name == name or (stem == name and number.isdigit())
 
 
 def _hide_guides(objects, root):
@@ -130,10 +112,8 @@ if hasattr(bpy.types, "USDHook"):
             stage = import_context.get_stage()
             has_map = hasattr(import_context, "get_prim_map")
             try:
-                objects = (
-                    _by_prim(import_context.get_prim_map()) if has_map else objects_by_name(stage)
-                )
-                built = add_controls(stage, objects)
+                found = _by_prim(import_context.get_prim_map()) if has_map else None
+                built = add_controls(stage, found, fresh=True)
             except LayoutError as error:
                 print(f"In-situ rig controls: {error}")
                 return False

@@ -15,16 +15,18 @@ _KNOTS = "usdrigui_inbetweens"
 """Custom property of the Key: per token, the weights and names of the keys added."""
 
 
-def build(stage, objects):
-    """Add the in-betweens of every imported mesh; returns how many keys were added.
+def build(stage, match):
+    """Add the in-betweens of every mesh of a `matching.Match`; returns how many keys were added.
 
-    ``objects`` maps prim paths to mesh objects.  Meshes that have their in-betweens already keep
-    them.
+    Meshes that have their in-betweens already keep them.
     """
     from pxr import UsdSkel
 
     added = 0
-    for path, mesh in objects.items():
+    for path, mesh in match.objects.items():
+        if mesh.type != "MESH":
+            continue
+        names = match.names.get(path, {})
         prim = stage.GetPrimAtPath(path)
         block = mesh.data.shape_keys
         if not prim or block is None or _KNOTS in block:
@@ -35,21 +37,22 @@ def build(stage, objects):
         found = {}
         for token, target in zip(tokens, targets, strict=False):
             shape = UsdSkel.BlendShape(stage.GetPrimAtPath(target))
-            key = block.key_blocks.get(str(token))
+            key = block.key_blocks.get(names.get(str(token), str(token)))
             if shape and key is not None:
-                names = _add(mesh, key, shape)
-                if names:
-                    found[str(token)] = names
-                    added += len(names)
+                keys = _add(mesh, key, shape)
+                if keys:
+                    found[key.name] = keys
+                    added += len(keys)
         if found:
             block[_KNOTS] = json.dumps(found)
     return added
 
 
-def offsets_at(block, key, point):
+def offsets_at(mesh, key, point):
     """Knots (k,) and offsets (k, 3) of one vertex under one shape key and its in-betweens."""
-    rest = np.array(block.reference_key.data[point].co)
-    full = np.array(key.data[point].co) - rest
+    block = mesh.data.shape_keys
+    rest = np.array(key.relative_key.data[point].co)
+    full = (np.array(key.data[point].co) - rest) * shares(mesh, key, [point])
     pairs = [(0.0, np.zeros(3)), (1.0, full)]
     for weight, name in json.loads(block.get(_KNOTS, "{}")).get(key.name, ()):
         added = block.key_blocks.get(name)
@@ -57,6 +60,18 @@ def offsets_at(block, key, point):
             pairs.append((weight, weight * full + np.array(added.data[point].co) - rest))
     pairs.sort(key=lambda pair: pair[0])
     return np.array([weight for weight, _ in pairs]), np.array([offset for _, offset in pairs])
+
+
+def shares(mesh, key, points):
+    """How much of a key each of some vertices takes: its weight in the group that masks the key, if
+    one does."""
+    group = mesh.vertex_groups.get(key.vertex_group) if key.vertex_group else None
+    if group is None:
+        return np.ones(len(points))
+    weights = (mesh.data.vertices[point].groups for point in points)
+    return np.array(
+        [sum(each.weight for each in groups if each.group == group.index) for groups in weights]
+    )
 
 
 def hat(knots, index, variable="w"):
@@ -93,7 +108,8 @@ def _add(mesh, key, shape):
         return []
     knots = sorted({0.0, 1.0, *(each.GetWeight() for each in between)})
     indices = np.array(shape.GetPointIndicesAttr().Get() or (), dtype=np.int64)
-    rest, full = _coordinates(mesh.data.shape_keys.reference_key), _coordinates(key)
+    block = mesh.data.shape_keys
+    rest, full = coordinates(block.reference_key.data), coordinates(key.data)
     names = []
     for each in between:
         weight = each.GetWeight()
@@ -102,7 +118,7 @@ def _add(mesh, key, shape):
         offsets = np.zeros_like(rest)
         offsets[indices if len(indices) else slice(None)] = np.array(each.GetOffsets())
         added = mesh.shape_key_add(name=f"{key.name}@{weight:g}", from_mix=False)
-        added.relative_key = mesh.data.shape_keys.reference_key
+        added.relative_key = block.reference_key
         added.data.foreach_set(
             "co", (rest + offsets - weight * (full - rest)).ravel().astype(np.float32)
         )
@@ -124,7 +140,15 @@ def _drive(added, key, expression):
     driver.expression = expression
 
 
-def _coordinates(key):
-    flat = np.zeros(3 * len(key.data), dtype=np.float32)
-    key.data.foreach_get("co", flat)
+def key_offsets(mesh, key):
+    """(n, 3) what a shape key adds at 1: to the key that it is relative to, where its mask lets
+    it."""
+    offsets = coordinates(key.data) - coordinates(key.relative_key.data)
+    return offsets * shares(mesh, key, range(len(offsets)))[:, None]
+
+
+def coordinates(items):
+    """(n, 3) coordinates of vertices or of the points of a shape key."""
+    flat = np.zeros(3 * len(items), dtype=np.float32)
+    items.foreach_get("co", flat)
     return flat.reshape(-1, 3).astype(np.float64)

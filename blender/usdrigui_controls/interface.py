@@ -7,7 +7,7 @@ import bpy
 from . import visibility
 from .character import Character, holders, unbind
 from .gizmos import Hand
-from .importing import add_controls, has_usd, objects_by_name
+from .importing import add_controls, has_usd
 from .layout import LayoutError
 
 
@@ -59,8 +59,7 @@ class LoadLayout(bpy.types.Operator):
     def execute(self, context):
         """Read the layer and bind it to the objects of the same names."""
         try:
-            stage = open_stage(bpy.path.abspath(self.filepath))
-            built = add_controls(stage, objects_by_name(stage))
+            built = add_controls(open_stage(bpy.path.abspath(self.filepath)))
         except LayoutError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}

@@ -1,0 +1,271 @@
+"""Which object of the scene is which prim, which shape key which blend shape, which bone which joint.
+
+A character may have been imported, renamed, parented and moved since, or it is Blender's own and
+was exported: names, what Blender's exporter writes down, the topology and the points each tell a
+part; what they tell together counts.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .inbetweens import coordinates, key_offsets
+
+_CLOSE = 1e-4
+"""Of the size of a mesh or of a move: points so near are the same."""
+
+
+@dataclass(frozen=True)
+class Match:
+    """What the scene has of the characters of a stage."""
+
+    objects: dict
+    """Prim paths of meshes and skeletons to objects."""
+    names: dict = field(default_factory=dict)
+    """By the same paths, blend-shape tokens to names of shape keys, or joints to names of bones;
+    where they differ from the token or from the last part of the joint's path."""
+
+
+def match(stage, layouts, objects):
+    """`Match` of the meshes and skeletons of some layouts with ``objects`` of the scene, each of
+    which is one prim at most."""
+    found = {}
+    for records, kind, likeness in (
+        ([each for layout in layouts for each in layout.skeletons], "ARMATURE", _like_armature),
+        ([each for layout in layouts for each in layout.meshes], "MESH", _like_mesh),
+    ):
+        candidates = [each for each in objects if each.type == kind]
+        pairs = [
+            (score, record.path, thing)
+            for record in records
+            for thing in candidates
+            if (score := likeness(stage, record, thing, found)) > 0.0
+        ]
+        for _, path, thing in sorted(pairs, key=lambda pair: -pair[0]):
+            if path not in found and thing not in found.values():
+                found[path] = thing
+    return Match(found, names_of(stage, layouts, found))
+
+
+def names_of(stage, layouts, objects):
+    """Names that differ, as in `Match`, of objects that are known."""
+    found = {}
+    for layout in layouts:
+        for mesh in layout.meshes:
+            if mesh.path in objects:
+                found[mesh.path] = _key_names(stage.GetPrimAtPath(mesh.path), objects[mesh.path])
+        for skeleton in layout.skeletons:
+            if skeleton.path in objects:
+                found[skeleton.path] = _bone_names(skeleton, objects[skeleton.path])
+    return {path: names for path, names in found.items() if names}
+
+
+# --- how much an object is like a prim ------------------------------------------------------------
+
+
+def _like_armature(stage, skeleton, thing, _found):
+    bones = {_plain(bone.name) for bone in thing.data.bones}
+    joints = [_plain(_last(joint.path)) for joint in skeleton.joints]
+    share = sum(joint in bones for joint in joints) / max(len(joints), 1)
+    named = _like_names(stage.GetPrimAtPath(skeleton.path), thing)
+    near = _same_places(skeleton, thing)
+    chosen = any(each.select_get() for each in (thing, *thing.children_recursive))
+    return (share >= 0.5 or near) and 4.0 * share + named + 2.0 * near + chosen
+
+
+def _like_mesh(stage, record, thing, found):
+    from pxr import UsdGeom
+
+    prim = stage.GetPrimAtPath(record.path)
+    if len(thing.data.vertices) != record.points:
+        return 0.0
+    mesh = UsdGeom.Mesh(prim)
+    points = mesh.GetPointsAttr()
+    points = np.array(points.Get() or points.Get(0.0) or (), dtype=np.float64).reshape(-1, 3)
+    counts = list(mesh.GetFaceVertexCountsAttr().Get() or ())
+    same = counts == [len(face.vertices) for face in thing.data.polygons]
+    rest = rest_points(thing)
+    near = len(points) == len(rest) and np.abs(points - rest).max() <= _CLOSE * np.ptp(rest)
+    tokens = [_plain(token) for token in _tokens(prim)]
+    block = thing.data.shape_keys
+    keys = {_plain(key.name) for key in block.key_blocks} if block else set()
+    share = sum(token in keys for token in tokens) / len(tokens) if tokens else 0.0
+    carried = any(each in found.values() for each in armatures_of(thing))
+    named = _like_names(prim, thing)
+    likeness = 4.0 * same + 4.0 * near + 2.0 * share + named
+    return likeness and likeness + carried + thing.select_get() + 0.5 * _nearness(prim, thing, rest)
+
+
+def _like_names(prim, thing):
+    """How many names of a prim and of an object agree: its own, the data's, the parents'."""
+    own = [_said(prim, "object_name"), _said(prim.GetParent(), "object_name")]
+    names = [*own, _said(prim, "data_name"), prim.GetName(), prim.GetParent().GetName()]
+    names = {_plain(name) for name in names if name}
+    above = {_plain(each.GetName()) for each in _ancestors(prim)}
+    parent = thing.parent is not None and _plain(thing.parent.name) in above
+    return (
+        2.0 * (thing.name in own)
+        + 2.0 * (_plain(thing.name) in names)
+        + 1.0 * (_plain(thing.data.name) in names)
+        + 0.5 * parent
+    )
+
+
+def _nearness(prim, thing, rest):
+    """1 where a mesh stands in the scene where the stage has it, towards 0 far away."""
+    from pxr import Usd, UsdGeom
+
+    world = np.array(thing.matrix_world)
+    here = world[:3, :3] @ rest.mean(axis=0) + world[:3, 3]
+    to_scene = scene_of(prim.GetStage())
+    matrix = np.array(UsdGeom.Xformable(prim).ComputeLocalToWorldTransform(Usd.TimeCode.Default()))
+    there = (np.append(rest.mean(axis=0), 1.0) @ matrix) @ to_scene
+    size = np.linalg.norm(np.ptp(rest @ world[:3, :3].T, axis=0))
+    return float(np.exp(-np.linalg.norm(here - there[:3]) / max(size, 1e-9)))
+
+
+def scene_of(stage):
+    """(4, 4) from a stage's world to Blender's, metres and Z up, for row vectors."""
+    from pxr import UsdGeom
+
+    turn = np.eye(4)
+    if UsdGeom.GetStageUpAxis(stage) == UsdGeom.Tokens.y:
+        turn[:3, :3] = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]]
+    turn[:3, :3] *= UsdGeom.GetStageMetersPerUnit(stage)
+    return turn
+
+
+def armatures_of(mesh):
+    """The armatures that deform or carry a mesh object."""
+    found = [each.object for each in mesh.modifiers if each.type == "ARMATURE" and each.object]
+    parent = mesh.parent
+    return [*found, parent] if parent is not None and parent.type == "ARMATURE" else found
+
+
+def _same_places(skeleton, thing):
+    """Whether the bones stand where the joints do, whatever their names."""
+    here = np.array([bone.head_local for bone in thing.data.bones]).reshape(-1, 3)
+    there = np.array(list(_places(skeleton).values())).reshape(-1, 3)
+    if here.shape != there.shape or len(here) < 2:
+        return False
+    away = np.linalg.norm(here[:, None] - there[None], axis=2).min(axis=0)
+    return bool(away.max() <= 10.0 * _CLOSE * np.ptp(there))
+
+
+def _places(skeleton):
+    """(3,) place of each joint in the bind pose, in the skeleton's space, by path."""
+    bound = {}
+    for joint in skeleton.joints:
+        above = bound.get(joint.path.rpartition("/")[0], np.eye(4))
+        bound[joint.path] = np.array(joint.bind) @ above
+    return {path: matrix[3, :3] for path, matrix in bound.items()}
+
+
+# --- names ----------------------------------------------------------------------------------------
+
+
+def _key_names(prim, mesh):
+    block = mesh.data.shape_keys
+    if block is None:
+        return {}
+    keys = {key.name: key for key in block.key_blocks if key != block.reference_key}
+    named, tokens, left = _paired(_tokens(prim), list(keys))
+    moves = {token: offsets for token, offsets in shape_offsets(prim) if token in tokens}
+    for token, offsets in moves.items():
+        alike = [name for name in left if _is_same(offsets, key_offsets(mesh, keys[name]))]
+        if alike:
+            named[token] = alike[0]
+            left.remove(alike[0])
+    return {token: name for token, name in named.items() if token != name}
+
+
+def _bone_names(skeleton, armature):
+    places = _places(skeleton)
+    bones = armature.data.bones
+    named, unnamed, left = _paired(list(places), [bone.name for bone in bones], _last)
+    size = np.ptp(list(places.values()))
+    for path in unnamed:
+        away = {name: np.linalg.norm(bones[name].head_local - places[path]) for name in left}
+        nearest = min(away, key=away.get, default=None)
+        if nearest is not None and away[nearest] <= 10.0 * _CLOSE * size:
+            named[path] = nearest
+            left.remove(nearest)
+    return {path: name for path, name in named.items() if _last(path) != name}
+
+
+def _paired(wanted, present, short=str):
+    """Pairs of equal names, then of names that USD would write alike; and what is left of both."""
+    named = {each: short(each) for each in wanted if short(each) in present}
+    left = [name for name in present if name not in named.values()]
+    for plain in (_plain, _ascii):
+        for each in wanted:
+            alike = [name for name in left if plain(name) == plain(short(each))]
+            if each not in named and alike:
+                named[each] = alike[0]
+                left.remove(alike[0])
+    return named, [each for each in wanted if each not in named], left
+
+
+def _plain(name):
+    """A name as Blender's exporter makes a prim of it, without the number of a copy."""
+    return re.sub(r"\W", "_", re.sub(r"\.\d{3,}$", "", name))
+
+
+def _ascii(name):
+    from pxr import Tf
+
+    return Tf.MakeValidIdentifier(name)
+
+
+def _last(path):
+    return path.rpartition("/")[2]
+
+
+def _said(prim, name):
+    """What Blender's exporter wrote down of its own names."""
+    attribute = prim.GetAttribute(f"userProperties:blender:{name}")
+    return str(attribute.Get() or "") if attribute else ""
+
+
+def _ancestors(prim):
+    while prim := prim.GetParent():
+        yield prim
+
+
+# --- points ---------------------------------------------------------------------------------------
+
+
+def rest_points(mesh):
+    """(n, 3) points of a mesh object's data without any shape."""
+    block = mesh.data.shape_keys
+    return coordinates(block.reference_key.data if block else mesh.data.vertices)
+
+
+def _tokens(prim):
+    from pxr import UsdSkel
+
+    return [str(token) for token in UsdSkel.BindingAPI(prim).GetBlendShapesAttr().Get() or ()]
+
+
+def shape_offsets(prim):
+    """(token, (n, 3) offsets) of each blend shape of a mesh prim."""
+    from pxr import UsdGeom, UsdSkel
+
+    count = len(UsdGeom.Mesh(prim).GetPointsAttr().Get() or ())
+    targets = UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets()
+    for token, target in zip(_tokens(prim), targets, strict=False):
+        shape = UsdSkel.BlendShape(prim.GetStage().GetPrimAtPath(target))
+        if shape:
+            offsets = np.zeros((count, 3))
+            indices = np.array(shape.GetPointIndicesAttr().Get() or (), dtype=np.int64)
+            said = np.array(shape.GetOffsetsAttr().Get() or (), dtype=np.float64).reshape(-1, 3)
+            offsets[indices if len(indices) else slice(len(said))] = said
+            yield token, offsets
+
+
+def _is_same(first, second):
+    size = np.abs(first).max(initial=0.0)
+    return first.shape == second.shape and np.abs(first - second).max() <= 1e-3 * size > 0.0
