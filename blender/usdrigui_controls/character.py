@@ -21,6 +21,8 @@ LAYOUT = "usdrigui_layout"
 """Custom property of the holder with the layout as JSON."""
 SOURCE = "usdrigui_source"
 """Custom property of the holder with the path of the layer that the layout was read from."""
+EXPORTED = "usdrigui_exported"
+"""Custom property of the holder where that layer is of an export of this scene."""
 _MESHES, _ARMATURES, _NAMES = "usdrigui_meshes", "usdrigui_armatures", "usdrigui_names"
 _VALUE = "rig: "
 """Prefix of the custom properties that hold the values of poses."""
@@ -57,7 +59,7 @@ def bind(layout, match):
 def unbind(holder):
     """Forget the controls of a character."""
     for name in list(holder.keys()):
-        if name in (LAYOUT, SOURCE, _MESHES, _ARMATURES, _NAMES) or name.startswith(_VALUE):
+        if name.startswith(("usdrigui_", _VALUE)):
             del holder[name]
 
 

@@ -57,8 +57,7 @@ def _add_element(screen, lines, faces, item, radius, colour, opacity):
     placed = item.placed
     for track in placed.tracks:
         lines.add(np.repeat(track, 2, axis=0)[1:-1], (*colour, opacity))
-    for area, triangles in zip(placed.areas, item.drawing.triangles, strict=True):
-        faces.add(area[triangles].reshape(-1, 3), (*colour, 0.18 * opacity))
+    faces.add(placed.area, (*colour, 0.18 * opacity))
     faces.add(_disc(screen, placed.handle, radius + 1.5), (0.05, 0.05, 0.05, opacity))
     faces.add(_disc(screen, placed.handle, radius), (*colour, opacity))
 

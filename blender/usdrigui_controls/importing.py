@@ -40,7 +40,6 @@ def add_controls(stage, objects=None, fresh=False):
             Character(holder).take_rest_pose()
             Character(holder).place_meshes()
         _hide_guides(found.objects, layout.root)
-        _name_elements(stage, found.objects, layout.root)
         built.append((holder, added))
     return built
 
@@ -57,35 +56,24 @@ def has_usd():
     return True
 
 
+def open_stage(path):
+    """A USD stage.  Raises LayoutError without USD, or for a file that is none."""
+    if not has_usd():
+        raise LayoutError("this Blender comes without USD's Python modules")
+    from pxr import Tf, Usd
+
+    try:
+        return Usd.Stage.Open(path)
+    except Tf.ErrorException as error:
+        raise LayoutError(f"{path} is not a USD file that can be opened") from error
+
+
 def _hide_guides(objects, root):
     """Hide the layer's own drawn handles, if they were imported as well: the controls are drawn
     instead."""
     for path, thing in objects.items():
         if path.startswith(f"{root}/RigUI/"):
             thing.hide_viewport = thing.hide_render = True
-
-
-def _name_elements(stage, objects, root):
-    """Give each of the layer's own meshes a vertex group for each element that it draws: the
-    importer passes over GeomSubsets, and an outliner lists vertex groups by name."""
-    from pxr import UsdGeom
-
-    for path, thing in objects.items():
-        if not path.startswith(f"{root}/RigUI/") or thing.type != "MESH":
-            continue
-        mesh = UsdGeom.Mesh(stage.GetPrimAtPath(path))
-        for subset in UsdGeom.Subset.GetGeomSubsets(mesh, UsdGeom.Tokens.face):
-            name = subset.GetPrim().GetDisplayName() or subset.GetPrim().GetName()
-            group = thing.vertex_groups.new(name=_free(name, thing))
-            faces = (thing.data.polygons[face] for face in subset.GetIndicesAttr().Get())
-            group.add(sorted({point for face in faces for point in face.vertices}), 1.0, "REPLACE")
-
-
-def _free(name, thing):
-    """The name, unless a bone has it: a group of that name would be moved by the bone."""
-    armatures = (each.object for each in thing.modifiers if each.type == "ARMATURE")
-    taken = any(each is not None and name in each.data.bones for each in armatures)
-    return f"{name} (element)" if taken else name
 
 
 def _by_prim(prim_map):

@@ -6,9 +6,12 @@ import bpy
 
 from . import visibility
 from .character import Character, holders, unbind
+from .environment import MakeEnvironment, Preferences
 from .gizmos import Hand
-from .importing import add_controls, has_usd
+from .importing import add_controls, open_stage
+from .laying_out import LayOutFace
 from .layout import LayoutError
+from .saving import SaveAnimation
 
 
 def _touch(_settings, _context):
@@ -154,7 +157,7 @@ class RigPanel(bpy.types.Panel):
         """Settings, then the element used last."""
         column, settings = self.layout.column(), context.scene.usdrigui
         if not holders(context.scene):
-            column.label(text="No character with a layout")
+            column.operator(LayOutFace.bl_idname, icon="MESH_MONKEY")
             column.operator(LoadLayout.bl_idname, icon="IMPORT")
             return
         for name in ("show", "opacity", "size", "symmetric", "names", "board"):
@@ -163,6 +166,8 @@ class RigPanel(bpy.types.Panel):
         row = column.row(align=True)
         row.operator(KeyControls.bl_idname, text="Key All", icon="KEY_HLT").everything = True
         row.operator(ResetControls.bl_idname, text="Reset All", icon="LOOP_BACK").everything = True
+        column.operator(SaveAnimation.bl_idname, icon="EXPORT")
+        column.operator(LayOutFace.bl_idname, icon="MESH_MONKEY")
         column.operator(LoadLayout.bl_idname, icon="IMPORT")
         column.operator(RemoveLayout.bl_idname, icon="X")
 
@@ -187,18 +192,6 @@ class RigPanel(bpy.types.Panel):
         row.operator(ResetControls.bl_idname, text="Reset", icon="LOOP_BACK").everything = False
 
 
-def open_stage(path):
-    """A USD stage.  Raises LayoutError without USD, or for a file that is none."""
-    if not has_usd():
-        raise LayoutError("this Blender comes without USD's Python modules")
-    from pxr import Tf, Usd
-
-    try:
-        return Usd.Stage.Open(path)
-    except Tf.ErrorException as error:
-        raise LayoutError(f"{path} is not a USD file that can be opened") from error
-
-
 def _active():
     holder = bpy.data.objects.get(Hand.active[0]) if Hand.active else None
     if holder is None or holder not in holders(bpy.context.scene):
@@ -214,11 +207,27 @@ def _chosen(context, everything):
     return [(holder, [member.control for member in element.members])] if element else []
 
 
+def _export_menu(self, _context):
+    self.layout.operator(SaveAnimation.bl_idname, text="Rig UI Animation (.usda)")
+
+
 def _file_menu(self, _context):
-    self.layout.operator(LoadLayout.bl_idname, text="Rig UI Layout for Imported USD (.usd)")
+    self.layout.operator(LoadLayout.bl_idname, text="Rig UI Layout for This Scene (.usd)")
 
 
-_CLASSES = (Settings, LoadLayout, RemoveLayout, ResetControls, KeyControls, KeyHovered, RigPanel)
+_CLASSES = (
+    Settings,
+    Preferences,
+    MakeEnvironment,
+    LayOutFace,
+    LoadLayout,
+    RemoveLayout,
+    SaveAnimation,
+    ResetControls,
+    KeyControls,
+    KeyHovered,
+    RigPanel,
+)
 _keymaps = []
 
 
@@ -228,6 +237,7 @@ def register():
         bpy.utils.register_class(each)
     bpy.types.Scene.usdrigui = bpy.props.PointerProperty(type=Settings)
     bpy.types.TOPBAR_MT_file_import.append(_file_menu)
+    bpy.types.TOPBAR_MT_file_export.append(_export_menu)
     configuration = bpy.context.window_manager.keyconfigs.addon
     if configuration is not None:
         # Blender's own I stands in the keymaps of the modes, which come before that of the view.
@@ -242,6 +252,7 @@ def unregister():
         keymap.keymap_items.remove(item)
     _keymaps.clear()
     bpy.types.TOPBAR_MT_file_import.remove(_file_menu)
+    bpy.types.TOPBAR_MT_file_export.remove(_export_menu)
     del bpy.types.Scene.usdrigui
     for each in reversed(_CLASSES):
         bpy.utils.unregister_class(each)

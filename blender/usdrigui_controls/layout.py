@@ -74,14 +74,6 @@ class Member:
 
 
 @dataclass(frozen=True)
-class Area:
-    """What a patch or fan spans, in the base pose."""
-
-    points: tuple[Place, ...]
-    triangles: tuple[tuple[int, int, int], ...]
-
-
-@dataclass(frozen=True)
 class Element:
     """What the animator sees and grabs."""
 
@@ -89,7 +81,6 @@ class Element:
     label: str
     kind: str
     members: tuple[Member, ...]
-    areas: tuple[Area, ...]
     mesh: str
     """Prim path of the mesh it stands on; empty on the board."""
     point: int
@@ -193,7 +184,7 @@ _NESTED = {
         _Nested("skeletons", SkeletonRest),
     ),
     Control: (_Nested("shapes", ShapeDrive), _Nested("joints", JointDrive)),
-    Element: (_Nested("members", Member), _Nested("areas", Area)),
+    Element: (_Nested("members", Member),),
     SkeletonRest: (_Nested("joints", JointRest),),
 }
 

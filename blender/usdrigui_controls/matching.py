@@ -1,4 +1,4 @@
-"""Which object of the scene is which prim, which shape key which blend shape, which bone which joint.
+"""Which object of the scene is which prim, which shape key which shape, which bone which joint.
 
 A character may have been imported, renamed, parented and moved since, or it is Blender's own and
 was exported: names, what Blender's exporter writes down, the topology and the points each tell a
@@ -14,6 +14,8 @@ import numpy as np
 
 from .inbetweens import coordinates, key_offsets
 
+OBJECT = "userProperties:blender:object_name"
+"""Where Blender's exporter writes down the name of the object that a prim was."""
 _CLOSE = 1e-4
 """Of the size of a mesh or of a move: points so near are the same."""
 
@@ -128,7 +130,7 @@ def _nearness(prim, thing, rest):
 
 
 def scene_of(stage):
-    """(4, 4) from a stage's world to Blender's, metres and Z up, for row vectors."""
+    """(4, 4) from a stage's world to the scene's, in metres with Z up, for row vectors."""
     from pxr import UsdGeom
 
     turn = np.eye(4)
@@ -209,9 +211,14 @@ def _paired(wanted, present, short=str):
     return named, [each for each in wanted if each not in named], left
 
 
+def identifier(name):
+    """A name as a prim may have it."""
+    return re.sub(r"^(?=\d)|\W", "_", name) or "_"
+
+
 def _plain(name):
     """A name as Blender's exporter makes a prim of it, without the number of a copy."""
-    return re.sub(r"\W", "_", re.sub(r"\.\d{3,}$", "", name))
+    return identifier(re.sub(r"\.\d{3,}$", "", name))
 
 
 def _ascii(name):

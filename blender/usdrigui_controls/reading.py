@@ -10,7 +10,6 @@ from pxr import Usd, UsdGeom, UsdSkel
 
 from . import drawn
 from .layout import (
-    Area,
     Control,
     Element,
     JointDrive,
@@ -174,7 +173,6 @@ def _element(prim, instances, width):
         label=prim.GetMetadata("displayName") or prim.GetName(),
         kind=str(get(prim, "rigUI:element:elementType", "slider")),
         members=tuple(members),
-        areas=tuple(Area(*area) for area in drawn.areas(prim, [points for points, _ in tracks])),
         mesh=str(on_face[0]) if on_face else "",
         point=get(prim, "rigUI:anchor:pointIndex", -1),
         position=floats(get(prim, "rigUI:anchor:position", (0.0, 0.0, 0.0))),

@@ -17,6 +17,11 @@ import numpy as np
 from .maths.handle_track import carried, facing, slid
 
 
+_BESIDE = 0.05
+"""Of the length of a track: its first point is an end of its own where it is so far from the
+handle."""
+
+
 @dataclass(frozen=True)
 class Drawing:
     """An element's figures as arrays, in root space at the base pose."""
@@ -25,10 +30,8 @@ class Drawing:
     """Per member, (k,) ascending control values."""
     tracks: tuple
     """Per member, (k, 3)."""
-    areas: tuple
-    """(n, 3) each."""
-    triangles: tuple
-    """(t, 3) each."""
+    area: np.ndarray
+    """(3 t, 3) corners of the triangles that a patch or fan spans."""
     position: np.ndarray
     normal: np.ndarray
     follows: bool
@@ -62,7 +65,7 @@ class Placed:
     """One element in world space."""
 
     tracks: tuple
-    areas: tuple
+    area: np.ndarray
     handle: np.ndarray
     normal: np.ndarray
     scale: float
@@ -72,13 +75,11 @@ class Placed:
 def drawing_of(element, controls):
     """`Drawing` of a `layout.Element`; ``controls`` maps names to `layout.Control`."""
     mine = [controls[member.control] for member in element.members]
+    tracks = tuple(np.array(member.track) for member in element.members)
     return Drawing(
         values=tuple(np.array(member.values) for member in element.members),
-        tracks=tuple(np.array(member.track) for member in element.members),
-        areas=tuple(np.array(area.points).reshape(-1, 3) for area in element.areas),
-        triangles=tuple(
-            np.array(area.triangles, dtype=np.int32).reshape(-1, 3) for area in element.areas
-        ),
+        tracks=tracks,
+        area=_area(element, tracks),
         position=np.array(element.position),
         normal=np.array(element.normal),
         follows=element.follows,
@@ -87,6 +88,22 @@ def drawing_of(element, controls):
         ranges=np.array([(control.minimum, control.default, control.maximum) for control in mine]),
         axes=element.axes or tuple((i,) for i in range(len(mine))),
     )
+
+
+def _area(element, tracks):
+    """(3 t, 3) triangles between the handle and the ends of neighbouring tracks; none for a slider,
+    and none across half a turn or more."""
+    home, normal = np.array(element.position), np.array(element.normal)
+    first, last = (np.array([line[end] for line in tracks]) - home for end in (0, -1))
+    apart = np.linalg.norm(first, axis=1) > _BESIDE * np.linalg.norm(last, axis=1)
+    ends = np.concatenate([last, first[apart]])
+    if element.kind == "slider" or len(ends) < 2:
+        return np.zeros((0, 3))
+    across = np.cross(normal, ends[0])
+    ends = ends[np.argsort(np.arctan2(ends @ across, ends @ np.cross(across, normal)))]
+    pairs = zip(ends, np.roll(ends, -1, axis=0), strict=True)
+    found = [(home, home + a, home + b) for a, b in pairs if normal @ np.cross(a, b) > 0.0]
+    return np.array(found).reshape(-1, 3)
 
 
 def place(drawing, site, values):
@@ -98,12 +115,12 @@ def place(drawing, site, values):
     else:
         before = np.linalg.pinv(site.now[:3, :3]) @ (site.point - site.now[:3, 3]) - site.own
         anchor = site.still[:3, :3] @ before + site.still[:3, 3]
-    tracks, areas = (
-        tuple(carried(each, drawing.position, anchor, linear.T) for each in lines)
-        for lines in (drawing.tracks, drawing.areas)
+    *tracks, area = (
+        carried(each, drawing.position, anchor, linear.T)
+        for each in (*drawing.tracks, drawing.area)
     )
     handle = site.point
     if handle is None or drawing.enlarged:
         handle = slid(drawing.values, tracks, drawing.base, values)[1]
     scale = float(np.cbrt(abs(np.linalg.det(linear))))
-    return Placed(tracks, areas, handle, facing(drawing.normal, linear.T), scale)
+    return Placed(tuple(tracks), area, handle, facing(drawing.normal, linear.T), scale)

@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-import importlib
 from dataclasses import replace
-from pathlib import Path
 
 import makers
 import numpy as np
 import pytest
-from pxr import Usd
 
 from usdrigui.layer import drawn
 from usdrigui.layer.drawn import drawn_parts
 from usdrigui.layer.skin_binding import PointShape, SkinBinding
-from usdrigui.layer.write_layout import layer_for
 from usdrigui.model import (
     Anchor,
     Element,
@@ -28,7 +24,6 @@ from usdrigui.model import (
     Placement,
     Proof,
 )
-from usdrigui.settings import OutputSettings
 
 NAMES = ["brow_L", "chin", "smile_L", "pucker", "jawLeft"]
 ORIGIN = np.array([0.1, 0.2, 0.5])
@@ -191,23 +186,6 @@ def test_a_track_that_bulges_out_of_the_skin_does_not_cut_into_it(out, lifted):
     assert np.allclose(lift, (lift @ normal) * normal, atol=1e-6)
     assert (lift @ normal > 0.05) == lifted
     assert lift @ normal > -1e-6
-
-
-@pytest.mark.parametrize("ways", [(arc("chin", 170.0), arc("brow_L", -170.0)), tuple(around(0, 90, 180, 270))])
-def test_blender_finds_areas_by_the_drawn_tracks(ways, monkeypatch):
-    """However few points these have: corners are ends of tracks, or the anchor."""
-    monkeypatch.syspath_prepend(Path(__file__).parents[2] / "blender")
-    areas = importlib.import_module("usdrigui_controls.drawn").areas
-    rig = makers.face(9, 11)
-    fan = element(ways)
-    layer = layer_for([(rig, layout(rig, fan))], "", OutputSettings(), {})
-    stage = Usd.Stage.Open(layer)
-    (prim,) = (each for each in stage.TraverseAll() if each.GetName() == "e")
-    found = areas(prim, [tuple(map(tuple, each.track.tolist())) for each in ways])
-    expected = [[drawn._end(fan, end) for end in ends] for ends, _ in drawn._areas(fan)]
-    assert [len(points) for points, _ in found] == [len(each) for each in expected]
-    for (points, _), ends in zip(found, expected, strict=True):
-        assert np.allclose(points, ends, atol=1e-4)
 
 
 def test_a_track_that_turns_back_has_no_faces_that_cross_themselves():

@@ -1,12 +1,15 @@
 """The Blender extension as one file to install.
 
 Its sources lie in ``blender/usdrigui_controls``; the rules of drags, tracks, rotations and
-levels and the colours are usdrigui's own files, which need numpy only and go in as they are.
+levels and the colours are usdrigui's own files, which need numpy only and go in as they are.  The
+package itself goes in as a wheel, which the extension installs in a Python beside Blender.
 """
 
 from __future__ import annotations
 
+import importlib.metadata
 import io
+import tomllib
 import zipfile
 from collections.abc import Mapping
 from pathlib import Path
@@ -14,6 +17,8 @@ from pathlib import Path
 import usdrigui
 from usdrigui.errors import refuse
 from usdrigui.pipeline import write_file
+from usdrigui.stages.schema import schema_path
+from usdrigui.version import __version__
 
 NAME = "usdrigui_controls"
 """Folder in the archive, and the extension's id."""
@@ -39,6 +44,7 @@ def extension_files() -> Mapping[str, bytes]:
     package = Path(usdrigui.__file__).parent
     for name in _SHARED:
         found[f"maths/{Path(name).name}"] = (package / name).read_bytes()
+    found[f"package/usdrigui-{__version__}-py3-none-any.whl"] = _archive(_wheel_files())
     return found
 
 
@@ -48,13 +54,53 @@ def write_extension(target: Path) -> None:
     Raises EXTENSION_MISSING, FILE_TARGET for the name of a USD file, and FILE_ codes of writing as
     every output does.
     """
+    files = {f"{NAME}/{name}": content for name, content in extension_files().items()}
+    write_file(_archive(files), target, sorted(_sources().iterdir()))
+
+
+def _archive(files: Mapping[str, bytes]) -> bytes:
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, content in sorted(extension_files().items()):
-            archive.writestr(
-                zipfile.ZipInfo(f"{NAME}/{name}", _EPOCH), content, zipfile.ZIP_DEFLATED
-            )
-    write_file(buffer.getvalue(), target, sorted(_sources().iterdir()))
+        for name, content in sorted(files.items()):
+            archive.writestr(zipfile.ZipInfo(name, _EPOCH), content, zipfile.ZIP_DEFLATED)
+    return buffer.getvalue()
+
+
+def _wheel_files() -> dict[str, bytes]:
+    """This package as a wheel holds it, with the schema, without sample and extension."""
+    package = Path(usdrigui.__file__).parent
+    left_out = {"__pycache__", "blender", "sample_assets", "schemas"}
+    found = {
+        f"usdrigui/{path.relative_to(package).as_posix()}": path.read_bytes()
+        for path in package.rglob("*")
+        if path.is_file() and left_out.isdisjoint(path.relative_to(package).parts)
+    }
+    for name in ("plugInfo.json", "generatedSchema.usda", "schema.usda"):
+        found[f"usdrigui/schemas/{name}"] = (schema_path() / name).read_bytes()
+    about = f"usdrigui-{__version__}.dist-info"
+    found[f"{about}/METADATA"] = "\n".join(
+        [
+            "Metadata-Version: 2.1",
+            "Name: usdrigui",
+            f"Version: {__version__}",
+            *(f"Requires-Dist: {each}" for each in _requirements()),
+            "",
+        ]
+    ).encode()
+    found[f"{about}/WHEEL"] = b"Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
+    found[f"{about}/RECORD"] = "".join(f"{name},,\n" for name in sorted(found)).encode()
+    return found
+
+
+def _requirements() -> list[str]:
+    """What the package needs, USD among it: as its distribution says, or in a source tree its
+    project file."""
+    project = Path(usdrigui.__file__).parent.parent / "pyproject.toml"
+    if project.is_file():
+        needed: list[str] = tomllib.loads(project.read_text("utf-8"))["project"]["dependencies"]
+        return needed
+    told = importlib.metadata.requires("usdrigui") or []
+    return [each for each in told if "extra ==" not in each]
 
 
 def _sources() -> Path:

@@ -29,6 +29,12 @@ def imported(layer, **options):
     return holders(bpy.context.scene)
 
 
+def enabled(python):
+    """Switch the extension on as preferences do, with a Python that has usdrigui."""
+    bpy.ops.preferences.addon_enable(module="usdrigui_controls")
+    bpy.context.preferences.addons["usdrigui_controls"].preferences.python = python
+
+
 def world_points(thing):
     """(n, 3) evaluated vertices of a mesh object in world space."""
     shown = thing.evaluated_get(bpy.context.evaluated_depsgraph_get())

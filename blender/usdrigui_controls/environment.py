@@ -1,0 +1,256 @@
+"""The Python in which usdrigui runs beside Blender, and the programs that run there in the
+background."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import bpy
+
+from .layout import LayoutError
+
+NEEDED = 0.8e9
+"""Bytes that an environment takes, with what pip needs on the way."""
+
+
+class Preferences(bpy.types.AddonPreferences):
+    """Where usdrigui runs."""
+
+    bl_idname = __package__
+
+    python: bpy.props.StringProperty(
+        name="Python",
+        subtype="FILE_PATH",
+        description="A Python that has usdrigui; empty for the environment of this extension",
+    )
+    wheels: bpy.props.StringProperty(
+        name="Wheels",
+        subtype="DIR_PATH",
+        description="A folder of wheels to install from without the network; empty for PyPI",
+    )
+
+    def draw(self, context):
+        """The settings, and whether there is an environment."""
+        found = interpreter(context)
+        self.layout.prop(self, "python")
+        self.layout.prop(self, "wheels")
+        self.layout.label(
+            text=f"usdrigui runs in {found}" if found else "There is no environment yet",
+            icon="CHECKMARK" if found else "INFO",
+        )
+        self.layout.operator("usdrigui.make_environment", icon="IMPORT")
+
+
+def preferences(context):
+    """The extension's preferences."""
+    return context.preferences.addons[__package__].preferences
+
+
+def interpreter(context):
+    """Path of the Python that has usdrigui, or None."""
+    named = preferences(context).python
+    path = Path(bpy.path.abspath(named)) if named else _own_python()
+    return path if path.is_file() else None
+
+
+def usdrigui(context, *arguments):
+    """The command line of usdrigui.  Raises LayoutError where there is no environment."""
+    python = interpreter(context)
+    if python is None:
+        raise LayoutError(
+            "usdrigui is not installed yet: press Make Environment in Preferences > Add-ons >"
+            " In-situ rig controls, or name a Python that has it there"
+        )
+    return [str(python), "-I", "-m", "usdrigui", *map(str, arguments)]
+
+
+def environment_commands(context):
+    """The command lines that make the environment, one after the other.
+
+    Raises LayoutError without room for it, or without leave to use the network.
+    """
+    home = _home()
+    wheels = bpy.path.abspath(preferences(context).wheels)
+    free = shutil.disk_usage(home.parent).free
+    if free < NEEDED:
+        raise LayoutError(
+            f"{home.parent} has {free / 1e9:.1f} GB free and {NEEDED / 1e9:.1f} GB are needed: make"
+            " room, or name a Python that has usdrigui"
+        )
+    if not wheels and not getattr(bpy.app, "online_access", True):
+        raise LayoutError(
+            "Blender may not use the network: allow it in Preferences > System > Network, or name"
+            " a folder of wheels"
+        )
+    offline = ["--no-index", "--find-links", wheels] if wheels else []
+    package = next((Path(__file__).parent / "package").glob("usdrigui-*.whl"))
+    pip = [str(_own_python()), "-I", "-m", "pip", "install", "--disable-pip-version-check"]
+    return [
+        [sys.executable, "-I", "-m", "venv", "--clear", str(home)],
+        [*pip, "--progress-bar", "off", *offline, str(package)],
+    ]
+
+
+def _home():
+    if hasattr(bpy.utils, "extension_path_user") and __package__.startswith("bl_ext."):
+        folder = Path(bpy.utils.extension_path_user(__package__, create=True))
+    else:
+        folder = Path(bpy.utils.user_resource("DATAFILES", path="usdrigui", create=True))
+    return folder / "environment"
+
+
+def _own_python():
+    return _home() / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+
+
+class Job:
+    """Programs that run one after the other beside Blender, and what they say."""
+
+    def __init__(self, commands):
+        """Raises LayoutError where the first cannot be started."""
+        self._left = list(commands)
+        self._said = Path(tempfile.mkdtemp(dir=bpy.app.tempdir)) / "said.txt"
+        self._start()
+
+    def _start(self):
+        clean = {name: value for name, value in os.environ.items() if name[:6] != "PYTHON"}
+        command = self._left.pop(0)
+        try:
+            with self._said.open("ab") as said:
+                self._process = subprocess.Popen(
+                    command,
+                    stdin=subprocess.DEVNULL,
+                    stdout=said,
+                    stderr=subprocess.STDOUT,
+                    env=clean,
+                )
+        except OSError as error:
+            raise LayoutError(f"{command[0]} does not run: {error.strerror}") from error
+
+    def is_done(self):
+        """Whether all have ended, or one has failed; starts the next one where one has ended."""
+        code = self._process.poll()
+        if code == 0 and self._left:
+            self._start()
+            return False
+        return code is not None
+
+    def wait(self):
+        """Until they have ended."""
+        while not self.is_done():
+            self._process.wait()
+
+    def stop(self):
+        """End the one that runs."""
+        self._process.terminate()
+        self._process.wait()
+
+    def failed(self):
+        """Whether the last one ended badly."""
+        return self._process.returncode != 0
+
+    def lines(self):
+        """What they have said so far."""
+        return self._said.read_text("utf-8", "replace").splitlines()
+
+
+class Background:
+    """An operator whose work is a `Job`: in the background with a window, at once without.
+
+    Its ``prepare(context)`` gives the job, its ``finish(context)`` takes the result;
+    both may raise LayoutError.
+    """
+
+    def execute(self, context):
+        """Start, and come back when it is done; without a window run to the end."""
+        return self._guarded(self._whole if bpy.app.background else self._begin, context)
+
+    def modal(self, context, event):
+        """See how far it is; Escape ends it."""
+        if event.type == "ESC":
+            self.job.stop()
+            return self._end(context, {"CANCELLED"})
+        if event.type != "TIMER":
+            return {"PASS_THROUGH"}
+        if self.job.is_done():
+            return self._end(context, self._guarded(self._finished, context))
+        context.workspace.status_text_set(f"{self.bl_label}: {told(self.job.lines())}  (Esc stops)")
+        return {"PASS_THROUGH"}
+
+    def _whole(self, context):
+        self.job = self.prepare(context)
+        self.job.wait()
+        return self._finished(context)
+
+    def _begin(self, context):
+        self.job = self.prepare(context)
+        self.timer = context.window_manager.event_timer_add(0.2, window=context.window)
+        context.window_manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def _finished(self, context):
+        if self.job.failed():
+            raise LayoutError(failure(self.job.lines()))
+        self.finish(context)
+        return {"FINISHED"}
+
+    def _end(self, context, result):
+        context.window_manager.event_timer_remove(self.timer)
+        context.workspace.status_text_set(None)
+        return result
+
+    def _guarded(self, work, context):
+        try:
+            return work(context)
+        except LayoutError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+
+
+def told(lines):
+    """How far a program is, for people."""
+    said = [line.partition(":")[2].strip() for line in lines if line.startswith("openjd_")]
+    if said:
+        return "  ".join(each if not each.isdigit() else f"{each} %" for each in said[-2:])
+    return lines[-1][:80] if lines else "starting"
+
+
+def failure(lines):
+    """The one line that says what went wrong and what to do."""
+    for mark in ("openjd_fail:", "usdrigui:", "ERROR:"):
+        found = [line for line in lines if line.startswith(mark)]
+        if found:
+            text = found[0].partition(":")[2].strip()
+            repair = next((line for line in lines if line.strip().startswith("repair:")), "")
+            return f"{text}. {repair.partition(':')[2].strip()}".strip()
+    return lines[-1] if lines else "the program ended without a word"
+
+
+class MakeEnvironment(Background, bpy.types.Operator):
+    """Install usdrigui in a Python environment beside this extension."""
+
+    bl_idname = "usdrigui.make_environment"
+    bl_label = "Make Environment"
+
+    def invoke(self, context, event):
+        """Ask first: this uses the network and the disk."""
+        return context.window_manager.invoke_confirm(
+            self,
+            event,
+            title="Install usdrigui beside this extension?",
+            message=f"Downloads some 150 MB from PyPI, or takes your wheels, into {_home()}",
+            confirm_text="Install",
+        )
+
+    def prepare(self, context):
+        """The environment, and pip in it."""
+        return Job(environment_commands(context))
+
+    def finish(self, context):
+        """It is there."""
+        self.report({"INFO"}, f"usdrigui runs in {interpreter(context)}")

@@ -1,0 +1,241 @@
+"""A face of the scene as USD, written without touching the scene: what belongs to it, what is in
+the way, and the file.
+
+Blender's own exporter writes meshes, armatures and materials.  Its shape keys are written anew: it
+passes over masks and over keys that are relative to others, and gives two keys one name.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+from .inbetweens import key_offsets
+from .layout import LayoutError
+from .matching import armatures_of, identifier
+
+_REFINING = {"SUBSURF", "MULTIRES", "SOLIDIFY", "ARRAY"}
+"""Modifiers that add vertices behind those of the mesh."""
+_CUTTING = {"MIRROR", "DECIMATE", "REMESH", "WELD", "MASK", "BOOLEAN", "BUILD", "SCREW", "SKIN"}
+"""Modifiers that leave other vertices, or a face of which the mesh is one half."""
+_OPTIONS = {
+    "selected_objects_only": True,
+    "export_animation": False,
+    "export_hair": False,
+    "export_lights": False,
+    "export_cameras": False,
+    "export_curves": False,
+    "export_points": False,
+    "export_volumes": False,
+    "use_instancing": False,
+    "convert_world_material": False,
+    "allow_unicode": True,
+    "export_textures": False,
+    "export_textures_mode": "KEEP",
+    "evaluation_mode": "VIEWPORT",
+}
+
+
+@dataclass(frozen=True)
+class Face:
+    """The objects that make up one character."""
+
+    meshes: tuple
+    armatures: tuple
+
+    @property
+    def name(self):
+        """Name of the character: that of its armature, or of the mesh with the most shapes."""
+        return (*self.armatures, max(self.meshes, key=_shape_count))[0].name
+
+    def driven(self):
+        """Names of the shape keys that no drag could move: muted, or set by a driver."""
+        free = {name: is_free for mesh in self.meshes for name, is_free in _keys(mesh)}
+        free |= {name: True for mesh in self.meshes for name, is_free in _keys(mesh) if is_free}
+        return sorted(name for name, is_free in free.items() if not is_free)
+
+
+def selected_face(context):
+    """The `Face` that the selection means: a mesh, an armature, their parent, or with nothing
+    selected the active collection.
+
+    Raises LayoutError with what to do where it cannot be laid out.
+    """
+    if context.mode not in ("OBJECT", "POSE"):
+        raise LayoutError("leave this mode first: a face is laid out in object or pose mode")
+    shown = [each for each in context.view_layer.objects if each.visible_get()]
+    chosen = [each for each in shown if each.select_get()]
+    chosen = chosen or [each for each in context.collection.all_objects if each in shown]
+    tops = {each.parent or each for each in chosen}
+    wanted = {each for top in tops for each in (top, *top.children_recursive)}
+    rigs = {each for each in wanted if each.type == "ARMATURE"}
+    rigs.update(rig for each in wanted if each.type == "MESH" for rig in armatures_of(each))
+    meshes = [
+        each
+        for each in shown
+        if each.type == "MESH" and (each in wanted or rigs & {*armatures_of(each)})
+    ]
+    face = Face(tuple(meshes), tuple(each for each in shown if each in rigs))
+    _check(face, chosen, context)
+    return face
+
+
+def _check(face, chosen, context):
+    if not face.meshes:
+        raise LayoutError(
+            "select the face: a mesh with shape keys, its armature, or its collection"
+        )
+    if not face.armatures and not any(map(_shape_count, face.meshes)):
+        raise LayoutError(
+            f"{chosen[0].name} has no shape keys and no bones: select the mesh that has the"
+            " expressions"
+        )
+    depsgraph = context.evaluated_depsgraph_get()
+    for thing in (*face.meshes, *face.armatures):
+        linked = thing.library or thing.data.library
+        if linked is not None:
+            raise LayoutError(
+                f"{thing.name} is linked from {Path(linked.filepath).name}: make a library override"
+                " of it first (Object > Library Override > Make)"
+            )
+    for mesh in face.meshes:
+        changing = _changing(mesh, depsgraph)
+        if changing:
+            raise LayoutError(
+                f"the modifier {changing} of {mesh.name} changes its vertices: apply it, or switch"
+                " it off in the viewport"
+            )
+
+
+def _changing(mesh, depsgraph):
+    """Name of a modifier that leaves other vertices than those of the mesh; empty if none does."""
+    used = [each for each in mesh.modifiers if each.show_viewport and each.type != "ARMATURE"]
+    others = [each for each in used if each.type not in _REFINING]
+    cutting = [each for each in others if each.type in _CUTTING]
+    if not cutting and len(others) == len(used):
+        count = len(mesh.evaluated_get(depsgraph).data.vertices)
+        cutting = others if count != len(mesh.data.vertices) else []
+    return cutting[0].name if cutting else ""
+
+
+def _shape_count(mesh):
+    block = mesh.data.shape_keys
+    return len(block.key_blocks) - 1 if block else 0
+
+
+def _keys(mesh):
+    """(name, whether a drag can move it) of each shape key of a mesh."""
+    block = mesh.data.shape_keys
+    if block is None:
+        return ()
+    drivers = block.animation_data.drivers if block.animation_data else ()
+    driven = {each.data_path for each in drivers}
+    return [
+        (key.name, not key.mute and key.path_from_id("value") not in driven)
+        for key in list(block.key_blocks)[1:]
+    ]
+
+
+# --- the file -------------------------------------------------------------------------------------
+
+
+def write_character(context, face, target):
+    """Write a face as a neutral character, without animation.
+
+    Raises LayoutError where the file cannot be written.
+    """
+    known = bpy.ops.wm.usd_export.get_rna_type().properties.keys()
+    target.parent.mkdir(parents=True, exist_ok=True)
+    with _only(context, face):
+        try:
+            bpy.ops.wm.usd_export(
+                filepath=str(target), **{name: _OPTIONS[name] for name in _OPTIONS if name in known}
+            )
+        except RuntimeError as error:
+            raise LayoutError(f"{target} cannot be written: {error}") from error
+    _finish(face, target)
+
+
+@contextlib.contextmanager
+def _only(context, face):
+    """Nothing but the face selected, and its modifiers off but for armatures; then as it was."""
+    chosen = [each for each in context.view_layer.objects if each.select_get()]
+    active = context.view_layer.objects.active
+    modifiers = [
+        each
+        for mesh in face.meshes
+        for each in mesh.modifiers
+        if each.type != "ARMATURE" and each.show_viewport
+    ]
+    for each in context.view_layer.objects:
+        each.select_set(each in face.meshes or each in face.armatures)
+    for each in modifiers:
+        each.show_viewport = False
+    try:
+        yield
+    finally:
+        for each in modifiers:
+            each.show_viewport = True
+        for each in context.view_layer.objects:
+            each.select_set(each in chosen)
+        context.view_layer.objects.active = active
+
+
+def _finish(face, target):
+    """Write the shapes exactly, and take the present pose away."""
+    from pxr import Usd, UsdGeom, UsdSkel
+
+    stage = Usd.Stage.Open(str(target))
+    ranges = {}
+    meshes = {each.name: each for each in face.meshes}
+    for path in [each.GetPath() for each in stage.Traverse()]:
+        prim = stage.GetPrimAtPath(path)
+        if not prim:
+            continue  # a shape that was written anew
+        if prim.IsA(UsdSkel.Animation):
+            stage.RemovePrim(prim.GetPath())
+        elif prim.IsA(UsdSkel.Skeleton):
+            UsdSkel.BindingAPI(prim).GetAnimationSourceRel().ClearTargets(removeSpec=True)
+        elif prim.IsA(UsdGeom.Mesh):
+            said = prim.GetParent().GetAttribute("userProperties:blender:object_name")
+            mesh = meshes.get(said.Get() if said else "")
+            if mesh is not None and _shape_count(mesh):
+                ranges.update(_write_shapes(stage, prim, mesh))
+            if mesh is not None and any(each.type == "SUBSURF" for each in mesh.modifiers):
+                UsdGeom.Mesh(prim).CreateSubdivisionSchemeAttr("catmullClark")
+    layer = stage.GetRootLayer()
+    layer.customLayerData = {**layer.customLayerData, "ranges": json.dumps(ranges)}
+    layer.Export(str(target))  # a crate that was changed keeps what it had; a new one does not
+
+
+def _write_shapes(stage, prim, mesh):
+    """All shape keys of a mesh, under their own names; returns the ranges other than 0 to 1."""
+    from pxr import UsdSkel, Vt
+
+    binding = UsdSkel.BindingAPI.Apply(prim)
+    for child in list(prim.GetChildren()):
+        if child.IsA(UsdSkel.BlendShape):
+            stage.RemovePrim(child.GetPath())
+    keys = list(mesh.data.shape_keys.key_blocks)[1:]
+    taken, targets, ranges = set(), [], {}
+    for key in keys:
+        name = stem = identifier(key.name)
+        while name in taken:
+            name = f"{stem}_{len(taken)}"
+        taken.add(name)
+        shape = UsdSkel.BlendShape.Define(stage, prim.GetPath().AppendChild(name))
+        offsets = key_offsets(mesh, key).astype(np.float32)
+        moved = np.flatnonzero(offsets.any(axis=1))
+        shape.CreateOffsetsAttr(Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(offsets[moved])))
+        shape.CreatePointIndicesAttr(Vt.IntArray.FromNumpy(moved.astype(np.int32)))
+        targets.append(shape.GetPath())
+        if (key.slider_min, key.slider_max) != (0.0, 1.0):
+            ranges[key.name] = [key.slider_min, key.slider_max]
+    binding.CreateBlendShapesAttr([key.name for key in keys])
+    binding.CreateBlendShapeTargetsRel().SetTargets(targets)
+    return ranges

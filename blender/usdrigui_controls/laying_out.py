@@ -1,0 +1,93 @@
+"""One button on the face that is there: written as USD, laid out beside Blender, and its own shape
+keys and bones bound."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+
+import bpy
+
+from . import visibility
+from .character import EXPORTED, SOURCE, Character, holders
+from .environment import Background, Job, usdrigui
+from .exporting import selected_face, write_character
+from .importing import add_controls, has_usd, open_stage
+from .layout import LayoutError
+
+ROOM = 0.2e9
+"""Bytes that the files of a face may take."""
+
+
+class LayOutFace(Background, bpy.types.Operator):
+    """Lay controls out on the selected face; again where it has some, which stay where they are."""
+
+    bl_idname = "usdrigui.lay_out"
+    bl_label = "Lay Out This Face"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def prepare(self, context):
+        """Write the face, and the program that lays it out."""
+        if not has_usd():
+            raise LayoutError("this Blender comes without USD's Python modules")
+        face = selected_face(context)
+        held = _holder_of(face)
+        if held is not None and EXPORTED not in held:
+            raise LayoutError(
+                f"{held.name} has the layout of {held[SOURCE]}: lay that file out again, or remove"
+                " the layout first"
+            )
+        usdrigui(context)  # say what is missing before anything is written
+        folder = _folder()
+        _check_room(folder)
+        source = folder / f"{bpy.path.clean_name(face.name)}.usd"
+        self.layer = source.with_suffix(".rigui.usda")
+        write_character(context, face, source)
+        self.left_off = face.driven()
+        return Job([usdrigui(context, *self._arguments(source, held))])
+
+    def _arguments(self, source, held):
+        configuration = source.with_suffix(".rigui.toml")
+        mine = Path(bpy.app.tempdir) / "left_off.rigui.toml"
+        named = (f"[controls.{json.dumps(name)}]\nexclude = true\n" for name in self.left_off)
+        mine.write_text("".join(named), encoding="utf-8")
+        found = ["process", source, "-o", self.layer, "--openjd", "--config", mine]
+        if configuration.is_file():
+            found += ["--config", configuration]
+        if held is not None and Path(held[SOURCE]).is_file():
+            # The layer is about to be replaced: it is read under another name.
+            previous = self.layer.with_name(f"previous_{self.layer.name}")
+            shutil.copyfile(held[SOURCE], previous)
+            found += ["--previous", previous]
+        return found
+
+    def finish(self, context):
+        """Bind the layout to the objects of the scene."""
+        self.layer.with_name(f"previous_{self.layer.name}").unlink(missing_ok=True)
+        stage = open_stage(str(self.layer))
+        for holder, _ in add_controls(stage):
+            holder[EXPORTED] = True
+            said = f"{len(Character(holder).controls)} controls on {holder.name}"
+            if self.left_off:
+                said += f"; {len(self.left_off)} shape keys are driven or muted and have none"
+            self.report({"INFO"}, said)
+        visibility.forget()
+
+
+def _folder():
+    """Where a face's files go: beside the saved scene, else where Blender keeps them until it
+    ends."""
+    return Path(bpy.path.abspath("//") or bpy.app.tempdir) / "rigui"
+
+
+def _check_room(folder):
+    there = next(each for each in (folder, *folder.parents) if each.is_dir())
+    free = shutil.disk_usage(there).free
+    if free < ROOM:
+        raise LayoutError(f"{there} is full: make room, or save the scene on another disk")
+
+
+def _holder_of(face):
+    mine = {*face.meshes, *face.armatures}
+    return next((each for each in holders(bpy.context.scene) if each in mine), None)

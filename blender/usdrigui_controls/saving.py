@@ -1,0 +1,388 @@
+"""The animation home: what the scene does to a character, as a layer over the paths of its source.
+
+Weights and joints are sampled from the scene as Blender evaluates it, drivers, constraints and the
+animation of other tools included, and hold only what differs from the source at rest.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from pathlib import Path
+
+import bpy
+import mathutils
+import numpy as np
+from bpy_extras.io_utils import ExportHelper
+
+from .character import SOURCE, Character, holders
+from .importing import has_usd
+from .layout import LayoutError
+from .matching import OBJECT, scene_of
+
+_SAME = 1e-7
+"""Weights, and parts of transforms in proportion to their size, that are no further apart are the
+same."""
+_NOISE = 4e-6
+"""A joint is so near to its rest by the single precision of Blender's chains alone."""
+
+
+class SaveAnimation(bpy.types.Operator, ExportHelper):
+    """Write the animation of the characters with controls as a USD layer over their own files."""
+
+    bl_idname = "usdrigui.save_animation"
+    bl_label = "Save USD Animation"
+    bl_options = {"REGISTER"}
+
+    filename_ext = ".usda"
+    filter_glob: bpy.props.StringProperty(default="*.usda;*.usdc;*.usd", options={"HIDDEN"})
+    steps: bpy.props.IntProperty(
+        name="Samples per Frame",
+        default=1,
+        min=1,
+        max=16,
+        description="Samples between frames, for motion blur; USD is linear between samples",
+    )
+
+    def invoke(self, context, event):
+        """Offer a name beside the character's layer."""
+        held = holders(context.scene)
+        if held and not self.filepath:
+            stem = Path(bpy.data.filepath).stem or "shot"
+            self.filepath = str(Path(held[0].get(SOURCE, "")).parent / f"{stem}.anim.usda")
+        return ExportHelper.invoke(self, context, event)
+
+    def execute(self, context):
+        """Play the scene once and write the layer."""
+        try:
+            size = save_animation(context, Path(bpy.path.abspath(self.filepath)), self.steps)
+        except LayoutError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        self.report({"INFO"}, f"{self.filepath}: {size / 1024:.0f} KB")
+        return {"FINISHED"}
+
+
+def save_animation(context, target, steps=1):
+    """Write the layer; returns its size in bytes.
+
+    It sublayers the layer of each character's layout, which sublayers the character.  Raises
+    LayoutError without characters, where a source is gone, or the file cannot be written.
+    """
+    scene = context.scene
+    if not has_usd():
+        raise LayoutError("this Blender comes without USD's Python modules")
+    from pxr import Sdf, Tf, Usd
+
+    if not holders(scene):
+        raise LayoutError("no character of this scene has controls: lay one out, or load a layout")
+    sources = list(dict.fromkeys(holder.get(SOURCE, "") for holder in holders(scene)))
+    for source in sources:
+        if not Path(source).is_file():
+            raise LayoutError(f"the layout {source or 'of this scene'} is gone: load it again")
+        if Path(source).resolve() == target.resolve():
+            raise LayoutError(f"{target.name} is the layout itself: choose another name")
+    layer = Sdf.Layer.CreateAnonymous(target.suffix)
+    for source in sources:
+        layer.subLayerPaths.append(source)
+    first = Sdf.Layer.FindOrOpen(sources[0])
+    for name in ("metersPerUnit", "upAxis", "defaultPrim"):
+        if first.pseudoRoot.HasInfo(name):
+            layer.pseudoRoot.SetInfo(name, first.pseudoRoot.GetInfo(name))
+    layer.framesPerSecond = layer.timeCodesPerSecond = scene.render.fps / scene.render.fps_base
+    stage = Usd.Stage.Open(layer)
+    takes = [_Take(Character(each), stage) for each in holders(scene)]
+    frames = _frames(scene, steps)
+    _play(context, takes, frames)
+    for take in takes:
+        take.write(frames)
+    stage.SetStartTimeCode(frames[0])
+    stage.SetEndTimeCode(frames[-1])
+    written = Sdf.Layer.CreateAnonymous(target.suffix)
+    written.TransferContent(layer)
+    written.subLayerPaths[:] = [_relative(source, target) for source in sources]
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        written.Export(str(target))
+    except (OSError, Tf.ErrorException) as error:
+        raise LayoutError(f"{target} cannot be written: choose another place") from error
+    return target.stat().st_size
+
+
+def _relative(source, target):
+    try:
+        return f"./{Path(os.path.relpath(source, target.parent)).as_posix()}"
+    except ValueError:  # on another drive
+        return Path(source).as_posix()
+
+
+def _frames(scene, steps):
+    count = (scene.frame_end - scene.frame_start) * steps
+    return [scene.frame_start + i / steps for i in range(count + 1)]
+
+
+def _play(context, takes, frames):
+    """Let every take look at every frame; the scene is then at the frame where it was."""
+    scene = context.scene
+    before = scene.frame_current_final
+    try:
+        for frame in frames:
+            scene.frame_set(math.floor(frame), subframe=frame % 1.0)
+            for take in takes:
+                take.look()
+    finally:
+        scene.frame_set(math.floor(before), subframe=before % 1.0)
+
+
+class _Take:
+    """One character while the scene is played."""
+
+    def __init__(self, character, stage):
+        self.parts = [
+            *(_Skeleton(character, stage, *each) for each in _skeletons(character, stage).items()),
+            *(_Place(stage, *each) for each in sorted(_places(character, stage).items())),
+        ]
+
+    def look(self):
+        """Note the state of the scene."""
+        for part in self.parts:
+            part.look()
+
+    def write(self, frames):
+        """Write what was seen, parents before children."""
+        for part in self.parts:
+            part.write(frames)
+
+
+def _skeletons(character, stage):
+    """The armature, or None, of each skeleton that deforms something, by path."""
+    from pxr import UsdSkel
+
+    found = dict(character.armatures)
+    for path in character.meshes:
+        skeleton = UsdSkel.BindingAPI(stage.GetPrimAtPath(path)).GetInheritedSkeleton()
+        if skeleton:
+            found.setdefault(str(skeleton.GetPath()), None)
+    return found
+
+
+def _places(character, stage):
+    """The object of each prim that has its transform: as Blender exports it the one above a mesh or
+    a skeleton, and those above that; else the prim itself, unless it is skinned."""
+    from pxr import UsdGeom
+
+    found = {}
+    for path, thing in {**character.meshes, **character.armatures}.items():
+        prim = stage.GetPrimAtPath(path)
+        above = prim.GetParent()
+        if not above.HasAttribute(OBJECT):
+            skinned = UsdGeom.PrimvarsAPI(prim).FindPrimvarWithInheritance("skel:jointIndices")
+            if not skinned.HasAuthoredValue():
+                found[path] = thing
+        while thing is not None and above.HasAttribute(OBJECT):
+            found[str(above.GetPath())] = thing
+            above, thing = above.GetParent(), thing.parent
+    return found
+
+
+class _Skeleton:
+    """The weights and the joints that one SkelAnimation holds."""
+
+    def __init__(self, character, stage, path, armature):
+        from pxr import UsdSkel
+
+        self.stage, self.armature = stage, armature
+        self.prim = UsdSkel.Skeleton(stage.GetPrimAtPath(path))
+        self.keys = self._keys(character)
+        self.bones = self._bones(character)
+        self.rest = [np.array(each).T for each in self.prim.GetRestTransformsAttr().Get() or ()]
+        self.weights, self.locals = [], []
+
+    def _deforms(self, mesh):
+        from pxr import UsdSkel
+
+        skeleton = UsdSkel.BindingAPI(mesh).GetInheritedSkeleton()
+        return bool(skeleton) and skeleton.GetPath() == self.prim.GetPath()
+
+    def _keys(self, character):
+        """Each token with the shape key that has its weight."""
+        from pxr import UsdSkel
+
+        found = {}
+        for path, mesh in character.meshes.items():
+            prim = self.stage.GetPrimAtPath(path)
+            if not self._deforms(prim):
+                continue
+            for token in UsdSkel.BindingAPI(prim).GetBlendShapesAttr().Get() or ():
+                key = character.shape_key(path, str(token))
+                if key is not None:
+                    found.setdefault(str(token), (mesh, key.name))
+        return found
+
+    def _bones(self, character):
+        """Of each joint: path, index of its parent, bone, and from its rest to the bind pose."""
+        joints = [str(joint) for joint in self.prim.GetJointsAttr().Get() or ()]
+        bind = [np.array(each).T for each in self.prim.GetBindTransformsAttr().Get() or ()]
+        if self.armature is None:
+            return []
+        names = {path: character.bone_name(str(self.prim.GetPath()), path) for path in joints}
+        bones = self.armature.data.bones
+        return [
+            (
+                path,
+                joints.index(above) if (above := path.rpartition("/")[0]) in joints else -1,
+                names[path],
+                np.linalg.inv(np.array(bones[names[path]].matrix_local)) @ bind[i]
+                if names[path] in bones
+                else None,
+            )
+            for i, path in enumerate(joints)
+        ]
+
+    def look(self):
+        """Note weights and local transforms, as Blender has evaluated them."""
+        keys = (mesh.data.shape_keys.key_blocks[name] for mesh, name in self.keys.values())
+        self.weights.append([0.0 if key.mute else key.value for key in keys])
+        if self.bones:
+            self.locals.append(self._now(self.armature.pose.bones))
+
+    def _now(self, pose):
+        """(joints, 4, 4) local transforms for column vectors."""
+        placed, found = [], []
+        for i, (_, above, name, into) in enumerate(self.bones):
+            parent = placed[above] if above >= 0 else np.eye(4)
+            whole = parent @ self.rest[i] if into is None else np.array(pose[name].matrix) @ into
+            placed.append(whole)
+            found.append(np.linalg.inv(parent) @ whole)
+        return found
+
+    def write(self, frames):
+        """Write the weights that are ever away from 0 and the joints that ever leave their rest."""
+        weights = np.array(self.weights).reshape(len(frames), -1)
+        moving = np.flatnonzero(np.abs(weights).max(axis=0, initial=0.0) > _SAME)
+        joints = self._moving()
+        own = self._of_source()
+        if not len(moving) and not joints and own is None:
+            return
+        animation = self._animation(own)
+        animation.CreateBlendShapesAttr([list(self.keys)[i] for i in moving])
+        _sample(animation.CreateBlendShapeWeightsAttr(), frames, weights[:, moving], list)
+        if joints or own is not None:
+            animation.CreateJointsAttr([self.bones[i][0] for i in joints])
+            parts = zip(_parts(animation), self._parts(joints), strict=True)
+            for (attribute, made), values in parts:
+                _sample(attribute, frames, values, made)
+
+    def _moving(self):
+        """Indices of the joints that are ever away from where they rest."""
+        joints = list(range(len(self.bones)))
+        if len(self.rest) != len(joints) or not joints:
+            return joints
+        away = np.abs(np.array(self.locals) - self.rest).max(axis=(0, 2, 3))
+        return [i for i in joints if away[i] > _NOISE * max(np.abs(self.rest[i]).max(), 1.0)]
+
+    def _parts(self, joints):
+        """Translations, rotations (real part first) and scales of joints, (frames, joints, n)."""
+        shape = (len(self.weights), len(joints))
+        places, turns, scales = np.zeros((*shape, 3)), np.zeros((*shape, 4)), np.ones((*shape, 3))
+        before = {}
+        for frame, row in enumerate(self.locals):
+            for j, joint in enumerate(joints):
+                place, turn, scale = mathutils.Matrix(row[joint].tolist()).decompose()
+                if j in before:
+                    turn.make_compatible(before[j])
+                before[j] = turn
+                places[frame, j], turns[frame, j], scales[frame, j] = place, turn, scale
+        return places, turns, scales
+
+    def _of_source(self):
+        from pxr import UsdSkel
+
+        return UsdSkel.BindingAPI(self.prim.GetPrim()).GetInheritedAnimationSource() or None
+
+    def _animation(self, own):
+        """The SkelAnimation to write: the source's own, or a new one below the skeleton."""
+        from pxr import UsdSkel
+
+        if own is not None:
+            return UsdSkel.Animation(self.stage.OverridePrim(own.GetPath()))
+        path = self.prim.GetPath().AppendChild("usdrigui_animation")
+        binding = UsdSkel.BindingAPI.Apply(self.prim.GetPrim())
+        binding.CreateAnimationSourceRel().SetTargets([path])
+        return UsdSkel.Animation.Define(self.stage, path)
+
+
+class _Place:
+    """Where an object stands."""
+
+    def __init__(self, stage, path, thing):
+        self.stage, self.path, self.thing = stage, path, thing
+        self.to_stage = np.linalg.inv(scene_of(stage))
+        self.seen = []
+
+    def look(self):
+        """Note its transform in the stage's world, for row vectors."""
+        self.seen.append(np.array(self.thing.matrix_world).T @ self.to_stage)
+
+    def write(self, frames):
+        """A transform for the prim, where the object stands elsewhere than the prim does."""
+        from pxr import Gf, UsdGeom
+
+        xformable = UsdGeom.Xformable(self.stage.GetPrimAtPath(self.path))
+        cache = UsdGeom.XformCache()
+        wanted, away = [], 0.0
+        for frame, world in zip(frames, self.seen, strict=True):
+            cache.SetTime(frame)
+            above = np.array(cache.GetParentToWorldTransform(xformable.GetPrim()))
+            wanted.append(world @ np.linalg.inv(above))
+            here = np.array(cache.GetLocalToWorldTransform(xformable.GetPrim()))
+            away = max(away, np.abs(world - here).max() / np.abs(here).max())
+        if away > 1e-5:
+            matrices = np.array(wanted)
+            attribute = xformable.MakeMatrixXform().GetAttr()
+            _sample(attribute, frames, matrices, lambda rows: Gf.Matrix4d(rows.tolist()))
+
+
+def _parts(animation):
+    """The attributes for translations, rotations and scales, each with what makes its values."""
+    from pxr import Gf
+
+    return (
+        (animation.CreateTranslationsAttr(), _made_of(Gf.Vec3f)),
+        (animation.CreateRotationsAttr(), _made_of(Gf.Quatf)),
+        (animation.CreateScalesAttr(), _made_of(Gf.Vec3h)),
+    )
+
+
+def _made_of(kind):
+    return lambda rows: [kind(*row) for row in rows.tolist()]
+
+
+def _sample(attribute, frames, values, made):
+    """Samples (frames, ...) of an attribute, without those that lie on a line between others; one
+    default where nothing changes."""
+    kept = needed(values.reshape(len(frames), -1))
+    if len(kept) == 1:
+        attribute.Set(made(values[0]))
+    for i in kept if len(kept) > 1 else ():
+        attribute.Set(made(values[i]), frames[i])
+
+
+def needed(values):
+    """Indices of the rows of (n, m) from which all others follow by linear interpolation; the first
+    alone where all are equal."""
+    last = len(values) - 1
+    close = _SAME * max(1.0, np.abs(values).max(initial=0.0))
+    if np.abs(values - values[0]).max(initial=0.0) <= close:
+        return [0]
+    kept, pieces = {0, last}, [(0, last)]
+    while pieces:
+        start, end = pieces.pop()
+        shares = (np.arange(start, end + 1) - start)[:, None] / max(end - start, 1)
+        line = (1.0 - shares) * values[start] + shares * values[end]
+        away = np.abs(values[start : end + 1] - line).max(axis=1, initial=0.0)
+        middle = start + int(away.argmax())
+        if away.max() > close:
+            kept.add(middle)
+            pieces += [(start, middle), (middle, end)]
+    return sorted(kept)

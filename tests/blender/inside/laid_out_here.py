@@ -1,0 +1,45 @@
+"""Press *Lay Out This Face* on native characters, drag, press it again; and load an existing layout onto them."""
+
+import time
+
+import bpy
+import native
+import numpy as np
+from scene import enabled, job
+
+task = job()
+meshes = native.build(task["source"], task["scene"])
+enabled(task["python"])
+from usdrigui_controls.character import Character, holders  # noqa: E402
+
+found = {}
+bpy.ops.wm.save_as_mainfile(filepath=task["result"] + ".blend")
+face = max(meshes, key=lambda each: len(each.data.shape_keys.key_blocks) if each.data.shape_keys else 0)
+native.choose(face)
+if task.get("layer"):
+    before = native.fingerprint()
+    assert bpy.ops.usdrigui.load_layout(filepath=task["layer"]) == {"FINISHED"}
+    (holder,) = holders(bpy.context.scene)
+    found["loaded_missing"] = Character(holder).missing()
+    found["loaded_unchanged"] = native.fingerprint() == before
+    bpy.ops.usdrigui.remove_layout()
+before = native.fingerprint()
+start = time.process_time()
+assert bpy.ops.usdrigui.lay_out() == {"FINISHED"}
+found["seconds"] = time.process_time() - start
+(holder,) = holders(bpy.context.scene)
+character = Character(holder)
+found["controls"], found["missing"] = len(character.controls), character.missing()
+found["unchanged"] = native.fingerprint() == before
+places = {element.name: (element.mesh, element.point) for element in character.layout.elements}
+values = {each.name: 0.5 * each.maximum for each in list(character.controls.values())[::3]}
+character.set_values(values)
+read = character.values()
+found["worst"] = max(abs(read[name] - value) for name, value in values.items())
+character.set_values({name: character.controls[name].base for name in values})
+assert bpy.ops.usdrigui.lay_out() == {"FINISHED"}
+again = {element.name: (element.mesh, element.point) for element in Character(holder).layout.elements}
+found["kept"] = sum(places[name] == again.get(name) for name in places) / len(places)
+bpy.ops.usdrigui.remove_layout()
+found["removed"] = native.fingerprint() == before and not [name for name in list(holder.keys()) if "usdrigui" in name]
+np.savez(task["result"], **found)

@@ -1,0 +1,72 @@
+"""Characters that are native to Blender: one button lays them out on their own shape keys and bones, and their
+animation goes home as a small layer."""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+import pytest
+from pxr import Gf, Usd, UsdGeom, UsdSkel
+from real_rigs import ASSETS
+
+CLOSE = 1e-5
+"""Of the diagonal of the character."""
+RIGS = ["facecap_blender", "rpm_xr", "godette", "mh_expr34"]
+SCENES = [("facecap_blender", "modified"), *((name, "plain") for name in RIGS)]
+
+
+def asset(name):
+    if not (ASSETS / f"{name}.usdc").is_file():
+        pytest.skip(f"needs ../shared/assets/{name}.usdc")
+    return str(ASSETS / f"{name}.usdc")
+
+
+def baked(target):
+    """The stage of a layer with UsdSkel's points in place of its skinning."""
+    stage = Usd.Stage.Open(Usd.Stage.Open(str(target)).Flatten())
+    for prim in list(stage.Traverse()):
+        if prim.IsA(UsdSkel.Root):
+            assert UsdSkel.BakeSkinning(UsdSkel.Root(prim), Gf.Interval(0, 100))
+    return stage
+
+
+def world_points(stage, path, time):
+    """World points of a mesh."""
+    mesh = UsdGeom.Mesh(stage.GetPrimAtPath(path))
+    points = np.array(mesh.GetPointsAttr().Get(time), dtype=np.float64)
+    matrix = np.array(mesh.ComputeLocalToWorldTransform(time))
+    return points @ matrix[:3, :3] + matrix[3, :3]
+
+
+@pytest.mark.real
+@pytest.mark.parametrize(("name", "scene"), SCENES)
+def test_one_button_binds_every_control_to_the_scenes_own_keys_and_leaves_the_rig_alone(
+    run_inside, usd_python, name, scene
+):
+    found = run_inside([usd_python], "laid_out_here", source=asset(name), scene=scene, python=sys.executable)
+    assert found["controls"] > 10
+    assert not found["missing"].size
+    assert found["unchanged"]
+    assert found["removed"]
+    assert found["worst"] < 1e-4
+    assert found["kept"] == 1.0
+
+
+@pytest.mark.real
+@pytest.mark.parametrize(("name", "scene"), SCENES)
+def test_the_animation_goes_home_in_kilobytes_and_is_that_of_blender(run_inside, usd_python, tmp_path, name, scene):
+    target = tmp_path / "shot.anim.usda"
+    found = run_inside(
+        [usd_python], "taken_home", source=asset(name), scene=scene, python=sys.executable, target=str(target)
+    )
+    assert target.stat().st_size < 200_000
+    stage = baked(target)
+    assert [stage.GetStartTimeCode(), stage.GetEndTimeCode()] == [1.0, 24.0]
+    worst = 0.0
+    for frame in range(1, 25):
+        here = [found[f"{frame}_{i}"] for i in range(len(found["paths"]))]
+        size = np.linalg.norm(np.ptp(np.concatenate(here), axis=0))
+        for points, path in zip(here, found["paths"], strict=True):
+            worst = max(worst, np.abs(points - world_points(stage, str(path), frame)).max() / size)
+    assert worst < CLOSE
