@@ -31,16 +31,18 @@ _VALUE = "rig: "
 def bind(layout, match):
     """Store a layout with the objects that it means, a `matching.Match`; returns the holder.
 
-    The holder is the armature, or the first mesh where there is none.  Raises LayoutError when a
-    mesh that carries controls is missing or has another number of points.
+    The holder is the armature, or the first mesh where there is none; for a library override, which
+    keeps no properties of its own when it is saved, an empty.  Raises LayoutError when a mesh that
+    carries controls is missing or has another number of points.
     """
     objects = match.objects
     meshes = {each.path: objects[each.path] for each in layout.meshes if each.path in objects}
     armatures = {each.path: objects[each.path] for each in layout.skeletons if each.path in objects}
     _check(layout, meshes)
-    holder = next(iter([*armatures.values(), *meshes.values()]), None)
-    if holder is None:
+    mine = [*armatures.values(), *meshes.values()]
+    if not mine:
         raise LayoutError(f"no object of the scene belongs to {layout.root}")
+    holder = holder_of(mine) or (_stand_in(mine[0]) if mine[0].override_library else mine[0])
     holder[LAYOUT] = to_json(layout)
     holder[_MESHES] = {
         str(i): meshes[each.path] for i, each in enumerate(layout.meshes) if each.path in meshes
@@ -50,14 +52,33 @@ def bind(layout, match):
         for i, each in enumerate(layout.skeletons)
         if each.path in armatures
     }
-    mine = {*meshes, *armatures}
-    holder[_NAMES] = json.dumps({path: match.names[path] for path in match.names if path in mine})
+    here = {*meshes, *armatures}
+    holder[_NAMES] = json.dumps({path: match.names[path] for path in match.names if path in here})
     Character(holder).widen_ranges()
     return holder
 
 
+def _stand_in(thing):
+    made = bpy.data.objects.new(f"{thing.name} controls", None)
+    made.hide_viewport = made.hide_render = True
+    bpy.context.scene.collection.objects.link(made)
+    return made
+
+
+def holder_of(objects):
+    """The object that holds the layout of some of these, or None."""
+    for holder in holders(bpy.context.scene):
+        character = Character(holder)
+        if {*objects} & {*character.meshes.values(), *character.armatures.values()}:
+            return holder
+    return None
+
+
 def unbind(holder):
     """Forget the controls of a character."""
+    if holder.type == "EMPTY":
+        bpy.data.objects.remove(holder)
+        return
     for name in list(holder.keys()):
         if name.startswith(("usdrigui_", _VALUE)):
             del holder[name]

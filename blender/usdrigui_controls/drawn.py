@@ -57,11 +57,6 @@ def part_of(prim):
     return str(get(prim.GetParent(), "rigUI:drawing:part", ""))
 
 
-def category(prim):
-    """The heading under which an element stands beside the character."""
-    return str(get(prim, "rigUI:element:category", ""))
-
-
 def reason(prim):
     """Why the element stands where it does, for people."""
     return prim.GetDocumentation() if prim.HasAuthoredDocumentation() else ""

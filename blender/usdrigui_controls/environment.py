@@ -228,6 +228,8 @@ def failure(lines):
             text = found[0].partition(":")[2].strip()
             repair = next((line for line in lines if line.strip().startswith("repair:")), "")
             return f"{text}. {repair.partition(':')[2].strip()}".strip()
+    if lines and lines[-1].endswith("No module named usdrigui"):
+        return f"{lines[-1]}: press Make Environment in the preferences, or name another Python"
     return lines[-1] if lines else "the program ended without a word"
 
 

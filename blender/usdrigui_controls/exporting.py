@@ -80,6 +80,9 @@ def selected_face(context):
         for each in shown
         if each.type == "MESH" and (each in wanted or rigs & {*armatures_of(each)})
     ]
+    hidden = next((each for each in rigs if each not in shown), None)
+    if hidden is not None:
+        raise LayoutError(f"the armature {hidden.name} of this face is hidden: show it first")
     face = Face(tuple(meshes), tuple(each for each in shown if each in rigs))
     _check(face, chosen, context)
     return face
@@ -97,11 +100,13 @@ def _check(face, chosen, context):
         )
     depsgraph = context.evaluated_depsgraph_get()
     for thing in (*face.meshes, *face.armatures):
-        linked = thing.library or thing.data.library
+        keys = thing.data.shape_keys if thing.type == "MESH" else None
+        linked = thing.library or (keys and keys.library)
         if linked is not None:
+            what = thing.name if thing.library else f"the mesh data of {thing.name}"
             raise LayoutError(
-                f"{thing.name} is linked from {Path(linked.filepath).name}: make a library override"
-                " of it first (Object > Library Override > Make)"
+                f"{what} is linked from {Path(linked.filepath).name}: make a library override of it"
+                " first (in the outliner, Library Override > Make)"
             )
     for mesh in face.meshes:
         changing = _changing(mesh, depsgraph)

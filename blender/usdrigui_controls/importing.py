@@ -28,7 +28,9 @@ def add_controls(stage, objects=None, fresh=False):
     if not layouts:
         raise LayoutError("this stage holds no rig UI layout")
     if objects is None:
-        found = match(stage, layouts, bpy.context.scene.objects)
+        found = match(
+            stage, layouts, [each for each in bpy.context.scene.objects if not each.library]
+        )
     else:
         found = Match(objects, names_of(stage, layouts, objects))
     added = inbetweens.build(stage, found)

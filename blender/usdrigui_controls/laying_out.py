@@ -10,7 +10,7 @@ from pathlib import Path
 import bpy
 
 from . import visibility
-from .character import EXPORTED, SOURCE, Character, holders
+from .character import EXPORTED, SOURCE, Character, holder_of
 from .environment import Background, Job, usdrigui
 from .exporting import selected_face, write_character
 from .importing import add_controls, has_usd, open_stage
@@ -32,7 +32,7 @@ class LayOutFace(Background, bpy.types.Operator):
         if not has_usd():
             raise LayoutError("this Blender comes without USD's Python modules")
         face = selected_face(context)
-        held = _holder_of(face)
+        held = holder_of([*face.meshes, *face.armatures])
         if held is not None and EXPORTED not in held:
             raise LayoutError(
                 f"{held.name} has the layout of {held[SOURCE]}: lay that file out again, or remove"
@@ -86,8 +86,3 @@ def _check_room(folder):
     free = shutil.disk_usage(there).free
     if free < ROOM:
         raise LayoutError(f"{there} is full: make room, or save the scene on another disk")
-
-
-def _holder_of(face):
-    mine = {*face.meshes, *face.armatures}
-    return next((each for each in holders(bpy.context.scene) if each in mine), None)

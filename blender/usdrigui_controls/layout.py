@@ -8,8 +8,8 @@ row-vector convention, as nested tuples.  Nothing here knows Blender or USD.
 from __future__ import annotations
 
 import json
-from dataclasses import asdict, dataclass, fields
-from typing import Any, NamedTuple
+from dataclasses import asdict, dataclass, is_dataclass
+from typing import Any, get_args, get_type_hints
 
 Matrix = tuple[tuple[float, float, float, float], ...]
 Place = tuple[float, float, float]
@@ -44,7 +44,6 @@ class Control:
 
     name: str
     label: str
-    kind: str
     minimum: float
     default: float
     maximum: float
@@ -97,7 +96,6 @@ class Element:
     """Positions of members that mirror those of `mirror` with the opposite sign."""
     inner: tuple[str, ...]
     """For a coarse element, the names of those that are shown in its place when it is opened."""
-    family: str
     reason: str
     axes: tuple[tuple[int, ...], ...] = ()
     """Positions of the members of each axis: one control, or the negative and the positive end of a
@@ -145,10 +143,6 @@ class Layout:
     meshes: tuple[MeshRest, ...]
     skeletons: tuple[SkeletonRest, ...]
 
-    def control(self, name: str) -> Control:
-        """A control by its name."""
-        return next(each for each in self.controls if each.name == name)
-
     def width_of(self, element: Element) -> float:
         """Width of the handle of an element: that of its part."""
         return element.width or self.handle_width
@@ -171,24 +165,6 @@ class Layout:
         return found
 
 
-class _Nested(NamedTuple):
-    name: str
-    record: Any
-
-
-_NESTED = {
-    Layout: (
-        _Nested("controls", Control),
-        _Nested("elements", Element),
-        _Nested("meshes", MeshRest),
-        _Nested("skeletons", SkeletonRest),
-    ),
-    Control: (_Nested("shapes", ShapeDrive), _Nested("joints", JointDrive)),
-    Element: (_Nested("members", Member),),
-    SkeletonRest: (_Nested("joints", JointRest),),
-}
-
-
 def to_json(layout: Layout) -> str:
     """The layout as JSON text."""
     return json.dumps(asdict(layout), separators=(",", ":"))
@@ -203,17 +179,15 @@ def from_json(text: str) -> Layout:
 
 
 def _record(kind: Any, values: dict[str, Any]) -> Any:
-    nested = dict(_NESTED.get(kind, ()))
-    return kind(
-        **{
-            field.name: (
-                tuple(_record(nested[field.name], each) for each in values[field.name])
-                if field.name in nested
-                else _frozen(values[field.name])
-            )
-            for field in fields(kind)
-        }
-    )
+    return kind(**{name: _as(said, values[name]) for name, said in get_type_hints(kind).items()})
+
+
+def _as(said: Any, value: Any) -> Any:
+    """A value of JSON as the type that a field says: tuples for lists, records within them."""
+    inside = get_args(said)
+    if inside and is_dataclass(inside[0]):
+        return tuple(_record(inside[0], each) for each in value)
+    return _frozen(value)
 
 
 def _frozen(value: Any) -> Any:

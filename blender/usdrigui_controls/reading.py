@@ -114,7 +114,6 @@ def _control(prim, instance, base):
     return Control(
         name=name,
         label=str(of("label", "")) or name,
-        kind=str(of("kind", "blendShape")),
         minimum=of("minimum", 0.0),
         default=default,
         maximum=of("maximum", 1.0),
@@ -187,7 +186,6 @@ def _element(prim, instances, width):
             _name(prim.GetStage().GetPrimAtPath(path))
             for path in targets(prim, "rigUI:element:members")
         ),
-        family=drawn.category(prim),
         reason=drawn.reason(prim),
         axes=_axes(prim, drawn.opposed(prim, instances), len(instances)),
         width=width,

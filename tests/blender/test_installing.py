@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import shutil
+import subprocess
+from pathlib import Path
 
 import blender_characters as characters
 import numpy as np
@@ -25,6 +27,15 @@ def test_an_import_ends_well_with_and_without_usd_in_python(run_inside, bpy_pyth
     assert ("without USD" in str(found["refused"])) != found["usd"]
     if found["usd"]:
         assert found["hidden"]
+
+
+def test_the_platforms_own_check_finds_nothing(bpy_python, archive):
+    (check,) = (
+        Path(bpy_python).parents[1].glob("lib/python*/site-packages/bpy/*/scripts/addons_core/bl_pkg/cli/*_ext.py")
+    )
+    done = subprocess.run([bpy_python, str(check), "validate", archive], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout
+    assert "ERROR" not in done.stdout
 
 
 def test_install_import_key_save_and_load(run_inside, usd_python, archive, tmp_path):

@@ -39,6 +39,30 @@ def world_points(stage, path, time):
     return points @ matrix[:3, :3] + matrix[3, :3]
 
 
+REFUSED = {
+    "nothing": "select the face",
+    "no controls": "lay one out, or load a layout",
+    "no keys": "select the mesh that has the expressions",
+    "edit mode": "leave this mode first",
+    "mirror": "the modifier Half of Cube changes its vertices: apply it",
+    "no environment": "press Make Environment",
+    "a python without usdrigui": "press Make Environment",
+    "no room": "make room",
+    "no room for the environment": "make room",
+    "no network": "allow it in Preferences",
+    "linked": "make a library override",
+}
+
+
+def test_what_cannot_be_done_is_told_in_one_line_with_what_to_do(run_inside, usd_python):
+    found = run_inside([usd_python], "refusals", python=sys.executable)
+    said = dict(zip(found["names"].tolist(), found["lines"].tolist(), strict=True))
+    assert said.keys() == REFUSED.keys()
+    for name, repair in REFUSED.items():
+        assert repair in said[name]
+        assert "\n" not in said[name]
+
+
 @pytest.mark.real
 @pytest.mark.parametrize(("name", "scene"), SCENES)
 def test_one_button_binds_every_control_to_the_scenes_own_keys_and_leaves_the_rig_alone(

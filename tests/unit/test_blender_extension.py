@@ -135,9 +135,7 @@ def records(extension, vector):
     """The extension's own records of an element and its controls, as they are after JSON."""
     layout = extension["layout"]
     ranges = zip(*(vector[name] for name in ("minimum", "default", "maximum", "base")), strict=True)
-    controls = tuple(
-        layout.Control(str(i), "", "blendShape", *each, keys=(), shapes=(), joints=()) for i, each in enumerate(ranges)
-    )
+    controls = tuple(layout.Control(str(i), "", *each, keys=(), shapes=(), joints=()) for i, each in enumerate(ranges))
     tracks = [tuple((x, y, 0.0) for x, y in track) for track in vector["tracks"]]
     members = tuple(
         layout.Member(str(i), tuple(values), track, 1.0)

@@ -2,7 +2,9 @@
 
 Its sources lie in ``blender/usdrigui_controls``; the rules of drags, tracks, rotations and
 levels and the colours are usdrigui's own files, which need numpy only and go in as they are.  The
-package itself goes in as a wheel, which the extension installs in a Python beside Blender.
+package itself goes in as a wheel, which the extension installs in a Python beside Blender.  The
+extension is under GPL-3.0-or-later, as Blender's Python interface asks; what goes in as it is stays
+under Apache-2.0.
 """
 
 from __future__ import annotations
@@ -39,7 +41,7 @@ def extension_files() -> Mapping[str, bytes]:
     found = {
         path.relative_to(sources).as_posix(): path.read_bytes()
         for path in sorted(sources.rglob("*"))
-        if path.suffix in (".py", ".toml")
+        if path.suffix in (".py", ".toml") or path.name == "LICENSE"
     }
     package = Path(usdrigui.__file__).parent
     for name in _SHARED:

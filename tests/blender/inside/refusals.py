@@ -1,0 +1,71 @@
+"""What *Lay Out This Face*, *Make Environment* and *Save USD Animation* say where they cannot work: one line each."""
+
+import shutil
+import sys
+from types import SimpleNamespace
+
+import bpy
+import native
+import numpy as np
+from scene import enabled, job
+
+task = job()
+enabled(task["python"])
+preferences = bpy.context.preferences.addons["usdrigui_controls"].preferences
+said = {}
+
+
+def refused(name, operator=None, **options):
+    """Keep the line that an operator answers with."""
+    try:
+        (operator or bpy.ops.usdrigui.lay_out)(**options)
+        said[name] = ""
+    except RuntimeError as error:
+        said[name] = str(error).removeprefix("Error: ").strip()
+
+
+def head(**shapes):
+    """A scene with one cube, selected, with shape keys."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.ops.preferences.addon_enable(module="usdrigui_controls")
+    bpy.ops.mesh.primitive_cube_add()
+    cube = bpy.context.object
+    for name in ("Basis", *shapes):
+        cube.shape_key_add(name=name)
+    return cube
+
+
+bpy.ops.wm.read_factory_settings(use_empty=True)
+bpy.ops.preferences.addon_enable(module="usdrigui_controls")
+preferences = bpy.context.preferences.addons["usdrigui_controls"].preferences
+refused("nothing")
+refused("no controls", bpy.ops.usdrigui.save_animation, filepath=task["result"] + ".usda")
+cube = head()
+refused("no keys")
+cube = head(jaw=1)
+bpy.ops.object.mode_set(mode="EDIT")
+refused("edit mode")
+bpy.ops.object.mode_set(mode="OBJECT")
+cube.modifiers.new("Half", "MIRROR")
+refused("mirror")
+cube.modifiers.clear()
+preferences = bpy.context.preferences.addons["usdrigui_controls"].preferences
+preferences.python = task["result"] + "_absent"
+refused("no environment")
+preferences.python = sys.executable
+refused("a python without usdrigui")
+whole = shutil.disk_usage
+shutil.disk_usage = lambda _path: SimpleNamespace(total=1, used=1, free=1000)
+refused("no room")
+refused("no room for the environment", bpy.ops.usdrigui.make_environment)
+shutil.disk_usage = whole
+refused("no network", bpy.ops.usdrigui.make_environment)
+bpy.ops.wm.save_as_mainfile(filepath=task["result"] + ".blend")
+bpy.ops.wm.read_factory_settings(use_empty=True)
+bpy.ops.preferences.addon_enable(module="usdrigui_controls")
+with bpy.data.libraries.load(task["result"] + ".blend", link=True) as (there, here):
+    here.objects = there.objects
+bpy.context.scene.collection.objects.link(here.objects[0])
+native.choose(here.objects[0])
+refused("linked")
+np.savez(task["result"], names=list(said), lines=list(said.values()))
