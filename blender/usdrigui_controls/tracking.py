@@ -16,7 +16,6 @@ import numpy as np
 
 from .maths.handle_track import carried, facing, slid
 
-
 _BESIDE = 0.05
 """Of the length of a track: its first point is an end of its own where it is so far from the
 handle."""
