@@ -158,6 +158,39 @@ def test_each_part_has_a_tab_and_the_first_is_shown(browser, tmp_path):
     viewer.close()
 
 
+@pytest.mark.parametrize("size", [(2560, 1440), (1366, 768), (1024, 700), (820, 1180), (390, 844)])
+def test_what_is_always_needed_is_in_sight_and_the_rest_is_in_a_menu(browser, tmp_path, size):
+    """Of a character in seven parts, as a body without names of shapes is."""
+    rig = makers.face()
+    layout = peak_layout(rig)
+    parts = ("face", "inside the mouth", "eyes", "left hand and arm", "right hand and arm", "feet and legs", "body")
+    elements = tuple(
+        replace(each, placement=replace(each.placement, part=parts[i % 7])) for i, each in enumerate(layout.elements)
+    )
+    made = tuple(LayoutPart(part, 0.04, layout.frame.view, "optimal", 0.0, 0.0) for part in parts)
+    path = tmp_path / "parts.html"
+    path.write_text(
+        page_html([(rig, replace(layout, elements=elements, frame=replace(layout.frame, parts=made)))], "p")
+    )
+    viewer = Viewer(browser, path, size)
+    for name in ("Undo", "Redo", "Key", "Panel", "Shortcuts"):
+        box = viewer.page.get_by_role("button", name=name, exact=True).bounding_box()
+        assert box["x"] >= 0 <= box["y"], name
+        assert box["x"] + box["width"] <= size[0], name
+    menu = viewer.page.locator(".menu summary")
+    assert menu.is_visible() == (size[0] < 2560)
+    if menu.is_visible():
+        menu.click()
+    for name in ("body", "Symmetry", "List", "Review", "Handles", "On copy", "Rearrange", "View: Side"):
+        box = viewer.page.get_by_role("button", name=name, exact=True).bounding_box()
+        assert box["x"] >= 0, name
+        assert box["x"] + box["width"] <= size[0], name
+    viewer.page.get_by_role("button", name="Symmetry", exact=True).click()
+    assert viewer.page.evaluate("usdrigui.app.session.options.symmetric")
+    assert viewer.trouble == []
+    viewer.close()
+
+
 # --- fingers -----------------------------------------------------------------------------------------
 
 

@@ -3,7 +3,8 @@
 import './style.css';
 import { Autosave, browserStorage } from './autosave.js';
 import { ControlList } from './control_list.js';
-import { make, segmented, toggle } from './dom.js';
+import { Bar } from './bar.js';
+import { make } from './dom.js';
 import { Evaluation, trialsFor } from './evaluate.js';
 import { Inspector } from './inspector.js';
 import { Stops, leaveField, listenToKeys } from './keyboard.js';
@@ -98,7 +99,7 @@ class App {
     this.view.node.append(this.evaluation.panel, this.help, this.offer, this.notice);
     // The view comes first for the keyboard, wherever it is on the screen.
     const middle = make('div', { class: 'middle' }, this.view.node, this.list.node, this.inspector.node, this.review.node);
-    this.node.replaceChildren(middle, this.makeBar(), this.timeline.sheet.node, this.timeline.node);
+    this.node.replaceChildren(middle, new Bar(this).node, this.timeline.sheet.node, this.timeline.node);
     this.node.className = 'ready';
     this.fold('list', false);
     this.fold('review', this.session.arrived.length > 0);
@@ -173,45 +174,6 @@ class App {
     this.open(index);
   }
 
-  makeBar() {
-    const { session } = this;
-    const option = (name, label, title) =>
-      toggle(label, title, () => session.options[name], () => session.setOption(name, !session.options[name]));
-    const parts = [
-      segmented('Where the controls are', [
-        ['face', 'On face', 'Controls on the face'],
-        ['beside', 'On copy', 'Controls on a copy of the face, the clean face next to it'],
-      ], () => session.options.arrangement, (value) => this.setArrangement(value)),
-      option('symmetric', 'Symmetry', 'Both sides at once (S)'),
-      option('handles', 'Handles', 'Show or hide the handles (H)'),
-      option('rearrange', 'Rearrange', 'Drag elements to other points of the face'),
-    ];
-    const panel = (name, label, title) => toggle(label, title, () => !this[name].node.hidden, () => this.fold(name));
-    parts.push(panel('list', 'List', 'All controls as sliders (C)'), panel('inspector', 'Panel', 'Selection, display, poses, layout (P)'), panel('review', 'Review', 'Notes: words and strokes at frames, to send and to open (N)'));
-    session.on('options', () => parts.forEach((part) => part.update()));
-    const act = (label, title, onclick, name = label) => make('button', { type: 'button', title, 'aria-label': name, onclick }, label);
-    /** @type {[string, number, number][]} */
-    const looks = [['Front', 0, 0], ['¾', 0.7, 0.05], ['Side', Math.PI / 2, 0], ['Back', Math.PI, 0]];
-    return make(
-      'header',
-      { class: 'bar' },
-      make('h1', {}, this.scene.title),
-      this.makeChooser(),
-      this.makeTabs(),
-      make('div', { class: 'group' }, ...parts),
-      make('div', { class: 'group looks' }, ...looks.map(([label, azimuth, elevation]) =>
-        act(label, `View: ${label}`, () => this.view.home(azimuth, elevation), `View: ${label}`),
-      )),
-      make('span', { class: 'space' }),
-      this.live?.makeNode(),
-      make('div', { class: 'group' }, act('↶', 'Undo (Ctrl+Z)', () => this.undo(), 'Undo'), act('↷', 'Redo (Ctrl+Shift+Z)', () => this.redo(), 'Redo')),
-      'study' in document.body.dataset
-        ? make('div', { class: 'group' }, act('Evaluate', 'Match target faces with three interfaces', () => this.evaluation.open()))
-        : null,
-      act('?', 'Gestures and keys (?)', () => this.showHelp(), 'Shortcuts'),
-    );
-  }
-
   /** Fold a panel away or open it: narrow pages have room for one, others for the list and one. */
   fold(panel, open = this[panel].node.hidden) {
     const others = ['list', 'inspector', 'review'].filter((each) => each !== panel);
@@ -221,25 +183,6 @@ class App {
     this.node.classList.toggle('reviewing', !this.review.node.hidden);
     if (this.review.node.hidden) this.session.options.draw = false;
     this.session.emit('options');
-  }
-
-  makeChooser() {
-    const { characters } = this.scene;
-    if (characters.length < 2) return null;
-    const options = characters.map(({ root }, i) => make('option', { value: i, selected: i === this.index }, root));
-    const chooser = make('select', { 'aria-label': 'Character', onchange: () => this.open(Number(chooser.value)) }, ...options);
-    return chooser;
-  }
-
-  /** One tab for each section of a character in several parts. */
-  makeTabs() {
-    const { session } = this;
-    const { sections } = session.character.layout;
-    if (!sections.length) return null;
-    const choices = sections.map((section, i) => [section, section.title, `Show: ${section.title} (${i + 1} of ${sections.length})`]);
-    const tabs = segmented('Part', choices, () => session.section, (section) => session.show(sections.indexOf(section)));
-    session.on('section', () => tabs.update());
-    return tabs;
   }
 
   makeHelp() {

@@ -65,7 +65,6 @@ export class Timeline {
       this.ends[0],
       make('div', { class: 'scrub' }, this.waves, this.ticks, this.slider),
       this.ends[1],
-      button('Key', 'Key the selected controls and all that changed, at this frame (K)', () => this.key()),
       button('Delete key', 'Take away the keys of the selected controls, or all keys, at this frame', () => this.unkey()),
       this.autoButton,
       this.tween(),
