@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from usdrigui.conventions.name_words import (
     is_action,
@@ -66,20 +66,26 @@ class Meaning:
     middle: bool = False
     """Whether it acts in the middle by its name, beside controls of either side:
     Lips_Lower_M."""
+    numbered: bool = False
+    """Whether the name is no more than the number of an action unit, by which it may as well be
+    counted."""
 
 
-def meanings(names: Sequence[str]) -> tuple[Meaning | None, ...]:
-    """(names,) how each name of one rig is read; None where it has no known meaning."""
-    every = [words(name) for name in names]
+def meanings(names: Sequence[str], *, numbers: bool = False) -> tuple[Meaning | None, ...]:
+    """(names,) how each name of one rig is read; None where it has no known meaning.
+
+    With `numbers`, where most names are numbers of action units, they are read as such: whether
+    they count something else only the motions tell.
+    """
     bare = distinctive_words(names)
-    numbered = [_numbered_unit(each) for each in bare]
-    known = sum(unit is not None for unit in numbered)
-    if known < _CODED * max(1, len(bare)) or _counted(bare):
-        numbered = [None] * len(bare)
-    return tuple(
-        _meaning(each, _called_unit(whole) or unit)
-        for whole, each, unit in zip(every, bare, numbered, strict=True)
-    )
+    units = [_numbered_unit(each) for each in bare]
+    if not numbers or sum(unit is not None for unit in units) < _CODED * len(bare):
+        units = [None] * len(bare)
+    found = []
+    for name, each, unit in zip(names, bare, units, strict=True):
+        meaning = _meaning(each, _called_unit(words(name)) or unit)
+        found.append(meaning and replace(meaning, numbered=meaning.action == unit))
+    return tuple(found)
 
 
 def distinctive_words(names: Sequence[str]) -> tuple[tuple[str, ...], ...]:
@@ -176,13 +182,6 @@ def _called_unit(each: tuple[str, ...]) -> Action | None:
     pairs = itertools.pairwise(each)
     numbers = {int(after) for word, after in pairs if word == "au" and after.isdigit()}
     return action_of_unit(*numbers) if len(numbers) == 1 else None
-
-
-def _counted(names: Sequence[tuple[str, ...]]) -> bool:
-    """Whether the numbers of the names count something, one after the other: action units have
-    gaps."""
-    numbers = [int(word) for each in names for word in each if word.isdigit()]
-    return len(numbers) > 1 and len(set(numbers)) == len(numbers) == max(numbers) - min(numbers) + 1
 
 
 def _coded(each: tuple[str, ...]) -> Action | None:

@@ -16,9 +16,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from usdrigui.character import Flags, Floats, Record
-from usdrigui.conventions import Meaning
+from usdrigui.conventions import Action, Meaning
 from usdrigui.layout.visibility import Views
 from usdrigui.model import BaseSurface, MirrorPlane, Motion, Symmetry, Trajectories
+from usdrigui.ties import first_largest
 
 _LEAST = 4
 """Different places that it takes to lay the canonical face over a character."""
@@ -40,8 +41,8 @@ _SIDED = 0.1
 _FAINT = 0.5
 """Share of the largest peak of an action below which another control of it does not fix its
 place."""
-Named = tuple[Motion, Meaning | None]
-"""A motion and how the name of its control is read."""
+Named = tuple[Motion, Meaning, bool]
+"""A motion, how the name of its control is read, and whether it locates its action."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,81 +77,162 @@ class Expectation(Record):
         return np.asarray(np.linalg.norm(flat - self.place, axis=1))
 
 
+def believed(
+    trajectories: Trajectories, symmetry: Symmetry, views: Views, meanings: Sequence[Meaning | None]
+) -> tuple[tuple[Meaning | None, ...], tuple[Expectation | None, ...]]:
+    """(controls,) the meanings of names that the motions bear out, and where each control is
+    expected; None where its name has no meaning or too few names have one.
+
+    `meanings` (controls,) as read from the names of the rig's controls.  Numbers are action units
+    only where most of them act where these do.  What mostly moves what is seen is not inside the
+    mouth, whatever it is called.
+    """
+    surface = trajectories.surface
+    doubtful = set[int]()
+    for motion in trajectories.motions:
+        meaning = meanings[motion.control]
+        weight = surface.areas[motion.points] * motion.arc_length
+        visible = weight[views.anywhere[motion.points]].sum() > 0.5 * weight.sum()
+        if meaning is not None and meaning.action.category == "interior" and visible:
+            doubtful.add(motion.control)
+    found = tuple(None if i in doubtful else meaning for i, meaning in enumerate(meanings))
+    expected = expectations(trajectories, symmetry, views, found)
+    numbered = [
+        motion
+        for motion in trajectories.motions
+        if (meaning := found[motion.control]) is not None and meaning.numbered
+    ]
+    right = sum(_is_there(surface, views, motion, expected[motion.control]) for motion in numbered)
+    if 2 * right > len(numbered) or not numbered:
+        return found, expected
+    unnumbered = tuple(None if meaning and meaning.numbered else meaning for meaning in found)
+    return unnumbered, expectations(trajectories, symmetry, views, unnumbered)
+
+
+def _is_there(
+    surface: BaseSurface, views: Views, motion: Motion, expected: Expectation | None
+) -> bool:
+    """Whether a motion is largest, as far as it is seen, where it is expected."""
+    if expected is None:
+        return False
+    seen = np.where(views.anywhere[motion.points], motion.arc_length, 0.0)
+    top = surface.points[motion.points[[first_largest(seen)]]]
+    return bool(expected.regions(top)[1][0])
+
+
 def expectations(
     trajectories: Trajectories, symmetry: Symmetry, views: Views, meanings: Sequence[Meaning | None]
 ) -> tuple[Expectation | None, ...]:
     """(controls,) where each control is expected; None where its name has no meaning or too few
-    names have one.
-
-    `meanings` (controls,) as read from the names of the rig's controls.
-    """
-    placed = [(m, meanings[m.control]) for m in trajectories.motions]
-    informative = _informative(placed)
-    known = [
-        (m, each.action, each.action.place, tells)
-        for (m, each), tells in zip(placed, informative, strict=True)
-        if each is not None and each.action.place
-    ]
+    names have one."""
+    surface, named = trajectories.surface, _informative(trajectories, meanings)
     if not symmetry.plane.normal.any():
-        clear = [each for each, tells in zip(placed, informative, strict=True) if tells]
-        symmetry = _middle_of_names(trajectories.surface, symmetry, views.anywhere, clear)
-    middles = np.array(
-        [_middle(trajectories.surface, symmetry.plane, views, motion) for motion, *_ in known]
-    ).reshape(-1, 2)
-    places = np.array([place for _, _, place, _ in known]).reshape(-1, 2)
-    kept = np.array([tells for *_, tells in known], dtype=np.bool_)
-    fit = _fit(middles[kept], places[kept]) if symmetry.plane.normal.any() else None
+        symmetry = _middle_of_names(surface, symmetry, views.anywhere, named)
+    clues = [
+        _Clue(motion, meaning.action, _middle(surface, symmetry.plane, views, motion), tells)
+        for motion, meaning, tells in named
+        if meaning.action.place
+    ]
+    fit = _fit([clue for clue in clues if clue.tells]) if symmetry.plane.normal.any() else None
     if fit is None:
         return (None,) * len(meanings)
-    scale, height = fit
     axes = np.stack([symmetry.plane.normal, views.up])
-    origin = symmetry.plane.origin + (height - symmetry.plane.origin @ views.up) * views.up
     found: dict[int, Expectation] = {}
-    for (motion, action, place, _), middle in zip(known, middles, strict=True):
-        side = (
-            np.sign(middle[0]) if abs(middle[0]) > _SIDED * trajectories.surface.face_size else 0.0
-        )
-        both = side == 0.0 and place[0] != 0.0
+    for clue in clues:
+        scale, height = fit.around(clue.place)
+        across, place = clue.middle[0], clue.place
+        side = np.sign(across) if abs(across) > _SIDED * surface.face_size else 0.0
+        origin = symmetry.plane.origin + (height - symmetry.plane.origin @ views.up) * views.up
         target = np.array([place[0] * side if side else abs(place[0]), place[1]])
-        found[motion.control] = Expectation(axes, origin, scale, target, bool(both), action.radius)
+        both = bool(side == 0.0 and place[0] != 0.0)
+        found[clue.motion.control] = Expectation(
+            axes, origin, scale, target, both, clue.action.radius
+        )
     return tuple(found.get(control) for control in range(len(meanings)))
 
 
-def _informative(placed: Sequence[Named]) -> list[bool]:
-    """Which motions locate their action: none that is faint beside another one of its action
-    and side.  Where each mesh has controls of its own, lashes follow the lips a little."""
-    keys = [
-        (each.action.name, each.side)
-        if each and each.action.category == "atom" and not each.action.vague
-        else None
-        for _, each in placed
-    ]
-    largest: dict[tuple[str, str] | None, float] = {None: 0.0}
-    for (motion, _), key in zip(placed, keys, strict=True):
-        if key is not None:
-            largest[key] = max(largest.get(key, 0.0), motion.peak)
+def _informative(trajectories: Trajectories, meanings: Sequence[Meaning | None]) -> list[Named]:
+    """The motions whose names have a meaning, and which of them locate their action: none that is
+    faint beside another one of its action and side.  Where each mesh has controls of its own,
+    lashes follow the lips a little."""
+    placed = [(m, each) for m in trajectories.motions if (each := meanings[m.control]) is not None]
+    largest: dict[tuple[str, str], float] = {}
+    for motion, each in placed:
+        key = (each.action.name, each.side)
+        largest[key] = max(largest.get(key, 0.0), motion.peak)
     return [
-        motion.peak >= _FAINT * largest[key] for (motion, _), key in zip(placed, keys, strict=True)
+        (
+            motion,
+            each,
+            each.action.category != "atom"
+            or each.action.vague
+            or motion.peak >= _FAINT * largest[each.action.name, each.side],
+        )
+        for motion, each in placed
     ]
 
 
-def _fit(middles: Floats, places: Floats) -> tuple[Floats, float] | None:
-    """(2,) scale across and upright, and height of the eyes, that lay the canonical `places` (c, 2)
-    on the `middles` (c, 2) of the motions; each place counts once.  None where they fix too
-    little."""
+@dataclass(frozen=True, eq=False)
+class _Clue(Record):
+    """A motion whose name has a place on the canonical face."""
+
+    motion: Motion
+    action: Action
+    middle: Floats
+    """(2,) see `_middle`."""
+    tells: bool
+    """Whether it locates its action."""
+
+    @property
+    def place(self) -> tuple[float, float]:
+        """On the canonical face."""
+        return self.action.place or (0.0, 0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class _Fit(Record):
+    """The canonical face laid over a character."""
+
+    scale: Floats
+    """(2,) distance of the pupils across and upright."""
+    height: float
+    """Of the eyes."""
+    eyes: tuple[float, float] | None
+    """Distance of the pupils and height by the controls of the eyes alone."""
+
+    def around(self, place: tuple[float, float]) -> tuple[Floats, float]:
+        """Scale and height of the eyes for a place: above them those of the eyes, so that neither
+        a long muzzle nor ears that move with the brows stretch the forehead."""
+        if self.eyes is None or place[1] <= 0.0:
+            return self.scale, self.height
+        return np.full(2, self.eyes[0]), self.eyes[1]
+
+
+def _fit(clues: Sequence[_Clue]) -> _Fit | None:
+    """The fit of the canonical face to the middles of the clues, each place counted once; None
+    where they fix too little."""
+    middles = np.array([clue.middle for clue in clues]).reshape(-1, 2)
+    places = np.array([clue.place for clue in clues]).reshape(-1, 2)
     each, which = np.unique(places, axis=0, return_inverse=True)
-    typical = np.array(
-        [np.median(np.abs(middles[which == i]), axis=0) for i in range(len(each))]
-    ).reshape(-1, 2)
-    heights = np.array([np.median(middles[which == i, 1]) for i in range(len(each))])
     if len(each) < _LEAST or np.ptp(each[:, 1]) < _SPAN:
         return None
-    upright, height = _line_through(each[:, 1], heights)
-    wide = (np.abs(each[:, 0]) > _ACROSS) & (typical[:, 0] > 0.0)
-    across = (
-        float(np.median(typical[wide, 0] / np.abs(each[wide, 0]))) if wide.any() else float(upright)
+    typical = np.array(
+        [
+            (np.median(np.abs(middles[which == i, 0])), np.median(middles[which == i, 1]))
+            for i in range(len(each))
+        ]
     )
-    return (np.array([across, upright]), float(height)) if upright > 0.0 else None
+    upright, height = _line_through(each[:, 1], typical[:, 1])
+    if upright <= 0.0:
+        return None
+    wide = (np.abs(each[:, 0]) > _ACROSS) & (typical[:, 0] > 0.0)
+    across = np.median(typical[wide, 0] / np.abs(each[wide, 0])) if wide.any() else upright
+    of_eyes = np.array([c.action.region in ("eye", "gaze") for c in clues]) & (middles[:, 0] != 0.0)
+    eyes = None
+    if of_eyes.any():
+        unit = float(np.median(np.abs(middles[of_eyes, 0] / places[of_eyes, 0])))
+        eyes = unit, float(np.median(middles[of_eyes, 1] - unit * places[of_eyes, 1]))
+    return _Fit(np.array([across, upright]), height, eyes)
 
 
 def _line_through(x: Floats, y: Floats) -> tuple[float, float]:
@@ -170,8 +252,8 @@ def _middle_of_names(
     """The symmetry with a plane halfway between the sides by names, for a face that is not
     its own mirror image (a scan); unchanged where there are too few names."""
     sides: dict[tuple[str, str], Floats] = {}
-    for motion, each in placed:
-        if each is not None and each.side:
+    for motion, each, tells in placed:
+        if tells and each.side:
             weight = _weights(surface.areas, visible, motion)
             sides[each.action.name, each.side] = weight @ surface.points[motion.points]
     pairs = [

@@ -15,7 +15,7 @@ from usdrigui.character import Rig
 from usdrigui.character.deform import posed
 from usdrigui.conventions import meanings
 from usdrigui.errors import RigUIError, refuse
-from usdrigui.layout.canonical_face import expectations
+from usdrigui.layout.canonical_face import believed
 from usdrigui.layout.classify.classification import classify
 from usdrigui.layout.classify.common_motion import with_common_motion
 from usdrigui.layout.element.elements import layout
@@ -114,8 +114,8 @@ def measured(
     with clock.stage("candidates"):
         views = find_views(rig, found, symmetry.plane, character.viewpoint)
         names = [control.name for control in rig.controls]
-        meant = meanings(names) if settings.candidates.conventions else (None,) * len(names)
-        expected = expectations(found, symmetry, views, meant)
+        read = meanings(names, numbers=True) if settings.candidates.conventions else ()
+        meant, expected = believed(found, symmetry, views, read or (None,) * len(names))
         face = Face(rig, found, symmetry, views, meant, expected)
         alike = similarity(displacement_fields(found))
         classification = classify(face, alike, requests, settings.candidates)

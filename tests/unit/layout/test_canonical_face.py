@@ -56,6 +56,33 @@ def test_names_tell_the_middle_of_a_face_that_is_not_its_own_mirror_image():
     assert not any(expected(sides_at_random, symmetry={"enabled": False})[1].values())
 
 
+UNITS = {"eyeBlink": 43, "browOuterUp": 2, "mouthSmile": 12, "noseSneer": 9, "cheekSquint": 6, "jawOpen": 26}
+
+
+def test_numbers_are_action_units_only_where_most_of_them_act_where_these_do():
+    """The tools' counted names are no units, with a gap after a target that was deleted neither."""
+    units = {f"{name[-1] if '_' in name else ''}{UNITS[name.split('_')[0]]}": each for name, each in shapes().items()}
+    assert set(meant(units)) == {*units}
+    for prefix in ("Key ", "target", "shape_0"):
+        counted = {f"{prefix}{i + (i > 4)}": each for i, each in enumerate(shapes().values(), 1)}
+        assert not meant(counted)
+
+
+def meant(shapes):
+    """The names that are read, as the motions bear them out."""
+    rig = makers.rig(POINTS, QUADS, shapes)
+    face = chain.face_of(rig)
+    return [face.control_name(i) for i, meaning in enumerate(face.meanings) if meaning is not None]
+
+
+def test_the_brow_is_expected_above_its_eye_however_long_the_muzzle_and_high_the_ears():
+    low = {name: at(x, y - 1.0) for name, (x, y) in (("jawOpen", (0.0, -1.5)), ("mouthSmile_L", (0.42, -1.0)))}
+    ears = {f"browUp_{side}": at(sign * 0.5, 0.28) + at(sign * 0.5, 1.3) for side, sign in (("L", 1), ("R", -1))}
+    _, found = expected({**shapes(), **low, **ears})
+    above = np.array([[SCALE * 0.5, HEIGHT + SCALE * 0.28, 0.0]])
+    assert found["browUp_L"].distance(above)[0] < 0.15
+
+
 def test_one_control_in_the_wrong_place_does_not_move_the_others():
     odd = shapes() | {f"noseSneer_{side}": at(sign * 0.3, 0.6) for side, sign in (("L", 1), ("R", -1))}
     _, found = expected(odd)

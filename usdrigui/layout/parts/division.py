@@ -7,6 +7,7 @@ one part.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
@@ -14,6 +15,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from usdrigui.character import Control, Flags, Indices, Record, Rig
+from usdrigui.character.surface import components, mesh_triangles
 from usdrigui.conventions import meanings
 from usdrigui.layout.control_overrides import controls_named
 from usdrigui.layout.parts.joint_regions import (
@@ -74,7 +76,7 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     names = {each.control: tell(rig.controls[each.control], each) for each in found.motions}
     names |= _beside_the_face(rig.controls, names)
     if settings.layout.candidates.conventions:
-        names |= dict.fromkeys(_inside_mouth(rig.controls, names), INTERIOR)
+        names |= dict.fromkeys(_inside_mouth(rig, found, names), INTERIOR)
     if not settings.character.parts.divide:
         names = dict.fromkeys(names, main_part(names.values()))
     index = {control.name: i for i, control in enumerate(rig.controls)}
@@ -101,16 +103,31 @@ def _beside_the_face(controls: tuple[Control, ...], names: Mapping[int, str]) ->
     return dict.fromkeys(joints, HEAD) if joints < on_face and BODY in names.values() else {}
 
 
-def _inside_mouth(controls: tuple[Control, ...], names: Mapping[int, str]) -> list[int]:
-    """The controls of the face that bear the name of a tongue or of teeth, where there are
-    several."""
-    meant = meanings([control.name for control in controls])
-    found = [
+def _inside_mouth(rig: Rig, found: Trajectories, names: Mapping[int, str]) -> list[int]:
+    """The controls of the face that bear the name of a tongue or of teeth, where there are several;
+    what moves the piece of surface that most controls move, the skin, is none of them."""
+    meant = meanings([control.name for control in rig.controls])
+    named = {
         control
         for control, part in names.items()
         if part == FACE and (own := meant[control]) is not None and own.action.category == INTERIOR
+    }
+    if not named:
+        return []
+    pieces = components(mesh_triangles(rig.body.meshes), found.surface.places)
+    shares = {
+        motion.control: np.bincount(
+            pieces[motion.points], found.surface.areas[motion.points] * motion.arc_length
+        )
+        for motion in found.motions
+    }
+    skin = Counter(int(share.argmax()) for share in shares.values()).most_common(1)[0][0]
+    inside = [
+        control
+        for control in sorted(named)
+        if 2.0 * shares[control][skin : skin + 1].sum() <= shares[control].sum()
     ]
-    return found if len(found) >= _SEVERAL else []
+    return inside if len(inside) >= _SEVERAL else []
 
 
 def _named(names: Mapping[int, str], name: str) -> frozenset[int]:

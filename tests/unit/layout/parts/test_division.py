@@ -264,12 +264,22 @@ def test_the_configuration_names_parts_and_keeps_groups_together():
     ],
 )
 def test_tongue_and_teeth_are_a_part_where_they_have_several_controls(names, conventions, inside):
-    rig = makers.face()
-    called = tuple(replace(control, name=name) for control, name in zip(rig.controls, names, strict=False))
-    rig = replace(rig, controls=called + rig.controls[len(names) :])
+    rig = makers.face_with_teeth()
+    *of_skin, inner = rig.controls
+    called = tuple(replace(inner, name=name) for name in names)
+    rig = replace(rig, controls=(*of_skin, *called))
     found = named(rig, load({"candidates": {"conventions": conventions}}))
     assert found.pop("interior", set()) == inside
     assert found == {"face": {control.name for control in rig.controls} - inside}
+
+
+def test_what_moves_the_skin_is_not_inside_the_mouth_whatever_it_is_called():
+    rig = makers.face()
+    tongues = {f"tongue{way}" for way in ("Up", "Down", "Out")}
+    called = tuple(replace(control, name=name) for control, name in zip(rig.controls, sorted(tongues), strict=False))
+    rig = replace(rig, controls=called + rig.controls[len(called) :])
+    assert list(named(rig)) == ["face"]
+    assert all(chain.chosen(rig)(name).category != "interior" for name in tongues)
 
 
 def test_a_part_without_height_is_as_large_as_what_it_moves():
