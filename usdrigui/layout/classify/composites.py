@@ -8,7 +8,8 @@ atoms is decided for all at once (`basis`), at costs for what a rigger would kee
   animated, is one;
 * a copy for both sides of two that are there and what a family is made of are not if others
   explain them;
-* of controls whose names mean nothing, local ones are rather atoms than wide ones.
+* of controls whose names mean nothing, those of one side are atoms unless they repeat one, and
+  local ones rather than wide ones: what people sculpt from others is of both sides.
 """
 
 from __future__ import annotations
@@ -29,6 +30,8 @@ from usdrigui.layout.motion.similarity import (
 )
 from usdrigui.model import Category, Motion
 
+_UNNAMED_SIDE = 0.5
+"""Importance of a control of one side whose name means nothing: less than that of any action."""
 _NAMED = 3
 """Parts of a mixture that its explanation names."""
 
@@ -69,7 +72,7 @@ def composites(face: Face, similarity: Similarity, coverage: Floats) -> dict[int
     meaning = [face.meanings[motion.control] for motion in motions]
     twins = _twins(motions, face.symmetry.twins)
     families = find_families(names, meaning, similarity.cosine, coverage)
-    basis = choose_basis(similarity.cosine, _costs(meaning, coverage, families), twins)
+    basis = choose_basis(similarity.cosine, _costs(meaning, coverage, families, twins), twins)
     found = {
         i: _composite(i, basis, similarity.norm) for i in np.flatnonzero(~basis.atoms).tolist()
     }
@@ -87,7 +90,7 @@ def composites(face: Face, similarity: Similarity, coverage: Floats) -> dict[int
 
 
 def _costs(
-    meanings: Sequence[Meaning | None], coverage: Floats, families: Sequence[Family]
+    meanings: Sequence[Meaning | None], coverage: Floats, families: Sequence[Family], twins: Indices
 ) -> Floats:
     """(m,) what it costs that each is an atom, of which only the order counts: members of a family
     first, then copies for both sides, then what has no name, the widest first; negative for one
@@ -101,9 +104,12 @@ def _costs(
     for i, meaning in enumerate(meanings):
         if i in in_family:
             costs[i] += 2.0
-        elif meaning is not None:
+        elif meaning is None:
+            if twins[i] not in (-1, i):
+                costs[i] = -_UNNAMED_SIDE
+        else:
             action = meaning.action
-            of_one_place = meaning.side or meaning.middle or action.is_central or action.is_core
+            of_one_place = meaning.side or meaning.middle or action.is_central
             if not of_one_place and {"left", "right"} <= sides[action.name]:
                 costs[i] += 1.0
             else:

@@ -1,0 +1,89 @@
+"""Other names for the controls of a rig: what tools count, what studios prefix, and names that are wrong."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+_SYLLABLES = ("ka", "lo", "mi", "tu", "ren", "pas", "dor", "vi", "nel", "gash")
+_IDEOGRAPHS = "天地玄黄宇宙洪荒日月盈昃辰宿列张寒来暑往"
+
+
+def counted(names, rng):
+    """``Key 1``, ``Key 2`` and so on, but for a few that were deleted."""
+    head = rng.choice(["Key ", "target", "shape_0", ""])
+    numbers = np.sort(rng.choice(np.arange(1, len(names) + 9), len(names), replace=False))
+    return [f"{head}{number}" for number in numbers]
+
+
+def permuted(names, rng):
+    """Each name that of another control."""
+    return [names[i] for i in rng.permutation(len(names))]
+
+
+def upper_case(names, rng):
+    """As a tool of capitals writes them."""
+    return [name.upper() for name in names]
+
+
+def prefixed(names, rng):
+    """One of three deformers in front, up to a dot or a colon."""
+    heads = [f"{rng.choice(_SYLLABLES)}{rng.choice(_SYLLABLES)}{rng.choice(['.', ':'])}" for _ in range(3)]
+    return [f"{rng.choice(heads)}{name}" for name in names]
+
+
+def suffixed(names, rng):
+    """The version of a sculpt behind."""
+    return [f"{name}_v{rng.integers(1, 4)}" for name in names]
+
+
+def in_ideographs(names, rng):
+    """Words of a language that no table has."""
+    return ["".join(rng.choice(list(_IDEOGRAPHS), 3)) + str(i) for i, _ in enumerate(names)]
+
+
+def other_words(names, rng):
+    """Made-up words."""
+    return ["".join(rng.choice(_SYLLABLES, 3)).capitalize() + _SYLLABLES[i % 10] + "x" * (i // 10) for i, _ in enumerate(names)]
+
+
+def mixed(names, rng):
+    """Some as they are, some counted, some of made-up words."""
+    others = (names, counted(names, rng), other_words(names, rng))
+    return [others[k][i] for i, k in enumerate(rng.integers(0, 3, len(names)))]
+
+
+HINTS = (counted, upper_case, prefixed, suffixed, in_ideographs, other_words, mixed)
+"""Names that say less than the usual ones, or the same in another way."""
+
+
+def renamed(rig, naming, rng):
+    """The rig with names that `naming` gives to its controls of shapes."""
+    of_shapes = [i for i, control in enumerate(rig.controls) if control.kind == "blendShape"]
+    names = naming([rig.controls[i].name for i in of_shapes], rng)
+    assert len({*names}) == len(names)
+    controls = list(rig.controls)
+    for i, name in zip(of_shapes, names, strict=True):
+        controls[i] = replace(controls[i], name=name, label=name)
+    return replace(rig, controls=tuple(controls))
+
+
+def places(rig, layout):
+    """Of every control, by its index, the handles on the character, (k, 3)."""
+    index = {control.name: i for i, control in enumerate(rig.controls)}
+    found = {}
+    for element in layout.elements:
+        if not element.anchor.on_board:
+            for member in element.manipulator.members:
+                found.setdefault(index[member.control], []).append(element.anchor.position)
+    return found
+
+
+def lost(before, after, reach):
+    """Controls, by index, of places `before` with no handle `after` within `reach`."""
+    return {
+        control
+        for control, handles in before.items()
+        if not any(np.linalg.norm(one - other) <= reach for one in handles for other in after.get(control, ()))
+    }
