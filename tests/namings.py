@@ -22,7 +22,7 @@ def permuted(names, rng):
     return [names[i] for i in rng.permutation(len(names))]
 
 
-def upper_case(names, rng):
+def upper_case(names, _):
     """As a tool of capitals writes them."""
     return [name.upper() for name in names]
 
@@ -45,7 +45,10 @@ def in_ideographs(names, rng):
 
 def other_words(names, rng):
     """Made-up words."""
-    return ["".join(rng.choice(_SYLLABLES, 3)).capitalize() + _SYLLABLES[i % 10] + "x" * (i // 10) for i, _ in enumerate(names)]
+    return [
+        "".join(rng.choice(_SYLLABLES, 3)).capitalize() + _SYLLABLES[i % 10] + "x" * (i // 10)
+        for i, _ in enumerate(names)
+    ]
 
 
 def mixed(names, rng):
