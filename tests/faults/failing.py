@@ -69,9 +69,9 @@ COMMANDS = {
 }
 
 
-def prepare(folder: Path) -> None:
-    """A character with a layout, attached and beside it, and outputs of an earlier day."""
-    minimal_assets.character(folder)
+def prepare(folder: Path, make: Callable[[Path], object]) -> None:
+    """A character, ``char.usda``, with a layout, attached and beside it, and outputs of an earlier day."""
+    make(folder)
     with contextlib.chdir(folder), contextlib.redirect_stdout(sys.stderr):
         assert main(["process", "char.usda", "--bare", "-o", "bare.usda", "--quiet"]) == 0
         Path("attached.usda").write_bytes(Path("char.usda").read_bytes())
@@ -154,14 +154,18 @@ def faults(end: dict[str, Any], folder: Path, before: dict[str, Any], after: dic
         yield "exit 0 without what it was to write"
 
 
-def campaign(every: int, commands: Iterable[str] = tuple(COMMANDS)) -> dict[str, Any]:
-    """All kinds, one call in `every`, from the first of each."""
+def campaign(
+    every: int,
+    commands: Iterable[str] = tuple(COMMANDS),
+    make: Callable[[Path], object] = minimal_assets.character,
+) -> dict[str, Any]:
+    """All kinds, one call in `every`, from the first of each, on the character that `make` writes into a folder."""
     ends: collections.Counter[str] = collections.Counter()
     faulty = []
     for command in commands:
         with tempfile.TemporaryDirectory() as place:
             folder = Path(place)
-            prepare(folder)
+            prepare(folder, make)
             before = content(folder)
             held = {path.name: path.read_bytes() for path in folder.iterdir()}
             run(command, "os.fork: too many processes", 1 << 30, folder)
