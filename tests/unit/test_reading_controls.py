@@ -487,7 +487,7 @@ def test_a_drive_added_to_the_base_pose_is_the_pose_at_every_key():
     weights = np.tile(random.random(4), (3, 1))
     weights[1:, [0, 1, 3]] += random.random((2, 3))
     base, states = State(weights[0], placed[0]), State(weights, placed)
-    (drive,) = poses.pose_drives([poses.NamedPose("clip", np.array([0.0, 0.5, 1.0]), states)], base)
+    drive = poses.pose_drive(poses.NamedPose("clip", np.array([0.0, 0.5, 1.0]), states), base)
     assert (drive.channels.tolist(), drive.joints.tolist()) == ([0, 1, 3], [0, 1])
     assert np.allclose(weights[0, drive.channels] + drive.weights, weights[:, drive.channels])
     assert np.allclose(placed[0, drive.joints, 3, :3] + drive.translations, placed[:, drive.joints, 3, :3])

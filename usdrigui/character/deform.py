@@ -33,11 +33,13 @@ from usdrigui.character.rotation import rotation_part, rotations
 from usdrigui.character.skinning import (
     SAME,
     applied,
+    base_locals,
     bound_points,
     influences,
     point_maps,
     skeleton_to_root,
     skinning_matrices,
+    with_descendants,
 )
 
 
@@ -161,7 +163,7 @@ def _moved(joints: tuple[Joint, ...], moves: Floats) -> Floats:
     With ``base = S R`` and translation t, the result is ``exp(scales) S exp(rotations) R`` and t
     plus the translations: exactly the components that a SkelAnimation holds.
     """
-    base = np.array([joint.base for joint in joints]).reshape(-1, 4, 4)
+    base = base_locals(joints)
     local: Floats = np.broadcast_to(base, (len(moves), *base.shape)).copy()
     moved = np.flatnonzero(moves.any(axis=(0, 1, 3)))
     if len(moved):
@@ -254,7 +256,7 @@ class Sweep:
 
     def __init__(self, rig: Rig, base: Posed, control: int) -> None:
         self._body, self._base, self._drive = rig.body, base, rig.controls[control].drive
-        turning = _turning(rig.body.joints, self._drive.joints)
+        turning = with_descendants(rig.body.joints, self._drive.joints)
         channels = frozenset(self._drive.channels.tolist())
         reached = (
             _Reached.of(rig.body, base, index, turning, channels)
@@ -347,15 +349,6 @@ class _Reached:
         ends = np.append(0, 4 * acting.indptr[1:][reached])
         shape_of = (len(local_points), 4 * len(body.joints))
         return cls(index, local_points, (), turns, csr_array((data, columns, ends), shape=shape_of))
-
-
-def _turning(joints: tuple[Joint, ...], driven: Indices) -> Flags:
-    """(joints,) the `driven` ones and all below them."""
-    found = np.zeros(len(joints), dtype=bool)
-    found[driven] = True
-    for i, joint in enumerate(joints):
-        found[i] |= joint.parent >= 0 and found[joint.parent]
-    return found
 
 
 def _shape_offsets(part: _Reached, weights: Floats, base: Floats) -> NDArray[np.floating]:

@@ -15,7 +15,7 @@ import numpy as np
 
 from usdrigui.character import Floats, Joint, RigMesh
 from usdrigui.character.rotation import rotation_part
-from usdrigui.character.skinning import bound_points
+from usdrigui.character.skinning import base_locals, bound_points, in_skeleton_space
 
 FINGERS = 3
 """Chains of a fan, at least; and joints of a finger that curl, at most."""
@@ -109,10 +109,10 @@ def _bound_skin(meshes: Sequence[RigMesh]) -> Iterator[tuple[int, Floats, Floats
         if skin is None:
             continue
         bound = bound_points(mesh.points, skin)[:, :3]
-        points, weights, present, starts = skin.by_joint
-        for row, joint in enumerate(present.tolist()):
-            part = slice(starts[row], starts[row + 1])
-            yield joint, bound[points[part]], weights[part]
+        table = skin.by_joint
+        for joint, (start, end) in enumerate(pairwise(table.indptr.tolist())):
+            if end > start:
+                yield joint, bound[table.indices[start:end]], table.data[start:end]
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,10 +125,7 @@ class Tree:
     @cached_property
     def world(self) -> Floats:
         """(joints, 4, 4)"""
-        found: list[Floats] = []
-        for joint in self.joints:
-            found.append(joint.base @ found[joint.parent] if joint.parent >= 0 else joint.base)
-        return np.array(found).reshape(-1, 4, 4)
+        return in_skeleton_space(self.joints, base_locals(self.joints))
 
     @cached_property
     def places(self) -> Floats:

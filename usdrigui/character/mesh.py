@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import Literal
 
 import numpy as np
+from scipy.sparse import csc_array
 
 from usdrigui.character.record import Floats, Indices, Record, Singles
 
@@ -106,18 +107,10 @@ class Skin(Record):
     """True when the influences are constant over the mesh (n is still the number of points)."""
 
     @cached_property
-    def by_joint(self) -> tuple[Indices, Floats, Indices, Indices]:
-        """The same influences, without zeros, sorted by joint: local points (m,), weights (m,), the
-        joints that have any (j,), and where each begins (j + 1,).  A point appears once per
-        joint."""
-        count = max(1, len(self.joints))
+    def by_joint(self) -> csc_array:
+        """(n, joints up to the last that acts) the same influences, without zeros; those of a joint
+        are a column, by point."""
         points, slots = np.nonzero(self.weights)
-        keys, place = np.unique(self.joints[points, slots] * count + points, return_inverse=True)
-        weights = np.bincount(place, self.weights[points, slots], len(keys)).astype(np.float64)
-        joints, starts = np.unique(keys // count, return_index=True)
-        return (
-            keys % count,
-            weights,
-            joints.astype(np.int64),
-            np.append(starts, len(keys)).astype(np.int64),
-        )
+        joints = self.joints[points, slots]
+        shape = (len(self.joints), int(joints.max(initial=-1)) + 1)
+        return csc_array((self.weights[points, slots], (points, joints)), shape=shape)

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.sparse import csr_array
 
-from usdrigui.character import Body, Floats, Indices, Joint, RigMesh, Skeleton, Skin
+from usdrigui.character import Body, Flags, Floats, Indices, Joint, RigMesh, Skeleton, Skin
 from usdrigui.character.rotation import (
     quaternion_matrices,
     quaternion_product,
@@ -44,6 +44,20 @@ def in_skeleton_space(joints: Sequence[Joint], local: Floats) -> Floats:
         pose[..., ready, :, :] = local[..., ready, :, :] @ pose[..., parents[ready], :, :]
         done[ready] = True
     return pose
+
+
+def base_locals(joints: Sequence[Joint]) -> Floats:
+    """(joints, 4, 4) local transforms in the base pose."""
+    return np.array([joint.base for joint in joints], dtype=np.float64).reshape(-1, 4, 4)
+
+
+def with_descendants(joints: Sequence[Joint], chosen: Indices) -> Flags:
+    """(joints,) the chosen ones and all below them."""
+    found = np.zeros(len(joints), dtype=bool)
+    found[chosen] = True
+    for i, joint in enumerate(joints):
+        found[i] |= joint.parent >= 0 and found[joint.parent]
+    return found
 
 
 def point_maps(

@@ -13,6 +13,7 @@ from pxr import Usd, UsdSkel
 
 from usdrigui.character import Body, Channel, Clip, Floats, Performance
 from usdrigui.character.rotation import quaternion_matrices
+from usdrigui.character.skinning import base_locals
 from usdrigui.errors import Issue, RigUIError, issue, refuse
 from usdrigui.reading.skeleton import Armature, locals_at
 from usdrigui.stages.arrays import check_finite, floats, quaternions, tokens
@@ -45,8 +46,7 @@ class Animated:
     @cached_property
     def base(self) -> State:
         """The base pose."""
-        local = np.array([joint.base for joint in self.body.joints]).reshape(-1, 4, 4)
-        return State(self.body.base_weights, local)
+        return State(self.body.base_weights, base_locals(self.body.joints))
 
     def state(self, time: float, armatures: tuple[Armature, ...] = ()) -> State:
         """The animation of `armatures`, all if none are given, at a time code; the rest stays in

@@ -12,11 +12,12 @@ import numpy as np
 from usdrigui.character import Body, Clip, Control, ControlKind, Drive, Floats, Joint, LeftOff
 from usdrigui.character.joint_tree import Tree
 from usdrigui.character.rotation import rotation_part, rotation_vectors
+from usdrigui.character.skinning import base_locals
 from usdrigui.conventions.sides import twins_by_name
 from usdrigui.errors import Faults, Issue, issue, listed, refuse
 from usdrigui.reading.clips import State
 from usdrigui.reading.joint import Turn, default_turns, posed_locals
-from usdrigui.reading.pose import NamedPose, pose_drives, unwrapped
+from usdrigui.reading.pose import NamedPose, pose_drive, unwrapped
 from usdrigui.reading.range import Range, Source
 from usdrigui.settings import ControlSettings, JointSettings, RigSettings
 
@@ -144,7 +145,8 @@ def pose_drafts(
     """A control from 0 (base pose) to 1 (the pose, or the end of the clip) for each pose that moves
     anything."""
     drafts, left_off = [], []
-    for pose, drive in zip(poses, pose_drives(poses, base), strict=True):
+    for pose in poses:
+        drive = pose_drive(pose, base)
         name = pose.name if pose.name not in taken else f"{pose.name}:pose"
         if len(drive.channels) or len(drive.joints):
             span = Range(0.0, 0.0, 1.0, "default")
@@ -299,8 +301,8 @@ def _arc_drive(tree: Tree, turn: Turn, weights: int, _: Range) -> Drive:
     steps = int(np.ceil((high - low) / _KEY_DEGREES))
     values = np.union1d(np.linspace(low, high, steps + 1), [0.0])
     states = State(np.zeros((len(values), weights)), posed_locals(tree, turn, values))
-    base = State(np.zeros(weights), np.array([joint.base for joint in tree.joints]))
-    return pose_drives([NamedPose(turn.name, values, states)], base)[0]
+    base = State(np.zeros(weights), base_locals(tree.joints))
+    return pose_drive(NamedPose(turn.name, values, states), base)
 
 
 def _as_posed(drive: Drive, _: Range) -> Drive:
@@ -325,13 +327,11 @@ def _hull(ranges: list[Range]) -> Range:
 
 def joint_names(joints: tuple[Joint, ...]) -> list[str]:
     """The last name of each joint, or its whole path where that is not unique."""
-    leaves = [joint.name for joint in joints]
-    paths = [joint.path for joint in joints]
-    names = [
-        leaf if leaves.count(leaf) == 1 else path for leaf, path in zip(leaves, paths, strict=True)
-    ]
+    leaves = Counter(joint.name for joint in joints)
+    names = [joint.name if leaves[joint.name] == 1 else joint.path for joint in joints]
+    count = Counter(names)
     return [
-        name if names.count(name) == 1 else f"{joint.skeleton}/{name}"
+        name if count[name] == 1 else f"{joint.skeleton}/{name}"
         for name, joint in zip(names, joints, strict=True)
     ]
 
@@ -344,7 +344,7 @@ def _animated_turns(joints: tuple[Joint, ...], clip: Clip | None) -> Floats:
     """
     if clip is None:
         return np.zeros((1, len(joints), 3))
-    base = rotation_part(np.array([joint.base for joint in joints]).reshape(-1, 4, 4))
+    base = rotation_part(base_locals(joints))
     turns = unwrapped(rotation_vectors(rotation_part(clip.locals) @ np.swapaxes(base, -1, -2)))
     return np.asarray(np.round(np.degrees(turns), 3) + 0.0, dtype=np.float64)
 

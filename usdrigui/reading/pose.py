@@ -174,40 +174,25 @@ def _animated_by(
 # --- drives ---------------------------------------------------------------------------------------
 
 
-def pose_drives(poses: list[NamedPose], base: State) -> list[Drive]:
-    """What each pose adds to the base pose, on the joints and channels that it changes."""
-    if not poses:
-        return []
-    local = np.concatenate([pose.states.locals for pose in poses])
+def pose_drive(pose: NamedPose, base: State) -> Drive:
+    """What a pose adds to the base pose, on the joints and channels that it changes."""
+    local = pose.states.locals
     frame, base_frame = rotation_part(local), rotation_part(base.locals)
+    turns = rotation_vectors(frame @ np.swapaxes(base_frame, -1, -2))
+    scales = _log_scales(local, frame) - _log_scales(base.locals, base_frame)
     # What is nearly still is the difference of numbers about one, whose last bits differ between
     # processors.
-    turns = np.round(rotation_vectors(frame @ np.swapaxes(base_frame, -1, -2)), _DECIMALS) + 0.0
+    turns, scales = (np.round(each, _DECIMALS) + 0.0 for each in (turns, scales))
     shifts = local[..., 3, :3] - base.locals[..., 3, :3]
-    scales = (
-        np.round(_log_scales(local, frame) - _log_scales(base.locals, base_frame), _DECIMALS) + 0.0
-    )
-    ends = np.cumsum([len(pose.values) for pose in poses])[:-1]
-    parts = zip(poses, *(np.split(table, ends) for table in (turns, shifts, scales)), strict=True)
     size = max(float(np.abs(base.locals[..., 3, :3]).max(initial=0.0)), 1e-30)
-    return [
-        _pose_drive(pose, base, unwrapped(turn), shift, scale, size)
-        for pose, turn, shift, scale in parts
-    ]
-
-
-def _pose_drive(
-    pose: NamedPose, base: State, turns: Floats, shifts: Floats, scales: Floats, size: float
-) -> Drive:
-    moving = np.flatnonzero(
-        (np.abs(turns) > _STILL).any(axis=(0, 2))
-        | (np.abs(shifts) > _STILL * size).any(axis=(0, 2))
-        | (np.abs(scales) > _STILL).any(axis=(0, 2))
-    )
+    tables = (unwrapped(turns), shifts, scales)
+    moving = np.zeros(local.shape[1], dtype=bool)
+    for table, unit in zip(tables, (1.0, size, 1.0), strict=True):
+        moving |= (np.abs(table) > _STILL * unit).any(axis=(0, 2))
     weights = pose.states.weights - base.weights
     channels = np.flatnonzero((np.abs(weights) > _STILL).any(axis=0))
-    moves = (table[:, moving] for table in (turns, shifts, scales))
-    return Drive(pose.values, channels, weights[:, channels], moving, *moves)
+    moves = (table[:, moving] for table in tables)
+    return Drive(pose.values, channels, weights[:, channels], np.flatnonzero(moving), *moves)
 
 
 def unwrapped(vectors: Floats) -> Floats:

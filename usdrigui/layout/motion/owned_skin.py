@@ -15,6 +15,7 @@ import numpy as np
 
 from usdrigui.character import Body, Control, Flags, Floats, Joint, Skeleton
 from usdrigui.character.joint_tree import Hanging
+from usdrigui.character.skinning import base_locals, in_skeleton_space, with_descendants
 
 _SPAN = (0.2, 0.7)
 """Share of the way from a joint to the next one between which its control is."""
@@ -62,8 +63,8 @@ def _levels(body: Body, joints: set[int]) -> Iterator[set[int]]:
 
 def _below(body: Body, joints: set[int]) -> set[int]:
     """All joints below `joints`."""
-    found: set[int] = set()
-    return found.union(*_levels(body, joints)) - joints
+    found = with_descendants(body.joints, np.array(sorted(joints)))
+    return set(np.flatnonzero(found).tolist()) - joints
 
 
 def _weights(body: Body, joints: set[int]) -> Floats:
@@ -72,10 +73,9 @@ def _weights(body: Body, joints: set[int]) -> Floats:
     for start, mesh in zip(body.starts, body.meshes, strict=False):
         if mesh.binding.skin is None:
             continue
-        local, weights, present, starts = mesh.binding.skin.by_joint
-        for row in np.flatnonzero(np.isin(present, list(joints))):
-            part = slice(starts[row], starts[row + 1])
-            total[start + local[part]] += weights[part]
+        table = mesh.binding.skin.by_joint
+        held = [joint for joint in sorted(joints) if joint < table.shape[1]]
+        total[start : start + len(mesh.points)] = table[:, held].sum(axis=1)
     return total
 
 
@@ -155,8 +155,6 @@ def _nearest(points: Floats, bones: list[_Bone]) -> tuple[Floats, Floats]:
 
 def joint_places(skeletons: tuple[Skeleton, ...], joints: tuple[Joint, ...]) -> Floats:
     """(joints, 3) positions in root space at the base pose."""
-    world: list[Floats] = []
-    for joint in joints:
-        world.append(joint.base @ world[joint.parent] if joint.parent >= 0 else joint.base)
+    world = in_skeleton_space(joints, base_locals(joints))
     to_root = [skeletons[joint.skeleton].to_root for joint in joints]
     return np.array([(m @ t)[3, :3] for m, t in zip(world, to_root, strict=True)]).reshape(-1, 3)

@@ -74,9 +74,8 @@ def pieces_of(body: Body, tree: Tree, places: Indices, owners: Indices) -> Piece
         if skin is None:
             continue
         bound[start : start + len(mesh.points)] = bound_points(mesh.points, skin)[:, :3]
-        local, weights, present, starts = skin.by_joint
-        joints = np.repeat(present, np.diff(starts))
-        np.add.at(held, (joints, of_point[start + local]), weights)
+        acting = skin.by_joint.tocoo()
+        np.add.at(held, (acting.col, of_point[start + acting.row]), acting.data)
     of_piece, of_joint = (
         held / np.maximum(held.sum(axis=axis, keepdims=True), 1e-30) for axis in (0, 1)
     )
