@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import zlib
 from dataclasses import replace
-from types import SimpleNamespace
 
 import chain
 import laid_out
@@ -82,11 +81,6 @@ def test_a_mesh_is_seen_from_above_centred_and_of_radius_one(tmp_path):
     assert np.linalg.norm(glyph.points, axis=1).max() == pytest.approx(1.0)
     assert np.allclose(glyph.points.min(axis=0) + glyph.points.max(axis=0), 0.0)
     assert (glyph.counts.tolist(), glyph.indices.tolist()) == ([3], [0, 1, 2])
-
-
-def test_up_is_the_stages_own(tmp_path):
-    text = ARROW.replace("(5, 7, -3), (4, 7, 0), (6, 7, 0)", "(5, 3, 7), (4, 0, 7), (6, 0, 7)")
-    assert np.allclose(glyph_of(tmp_path, text, up="Z").points, glyph_of(tmp_path, ARROW).points)
 
 
 def test_transforms_above_count_but_place_and_size_do_not(tmp_path):
@@ -276,16 +270,6 @@ def test_the_elements_of_a_pair_are_mirror_images(line):
     assert np.cross(second - first, third - first) @ right.anchor.normal > 0.0
 
 
-@pytest.mark.parametrize("normal", [(0.0, 1.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)])
-def test_every_normal_has_a_frame(normal):
-    up, toward = np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0])
-    for seen_from in (toward, up):
-        frame = fitting._frame(np.array(normal), up, seen_from)
-        assert np.allclose(frame @ frame.T, np.eye(3))
-        assert np.linalg.det(frame) == pytest.approx(1.0)
-        assert np.allclose(frame[2], normal)
-
-
 # --- drawn -------------------------------------------------------------------------------------------
 
 WAVE = Glyph(
@@ -409,34 +393,3 @@ def test_a_glyph_keeps_its_size_and_stands_upright_however_its_element_faces(nor
         assert up[1] == pytest.approx(np.sqrt(1.0 - normal[1] ** 2), abs=1e-9)
     if abs(normal[1]) == 1.0 and toward[2]:
         assert up == pytest.approx((0, 0, -normal[1])), "as on a table"
-
-
-@pytest.mark.parametrize("basis", ["bezier", "bspline", "catmullRom"])
-def test_a_cubic_goes_with_its_points_and_is_the_same_read_backwards(basis):
-    at = np.linspace(0.0, 1.0, 5)
-    shares = (at[:, None] ** np.arange(4)) @ np.array(glyphs._CUBIC[basis])
-    assert shares.sum(axis=1) == pytest.approx(np.ones(5))
-    assert shares == pytest.approx(shares[::-1, ::-1])
-
-
-@pytest.mark.parametrize(
-    ("size", "width"), [(1.0, 0.2), (2.0, 0.4), (0.0, 3.0)], ids=["usual", "twice", "as its track"]
-)
-def test_a_glyph_is_as_wide_as_it_is_asked_to_be(size, width):
-    glyph = Glyph("g", "mesh", np.array([[-1.0, 0, 0], [1, 0, 0], [0, 1, 0]]), np.array([3]), np.arange(3))
-    face = SimpleNamespace(
-        rig=SimpleNamespace(
-            configured=SimpleNamespace(glyphs={"g": glyph}), skel_root=SimpleNamespace(up=np.array([0.0, 1.0, 0.0]))
-        ),
-        views=SimpleNamespace(directions=np.array([[0.0, 0.0, 1.0]])),
-        handle_width=0.2,
-    )
-    asked = [SimpleNamespace(glyph="g", glyph_size=size)]
-    members = [SimpleNamespace(track=np.array([[0.0, 0, 0], [3, 0, 0]]))]
-    placed = fitting.fitted_glyph(face, asked, SimpleNamespace(normal=np.array([0.0, 0.0, 1.0])), members, False)
-    assert np.ptp(placed.points[:, 0]) == pytest.approx(width)
-
-
-def test_faces_of_a_mirrored_glyph_run_the_other_way():
-    faces = Glyph("g", "mesh", np.zeros((7, 3)), np.array([3, 4]), np.arange(7))
-    assert fitting._reversed(faces).tolist() == [2, 1, 0, 6, 5, 4, 3]

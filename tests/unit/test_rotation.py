@@ -10,9 +10,6 @@ from hypothesis.extra.numpy import arrays
 from pxr import Gf
 
 from usdrigui.character.rotation import (
-    quaternion_matrices,
-    quaternion_product,
-    quaternions,
     rotation_part,
     rotation_vectors,
     rotations,
@@ -36,21 +33,6 @@ def test_vectors_come_back(vector):
     angle = np.linalg.norm(vector)
     shortest = vector if angle <= np.pi else vector * (1.0 - 2.0 * np.pi / angle)
     assert np.allclose(rotation_vectors(rotations(vector)), shortest, atol=1e-6)
-
-
-@settings(deadline=None)
-@given(vectors)
-def test_quaternions_and_matrices_agree(vector):
-    matrix = rotations(vector)[None]
-    assert np.allclose(quaternion_matrices(quaternions(matrix)), matrix, atol=1e-12)
-
-
-@settings(deadline=None)
-@given(vectors, vectors)
-def test_products_compose_as_row_vectors_do(first, second):
-    a, b = rotations(first)[None], rotations(second)[None]
-    product = quaternion_product(quaternions(b), quaternions(a))
-    assert np.allclose(quaternion_matrices(product), a @ b, atol=1e-12)
 
 
 def test_half_turns_about_every_axis():

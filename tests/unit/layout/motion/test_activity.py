@@ -1,18 +1,13 @@
 """What animation tells of controls: use, and what moves together, on clips whose answer is known."""
 
-from types import SimpleNamespace
-
 import makers
 import numpy as np
 import pytest
 
 from usdrigui.character import Performance
-from usdrigui.character.rotation import rotations
 from usdrigui.errors import RigUIError
 from usdrigui.layout.motion.activity import (
     Activity,
-    _moving_tokens,
-    _turned,
     activity,
     agreement,
     importances,
@@ -116,11 +111,6 @@ def test_animations_of_somebody_else_are_refused_and_strays_are_reported():
     assert "wing" in told.message
 
 
-def test_a_weight_that_stays_is_no_motion():
-    clip = SimpleNamespace(tokens=("rises", "stays"), weights=np.array([[0.0, 0.5], [1.0, 0.5]]))
-    assert _moving_tokens(clip) == ["rises"]
-
-
 def done_of(**amounts):
     """What animations make some controls do; a control of nan is a pose."""
     table = np.stack([np.asarray(each, dtype=np.float64) for each in amounts.values()], axis=1)
@@ -148,38 +138,6 @@ def test_what_is_used_a_thousandth_is_used_and_what_is_used_less_is_not():
     some = np.array([0.0, 0.0021])
     assert len(together(done_of(a=some, b=some), {}, 0.5)) == 1
     assert together(done_of(a=0.9 * some, b=0.9 * some), {}, 0.5) == ()
-
-
-def jaw(*paths):
-    """A joint that stands turned by 90 degrees, its control about its y axis, and a clip of joints of these paths,
-    the n-th turned by 10 n degrees beyond that."""
-    up = rotations([0.0, 0.0, np.pi / 2])
-    base = np.eye(4)
-    base[:3, :3] = up
-    joints = (SimpleNamespace(path="x", base=np.eye(4)), SimpleNamespace(path="neck/jaw", base=base))
-    turned = np.radians(10.0 * np.arange(1, len(paths) + 1))[None, :, None] * [0.0, 1.0, 0.0]
-    clip = SimpleNamespace(joints=paths, rotations=rotations(np.concatenate([0.0 * turned, turned])) @ up)
-    drive = SimpleNamespace(joints=np.array([1]), rotations=np.array([[[0.0, 0, 0]], [[0.0, -1, 0]]]))
-    return joints, SimpleNamespace(drive=drive), clip
-
-
-@pytest.mark.parametrize(
-    ("paths", "column"),
-    [
-        (("eye", "neck/jaw"), 2),
-        (("eye", "other/jaw"), 2),
-        (("other/jaw", "neck/jaw"), 2),
-        (("neck/jaw", "other/jaw"), 1),
-        (("jaw", "other/jaw"), 0),
-        (("x", "neck"), 0),
-    ],
-)
-def test_a_joint_turns_from_the_base_pose_as_the_joint_of_its_path_or_the_only_one_of_its_name(paths, column):
-    found = _turned(*jaw(*paths))
-    if column:
-        assert found == pytest.approx([0.0, 10.0 * column])
-    else:
-        assert found is None
 
 
 def test_strays_are_told_by_name_up_to_three():
