@@ -9,17 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 from pxr import Sdf, Usd, UsdGeom
 
-from usdrigui.character import Floats, Glyph, Indices
+from usdrigui.character import Floats, Glyph
 from usdrigui.errors import Faults, RigUIError, refuse
 from usdrigui.isolation.foreign_file import check_source
-from usdrigui.reading.mesh import left_handed
+from usdrigui.reading.mesh import checked_faces, left_handed
 from usdrigui.settings import RigSettings
-from usdrigui.stages.arrays import check_range, integers, value_at, vectors
+from usdrigui.stages.arrays import integers, value_at, vectors
 from usdrigui.stages.opening import open_stage
 
 _MOST_POINTS = 1000
@@ -95,89 +95,60 @@ def _opened(key: str, path: Path, size_limit: int) -> Usd.Stage:
 
 
 def _glyph(prim: Usd.Prim, name: str) -> Glyph:
-    path = str(prim.GetPath())
+    path, time = str(prim.GetPath()), Usd.TimeCode.Default()
+    if not (prim.IsA(UsdGeom.Mesh) or prim.IsA(UsdGeom.BasisCurves)):
+        raise refuse("GLYPH_TYPE", path, f"is {prim.GetTypeName() or 'a prim without a type'}")
+    authored = value_at(UsdGeom.PointBased(prim).GetPointsAttr(), time)
+    points = vectors(authored, path, "points").astype(np.float64)
+    if not len(points):
+        raise refuse("GLYPH_EMPTY", path, "has no points")
+    to_world = np.array(UsdGeom.XformCache().GetLocalToWorldTransform(prim))[:3, :3]
     form: Literal["curve", "mesh"] = "mesh"
     if prim.IsA(UsdGeom.Mesh):
-        points, counts, indices = _mesh(UsdGeom.Mesh(prim), path)
-    elif prim.IsA(UsdGeom.BasisCurves):
-        form, (points, counts, indices) = "curve", _curves(UsdGeom.BasisCurves(prim), path)
+        mesh = UsdGeom.Mesh(prim)
+        counts, indices = checked_faces(mesh, time, len(points))
+        if left_handed(mesh, to_world):
+            faces = np.split(indices, np.cumsum(counts)[:-1])
+            indices = np.concatenate([face[::-1] for face in faces])
     else:
-        raise refuse("GLYPH_TYPE", path, f"is {prim.GetTypeName() or 'a prim without a type'}")
+        form, lines = "curve", _curves(UsdGeom.BasisCurves(prim), points, path)
+        counts = np.array([len(line) for line in lines], dtype=np.int64)
+        points, indices = np.concatenate(lines), np.arange(counts.sum(), dtype=np.int64)
     if len(points) > _MOST_POINTS:
         what = f"has {len(points)} points; a glyph has {_MOST_POINTS} at most"
         raise refuse("GLYPH_EMPTY", path, what)
-    return Glyph(name, form, _fitted(prim, points, path), counts, indices)
+    up = str(UsdGeom.GetStageUpAxis(prim.GetStage()))
+    return Glyph(name, form, _fitted(points @ to_world, up, path), counts, indices)
 
 
-def _fitted(prim: Usd.Prim, points: Floats, path: str) -> Floats:
+def _fitted(points: Floats, up: str, path: str) -> Floats:
     """The points as seen from above, in a sphere of radius 1 about the origin."""
-    to_world = _to_world(prim)
-    up = "Z" if UsdGeom.GetStageUpAxis(prim.GetStage()) == UsdGeom.Tokens.z else "Y"
-    axes = np.array(_TOP_VIEW[up], dtype=np.float64)
-    seen = (points @ to_world[:3, :3]) @ axes.T
+    seen = points @ np.array(_TOP_VIEW[up], dtype=np.float64).T
     centred = seen - 0.5 * (seen.min(axis=0) + seen.max(axis=0))
     radius = float(np.linalg.norm(centred, axis=1).max())
     if not np.isfinite(radius):
-        raise refuse(
-            "NOT_FINITE",
-            path,
-            "its transform or its points are too large for floating-point numbers",
-        )
+        what = "its transform or its points are too large for floating-point numbers"
+        raise refuse("NOT_FINITE", path, what)
     if radius <= 1e-12 * float(np.abs(seen).max()):
         raise refuse("GLYPH_EMPTY", path, "all its points are at one place")
     return np.asarray(centred / radius, dtype=np.float64)
 
 
-def _to_world(prim: Usd.Prim) -> Floats:
-    return np.array(UsdGeom.XformCache().GetLocalToWorldTransform(prim), dtype=np.float64)
-
-
-def _points(gprim: UsdGeom.PointBased, path: str) -> Floats:
-    points = vectors(
-        value_at(gprim.GetPointsAttr(), Usd.TimeCode.Default()), path, "points"
-    ).astype(np.float64)
-    if not len(points):
-        raise refuse("GLYPH_EMPTY", path, "has no points")
-    return points
-
-
-def _integers(attribute: Any, path: str) -> Indices:
-    return integers(value_at(attribute, Usd.TimeCode.Default()), path, str(attribute.GetName()))
-
-
-def _mesh(mesh: UsdGeom.Mesh, path: str) -> tuple[Floats, Indices, Indices]:
-    points = _points(mesh, path)
-    counts = _integers(mesh.GetFaceVertexCountsAttr(), path)
-    indices = _integers(mesh.GetFaceVertexIndicesAttr(), path)
-    if not len(counts) or counts.min() < 3 or counts.sum() != len(indices):
-        raise refuse("TOPOLOGY_INVALID", path, f"{len(counts)} faces with {len(indices)} corners")
-    check_range(indices, len(points), path, "faceVertexIndices")
-    if left_handed(mesh, _to_world(mesh.GetPrim())[:3, :3]):
-        indices = np.concatenate([face[::-1] for face in np.split(indices, np.cumsum(counts)[:-1])])
-    return points, counts, indices
-
-
 # --- curves ---------------------------------------------------------------------------------------
 
 
-def _curves(gprim: UsdGeom.BasisCurves, path: str) -> tuple[Floats, Indices, Indices]:
+def _curves(gprim: UsdGeom.BasisCurves, points: Floats, path: str) -> list[Floats]:
     """Polylines for the curves; cubic ones in small straight pieces."""
-    points, counts = _points(gprim, path), _integers(gprim.GetCurveVertexCountsAttr(), path)
+    authored = value_at(gprim.GetCurveVertexCountsAttr(), Usd.TimeCode.Default())
+    counts = integers(authored, path, "curveVertexCounts")
     if not len(counts) or counts.min() < 2 or counts.sum() != len(points):
-        raise refuse(
-            "TOPOLOGY_INVALID",
-            path,
-            f"curves of {counts.tolist()[:9]} vertices for {len(points)} points",
-        )
-    basis = (
-        str(gprim.GetBasisAttr().Get()) if gprim.GetTypeAttr().Get() == UsdGeom.Tokens.cubic else ""
-    )
+        what = f"curves of {counts.tolist()[:9]} vertices for {len(points)} points"
+        raise refuse("TOPOLOGY_INVALID", path, what)
+    is_cubic = gprim.GetTypeAttr().Get() == UsdGeom.Tokens.cubic
+    basis, wrap = str(gprim.GetBasisAttr().Get()) if is_cubic else "", gprim.GetWrapAttr().Get()
     if basis and basis not in _CUBIC:
         raise refuse("GLYPH_TYPE", path, f"has curves of the basis {basis!r}")
-    wrap = str(gprim.GetWrapAttr().Get())
-    lines = [_line(each, basis, wrap, path) for each in np.split(points, np.cumsum(counts)[:-1])]
-    lengths = np.array([len(line) for line in lines], dtype=np.int64)
-    return np.concatenate(lines), lengths, np.arange(lengths.sum(), dtype=np.int64)
+    return [_line(each, basis, wrap, path) for each in np.split(points, np.cumsum(counts)[:-1])]
 
 
 def _line(vertices: Floats, basis: str, wrap: str, path: str) -> Floats:

@@ -108,7 +108,7 @@ def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found)
         found.issues.append(issue("MESH_EMPTY", path, "has no points"))
         note_tokens(prim, found, f"{path} has no points")
         return None
-    counts, indices = _faces(mesh, time, len(points))
+    counts, indices = checked_faces(mesh, time, len(points))
     varying = (mesh.GetPointsAttr(), mesh.GetFaceVertexIndicesAttr())
     if any(attribute.GetNumTimeSamples() > 1 for attribute in varying):
         when = "the default or earliest" if time.IsDefault() else f"{time.GetValue():g}"
@@ -185,7 +185,8 @@ def read_faces(mesh: UsdGeom.Mesh, time: Usd.TimeCode) -> tuple[Indices, Indices
     )
 
 
-def _faces(mesh: UsdGeom.Mesh, time: Usd.TimeCode, count: int) -> tuple[Indices, Indices]:
+def checked_faces(mesh: UsdGeom.Mesh, time: Usd.TimeCode, count: int) -> tuple[Indices, Indices]:
+    """As `read_faces`, of a mesh of `count` points; raises TOPOLOGY_INVALID and INDEX_RANGE too."""
     path, (counts, indices) = str(mesh.GetPath()), read_faces(mesh, time)
     if (counts < 0).any() or counts.sum() != len(indices):
         what = f"faceVertexCounts add up to {counts.sum()}, faceVertexIndices has {len(indices)}"

@@ -138,8 +138,7 @@ def of_controls(
             found.findings,
             issues=(
                 *(each for each in found.findings.issues if each.code == "NORMALS_INWARD"),
-                *_tiny(rig.controls, motions, scale.face_size, settings),
-                *_duplicates(rig.controls, motions),
+                *_doubtful(rig.controls, motions, scale.face_size, settings.tiny),
             ),
         ),
     )
@@ -253,8 +252,7 @@ def _assembled(
             left_off,
             (
                 *_inward(rig.skel_root.path, inward),
-                *_tiny(rig.controls, motions, scale.face_size, settings),
-                *_duplicates(rig.controls, motions),
+                *_doubtful(rig.controls, motions, scale.face_size, settings.tiny),
             ),
         ),
     )
@@ -318,46 +316,28 @@ def _face_size(motions: list[Motion], heights: Floats) -> float:
     return float(np.ptp(heights[np.concatenate(moved)])) if moved else 0.0
 
 
-def _tiny(
-    controls: tuple[Control, ...],
-    motions: tuple[Motion, ...],
-    face_size: float,
-    settings: TrajectorySettings,
+def _doubtful(
+    controls: tuple[Control, ...], motions: tuple[Motion, ...], face_size: float, tiny: float
 ) -> list[Issue]:
-    found = []
-    for motion in motions:
-        share = float(motion.arc_length.max()) / face_size
-        if share < settings.tiny:
-            name = controls[motion.control].name
-            found.append(
-                issue(
-                    "CONTROL_TINY",
-                    name,
-                    f"moves no point further than {share:.2%} of the face's height",
-                )
-            )
-    return found
-
-
-def _duplicates(controls: tuple[Control, ...], motions: tuple[Motion, ...]) -> list[Issue]:
-    """Controls that do the same as an earlier one, perhaps in another measure."""
-    found: list[Issue] = []
+    """Controls that move less than the share `tiny` of the face, and those that do the same as an
+    earlier one, perhaps in another measure."""
+    small, doubled = list[Issue](), list[Issue]()
     seen: dict[tuple[int, int, int], list[Motion]] = {}
     for motion in motions:
-        bucket = seen.setdefault(
-            (len(motion.points), int(motion.points[0]), int(motion.points[-1])), []
-        )
-        for other in bucket:
-            factor = _same_up_to_scale(motion, other)
-            if factor:
-                name, first = controls[motion.control].name, controls[other.control].name
-                times = f"{factor:.3g}"
-                how = f"the same as {first}" + (f", {times} times as far" if times != "1" else "")
-                found.append(issue("CONTROL_DUPLICATE", name, f"moves every point {how}"))
-                break
+        name, share = controls[motion.control].name, float(motion.arc_length.max()) / face_size
+        if share < tiny:
+            what = f"moves no point further than {share:.2%} of the face's height"
+            small.append(issue("CONTROL_TINY", name, what))
+        key = (len(motion.points), int(motion.points[0]), int(motion.points[-1]))
+        factors = ((_same_up_to_scale(motion, other), other) for other in seen.setdefault(key, []))
+        factor, first = next((pair for pair in factors if pair[0]), (0.0, motion))
+        if factor:
+            times = "" if f"{factor:.3g}" == "1" else f", {factor:.3g} times as far"
+            what = f"moves every point the same as {controls[first.control].name}{times}"
+            doubled.append(issue("CONTROL_DUPLICATE", name, what))
         else:
-            bucket.append(motion)
-    return found
+            seen[key].append(motion)
+    return small + doubled
 
 
 def _same_up_to_scale(motion: Motion, other: Motion) -> float:
