@@ -35,7 +35,6 @@ from usdrigui.character.skinning import (
     applied,
     base_locals,
     bound_points,
-    influences,
     point_maps,
     skeleton_to_root,
     skinning_matrices,
@@ -332,23 +331,22 @@ class _Reached:
             local = [shape.points for shape in shapes] or [np.zeros(0, dtype=np.int64)]
             points = local[0] if len(local) == 1 else np.unique(np.concatenate(local))
             return cls(index, points, shapes, False, None)
-        acting = influences(
-            skin.joints, np.where(turning[skin.joints], skin.weights, 0.0), len(turning)
-        )
-        reached = np.diff(acting.indptr) > 0
-        turns = bool(reached.any())
+        joints = np.flatnonzero(turning[: skin.by_joint.shape[1]])
+        acting = skin.by_joint[:, joints].tocsr()
+        count = np.diff(acting.indptr)
+        reached, turns = count > 0, bool(acting.nnz)
         for shape in shapes:
             reached[shape.points] = True
-        local_points = np.flatnonzero(reached)
-        if shapes or skin.method != "classicLinear":
-            return cls(index, local_points, shapes, turns, None)
-        bound = bound_points(_blended(mesh, base.weights), skin)
-        owner = np.repeat(np.arange(len(bound)), np.diff(acting.indptr))
+        points = np.flatnonzero(reached)
+        if shapes or skin.method != "classicLinear" or not turns:
+            return cls(index, points, shapes, turns, None)
+        bound = bound_points(_blended(mesh, base.weights)[points], skin)
+        owner = np.repeat(np.arange(len(points)), count[points])
         data = (acting.data[:, None] * bound[owner]).ravel()
-        columns = (4 * acting.indices[:, None] + np.arange(4)).ravel()
+        columns = (4 * joints[acting.indices][:, None] + np.arange(4)).ravel()
         ends = np.append(0, 4 * acting.indptr[1:][reached])
-        shape_of = (len(local_points), 4 * len(body.joints))
-        return cls(index, local_points, (), turns, csr_array((data, columns, ends), shape=shape_of))
+        weighted = csr_array((data, columns, ends), shape=(len(points), 4 * len(body.joints)))
+        return cls(index, points, (), turns, weighted)
 
 
 def _shape_offsets(part: _Reached, weights: Floats, base: Floats) -> NDArray[np.floating]:
