@@ -72,5 +72,5 @@ def pytest_collection_modifyitems(config, items):
 def pytest_terminal_summary(terminalreporter, config):
     """What was left out is said; with pytest-xdist, pytest itself does not."""
     if config.option.suite in ("quick", "sample"):
-        said = {"quick": "slow tests were left out", "sample": "one slow test of every file was run"}
+        said = {"quick": "slow tests were left out", "sample": "of the slow tests the first of every file was run"}
         terminalreporter.write_line(f"{said[config.option.suite]}: --suite slow runs them all")

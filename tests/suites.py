@@ -1,4 +1,4 @@
-"""Which tests a run takes: the quick suite before every change, the slow one beside it, a sample of the slow one in CI.
+"""Which tests a run takes: the quick suite before every change, the slow one beside it, in CI a sample of the slow one too.
 
 Slow is what drives a browser, Blender or another program, a real rig, a kill, a sweep of damaged files or a long
 search.  A test says so by the marker `slow`, by the marker `real`, or by a fixture of `PROGRAMS`.
@@ -20,11 +20,12 @@ def is_slow(item):
 def taken(items, suite):
     """Those of the collected tests that the suite takes, in their order.
 
-    `sample` is the first slow test of every file: the same ones every time, one meeting with every program.
+    `sample` is the quick suite and the first slow test of every file: the same ones every time, one meeting with every
+    program.
     """
     if suite == "all":
         return list(items)
-    if suite == "quick":
-        return [each for each in items if not is_slow(each)]
-    slow = [each for each in items if is_slow(each)]
-    return slow if suite == "slow" else list({each.path: each for each in reversed(slow)}.values())[::-1]
+    if suite == "slow":
+        return [each for each in items if is_slow(each)]
+    first = {} if suite == "quick" else {each.path: each for each in reversed(items) if is_slow(each)}
+    return [each for each in items if not is_slow(each) or first.get(each.path) is each]

@@ -1,22 +1,15 @@
 """What a wrong command line, configuration or file is answered: all of it at once, and with what was meant."""
 
-import json
 from pathlib import Path
 
 import pytest
+from commands import run
 
 from usdrigui.cli import main
 from usdrigui.cli.options import files_read, passed_on, settings_of
 from usdrigui.cli.parser import hint, options_of, parser
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
-
-
-def run(capsys, *arguments, expected):
-    capsys.readouterr()
-    assert main([*map(str, arguments), "--json"]) == expected
-    return json.loads(capsys.readouterr().out)["issues"]
-
 
 VALUES = """
 [solve]
@@ -83,7 +76,7 @@ def test_everything_that_is_wrong_in_a_configuration_is_reported_at_once(command
         file.write_text(text.replace("MESH", mesh.path))
     given = [option for file in files for option in ("--config", file)]
     read = layer if command == "check" else asset
-    found = run(capsys, command, read, *given, expected=2)
+    found = run(capsys, command, read, *given, expected=2)["issues"]
     assert sorted(each["path"] for each in found) == sorted(wrong)
     hints = " ".join(each["message"] for each in found)
     assert texts == [VALUES] or ("'Jaw'" in hints and "'smile_L'" in hints)
@@ -95,7 +88,7 @@ def test_names_of_another_character_are_all_told_at_once(layer, capsys):
     layer.with_name("char.rigui.toml").write_text(
         '[like.names]\nnobody = "chin"\nchin = "no_one"\nbrow_L = ""\n[read.pose]\nnobody = 1.0\n'
     )
-    found = run(capsys, "process", layer.with_name("char.usda"), "--like", layer, expected=2)
+    found = run(capsys, "process", layer.with_name("char.usda"), "--like", layer, expected=2)["issues"]
     assert [each["path"] for each in found] == ['read.pose."nobody"', 'like.names."nobody"', 'like.names."chin"']
 
 
@@ -137,7 +130,7 @@ def test_an_unknown_option_is_answered_with_its_commands_usage_and_what_was_mean
 )
 def test_a_value_that_is_misspelt_is_answered_with_what_was_meant(line, hint, layer, capsys):
     layer.with_name("char.rigui.toml").write_text(f"[controls.smile_L]\n{line}\n")
-    (found,) = run(capsys, "process", layer.with_name("char.usda"), expected=2)
+    (found,) = run(capsys, "process", layer.with_name("char.usda"), expected=2)["issues"]
     assert hint in found["message"]
 
 
@@ -173,16 +166,16 @@ def test_of_several_configurations_a_later_one_wins_over_an_earlier(layer, capsy
     passed = [each.removeprefix("--config=") for each in passed_on(arguments)]
     assert [each for each in passed if each.endswith(".toml")] == files[1::2]
     layer.with_name("show.toml").write_text("[solve]\ngop = 1\n")
-    assert [each["path"] for each in run(capsys, "process", "char.usda", *files, expected=2)] == ["solve.gop"]
+    assert [each["path"] for each in run(capsys, "process", "char.usda", *files, expected=2)["issues"]] == ["solve.gop"]
 
 
 def test_a_dry_run_refuses_what_the_run_would_not_replace(layer, capsys):
     own = layer.with_name("mine.usda")
     own.write_text("#usda 1.0\n")
-    found = run(capsys, "process", layer.with_name("char.usda"), "--dry-run", "-o", own, expected=3)
+    found = run(capsys, "process", layer.with_name("char.usda"), "--dry-run", "-o", own, expected=3)["issues"]
     assert [each["code"] for each in found] == ["FILE_TARGET"]
 
 
 def test_viewers_of_an_asset_name_the_layout_beside_it(layer, capsys):
-    found = run(capsys, "picture", layer.with_name("char.usda"), "-o", layer.with_name("a.png"), expected=1)
+    found = run(capsys, "picture", layer.with_name("char.usda"), "-o", layer.with_name("a.png"), expected=1)["issues"]
     assert found[0]["message"].endswith(f"{layer} beside it is a layout")

@@ -35,7 +35,7 @@ TESTS = [
     [
         ("quick", ["plain", "skipped_elsewhere"]),
         ("slow", ["kills", "drags", "of_a_rig", "imports"]),
-        ("sample", ["kills", "of_a_rig"]),
+        ("sample", ["plain", "kills", "of_a_rig", "skipped_elsewhere"]),
         ("all", [each.name for each in TESTS]),
     ],
 )
