@@ -1,4 +1,4 @@
-"""Which tests a run takes: the quick suite before every change, the slow one beside it, in CI a sample of the slow one too.
+"""Which tests a run takes: the quick suite before every change, the slow one beside it, in CI a sample of that too.
 
 Slow is what drives a browser, Blender or another program, a real rig, a kill, a sweep of damaged files or a long
 search.  A test says so by the marker `slow`, by the marker `real`, or by a fixture of `PROGRAMS`.

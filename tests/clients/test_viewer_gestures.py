@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import tomllib
 
 import makers
 import numpy as np
@@ -12,7 +11,6 @@ from browser_pages import Viewer
 from pxr import Sdf, Usd
 from viewer_layouts import MIRRORS, peak_layout
 
-from usdrigui.settings import load
 from usdrigui.view.web.page import page_html
 
 JAW = ("jaw", "slider", ("jawLeft", "jawRight"), ((0, 1),))
@@ -335,32 +333,6 @@ def test_keys_out_as_a_usd_layer_and_in_again(viewer, tmp_path):
     loaded(viewer, path)
     viewer.page.evaluate("usdrigui.app.timeline.go(6)")
     assert viewer.values()["brow_L"] == pytest.approx(0.75, abs=1e-3)
-
-
-def test_rearranged_element_makes_a_partial_layout(viewer, tmp_path):
-    viewer.page.get_by_role("button", name="Rearrange").first.click()
-    element = viewer.element("sneer_L")
-    target = skin_point(viewer, 0.2, 0.1)
-    viewer.drag(element["handle"], target)
-    assert viewer.element("sneer_L")["handle"] == pytest.approx(target, abs=12)
-    viewer.page.locator("summary", has_text="Layout").click()
-    path = saved(viewer, "Save partial layout", tmp_path, "layout.toml")
-    settings = load(tomllib.loads(path.read_text()))
-    mesh, _, point = settings.rig.controls["sneer_L"].anchor.partition("#")
-    assert mesh == "/Root/mesh"
-    where = makers.face().body.meshes[0].points[int(point)]
-    assert where[:2] == pytest.approx([0.2, 0.1], abs=0.03)
-    viewer.page.keyboard.press("Control+z")
-    viewer.settle()
-    assert viewer.element("sneer_L")["handle"] == pytest.approx(element["handle"], abs=1e-3)
-
-
-def test_an_element_off_the_face_is_beside_it(viewer, tmp_path):
-    viewer.option("rearrange", True)
-    viewer.drag(viewer.element("sneer_L")["handle"], [30, 40])
-    viewer.page.locator("summary", has_text="Layout").click()
-    path = saved(viewer, "Save partial layout", tmp_path, "layout.toml")
-    assert load(tomllib.loads(path.read_text())).rig.controls["sneer_L"].place == "board"
 
 
 # --- evaluation --------------------------------------------------------------------------------------

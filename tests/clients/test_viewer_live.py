@@ -128,23 +128,6 @@ def test_what_another_page_keyed_is_no_step_of_ones_own(tmp_path):
     assert [page["keys"] for page in after[3]] == [{one: [[3, 0.5]], two: [[5, 0.25]]}] * 2
 
 
-def test_a_conflict_is_reported_and_a_key_stays_over_its_removal(tmp_path):
-    _, rig = character(tmp_path, 1)
-    one, two = rig.controls[:2]
-    rounds = [
-        [[*keyed(one.name, 3, 0.5), *keyed(two.name, 3, 0.5)], []],
-        [
-            [*keyed(one.name, 3, 0.25), ["go", 3], ["unkey", [two.name]]],
-            [*keyed(one.name, 3, 0.75), *keyed(two.name, 3, 0.125)],
-        ],
-    ]
-    with served(tmp_path / "edit.usda") as server:
-        found = pages(server, rig, rounds)
-    assert found["after"][-1][0] == found["after"][-1][1]
-    assert found["after"][-1][0]["keys"] == {one.name: [[3, 0.75]], two.name: [[3, 0.125]]}
-    assert any("Changed here and elsewhere" in words and one.label in words for words in found["said"][1])
-
-
 def test_characters_of_a_shot_and_the_frames_set_by_hand_share_one_file(tmp_path):
     """Keys of each character and the first and last frame are with the other page; those of the others stay."""
     face = makers.face()

@@ -217,27 +217,3 @@ def test_notes_are_undone_and_offered_back_like_all_work(opened, pages, tmp_path
     viewer.page.locator(".surface").focus()
     viewer.page.keyboard.press("Control+z")
     assert [each["frame"] for each in notes(viewer)] == [6]
-
-
-def test_a_finger_draws_and_two_hold_the_camera(opened, pages):
-    viewer = opened(pages(), (390, 844))
-    viewer.page.evaluate("usdrigui.app.fold('review', true)")
-    viewer.page.get_by_role("button", name="Draw").click()
-    viewer.settle()
-    start = chin(viewer)
-    viewer.touch("touchStart", start)
-    viewer.touch("touchMove", [start[0] + 30, start[1] - 20])
-    viewer.touch("touchMove", [start[0] + 60, start[1]])
-    viewer.touch("touchEnd")
-    assert [each["strokes"] for each in notes(viewer)] == [1]
-    (line,) = lines(viewer)
-    assert line[0] == pytest.approx(start, abs=0.6)
-    viewer.touch("touchStart", [100, 200])
-    viewer.touch("touchStart", [100, 200], [200, 200])
-    viewer.touch("touchMove", [130, 230], [230, 230])
-    viewer.touch("touchEnd", [130, 230])
-    viewer.touch("touchEnd")
-    assert [each["strokes"] for each in notes(viewer)] == [1], "two fingers draw nothing"
-    (moved,) = lines(viewer)
-    assert moved[0] == pytest.approx([start[0] + 30, start[1] + 30], abs=1.0), "strokes stay on the face"
-    assert viewer.moved() == {}

@@ -43,30 +43,6 @@ def test_the_same_seed_draws_the_same_mutants_of_all_kinds_alike(job):
     assert sorted(each.kind for each in first[:4]) == ["arithmetic", "choice", "comparison", "number"]
 
 
-def test_code_that_changes_elsewhere_draws_the_same_mutants(job, tmp_path, monkeypatch):
-    monkeypatch.setattr(job, "ROOT", tmp_path)
-    path = tmp_path / "usdrigui" / "pose" / "code.py"
-    path.parent.mkdir(parents=True)
-    function = "def f{}(a):\n    return {}a[0]{} + max(a) < {}\n"
-    path.write_text("".join(function.format(each, "", "", each) for each in range(20)))
-    first = {each.place for each in job.drawn(["pose"], 12, 0)}
-    path.write_text("d = 3\n" + "".join(function.format(each, "(", "\n)", each) for each in reversed(range(20))))
-    again = {each.place for each in job.drawn(["pose"], 12, 0)}
-    assert len(first & again) >= 11
-
-
-def test_equal_expressions_of_a_function_are_told_apart_by_their_turn(job, tmp_path, monkeypatch):
-    monkeypatch.setattr(job, "ROOT", tmp_path)
-    path = tmp_path / "code.py"
-    path.write_text("def f(a):\n    return a(b=-1), a(b=-1), a + 1e-300\n\n\nclass C:\n    x = 0.5\n")
-    numbers = [each.place for each in job.mutants(path) if each.kind == "number"]
-    assert numbers == [
-        "code.py:f: number 1 -> 2 in a(b=-1) #1",
-        "code.py:f: number 1 -> 2 in a(b=-1) #2",
-        "code.py:C: number 0.5 -> 0.75 in x = 0.5 #1",
-    ]
-
-
 def test_a_mutant_answers_to_the_tests_that_reach_it_those_of_its_file_first(job, tmp_path, monkeypatch):
     monkeypatch.setattr(job, "ROOT", tmp_path)
     path = tmp_path / "code.py"
