@@ -112,7 +112,8 @@ def _mesh(stage, path, index, tokens, rng, method, skinned, left_handed, reorder
     mesh = UsdGeom.Mesh.Define(stage, path)
     counts = [4] * len(quads)
     order = [quad[::-1] if left_handed else quad for quad in quads]
-    mesh.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(points.astype(np.float32) + 0.1 * index))
+    # Each lies behind the one before, which it would hide otherwise.
+    mesh.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(points.astype(np.float32) - np.float32([0, 0, 0.1 * index])))
     mesh.CreateFaceVertexCountsAttr(counts)
     mesh.CreateFaceVertexIndicesAttr([point for quad in order for point in quad])
     mesh.CreateSubdivisionSchemeAttr("none")

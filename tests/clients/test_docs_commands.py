@@ -13,7 +13,7 @@ import studio_assets
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 BLOCK = re.compile(r"^<!-- run(?:: (?P<needs>\S+))? -->\n```sh\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
-PAGES = ("animator.md", "hosts.md", "internals/assets.md", "pipeline.md", "rigger.md")
+PAGES = ("hosts.md", "internals/assets.md", "animator.md", "pipeline.md", "rigger.md")
 
 
 def blocks(page):

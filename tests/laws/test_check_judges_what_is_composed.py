@@ -153,7 +153,7 @@ EDITS = {
     hide: {"LAYOUT_ANCHOR_HIDDEN"},
     deactivate: {"LAYOUT_MESH_GONE"},
     deactivate_all: {"LAYOUT_MESH_GONE"},
-    displace: {"LAYOUT_ANCHOR_MOVED", "LAYOUT_ANCHOR_HIDDEN"},
+    displace: {"LAYOUT_ANCHOR_MOVED"},
     turn_a_face: {"LAYOUT_TOPOLOGY"},
     regrab: {"LAYOUT_ANCHOR_MOVED"},
     collide: {"LAYOUT_HANDLES_COLLIDE", "LAYOUT_ANCHOR_MOVED", "LAYOUT_INVALID"},  # its track stays
