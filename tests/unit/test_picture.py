@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import itertools
 from dataclasses import replace
 
 import chain
@@ -125,11 +126,17 @@ def crowded(layout, count):
     return replace(layout, elements=(*layout.elements[1:], *crowd, aside))
 
 
-@pytest.mark.parametrize("count", [3, 40])
+@pytest.mark.parametrize("count", [3, 110])
 def test_every_element_is_named_once_and_those_that_crowd_in_an_inset(rig, layout, count):
+    """As large as can be read, however many there are, and nothing covers anything."""
     given = crowded(layout, count)
     page = picture.scene(rig, given, None, Wanted(labels=True))
-    words = [label.text for panel in page.panels if panel.grounded for label in panel.labels if label.ink == flat.INK]
+    named = [label for panel in page.panels if panel.grounded for label in panel.labels if label.ink == flat.INK]
+    assert min(label.size for label in named) >= 11
+    for one, other in itertools.combinations(page.panels, 2):
+        apart = np.subtract(other.corner, one.corner)
+        assert ((apart >= one.size) | (-apart >= other.size)).any()
+    words = [label.text for label in named]
     assert sorted(words) == sorted([*(each.look.label for each in layout.elements), *(f"e{i}" for i in range(count))])
     assert ("front, enlarged" in captions(page)) == (count > 12)
     assert captions(picture.scene(rig, given, None, Wanted(["front"], SMALL))) == ["front", "board"]

@@ -21,7 +21,7 @@ from usdrigui.view import directions
 from usdrigui.view.body.complexion import complexion
 from usdrigui.view.body.shading import Subject, look, subject_of
 from usdrigui.view.flat.callouts import called_out, column_width, shortened
-from usdrigui.view.flat.framing import Frame, View, crowds, framed, row
+from usdrigui.view.flat.framing import Frame, View, crowds, framed, names_height, row, trimmed
 from usdrigui.view.flat.lettering import cut, font, legible, width_of
 from usdrigui.view.flat.marks import FORMS, colour_of, form_of
 from usdrigui.view.flat.pillow import painted
@@ -232,8 +232,28 @@ def _arranged(rig: Rig, section: Section, subject: Subject, wanted: Wanted) -> t
         insets = [_named(inset, names, ()) for inset in insets]
     width, height = wanted.size[0] - 2 * _EDGE, wanted.size[1] - _TITLE - _CAPTION - _LEGEND
     first = row(frames, (_EDGE, _TITLE, width, height))
-    top, most = _TITLE + height + _CAPTION, _ENLARGED * first[0].camera.scale
-    return first + row(insets, (_EDGE, top, width, round(_INSETS * height)), most)
+    if wanted.views is None:
+        first = trimmed(first)
+    top, most = _TITLE + first[0].camera.height + _CAPTION, _ENLARGED * first[0].camera.scale
+    return first + _inset_views(insets, (_EDGE, top, width, round(_INSETS * height)), most)
+
+
+def _inset_views(
+    insets: Sequence[Frame], box: tuple[int, int, int, int], most: float
+) -> tuple[View, ...]:
+    """The insets from a corner of the page on, each as large as it can be, in rows."""
+    start, top, width, height = box
+    views: list[View] = []
+    left, below = start, top
+    for inset in insets:
+        tall = max(height, round(names_height(inset)))
+        (view,) = trimmed(row([inset], (start, top, width, tall), most))
+        wide = view.camera.width + 2 * inset.column
+        if left + wide > start + width:
+            left, top = start, below
+        views.append(replace(view, corner=(left, top)))
+        left, below = left + wide + _GAP, max(below, top + view.camera.height + _CAPTION)
+    return tuple(views)
 
 
 # --- one page -------------------------------------------------------------------------------------

@@ -7,7 +7,7 @@ viewer/src/view.js frames by the same numbers, which its scene holds.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -27,6 +27,8 @@ _INSET = np.array([0.28, 0.13])
 """Half of the window of an inset, in extents of the frame."""
 _MAX_INSETS = 2
 _GAP = 14
+_NAME = 15.0
+"""Height of a row of names that is read with ease, pixels."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,6 +120,20 @@ def row(
         views.append(View(frame, camera, (left, top)))
         left += across + 2 * frame.column + _GAP
     return tuple(views)
+
+
+def trimmed(views: Sequence[View]) -> tuple[View, ...]:
+    """Views of a row without what is empty above and below their frames and the rows of names."""
+    low = min(float(view.frame.low[1]) for view in views)
+    high = max(float(view.frame.high[1]) for view in views)
+    tall = max(views[0].camera.scale * (high - low), *(names_height(view.frame) for view in views))
+    height = min(views[0].camera.height, max(round(tall), 1))
+    return tuple(replace(view, camera=replace(view.camera, height=height)) for view in views)
+
+
+def names_height(frame: Frame) -> float:
+    """Pixels that the names of a frame take in two columns."""
+    return _NAME * (len(frame.names) + 1) / 2.0
 
 
 def _box(points: Floats) -> tuple[Floats, Floats]:
