@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from usdrigui.layout.element import elements
+from usdrigui.model import MirrorPlane
 
 POINTS, QUADS = makers.mask()
 
@@ -61,11 +62,11 @@ def test_the_reason_of_a_mirror_copy_names_the_controls_of_its_own_side():
 @pytest.mark.parametrize(("x", "side"), [(0.0, "middle"), (2e-3, "middle"), (2.1e-3, "left"), (-2.1e-3, "right")])
 def test_a_point_within_a_thousandth_of_the_face_from_the_plane_is_in_the_middle(x, side):
     face = SimpleNamespace(
-        symmetry=SimpleNamespace(plane=SimpleNamespace(origin=np.zeros(3), normal=np.array([1.0, 0, 0]))),
+        symmetry=SimpleNamespace(plane=MirrorPlane(np.zeros(3), np.array([1.0, 0, 0]))),
         trajectories=SimpleNamespace(surface=SimpleNamespace(points=np.array([[x, 1.0, 2.0]]), face_size=2.0)),
     )
     assert elements._side(face, 0) == side
-    face.symmetry.plane.normal = np.zeros(3)
+    face.symmetry.plane = MirrorPlane(np.zeros(3), np.zeros(3))
     assert elements._side(face, 0) == "none"
 
 

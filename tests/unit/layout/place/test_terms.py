@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from usdrigui.layout.place.terms import LinearTerms, linear_cost, occlusion, off_plane
+from usdrigui.model import MirrorPlane
 
 SIDE = 11
 PRICE = 0.15
@@ -68,7 +69,7 @@ def test_off_the_plane_costs_by_the_handle_width_and_the_right_a_hair_more():
     base = np.array([[0.2, 0, 0], [-0.2, 0, 0], [0.0, 0, 0], [0.6, 0, 0]])
     face = SimpleNamespace(
         trajectories=SimpleNamespace(surface=SimpleNamespace(points=base)),
-        symmetry=SimpleNamespace(plane=SimpleNamespace(origin=np.zeros(3), normal=np.array([1.0, 0, 0]))),
+        symmetry=SimpleNamespace(plane=MirrorPlane(np.zeros(3), np.array([1.0, 0, 0]))),
         handle_width=0.2,
     )
     assert off_plane(face, np.array([0, 1, 2, 3]), 2.0) == pytest.approx([2.0, 2.0 + 1e-5, 0.0, 6.0])
