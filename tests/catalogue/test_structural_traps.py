@@ -33,17 +33,6 @@ def test_a_name_comes_back_from_the_layer(name, tmp_path):
     assert names == ({"lächeln", "怒り"} if "ASCII" in name else {'<b>&"smile', "frown"})
 
 
-def test_a_layout_layer_is_no_source(tmp_path):
-    """It is refused, with the name of the character below it, instead of getting a second layout over its own."""
-    path = traps.minimal_assets.character(tmp_path)
-    assert triggers.command("process", path)[0] == 0
-    for options in ((), ("-o", tmp_path / "again.usda"), ("--dry-run",)):
-        exit_code, (found,) = triggers.command("process", tmp_path / "char.rigui.usda", *options)
-        assert (exit_code, found["code"]) == (1, "SOURCE_IS_LAYOUT")
-        assert str(path) in found["message"]
-    assert sorted(each.name for each in tmp_path.iterdir()) == ["char.rigui.usda", "char.usda"]
-
-
 @pytest.mark.parametrize("arc", ["subLayers", "references"])
 def test_a_layer_that_brings_a_layout_in_gets_no_second_one(arc, tmp_path):
     """A shot over a layout layer, even one that corrects it, is added to (--base) or laid out apart (--bare)."""

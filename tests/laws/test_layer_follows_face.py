@@ -213,22 +213,6 @@ def test_pose_controls_leave_their_own_tracks_alone(tmp_path):
         assert np.linalg.norm(end - element.anchor.position) > 1e-3
 
 
-def test_the_root_joint_leaves_its_own_track_behind(tmp_path):
-    """Nothing above the root carries the track, so it stays where it is."""
-    source, rig = read(tmp_path, animated_joints=("Hips",))
-    layout = laid_out.layout_of(rig, only=["Hips:rx"])
-    names = [control.name for control in rig.controls]
-    pose = laid_out.defaults(rig)
-    pose[names.index("Hips:rx")] = rig.controls[names.index("Hips:rx")].maximum
-    stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, [laid_out.defaults(rig), pose])
-    (element,) = layout.elements
-    for time in (0, 1):
-        assert np.abs(
-            track_of(stage, rig, element, time) - element.manipulator.members[0].track
-        ).max() < CLOSE * diagonal(rig)
-    assert np.abs(handle_of(stage, rig, element, 1)[0] - element.manipulator.members[0].track[-1]).max() < 1e-4
-
-
 def test_patches_are_still_under_all_their_controls_and_span_an_area(tmp_path):
     source, rig = read(tmp_path, animated_joints=JAW)
     group = ("smile_L", "sneer_L")
@@ -292,17 +276,6 @@ def test_elements_beside_the_face_or_static_do_not_deform_but_show_their_value(t
             assert carried > 1e-3 * diagonal(rig), element.name
 
 
-def test_a_static_element_is_carried_rigidly(tmp_path):
-    source, rig = read(tmp_path, animated_joints=("Hips/Head", *JAW))
-    layout = laid_out.layout_of(rig, adapt="static")
-    pose = laid_out.random_values(rig, np.random.default_rng(2))
-    stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, [laid_out.defaults(rig), pose])
-    for element in layout.elements:
-        first, last = (track_of(stage, rig, element, time) for time in (0, 1))
-        before, after = (np.linalg.norm(each - each[0], axis=1) for each in (first, last))
-        assert np.abs(before - after).max() < CLOSE * diagonal(rig)
-
-
 def test_layouts_of_another_base_pose_stand_where_the_pose_puts_them(tmp_path):
     source, rig = read(tmp_path, animated_joints=("Hips/Head", *JAW), moved=True)
     base = 0.5 * laid_out.random_values(rig, np.random.default_rng(1))
@@ -314,42 +287,3 @@ def test_layouts_of_another_base_pose_stand_where_the_pose_puts_them(tmp_path):
         )
         rim = handle_of(stage, rig, element, 0)[2:] - element.anchor.position
         assert np.allclose(np.linalg.norm(rim, axis=1), np.hypot(0.35, 0.6) * layout.frame.handle_width, rtol=1e-3)
-
-
-@pytest.mark.parametrize("arc", ["references", "payload"])
-def test_characters_behind_composition_arcs_are_laid_out_on_their_composed_path(tmp_path, arc):
-    """A reference or payload inside a variant: the layer's overs reach what the asset's root layer composes."""
-    skinned_stages.character(tmp_path / "model.usda")
-    source = tmp_path / "shot.usda"
-    source.write_text(f"""#usda 1.0
-(
-    defaultPrim = "Shot"
-    upAxis = "Y"
-)
-def Xform "Shot"
-{{
-    def "Hero" (
-        variants = {{
-            string look = "young"
-        }}
-        prepend variantSets = "look"
-    )
-    {{
-        variantSet "look" = {{
-            "young" (
-                prepend {arc} = @./model.usda@
-            )
-            {{
-            }}
-        }}
-    }}
-}}
-""")
-    (rig,) = read_rigs(source, Settings())
-    assert rig.skel_root.path == "/Shot/Hero/Char"
-    layout = laid_out.layout_of(rig)
-    pose = laid_out.random_values(rig, np.random.default_rng(5))
-    stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, [pose])
-    for element in layout.elements:
-        anchor = laid_out.root_points(stage, element.anchor.mesh, rig.skel_root.path, 0)[element.anchor.point]
-        assert np.abs(handle_of(stage, rig, element, 0)[0] - anchor).max() < CLOSE * diagonal(rig)
