@@ -42,6 +42,11 @@ def test_an_element_in_the_way_is_named_with_what_it_does(one, other, reason, bo
     assert ("other" in found) == both
 
 
+def test_tracks_that_run_along_each_other_for_less_than_a_third_do_not_count():
+    found = unclear(element("one", (100, 300), (140, 300)), element("other", (100, 303), (110, 303), (110, 260)))
+    assert not any("runs along" in reasons for reasons in found.values())
+
+
 def test_elements_apart_are_clear():
     assert unclear(element("one", (100, 300), (100, 340)), element("other", (130, 300), (130, 340))) == {}
 
