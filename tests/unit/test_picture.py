@@ -180,6 +180,8 @@ def test_a_frame_holds_the_elements_and_the_head_near_them_but_no_arm():
     assert (high - low).max() < 1.5 * 0.6, "the elements fill the picture"
     far = np.concatenate([head, [[9.0, 0.0, 0.0], [0.0, -9.0, 0.0]]])
     assert np.array(framing.framed(tracks, far, np.eye(3), 0.01)) == pytest.approx(np.array([low, high]))
+    outermost = framing.corners(tracks, far, np.eye(3))
+    assert {*map(tuple, head), *map(tuple, tracks[0])} == {*map(tuple, outermost)}, "so does a camera that turns"
 
 
 @pytest.mark.parametrize("width", [300, 900, 1700])

@@ -71,7 +71,7 @@ export class Bar {
   tabs() {
     const { session } = this.app;
     const { sections } = session.character.layout;
-    if (!sections.length) return null;
+    if (sections.length < 2) return null;
     const choices = sections.map((section, i) => [section, section.title, `Show: ${section.title} (${i + 1} of ${sections.length})`]);
     const tabs = segmented('Part', choices, () => session.section, (section) => session.show(sections.indexOf(section)));
     session.on('section', () => tabs.update());

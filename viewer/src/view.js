@@ -1,6 +1,6 @@
 // The viewport: one or more columns showing the character, and the loop that keeps them up to date.
 
-import { OrbitCamera, dot } from './camera.js';
+import { OrbitCamera } from './camera.js';
 import { beginDrag } from './drag.js';
 import { Gestures } from './gestures.js';
 import { Onion } from './onion.js';
@@ -32,7 +32,7 @@ export class View {
     this.onion = new Onion(this);
     this.node = make('div', { class: 'view' }, this.stage.node, this.onion.node, marks, this.surface, this.captions, ...this.sides, this.tip);
     this.overlay = new Overlay(marks, session);
-    this.camera = new OrbitCamera(session.character.up, (session.section ?? session.character.layout).view);
+    this.camera = new OrbitCamera(session.character.up, session.section.view);
     this.picker = new ScreenSurface(session.deformer.points, this.stage.triangles);
     this.rearranging = new Rearranging(this);
     this.gestures = new Gestures(this);
@@ -67,9 +67,9 @@ export class View {
       this.changed('camera');
     });
     session.on('section', () => {
-      const { up, layout } = session.character;
-      this.camera = new OrbitCamera(up, (session.section ?? layout).view);
-      this.overlay.dock.front = new OrbitCamera(up, (session.section ?? layout).view);
+      const { up } = session.character;
+      this.camera = new OrbitCamera(up, session.section.view);
+      this.overlay.dock.front = new OrbitCamera(up, session.section.view);
       session.emit('selection');
       session.emit('options');
       this.home();
@@ -145,41 +145,13 @@ export class View {
   home(azimuth = 0, elevation = 0) {
     this.camera.turn(azimuth, elevation);
     const column = this.columns[0] ?? { width: 1, height: 1 };
-    this.camera.frame(this.framed(this.shownElements()), column.width, column.height);
+    this.camera.frame(this.session.section.frame, column.width, column.height);
     this.closeness = this.camera.distance;
     this.changed('camera');
   }
 
   shownElements() {
     return this.session.elements.list.filter((element) => this.session.isShown(element));
-  }
-
-  /** Points to be in the picture: the elements on the face and what of the head is around them. */
-  framed(shown) {
-    const { elements, character } = this.session;
-    const main = character.layout.sections[0]?.elements ?? [];
-    // Tongue and teeth have no handle on the character: they are looked at in its face.
-    const ofFace = elements.list.filter((element) => main.includes(element.name));
-    const tracks = [shown, ofFace].map((some) => some.filter((element) => !element.onBoard).flatMap((element) => element.tracks.flat()));
-    const on = tracks.find((points) => points.length);
-    const skin = everyPoint(this.session.deformer.points, this.stage.triangles);
-    if (!on) return skin;
-    return [...on, ...this.surroundings(on, skin)];
-  }
-
-  /** The skin around some points, as far as the layout's shares of their larger extent to the sides and up and down. */
-  surroundings(points, skin) {
-    const { right, above } = this.camera;
-    const spans = [right, above].map((axis) => {
-      const along = points.map((point) => dot(point, axis));
-      return [Math.min(...along), Math.max(...along)];
-    });
-    const reach = this.session.character.layout.surroundings.map((share) => share * Math.max(...spans.map(([low, high]) => high - low)));
-    const near = (point) => [right, above].every((axis, i) => {
-      const at = dot(point, axis);
-      return at > spans[i][0] - reach[i] && at < spans[i][1] + reach[i];
-    });
-    return skin.filter(near);
   }
 
   /** Look as a note does (notes.js), at least as much of it as its page showed. */
@@ -402,9 +374,4 @@ function drawingAsked() {
 
 export function sideName(side) {
   return { left: 'Character’s left', right: 'Character’s right', middle: 'Middle', none: '' }[side];
-}
-
-function everyPoint(points, triangles) {
-  const used = new Set(triangles);
-  return [...used].map((point) => [points[3 * point], points[3 * point + 1], points[3 * point + 2]]);
 }

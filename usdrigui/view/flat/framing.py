@@ -1,7 +1,7 @@
 """What part of a character a picture shows: one rule for pictures, pickers and the page.
 
 The box of the elements' tracks, the character around it as far as `SURROUNDINGS`, and a margin.
-viewer/src/view.js frames by the same numbers, which its scene holds.
+The page's cameras turn; they hold the `corners` of the same.
 """
 
 from __future__ import annotations
@@ -64,14 +64,28 @@ def framed(
 ) -> tuple[Floats, Floats]:
     """Corners (2,), along the rows' right and up, of the frame of some tracks (k, 3) on a
     character with the points `skin` (n, 3); of all the character where there is no track."""
-    across = skin @ rows[:2].T
-    low, high = _box(np.concatenate(tracks) @ rows[:2].T if tracks else across)
-    reach = np.array(SURROUNDINGS) * (high - low).max()
-    near = across[((across > low - reach) & (across < high + reach)).all(axis=1)]
-    low, high = _box(np.concatenate([near, [low, high]]))
+    low, high = _box(_held(tracks, skin, rows) @ rows[:2].T)
     middle, half = 0.5 * (low + high), 0.5 * MARGIN * (high - low)
     half = np.maximum(half, 0.5 * _MIN_EXTENT * handle_width)
     return middle - half, middle + half
+
+
+def corners(tracks: Sequence[Floats], skin: Floats, rows: Floats) -> Floats:
+    """(k, 3) the outermost points of what is framed, for cameras that turn."""
+    held = _held(tracks, skin, rows)
+    ways = np.stack(np.meshgrid(*[[-1.0, 0.0, 1.0]] * 3), axis=-1).reshape(-1, 3)
+    return np.asarray(held[np.unique((held @ ways.T).argmax(axis=0))])
+
+
+def _held(tracks: Sequence[Floats], skin: Floats, rows: Floats) -> Floats:
+    """(k, 3) points of tracks and of the skin around them; all the skin where there is no track."""
+    if not tracks:
+        return skin
+    points, across = np.concatenate(tracks), skin @ rows[:2].T
+    low, high = _box(points @ rows[:2].T)
+    reach = np.array(SURROUNDINGS) * (high - low).max()
+    near = ((across > low - reach) & (across < high + reach)).all(axis=1)
+    return np.concatenate([points, skin[near]])
 
 
 def crowds(handles: Floats, extent: Floats) -> list[Indices]:

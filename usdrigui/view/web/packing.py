@@ -33,18 +33,19 @@ from usdrigui.character import (
     Skin,
 )
 from usdrigui.character.palette import SIDES
-from usdrigui.character.surface import triangles
+from usdrigui.character.surface import mesh_triangles, triangles
 from usdrigui.errors import Issue, refuse
 from usdrigui.following import following, shared
 from usdrigui.model import Element, Layout, Member
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.settings import OutputSettings
 from usdrigui.view.body.complexion import complexion
-from usdrigui.view.body.shading import EYE, IRIS, PUPIL, Complexion, encoded
+from usdrigui.view.body.shading import EYE, IRIS, PUPIL, Complexion, encoded, look
 from usdrigui.view.clip import ClipReading, reading
+from usdrigui.view.flat import framing
 from usdrigui.view.flat.callouts import shortened
 from usdrigui.view.flat.columns import heading, rank
-from usdrigui.view.flat.framing import SURROUNDINGS
+from usdrigui.view.panels import on_character
 from usdrigui.view.sections import sections
 
 Json = dict[str, Any]
@@ -148,17 +149,17 @@ def _identity(rig: Rig) -> str:
 
 
 def _meshes(
-    arrays: _Arrays, meshes: tuple[RigMesh, ...], starts: Indices, look: Complexion
+    arrays: _Arrays, meshes: tuple[RigMesh, ...], starts: Indices, seen: Complexion
 ) -> list[Json]:
     spans = [slice(a, b) for a, b in itertools.pairwise(starts.tolist())]
     looks = [
-        Complexion(look.colours[span], look.gaze[span], look.clear[span], look.open[span])
+        Complexion(seen.colours[span], seen.gaze[span], seen.clear[span], seen.open[span])
         for span in spans
     ]
     return [_mesh(arrays, mesh, own) for mesh, own in zip(meshes, looks, strict=True)]
 
 
-def _mesh(arrays: _Arrays, mesh: RigMesh, look: Complexion) -> Json:
+def _mesh(arrays: _Arrays, mesh: RigMesh, seen: Complexion) -> Json:
     low, step, grid = _quantised_positions(mesh.points)
     corners = triangles(
         mesh.points,
@@ -166,8 +167,8 @@ def _mesh(arrays: _Arrays, mesh: RigMesh, look: Complexion) -> Json:
         mesh.topology.face_indices,
         mesh.topology.left_handed,
     )
-    corners = corners[~look.clear[corners].all(axis=1)]
-    on_eye = (np.abs(look.gaze) < 3.0).any()
+    corners = corners[~seen.clear[corners].all(axis=1)]
+    on_eye = (np.abs(seen.gaze) < 3.0).any()
     return {
         "path": mesh.path,
         "visible": mesh.display.visible,
@@ -178,9 +179,9 @@ def _mesh(arrays: _Arrays, mesh: RigMesh, look: Complexion) -> Json:
         "toRoot": _list(mesh.binding.to_root),
         "skin": None if mesh.binding.skin is None else _skin(arrays, mesh.binding.skin),
         "shapes": [_shape(arrays, shape) for shape in mesh.binding.shapes],
-        "colours": arrays.integers(np.rint(255.0 * encoded(look.shaded)), "u1"),
+        "colours": arrays.integers(np.rint(255.0 * encoded(seen.shaded)), "u1"),
         "gaze": (
-            arrays.integers(np.rint(look.gaze / _GAZE_STEP).clip(-32767, 32767), "i2")
+            arrays.integers(np.rint(seen.gaze / _GAZE_STEP).clip(-32767, 32767), "i2")
             if on_eye
             else None
         ),
@@ -273,7 +274,6 @@ def _layout(rig: Rig, layout: Layout) -> Json:
     meshes = {mesh.path: index for index, mesh in enumerate(rig.body.meshes)}
     return {
         **_fields(layout.frame, "handle_width view"),
-        "surroundings": list(SURROUNDINGS),
         "planeOrigin": _list(layout.frame.plane.origin),
         "planeNormal": _list(layout.frame.plane.normal),
         "baseValues": _list(layout.character.base_values),
@@ -289,17 +289,25 @@ def _layout(rig: Rig, layout: Layout) -> Json:
 
 
 def _sections(rig: Rig, layout: Layout) -> list[Json]:
-    """What is looked at by itself, the face first; none where a character is one part."""
-    if len(layout.frame.parts) < 2:
-        return []
-    return [
-        {
-            "title": each.title,
-            **_fields(each.layout.frame, "handle_width view"),
-            "elements": [element.name for element in each.layout.elements],
-        }
-        for each in sections(layout, evaluate(prepare(rig, layout)), rig.skel_root.up)
-    ]
+    """What is looked at by itself, the face first; all of a character in one part."""
+    posed, up = evaluate(prepare(rig, layout)), rig.skel_root.up
+    corners = np.unique(mesh_triangles(rig.body.meshes, visible_only=True))
+    skin = posed.points[corners] if len(corners) else posed.points
+    packed: list[Json] = []
+    tracks: list[Floats] = []
+    for each in sections(layout, posed, up):
+        # Tongue and teeth have no handle on the character: they are looked at in its face.
+        own = [t for i in on_character(each.layout) for t in each.posed.elements[i].tracks]
+        tracks = own or tracks
+        packed.append(
+            {
+                "title": each.title,
+                **_fields(each.layout.frame, "handle_width view"),
+                "frame": _list(framing.corners(tracks, skin, look(each.layout.frame.view, up))),
+                "elements": [element.name for element in each.layout.elements],
+            }
+        )
+    return packed
 
 
 def _elements(
