@@ -133,6 +133,13 @@ def test_a_number_is_an_action_unit_only_among_action_units():
     assert not any(meanings(["12", "15", "26", "4"]))
 
 
+def test_what_stands_before_the_last_dot_or_colon_is_the_owner_of_the_name():
+    """Each mesh and deformer has its own; a side behind a dot is none, and an axis of a joint neither."""
+    read = meanings(["h_teeth.AE_AA", "geo:jawOpen", "brow.down.L", "ah", "12_a", "jaw:rx"])
+    assert [each and each.action.name for each in read] == ["viseme", "jawOpen", "browDown", "viseme", None, "jaw"]
+    assert read[2].side == "left"
+
+
 def test_a_word_that_all_names_share_says_nothing():
     prefixed = meanings([f"face_mouth.{name}" for name in _ARKIT.split()])
     assert [each and each.action.name for each in prefixed] == [

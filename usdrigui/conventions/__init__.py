@@ -13,6 +13,7 @@ FACS numbers, phonemes, moods) and then read as a phrase (``phrases.toml``: *bro
 from __future__ import annotations
 
 import itertools
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -90,7 +91,17 @@ def meanings(names: Sequence[str], *, numbers: bool = False) -> tuple[Meaning | 
 
 def distinctive_words(names: Sequence[str]) -> tuple[tuple[str, ...], ...]:
     """(names,) the words of each name of one rig, without those of their owner."""
-    return tuple(without_makers(without_shared([words(name) for name in names])))
+    bare = [words(_without_owner(name)) for name in names]
+    return tuple(without_makers(without_shared(bare)))
+
+
+def _without_owner(name: str) -> str:
+    """What stands behind the last dot or colon of a name, where it has a meaning of its own:
+    ``h_teeth.AE_AA``, not ``brow.L``."""
+    last = re.split(r"[.:]", name)[-1]
+    own = words(last)
+    means = own and own[0] not in SIDES and (is_action(own) or _coded(own) is not None)
+    return last if means else name
 
 
 def without_last_side(each: tuple[str, ...]) -> tuple[str, ...]:
@@ -193,7 +204,9 @@ def _coded(each: tuple[str, ...]) -> Action | None:
         return None
     visemes, emotions, identities = codes["visemes"], codes["emotions"], codes["identities"]
     named = plain[0] in visemes["prefixes"] or not {*plain}.isdisjoint(visemes["words"])
-    if named or {*plain[plain[0] == "mouth" :]} <= {*visemes["phonemes"]}:
+    # The variant of a numbered sculpt: 12_a.
+    spoken = not each[0].isdigit() and {*plain[plain[0] == "mouth" :]} <= {*visemes["phonemes"]}
+    if named or spoken:
         return actions()["viseme"] if plain != ["mouth"] else None
     # Eyes have moods of one side; a mouth that is sad on one side is an action.
     mood = list(without_side(tuple(plain))[1]) if plain[0] == "eye" else plain
