@@ -414,7 +414,7 @@ def _account(
     parts = [each.inputs for each in laid]
     rig, references = parts[0].face.rig, parts[0].character.references
     peaks = {
-        rig.controls[each.control].name: each.peak
+        rig.controls[each.control].name: float(each.arc_length.max())
         for inputs in parts
         for each in inputs.face.trajectories.motions
     }

@@ -152,5 +152,5 @@ def _kept(face: Face, choice: Choice, label: int) -> float:
         for control in controls:
             motion = face.trajectories.motion_of(control)
             row = int(np.searchsorted(motion.points, choice.sources[label, copy]))
-            shares.append(float(motion.arc_length[row]) / motion.peak)
+            shares.append(float(motion.arc_length[row] / motion.arc_length.max()))
     return min(shares)
