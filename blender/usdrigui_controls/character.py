@@ -23,6 +23,8 @@ SOURCE = "usdrigui_source"
 """Custom property of the holder with the path of the layer that the layout was read from."""
 EXPORTED = "usdrigui_exported"
 """Custom property of the holder where that layer is of an export of this scene."""
+BONES = "usdrigui_bones"
+"""Custom property of the holder: the armature whose bones drive the shape keys, if there is one."""
 _MESHES, _ARMATURES, _NAMES = "usdrigui_meshes", "usdrigui_armatures", "usdrigui_names"
 _VALUE = "rig: "
 """Prefix of the custom properties that hold the values of poses."""
@@ -157,6 +159,10 @@ class Character:
                 ]
             if not _is_single_joint(control):
                 self.holder[_VALUE + name] = float(value)
+        if BONES in self.holder:
+            from .bones import move_bones
+
+            move_bones(self, before | changed)
         for token, step in weights.items():
             for key in self.shape_keys(token):
                 key.value += step
@@ -167,6 +173,10 @@ class Character:
     def insert_keys(self, names, frame=None):
         """Insert keyframes for the controls ``names`` at ``frame``, or the current one."""
         at = {} if frame is None else {"frame": frame}
+        if BONES in self.holder:
+            from .bones import key_bones
+
+            names = key_bones(self, names, at)
         for name in names:
             control = self.controls[name]
             for shape in control.shapes:

@@ -6,8 +6,7 @@ import math
 
 from pxr import UsdGeom
 
-from .layout import LayoutError
-from .properties import carriers_of, floats, get
+from .properties import agree, carriers_of, floats, get
 
 
 def track(prim, instance):
@@ -18,38 +17,21 @@ def track(prim, instance):
 
 
 def carriers(prim):
-    """Joints and weights that carry the element, and their skeleton."""
-    corners = _corners(prim, ("handle",))
-    return carriers_of(prim.GetParent(), corners[0][0]) if corners else ((), "")
-
-
-def _corners(prim, roles):
-    """The points around each face of an element that is drawn for one of these roles."""
+    """Joints and weights that carry the element, and their skeleton: those of the first point of
+    its handle."""
     if not prim.IsA(UsdGeom.Subset):
-        return []
-    mesh, starts = prim.GetParent(), [0]
-    indices, counts = get(mesh, "faceVertexIndices", ()), get(mesh, "faceVertexCounts", ())
-    for count in counts:
-        starts.append(starts[-1] + count)
-    faces = get(prim, "indices", ())
-    if any(not 0 <= face < len(counts) for face in faces) or starts[-1] != len(indices):
-        raise LayoutError(f"{prim.GetPath()} has faces that its mesh has not")
+        return (), ""
+    mesh, faces = prim.GetParent(), sorted(get(prim, "indices", ()))
+    indices, counts = (list(get(mesh, f"faceVertex{each}", ())) for each in ("Indices", "Counts"))
+    agree(prim, not faces or 0 <= faces[0] <= faces[-1] < len(counts), "faces of its mesh")
+    agree(mesh, sum(counts) == len(indices), "corners of faces")
     primvar = UsdGeom.PrimvarsAPI(mesh).GetPrimvar("rigUI:role")
     # ComputeFlattened knows no indexed tokens in the USD of Blender 4.5 and 5.0.
     said = list(primvar.Get() or ()) if primvar else []
-    drawn = (
-        [said[index] for index in primvar.GetIndices()] if said and primvar.IsIndexed() else said
-    )
-    drawn *= len(counts) if len(drawn) == 1 else 1
-    if len(drawn) != len(counts):
-        return []
-    chosen = [face for face in sorted(faces) if drawn[face] in roles]
-    return [[int(point) for point in indices[starts[face] : starts[face + 1]]] for face in chosen]
-
-
-def adapt(prim):
-    """Whether the element deforms or is static."""
-    return get(prim, "rigUI:handle:adapt", "deform")
+    roles = [said[index] for index in primvar.GetIndices()] if primvar.IsIndexed() else said
+    roles *= len(counts) if len(roles) == 1 else 1
+    handle = next((face for face in faces if roles[face : face + 1] == ["handle"]), None)
+    return ((), "") if handle is None else carriers_of(mesh, indices[sum(counts[:handle])])
 
 
 def part_of(prim):
@@ -57,16 +39,10 @@ def part_of(prim):
     return str(get(prim.GetParent(), "rigUI:drawing:part", ""))
 
 
-def reason(prim):
-    """Why the element stands where it does, for people."""
-    return prim.GetDocumentation() if prim.HasAuthoredDocumentation() else ""
-
-
 def opposed(prim, instances):
     """(negative, positive) positions of the members of signed axes."""
     named = [str(get(prim, f"rigUI:control:{instance}:opposes", "")) for instance in instances]
-    if any(each and each not in instances for each in named):
-        raise LayoutError(f"{prim.GetPath()} opposes {named} of {instances}")
+    agree(prim, {*named} <= {"", *instances}, "controls that it opposes")
     return [(instances.index(each), i) for i, each in enumerate(named) if each]
 
 

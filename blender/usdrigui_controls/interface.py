@@ -5,7 +5,8 @@ from __future__ import annotations
 import bpy
 
 from . import visibility
-from .character import Character, holders, unbind
+from .bones import SwitchBones, remove_bones
+from .character import BONES, Character, holders, unbind
 from .environment import MakeEnvironment, Preferences
 from .gizmos import Hand
 from .importing import add_controls, open_stage
@@ -84,6 +85,8 @@ class RemoveLayout(bpy.types.Operator):
     def execute(self, context):
         """Unbind every character of the scene."""
         for holder in holders(context.scene):
+            if BONES in holder:
+                remove_bones(context, holder)
             unbind(holder)
         visibility.forget()
         return {"FINISHED"}
@@ -166,6 +169,7 @@ class RigPanel(bpy.types.Panel):
         row = column.row(align=True)
         row.operator(KeyControls.bl_idname, text="Key All", icon="KEY_HLT").everything = True
         row.operator(ResetControls.bl_idname, text="Reset All", icon="LOOP_BACK").everything = True
+        column.operator(SwitchBones.bl_idname, icon="BONE_DATA")
         column.operator(SaveAnimation.bl_idname, icon="EXPORT")
         column.operator(LayOutFace.bl_idname, icon="MESH_MONKEY")
         column.operator(LoadLayout.bl_idname, icon="IMPORT")
@@ -223,6 +227,7 @@ _CLASSES = (
     LoadLayout,
     RemoveLayout,
     SaveAnimation,
+    SwitchBones,
     ResetControls,
     KeyControls,
     KeyHovered,

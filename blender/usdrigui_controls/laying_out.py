@@ -10,7 +10,7 @@ from pathlib import Path
 import bpy
 
 from . import visibility
-from .character import EXPORTED, SOURCE, Character, holder_of
+from .character import BONES, EXPORTED, SOURCE, Character, holder_of
 from .environment import Background, Job, usdrigui
 from .exporting import selected_face, write_character
 from .importing import add_controls, has_usd, open_stage
@@ -38,6 +38,8 @@ class LayOutFace(Background, bpy.types.Operator):
                 f"{held.name} has the layout of {held[SOURCE]}: lay that file out again, or remove"
                 " the layout first"
             )
+        if held is not None and BONES in held:
+            raise LayoutError("bones drive the shape keys: switch Controls as Bones off first")
         usdrigui(context)  # say what is missing before anything is written
         folder = _folder()
         _check_room(folder)

@@ -5,6 +5,14 @@ from __future__ import annotations
 
 from pxr import UsdGeom
 
+from .layout import LayoutError
+
+
+def agree(prim, is_so, what):
+    """Raise LayoutError unless what a prim says of something belongs together."""
+    if not is_so:
+        raise LayoutError(f"{prim.GetPath()} contradicts itself: {what}")
+
 
 def applied(prim):
     """Names of the API schemas applied to a prim."""

@@ -21,7 +21,7 @@ from .layout import (
     ShapeDrive,
     SkeletonRest,
 )
-from .properties import applied, floats, get, targets
+from .properties import agree, applied, floats, get, targets
 
 LAYOUT = "RigUILayoutAPI_1"
 """The mark of a layout, with the version of it that is understood."""
@@ -54,11 +54,7 @@ def _layout(scope):
     names, values = (
         get(scope, f"rigUI:layout:{name}", ()) for name in ("baseControls", "baseValues")
     )
-    if len(values) not in (0, len(names)):
-        raise LayoutError(
-            f"{scope.GetPath()} names {len(names)} controls and {len(values)} values of the base"
-            " pose"
-        )
+    agree(scope, len(values) in (0, len(names)), "values of the base pose")
     base = dict(zip((str(name) for name in names), values or [0.0] * len(names), strict=True))
     root = scope.GetParent()
     widths = _part_widths(scope)
@@ -86,8 +82,7 @@ def _part_widths(scope):
     """Handle width of each part of a character that is laid out in several."""
     names = [str(name) for name in get(scope, "rigUI:layout:parts", ())]
     widths = floats(get(scope, "rigUI:layout:partHandleWidths", ()))
-    if len(names) != len(widths):
-        raise LayoutError(f"{scope.GetPath()} has {len(names)} parts and {len(widths)} widths")
+    agree(scope, len(names) == len(widths), "widths of parts")
     return dict(zip(names, widths, strict=True))
 
 
@@ -119,16 +114,15 @@ def _control(prim, instance, base):
         maximum=of("maximum", 1.0),
         base=float(base.get(name, default)),
         keys=keys,
-        shapes=_shapes(of, keys, name),
+        shapes=_shapes(prim, of, keys),
         joints=_joints(prim, instance, of, keys),
     )
 
 
-def _shapes(of, keys, name):
+def _shapes(prim, of, keys):
     tokens = [str(token) for token in of("blendShapes", ())]
     weights = floats(of("blendShapeWeights", ()))
-    if len(weights) != len(keys) * len(tokens) and keys:
-        raise LayoutError(f"the control {name} has {len(weights)} weights for {len(keys)} keys")
+    agree(prim, not keys or len(weights) == len(keys) * len(tokens), "weights of shapes")
     columns = [weights[i :: len(tokens)] if keys else () for i in range(len(tokens))]
     return tuple(ShapeDrive(token, column) for token, column in zip(tokens, columns, strict=True))
 
@@ -138,7 +132,7 @@ def _joints(prim, instance, of, keys):
     skeletons = [str(path) for path in targets(prim, f"rigUI:control:{instance}:skeleton")]
     which = list(of("jointSkeletons", ())) or [0] * len(joints)
     tables = [
-        _table(drawn.joint_table(of, name), len(keys), len(joints))
+        _table(prim, drawn.joint_table(of, name), (len(keys), len(joints)))
         for name in ("Rotation", "Translation", "Scale")
     ]
     return tuple(
@@ -147,11 +141,11 @@ def _joints(prim, instance, of, keys):
     )
 
 
-def _table(rows, keys, joints):
+def _table(prim, rows, shape):
     """Per joint, one vector per key; zeros where the layer has none."""
+    keys, joints = shape
     rows = rows or [(0.0, 0.0, 0.0)] * (keys * joints)
-    if len(rows) != keys * joints:
-        raise LayoutError(f"{len(rows)} joint vectors for {keys} keys of {joints} joints")
+    agree(prim, len(rows) == keys * joints, "vectors of joints")
     return [tuple(rows[j::joints]) for j in range(joints)]
 
 
@@ -176,7 +170,7 @@ def _element(prim, instances, width):
         point=get(prim, "rigUI:anchor:pointIndex", -1),
         position=floats(get(prim, "rigUI:anchor:position", (0.0, 0.0, 0.0))),
         normal=floats(get(prim, "rigUI:anchor:normal", (0.0, 0.0, 0.0))),
-        follows=bool(on_face) and drawn.adapt(prim) != "static",
+        follows=bool(on_face) and get(prim, "rigUI:handle:adapt", "deform") != "static",
         carriers=carriers,
         skeleton=skeleton,
         side=str(get(prim, "rigUI:element:side", "none")),
@@ -186,7 +180,7 @@ def _element(prim, instances, width):
             _name(prim.GetStage().GetPrimAtPath(path))
             for path in targets(prim, "rigUI:element:members")
         ),
-        reason=drawn.reason(prim),
+        reason=prim.GetDocumentation() if prim.HasAuthoredDocumentation() else "",
         axes=_axes(prim, drawn.opposed(prim, instances), len(instances)),
         width=width,
     )
@@ -195,8 +189,7 @@ def _element(prim, instances, width):
 def _axes(prim, opposed, count):
     """Positions of each axis: opposed pairs, negative end first, and all others alone."""
     ends = [end for pair in opposed for end in pair]
-    if len(set(ends)) < len(ends) or not set(ends) <= set(range(count)):
-        raise LayoutError(f"{prim.GetPath()} opposes {opposed} of {count} controls")
+    agree(prim, len(set(ends)) == len(ends), "controls that it opposes")
     return tuple(sorted([*opposed, *((i,) for i in range(count) if i not in ends)], key=min))
 
 
@@ -207,8 +200,7 @@ def _name(prim):
 def _instances(prim):
     known = [name.split(":", 1)[1] for name in applied(prim) if name.startswith("RigUIControlAPI:")]
     listed = [str(name) for name in get(prim, "rigUI:element:controls", ())] or known
-    if not listed or set(listed) - set(known):
-        raise LayoutError(f"{prim.GetPath()} lists controls that it does not apply")
+    agree(prim, listed and set(listed) <= set(known), "its controls")
     return listed
 
 
@@ -217,10 +209,7 @@ def _member(prim, instance, points, values):
     if not values:
         low, high = get(prim, f"{control}:minimum", 0.0), get(prim, f"{control}:maximum", 1.0)
         values = tuple(low + (high - low) * i / max(len(points) - 1, 1) for i in range(len(points)))
-    if len(values) != len(points) or len(points) < 2:
-        raise LayoutError(
-            f"{prim.GetPath()} has {len(points)} points and {len(values)} values on a track"
-        )
+    agree(prim, len(values) == len(points) > 1, "points and values of a track")
     name = str(get(prim, f"{control}:name", "")) or instance
     return Member(name, values, points, get(prim, f"{control}:magnification", 1.0))
 

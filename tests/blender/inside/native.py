@@ -80,7 +80,9 @@ def fingerprint():
             add(len(block.animation_data.drivers) if block and block.animation_data else 0)
         if thing.type == "ARMATURE":
             for bone in thing.pose.bones:
-                add(bone.name, np.array(bone.bone.matrix_local), np.array(bone.matrix_basis), len(bone.constraints))
+                # A pose that was taken back is so to single precision.
+                add(bone.name, np.array(bone.bone.matrix_local), np.round(np.array(bone.matrix_basis), 5) + 0.0)
+                add(len(bone.constraints))
                 add(bone.rotation_mode, bone.custom_shape, bone.parent.name if bone.parent else "")
     return digest.hexdigest()
 

@@ -1,0 +1,302 @@
+"""Controls as bones, if wanted: an armature beside the character whose bones stand on the handles
+and drive its shape keys, so that all that Blender has for bones (channels, poses, NLA) serves the
+face.
+
+A bone's own location holds the values: its length is the way from the base to the far end of a
+range, along its y and, for the second axis of a patch, its x.  So nothing but the armature is kept.
+"""
+
+from __future__ import annotations
+
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+import bpy
+import mathutils
+import numpy as np
+
+from .anchors import Anchors
+from .character import BONES, Character, holders
+
+_PALETTES = {"right": "THEME01", "left": "THEME04"}
+
+
+@dataclass(frozen=True)
+class Handle:
+    """One bone: the element it stands for and the controls that its location sets."""
+
+    name: str
+    element: int
+    axes: tuple
+    """Per component of the location, y first: (control, +1 or -1) pairs."""
+
+
+def handles_of(layout):
+    """The bones of a layout: one for a slider or a patch, one for each axis of a fan; for controls
+    of one shape alone, since joints are bones already."""
+    plain = {each.name: each for each in layout.controls if each.plain and each.maximum > each.base}
+    found, taken = [], set()
+    for number, element in enumerate(layout.elements):
+        names = [member.control for member in element.members]
+        axes = [
+            tuple((plain[names[i]], 1.0 if i == axis[-1] else -1.0) for i in axis)
+            for axis in element.axes
+            if all(names[i] in plain and names[i] not in taken for i in axis)
+        ]
+        taken.update(control.name for axis in axes for control, _ in axis)
+        parts = [axes] if len(axes) < 3 else [[axis] for axis in axes]
+        for axes_here in parts if axes else ():
+            label = element.name if len(parts) == 1 else axes_here[0][-1][0].name
+            found.append(Handle(label, number, tuple(axes_here)))
+    return found
+
+
+def move_bones(character, values):
+    """Put the bones where control ``values``, by name, have them."""
+    for handle in handles_of(character.layout):
+        bone = character.holder[BONES].pose.bones[handle.name]
+        for component, axis in zip((1, 0), handle.axes, strict=False):
+            bone.location[component] = bone.bone.length * sum(
+                sign * _share(control, values[control.name]) for control, sign in axis
+            )
+
+
+def key_bones(character, names, at):
+    """Key the bones of the controls ``names``; returns the names of all others."""
+    left = set(names)
+    for handle in handles_of(character.layout):
+        mine = {control.name for axis in handle.axes for control, _ in axis}
+        if mine & left:
+            character.holder[BONES].pose.bones[handle.name].keyframe_insert("location", **at)
+            left -= mine
+    return left
+
+
+def make_bones(context, holder):
+    """Build the armature of a character; its bones drive the shape keys, and have their keys."""
+    character = Character(holder)
+    values, tracks = character.values(), _curves(character)
+    anchors = Anchors(character)
+    placed = anchors.place(character, context.evaluated_depsgraph_get(), values)
+    handles = [each for each in handles_of(character.layout) if placed[each.element] is not None]
+    made = bpy.data.objects.new(f"{holder.name} controls", bpy.data.armatures.new("Controls"))
+    made.show_in_front = True
+    context.scene.collection.objects.link(made)
+    with _editing(context, made):
+        for handle in handles:
+            _add_bone(made, handle, anchors, placed[handle.element])
+    carrier = next(iter((*character.armatures.values(), *character.meshes.values())))
+    made.parent = carrier
+    made.matrix_parent_inverse = carrier.matrix_world.inverted()
+    shape = _circle()
+    for handle in handles:
+        bone, element = made.pose.bones[handle.name], anchors.elements[handle.element]
+        bone.custom_shape, bone.use_custom_shape_bone_size = shape, False
+        size = 0.5 * placed[handle.element].scale * character.layout.width_of(element)
+        bone.custom_shape_scale_xyz = [size] * 3
+        bone.lock_rotation = bone.lock_scale = [True] * 3
+        bone.color.palette = _PALETTES.get(element.side, "THEME03")
+        _limit(bone, handle)
+        _carry(bone, anchors.bindings[handle.element])
+        _drive(character, made, handle)
+    holder[BONES] = made
+    for frame in _frames(tracks.values()):
+        then = {name: curve.evaluate(frame) for name, curve in tracks.items()}
+        move_bones(character, values | then)
+        key_bones(character, tracks, {"frame": frame})
+    move_bones(character, values)
+
+
+def remove_bones(context, holder):
+    """Take the armature away; the shape keys have its values, and the keys that they lack."""
+    character, made = Character(holder), holder[BONES]
+    driven = [c for each in handles_of(character.layout) for axis in each.axes for c, _ in axis]
+    seen = {frame: _seen(context, character, frame) for frame in _frames(curves_of(made))}
+    now = character.values()
+    for control in driven:
+        for key in character.shape_keys(control.shapes[0].token):
+            key.driver_remove("value")
+            animation = key.id_data.animation_data
+            if not animation.action and not animation.drivers:
+                key.id_data.animation_data_clear()
+    discard(made)
+    del holder[BONES]
+    tracks = _curves(character)
+    for frame, values in seen.items():
+        for name in (control.name for control in driven):
+            had = tracks[name].evaluate(frame) if name in tracks else now[name]
+            if abs(had - values[name]) > 1e-5:
+                character.set_values({name: values[name]})
+                character.insert_keys([name], frame)
+    character.set_values({control.name: now[control.name] for control in driven})
+
+
+def discard(made):
+    """Delete the armature with the shape of its bones."""
+    shape = made.pose.bones[0].custom_shape if made.pose.bones else None
+    for thing in filter(None, (made, shape)):
+        data = thing.data
+        bpy.data.objects.remove(thing)
+        bpy.data.batch_remove([data])
+
+
+def _frames(curves):
+    return sorted({point.co.x for curve in curves for point in curve.keyframe_points})
+
+
+def _seen(context, character, frame):
+    before = context.scene.frame_current
+    context.scene.frame_set(int(frame), subframe=frame % 1.0)
+    values = character.values()
+    context.scene.frame_set(before)
+    return values
+
+
+def curves_of(block):
+    """The animation curves of a datablock."""
+    animation = block.animation_data
+    if animation is None or animation.action is None:
+        return []
+    if not hasattr(animation.action, "layers"):  # before Blender 4.4
+        return list(animation.action.fcurves)
+    strips = (strip for layer in animation.action.layers for strip in layer.strips)
+    bags = (strip.channelbag(animation.action_slot) for strip in strips)
+    return [curve for bag in bags if bag is not None for curve in bag.fcurves]
+
+
+def _curves(character):
+    """By control, the curve of its shape key, of those that have one."""
+    controls = [each for each in character.layout.controls if each.plain]
+    return {
+        control.name: curve
+        for control in controls
+        for key in character.shape_keys(control.shapes[0].token)
+        for curve in curves_of(key.id_data)
+        if curve.data_path == key.path_from_id("value")
+    }
+
+
+# --- one bone -------------------------------------------------------------------------------------
+
+
+@contextmanager
+def _editing(context, armature):
+    """The armature in edit mode; then mode and selection as they were."""
+    layer, mode = context.view_layer, context.mode
+    active, chosen = layer.objects.active, list(context.selected_objects)
+    if mode != "OBJECT":
+        bpy.ops.object.mode_set(mode="OBJECT")
+    layer.objects.active = armature
+    bpy.ops.object.mode_set(mode="EDIT")
+    yield
+    bpy.ops.object.mode_set(mode="OBJECT")
+    for each in layer.objects:
+        each.select_set(each in chosen)
+    layer.objects.active = active
+    if mode != "OBJECT":
+        bpy.ops.object.mode_set(mode=mode)
+
+
+def _add_bone(made, handle, anchors, placed):
+    """A bone along its first axis, flat on the skin, where the bone that carries it rests."""
+    element, binding = anchors.elements[handle.element], anchors.bindings[handle.element]
+    drawing = anchors.drawings[handle.element]
+    names = [member.control for member in element.members]
+    ways = []
+    for axis in handle.axes:
+        member = names.index(axis[-1][0].name)
+        track, values = placed.tracks[member], drawing.values[member]
+        base = np.array([np.interp(drawing.base[member], values, part) for part in track.T])
+        ways.append((base, track[-1] - base))
+    base, along = ways[0]
+    normal = mathutils.Vector(placed.normal)
+    if len(ways) > 1 and normal.dot(mathutils.Vector(np.cross(ways[1][1], along))) < 0.0:
+        normal.negate()
+    back = _carried(binding).inverted()
+    length = max(float(np.linalg.norm(along)), 1e-4 * placed.scale)
+    bone = made.data.edit_bones.new(handle.name)
+    bone.head = back @ mathutils.Vector(base)
+    bone.tail = bone.head + (back.to_3x3() @ mathutils.Vector(along)).normalized() * length
+    bone.align_roll(back.to_3x3() @ normal)
+    bone.use_deform = False
+
+
+def _carried(binding):
+    """Where the bone that carries an element has taken it from its rest."""
+    if binding.bones is None or not binding.influences:
+        return mathutils.Matrix()
+    armature, name = binding.bones.armature, _carrier(binding)
+    pose, rest = armature.pose.bones[name].matrix, armature.data.bones[name].matrix_local
+    world = armature.matrix_world
+    return world @ pose @ rest.inverted() @ world.inverted()
+
+
+def _carrier(binding):
+    return max(binding.influences, key=lambda pair: pair[1])[0]
+
+
+def _carry(bone, binding):
+    if binding.bones is not None and binding.influences:
+        target = bone.constraints.new("ARMATURE").targets.new()
+        target.target, target.subtarget = binding.bones.armature, _carrier(binding)
+
+
+def _limit(bone, handle):
+    """Keep a bone within the ranges of its controls, and on its axes."""
+    limit = bone.constraints.new("LIMIT_LOCATION")
+    limit.owner_space, limit.use_transform_limit = "LOCAL", True
+    bone.lock_location = [len(handle.axes) < 2, False, True]
+    for part in "xyz":
+        setattr(limit, f"use_min_{part}", True)
+        setattr(limit, f"use_max_{part}", True)
+    for part, axis in zip("yx", handle.axes, strict=False):
+        low = min(_share(control, control.minimum) if s > 0.0 else -1.0 for control, s in axis)
+        setattr(limit, f"min_{part}", low * bone.bone.length)
+        setattr(limit, f"max_{part}", bone.bone.length)
+
+
+def _share(control, value):
+    return (value - control.base) / (control.maximum - control.base)
+
+
+def _drive(character, made, handle):
+    """Drivers that Blender evaluates without Python, from the location to the shape keys."""
+    for component, axis in zip((1, 0), handle.axes, strict=False):
+        for control, sign in axis:
+            low = control.base if len(axis) > 1 else control.minimum
+            bone = made.pose.bones[handle.name]
+            slope = sign * (control.maximum - control.base) / bone.bone.length
+            for key in character.shape_keys(control.shapes[0].token):
+                driver = key.driver_add("value").driver
+                variable = driver.variables.new()
+                variable.name = "w"
+                variable.targets[0].id = made
+                variable.targets[0].data_path = f"{bone.path_from_id('location')}[{component}]"
+                driver.expression = (
+                    f"min(max({control.base:.9g}+({slope:.9g})*w,{low:.9g}),{control.maximum:.9g})"
+                )
+
+
+def _circle():
+    """What a bone looks like: a ring of a unit's radius, in no scene."""
+    mesh = bpy.data.meshes.new("Control")
+    turns = np.linspace(0.0, 2.0 * np.pi, 17)[:-1]
+    points = [(np.cos(turn), np.sin(turn), 0.0) for turn in turns]
+    mesh.from_pydata(points, [(i, (i + 1) % 16) for i in range(16)], [])
+    return bpy.data.objects.new("Control", mesh)
+
+
+class SwitchBones(bpy.types.Operator):
+    """Let bones with custom shapes drive the shape keys; or take them away and keep the values."""
+
+    bl_idname = "usdrigui.switch_bones"
+    bl_label = "Controls as Bones"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context):
+        """Switch all characters: on, unless one has them."""
+        held = holders(context.scene)
+        with_bones = [each for each in held if BONES in each]
+        for holder in with_bones or held:
+            (remove_bones if with_bones else make_bones)(context, holder)
+        return {"FINISHED"}

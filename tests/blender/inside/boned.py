@@ -1,0 +1,77 @@
+"""Switch the controls of a native character to bones and back: values, keys, what renders, and no trace."""
+
+import bpy
+import native
+import numpy as np
+from scene import enabled, job, world_points
+
+task = job()
+meshes = native.build(task["source"], task["scene"])
+enabled(task["python"])
+from usdrigui_controls.bones import curves_of, handles_of  # noqa: E402
+from usdrigui_controls.character import BONES, Character, holders  # noqa: E402
+
+native.choose(max(meshes, key=lambda each: len(each.data.shape_keys.key_blocks) if each.data.shape_keys else 0))
+assert bpy.ops.usdrigui.lay_out() == {"FINISHED"}
+(holder,) = holders(bpy.context.scene)
+random = np.random.default_rng(4)
+before = native.fingerprint(), len(bpy.data.objects), len(bpy.data.meshes), len(bpy.data.armatures)
+assert bpy.ops.usdrigui.switch_bones() == {"FINISHED"}
+character = Character(holder)
+bones = holder[BONES].pose.bones
+found = {"bones": len(bones), "controls": len(character.controls), "worst": 0.0, "clamped": 0.0, "points": 0.0}
+plain = [each for each in character.controls.values() if each.plain]
+found["driven"] = len({c.name for each in handles_of(character.layout) for axis in each.axes for c, _ in axis})
+
+
+def posed(values):
+    """Values and points once Blender has evaluated."""
+    character.set_values(values)
+    bpy.context.view_layer.update()
+    return character.values(), np.concatenate([world_points(each) for each in meshes])
+
+
+def free():
+    """A pose in which one end of each signed axis is away from its base."""
+    values = {each.name: random.uniform(each.minimum, each.maximum) for each in plain}
+    for handle in handles_of(character.layout):
+        for axis in handle.axes:
+            values.update({axis[0][0].name: axis[0][0].base} if len(axis) > 1 else {})
+    return values
+
+
+poses = [free() for _ in range(3)]
+with_bones = [posed(each) for each in poses]
+for (read, _), asked in zip(with_bones, poses, strict=True):
+    found["worst"] = max(found["worst"], *(abs(read[name] - value) for name, value in asked.items()))
+for bone in bones:
+    bone.location = (9.0, 9.0, 0.0)
+bpy.context.view_layer.update()
+character = Character(holder)
+read = character.values()
+found["clamped"] = max(read[each.name] - each.maximum for each in plain)
+character.set_values({each.name: each.base for each in plain})
+for frame, pose in zip((1, 11), poses, strict=False):
+    character.set_values(pose)
+    character.insert_keys(list(pose), frame)
+found["curves"] = len(curves_of(holder[BONES]))
+bpy.context.scene.frame_set(11)
+keyed = Character(holder).values()
+found["keyed"] = max(abs(keyed[name] - value) for name, value in poses[1].items())
+found["renders"] = bool(bones[0].custom_shape.users_scene)
+if task.get("picture"):
+    bpy.ops.wm.save_as_mainfile(filepath=task["picture"])
+assert bpy.ops.usdrigui.switch_bones() == {"FINISHED"}
+bpy.context.scene.frame_set(1)
+back = Character(holder).values()
+found["back"] = max(abs(back[name] - value) for name, value in poses[0].items())
+for (_, points), pose in zip(with_bones, poses, strict=True):
+    for block in {mesh.data.shape_keys for mesh in meshes} - {None}:
+        block.animation_data_clear()
+    character = Character(holder)
+    found["points"] = max(found["points"], np.abs(posed(pose)[1] - points).max() / np.ptp(points))
+character.set_values({each.name: each.base for each in plain})
+bpy.context.view_layer.update()
+after = native.fingerprint(), len(bpy.data.objects), len(bpy.data.meshes), len(bpy.data.armatures)
+found["trace"] = after != before
+np.savez(task["result"], **found)
