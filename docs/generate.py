@@ -1,8 +1,10 @@
 """Write the reference pages that are made from the source: ``python docs/generate.py [--check]``.
 
-settings.md comes from usdrigui/settings (parts.py and about.toml), codes.md from
-usdrigui/codes.toml, layer.md and the table at the end of schemas/CONTRACT.md from
-schemas/generatedSchema.usda.  With ``--check`` nothing is written and the exit code is 1 if a page
+settings.md and the JSON Schema for editors come from usdrigui/settings (parts.py and
+about.toml), codes.md from usdrigui/codes.toml, layer.md and the table at the end of
+schemas/CONTRACT.md from schemas/generatedSchema.usda.
+
+With ``--check`` nothing is written and the exit code is 1 if a page
 is out of date.
 """
 
@@ -11,17 +13,20 @@ from __future__ import annotations
 import argparse
 import dataclasses
 import inspect
+import json
 import re
 import sys
+import types
 import typing
 from collections.abc import Iterator, Mapping
+from dataclasses import MISSING, Field, fields
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from pxr import Sdf
 
 from usdrigui.errors import catalogue
-from usdrigui.settings import PRESETS
+from usdrigui.settings import presets
 from usdrigui.settings.about import About, settings_table
 from usdrigui.settings.config_sections import section_types
 
@@ -68,6 +73,7 @@ def pages() -> dict[str, str]:
         "codes.md": codes_page(),
         "layer.md": schema_page(),
         "../schemas/CONTRACT.md": contract_page(),
+        "../usdrigui/settings/editor_schema.json": json.dumps(editor_schema(), indent=2) + "\n",
     }
 
 
@@ -107,7 +113,7 @@ def settings_page() -> str:
     for level, heading in _TABLES.items():
         parts += [f"\n{heading}{_HEAD}", *rows[level].values()]
     parts.append("\n## Presets\n\n")
-    for name, values in PRESETS.items():
+    for name, values in presets().items():
         changed = [
             f"`{part}.{key}` = `{value}`"
             for part, keys in values.items()
@@ -259,6 +265,63 @@ def _row(key: str, each: dataclasses.Field[Any], about: About) -> str:
 
 def _differs(path: Path, text: str) -> bool:
     return not path.is_file() or path.read_text(encoding="utf-8") != text
+
+
+# --- the JSON Schema of a configuration -----------------------------------------------------------
+
+_JSON_TYPES = {bool: "boolean", int: "integer", float: "number", str: "string"}
+
+
+def editor_schema() -> dict[str, Any]:
+    """A JSON Schema (draft 7, which TOML editors read) of ``CHAR.rigui.toml``, from the table of
+    settings."""
+    return {
+        "$schema": "http://json-schema.org/draft-07/schema#",
+        "title": "Configuration of usdrigui",
+        **_object({name: _editor_section(name, kind) for name, kind in section_types().items()}),
+    }
+
+
+def _editor_section(name: str, kind: Any) -> dict[str, Any]:
+    if typing.get_origin(kind) is Mapping:
+        return {
+            "type": "object",
+            "additionalProperties": _editor_section(name, typing.get_args(kind)[1]),
+        }
+    hints, known = typing.get_type_hints(kind), settings_table()[name]
+    settings = {
+        each.name: _editor_setting(each, known[each.name], hints[each.name])
+        for each in fields(kind)
+    }
+    return {**_object(settings), "description": " ".join((kind.__doc__ or "").split())}
+
+
+def _object(properties: dict[str, Any]) -> dict[str, Any]:
+    return {"type": "object", "additionalProperties": False, "properties": properties}
+
+
+def _editor_setting(each: Field[Any], about: About, hint: Any) -> dict[str, Any]:
+    doc = f"{about.doc} Unit: {about.unit}." if about.unit else about.doc
+    found = {**_of_hint(hint), "description": doc}
+    if about.bounds:
+        found |= {"minimum": about.bounds[0], "maximum": about.bounds[1]}
+    if each.default is not MISSING and each.default is not None:
+        found["default"] = list(each.default) if isinstance(each.default, tuple) else each.default
+    return found
+
+
+def _of_hint(hint: Any) -> dict[str, Any]:
+    """Of a type as settings are annotated."""
+    origin, arguments = typing.get_origin(hint), typing.get_args(hint)
+    if origin is Mapping:
+        return {"type": "object", "additionalProperties": _of_hint(arguments[1])}
+    if origin is tuple:
+        return {"type": "array", "items": _of_hint(arguments[0])}
+    if origin is Literal:
+        return {"enum": list(arguments)}
+    if origin is types.UnionType:
+        return _of_hint(arguments[0])
+    return {"type": _JSON_TYPES[hint]}
 
 
 if __name__ == "__main__":

@@ -5,9 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
+from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.place.terms import LinearTerms
-from usdrigui.layout.reuse.prior_layout import NO_PRIOR
+from usdrigui.layout.reuse.carrying import Today
+from usdrigui.layout.reuse.prior_layout import NO_PRIOR, prior_of_previous
 from usdrigui.pipeline import Task, stages
 from usdrigui.pipeline.progress import Clock
 from usdrigui.pipeline.records import LaidPart
@@ -64,6 +66,12 @@ def problem_of(rig, settings=None, base_values=None, prior=NO_PRIOR, fixed=None)
     if prior is not NO_PRIOR:
         whole = replace(whole, requests=replace(whole.requests, prior=prior))
     return Line(stages.part_problem(whole, whole.parts[0]))
+
+
+def prior(layout, rig, penalty):
+    """An earlier layout of a rig, or of one like it, as a prior."""
+    found = trajectories(rig, Settings().character.trajectories)
+    return prior_of_previous(layout, Today(rig, found.surface.points, found), penalty)
 
 
 def measured(rig, settings=None, base_values=None):

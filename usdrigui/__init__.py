@@ -24,8 +24,7 @@ if TYPE_CHECKING:
     from usdrigui.pipeline import Event, LayerDifference, LayerReview
     from usdrigui.report.inspection import Inspection
     from usdrigui.report.run_report import Report
-    from usdrigui.settings import Settings
-    from usdrigui.settings import load as load_settings
+    from usdrigui.settings import Settings, load as load_settings
 
 _HOMES = {
     "Event": ("usdrigui.pipeline", "Event"),

@@ -35,8 +35,7 @@ from usdrigui.layer import write_layout as layer
 from usdrigui.layout.classify import classification
 from usdrigui.layout.motion import trajectory
 from usdrigui.reader import reader_process
-from usdrigui.reading import character as rig
-from usdrigui.reading import clips
+from usdrigui.reading import character as rig, clips
 from usdrigui.replacing import transaction
 from usdrigui.settings import Settings, SolveSettings
 from usdrigui.stages import schema
@@ -666,7 +665,8 @@ TRIGGERS: Mapping[str, Trigger] = {
     "CONTROL_RENAMED": _laid_out_again(_OTHER_NAMES),
     "CONTROL_UNSURE": _laid_out_again(_OTHER_NAMES, (r"\(0,0,1\), \(0,0,0.5\)", "(0,0.1,1), (0,0,0.5)")),
     "PIN_CARRIED": _laid_out_again(_TURNED, over=_CORRECTED + "uniform point3f rigUI:anchor:position = (9, 9, 9)\n"),
-    "PIN_LOST": _laid_out_again(_TURNED, over=_CORRECTED),
+    "PIN_LOST": _laid_out_again(_TURNED, over="uniform int rigUI:anchor:pointIndex = 99\n"),
+    "OPINION_IGNORED": _laid_out_again(over='over "grin" { uniform int rigUI:anchor:pointIndex = 1\n}\n'),
     "LAYOUT_NONE": _checked(_beside_a_bare_one),
     "LAYOUT_MESH_GONE": _checked(_edited(("rigUI:anchor:prim = </Char/Face>", "rigUI:anchor:prim = </Char/Nose>"))),
     "LAYOUT_TOPOLOGY": _checked(_edited(("1, 4, 5, 2]", "1, 4, 5, 3]"), of="char.usda")),

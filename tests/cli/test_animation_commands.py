@@ -1,16 +1,11 @@
 """`inspect --animation` and `process --animation`: what is told, what can be pasted, what it changes."""
 
-import tomllib
-
 import numpy as np
 import pytest
 import shot_stages
 import skinned_stages
 from commands import run
 from pxr import Gf, Usd, UsdSkel, Vt
-
-from usdrigui.cli import main
-from usdrigui.layer.read_layout import read_layout
 
 RAMP = np.array([0.0, 0.25, 0.5, 0.75, 1.0, 0.5, 0.0, 0.0, 0.0, 0.0])
 LATER = RAMP[::-1]
@@ -38,7 +33,7 @@ def folder(tmp_path_factory):
     return made
 
 
-def test_use_and_what_moves_together_are_reported(folder, capsys):
+def test_the_use_of_controls_is_reported(folder, capsys):
     told = run(capsys, "inspect", folder / "char.usda", "--animation", folder / "take.usda")
     found = told["characters"][0]["animation"]
     assert found["clips"] == ["take.usda/Take"]
@@ -47,31 +42,6 @@ def test_use_and_what_moves_together_are_reported(folder, capsys):
     assert use["chin"]["use"] == pytest.approx(0.3)
     assert use["chin"]["active"] == pytest.approx(0.5)
     assert use["smile_R"]["active"] == 0.0
-    sets = {frozenset(each["controls"]): each for each in found["together"]}
-    assert set(sets) == {frozenset({"chin", "jaw:open"}), frozenset({"brow_L", "brow_R", "pucker"})}
-    assert sets[frozenset({"chin", "jaw:open"})]["suggestion"] == "group"
-    assert sets[frozenset({"brow_L", "brow_R", "pucker"})]["suggestion"] == "pose"
-    assert all(each["agreement"] == pytest.approx(1.0) for each in found["together"])
-
-
-def test_the_configuration_can_be_pasted(folder, tmp_path, capsys):
-    told = run(capsys, "inspect", folder / "char.usda", "--animation", folder / "take.usda")
-    text = told["characters"][0]["animation"]["configuration"]
-    parsed = tomllib.loads(text)
-    assert parsed["groups"]["groups"] == {"chin_jaw:open": ["chin", "jaw:open"]}
-    assert parsed["poses"]["brow_L_brow_R_pucker"]["weights"] == {"brow_L": 1.0, "brow_R": 1.0, "pucker": 1.0}
-    pasted = tmp_path / "pasted.toml"
-    pasted.write_text(text)
-    out = tmp_path / "pasted.rigui.usda"
-    run(capsys, "process", folder / "char.usda", "--config", pasted, "-o", out)
-    (layout,) = read_layout(out)
-    elements = {element.name: element for element in layout.elements}
-    assert {member.control for member in elements["chin_jaw:open"].manipulator.members} == {"chin", "jaw:open"}
-    # It moves both brows and has a handle on each.
-    poses = [each for name, each in elements.items() if name.startswith("brow_L_brow_R_pucker")]
-    assert {name for each in poses for name in each.look.inner} == {"brow_L", "brow_R", "pucker"}
-    main(["inspect", str(folder / "char.usda"), "--animation", str(folder / "take.usda")])
-    assert '\n[groups.groups]\n"chin_jaw:open" = ["chin", "jaw:open"]' in capsys.readouterr().out
 
 
 def test_process_takes_the_importance_that_inspect_prints(folder, tmp_path, capsys):

@@ -11,6 +11,8 @@ import pytest
 import skinned_stages
 import studio_assets
 
+from usdrigui.layer.read_layout import read_layout
+
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 BLOCK = re.compile(r"^<!-- run(?:: (?P<needs>\S+))? -->\n```sh\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
 PAGES = ("hosts.md", "internals/assets.md", "animator.md", "pipeline.md", "rigger.md")
@@ -86,3 +88,16 @@ def test_the_commands_of_a_page(page, tmp_path):
             command, cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=300, check=False
         )
         assert done.returncode == 0, f"{text}\n{done.stdout[-2000:]}\n{done.stderr[-2000:]}"
+    if page == "rigger.md":
+        _corrections_hold(tmp_path)
+
+
+def _corrections_hold(folder):
+    """What the page decides by hand is so in the layout that it makes then."""
+    (layout,) = read_layout(folder / "corrected.rigui.usda")
+    at = {member.control: each for each in layout.elements for member in each.manipulator.members}
+    assert at["mouthPucker"].anchor.on_board
+    assert at["browInnerUp"].look.label == "brows"
+    assert {at[name].placement.pinned for name in ("cheekPuff", "jawOpen")} == {("anchor",)}
+    points = {each.anchor.point for each in layout.elements if "cheekPuff" in each.manipulator.controls}
+    assert 523 in points

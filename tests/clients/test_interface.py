@@ -122,11 +122,9 @@ def test_text_paths_and_the_configuration_beside_the_file_are_taken(folder, monk
     assert usdrigui.diff("char.rigui.usda", "char.rigui.usda").empty
 
 
-def test_reports_are_short_as_text_and_a_table_in_notebooks(folder):
+def test_reports_are_short_as_text(folder):
     report = usdrigui.process(folder / "char.usda", usdrigui.load_settings(QUICK), dry_run=True)
     assert len(repr(report)) < 200
-    html = report._repr_html_()
-    assert html.count("<tr>") == len(report.characters[0].rows) + 1
     assert len(repr(usdrigui.open(folder / "char.rigui.usda"))) < 200
 
 

@@ -10,8 +10,7 @@ import laid_out
 import makers
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
+from hypothesis import HealthCheck, given, settings, strategies as st
 from pxr import Sdf
 
 from usdrigui.character import LeftOff

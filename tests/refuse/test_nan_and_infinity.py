@@ -8,8 +8,7 @@ from dataclasses import fields, is_dataclass
 import minimal_assets
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from pxr import Gf, Sdf
 from test_values_of_any_type import CASES, SETTINGS, STOCK, check, end_of
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 import drag_vectors
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from usdrigui.pose.drag import Axis, End, _ends, begin_drag, drag_to, values_at
 

@@ -23,8 +23,7 @@ from usdrigui.pose.evaluate import elements_at, evaluate, prepare, values_of
 from usdrigui.view import picture, sheet
 from usdrigui.view.body import shading
 from usdrigui.view.body.complexion import complexion
-from usdrigui.view.flat import callouts, framing, lettering, marks
-from usdrigui.view.flat import scene as flat
+from usdrigui.view.flat import callouts, framing, lettering, marks, scene as flat
 from usdrigui.view.flat.columns import board
 from usdrigui.view.flat.pillow import painted
 from usdrigui.view.picture import Wanted, contact_sheet, render

@@ -27,8 +27,7 @@ from usdrigui.character.deform import channel_state, deform
 from usdrigui.character.rotation import rotations
 from usdrigui.errors import RigUIError
 from usdrigui.reader.existing_layouts import without_layout
-from usdrigui.reading import pose as poses
-from usdrigui.reading import refusal as refusals
+from usdrigui.reading import pose as poses, refusal as refusals
 from usdrigui.reading.character import read_rigs
 from usdrigui.reading.clips import State
 from usdrigui.settings import Settings, load

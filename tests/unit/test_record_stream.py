@@ -12,8 +12,7 @@ from typing import Any, Literal
 import makers
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from usdrigui.character import Floats, Indices, Record, Rig
 from usdrigui.errors import Issue

@@ -6,9 +6,7 @@ import pytest
 from pxr import Sdf
 
 from usdrigui.clients.attaching.layer_text import ReferenceOf, with_references, without_references
-from usdrigui.clients.attaching.layout_reference import add as add_to_specs
-from usdrigui.clients.attaching.layout_reference import references_of
-from usdrigui.clients.attaching.layout_reference import remove as remove_from_specs
+from usdrigui.clients.attaching.layout_reference import add as add_to_specs, references_of, remove as remove_from_specs
 
 HEAD = ReferenceOf("/Char/Head", "./head.rigui.usda")
 BODY = ReferenceOf("/Char/Body", "./body.rigui.usda")

@@ -6,6 +6,7 @@ import dataclasses
 import json
 import math
 import typing
+from importlib.resources import files
 
 import pytest
 
@@ -13,7 +14,6 @@ from usdrigui.errors import RigUIError
 from usdrigui.settings import Settings, load
 from usdrigui.settings.about import settings_table
 from usdrigui.settings.config_sections import section_types, sections
-from usdrigui.settings.editor_schema import editor_schema
 
 
 def _settings(kinds=object):
@@ -54,7 +54,7 @@ def test_numbers_beyond_their_bounds_are_refused(key):
 
 
 def test_the_schema_for_editors_holds_every_setting_with_its_bounds():
-    schema = editor_schema()
+    schema = json.loads((files("usdrigui.settings") / "editor_schema.json").read_text())
     for key, about in _settings().items():
         part, name = key.split(".")
         found = schema["properties"][part]["properties"][name]
@@ -62,7 +62,6 @@ def test_the_schema_for_editors_holds_every_setting_with_its_bounds():
         assert not about.bounds or [found["minimum"], found["maximum"]] == about.bounds
     controls = schema["properties"]["controls"]["additionalProperties"]["properties"]
     assert controls["place"]["enum"] == ["", "face", "board", "proxy"]
-    assert json.loads(json.dumps(schema)) == schema
 
 
 @pytest.mark.parametrize("key", ["importance", "within", "glyph_size"])

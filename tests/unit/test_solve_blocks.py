@@ -15,8 +15,7 @@ from usdrigui.overlap import Drawn, pair_costs, total_cost
 from usdrigui.settings import SolveSettings
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import LabelGeometry, LabelSet, all_labels, pair_bounds
-from usdrigui.solve.pair_costs import near_blocks, refined
-from usdrigui.solve.pair_costs import pair_costs as costs_of_pairs
+from usdrigui.solve.pair_costs import near_blocks, pair_costs as costs_of_pairs, refined
 from usdrigui.solve.partition import Blocks, bisect, block_set, blocks_of_variables, cheapest, thinned
 
 

@@ -11,8 +11,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from enumeration import best_of_all
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from layout_problems import crowd, random_problem, renumbered
 
 from usdrigui.errors import RigUIError

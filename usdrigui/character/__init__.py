@@ -3,48 +3,39 @@ only."""
 
 from __future__ import annotations
 
-from usdrigui.character.controls import Channel, Control, ControlKind, Drive, Joint, Skeleton
-from usdrigui.character.mesh import MeshBinding, MeshDisplay, RigMesh, Shape, Skin, Subset, Topology
-from usdrigui.character.record import Flags, Floats, Indices, Record, Singles, freeze
-from usdrigui.character.rig import (
-    Body,
-    Clip,
-    Configured,
-    Findings,
-    Glyph,
-    LeftOff,
-    Performance,
-    Rig,
-    SkelRoot,
+from usdrigui.character.controls import (
+    Channel as Channel,
+    Control as Control,
+    ControlKind as ControlKind,
+    Drive as Drive,
+    Joint as Joint,
+    Skeleton as Skeleton,
 )
-
-__all__ = [
-    "Body",
-    "Channel",
-    "Clip",
-    "Configured",
-    "Control",
-    "ControlKind",
-    "Drive",
-    "Findings",
-    "Flags",
-    "Floats",
-    "Glyph",
-    "Indices",
-    "Joint",
-    "LeftOff",
-    "MeshBinding",
-    "MeshDisplay",
-    "Performance",
-    "Record",
-    "Rig",
-    "RigMesh",
-    "Shape",
-    "Singles",
-    "SkelRoot",
-    "Skeleton",
-    "Skin",
-    "Subset",
-    "Topology",
-    "freeze",
-]
+from usdrigui.character.mesh import (
+    MeshBinding as MeshBinding,
+    MeshDisplay as MeshDisplay,
+    RigMesh as RigMesh,
+    Shape as Shape,
+    Skin as Skin,
+    Subset as Subset,
+    Topology as Topology,
+)
+from usdrigui.character.record import (
+    Flags as Flags,
+    Floats as Floats,
+    Indices as Indices,
+    Record as Record,
+    Singles as Singles,
+    freeze as freeze,
+)
+from usdrigui.character.rig import (
+    Body as Body,
+    Clip as Clip,
+    Configured as Configured,
+    Findings as Findings,
+    Glyph as Glyph,
+    LeftOff as LeftOff,
+    Performance as Performance,
+    Rig as Rig,
+    SkelRoot as SkelRoot,
+)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+from importlib.resources import files
 from pathlib import Path
 
 from usdrigui.errors import Exit, refuse
@@ -39,11 +40,7 @@ def schema_path(_: argparse.Namespace) -> Exit:
 
 def config_schema(_: argparse.Namespace) -> Exit:
     """Print the JSON Schema of a configuration."""
-    import json
-
-    from usdrigui.settings.editor_schema import editor_schema
-
-    print(json.dumps(editor_schema(), indent=2))
+    print((files("usdrigui.settings") / "editor_schema.json").read_text("utf-8"), end="")
     return Exit.OK
 
 

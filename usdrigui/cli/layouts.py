@@ -34,6 +34,7 @@ def process(arguments: argparse.Namespace) -> Exit:
         like=arguments.like,
         animations=tuple(arguments.animation),
         base=arguments.base,
+        corrections=tuple(arguments.corrections),
     )
     # Before the work, not after.
     pipeline.check_outputs((arguments.report, arguments.preview), files_read(arguments))
@@ -147,7 +148,7 @@ def diff(arguments: argparse.Namespace) -> Exit:
     screen_of(arguments).show(
         lambda: run_documents.difference_json(found), *review_lines.of_difference(found)
     )
-    return Exit.REFUSED if arguments.strict and not found.empty else Exit.OK
+    return Exit.REFUSED if arguments.strict and not found.empty else strict(found.issues, arguments)
 
 
 def attach(arguments: argparse.Namespace) -> Exit:

@@ -86,7 +86,7 @@ def settings_of_command_line(arguments: argparse.Namespace) -> Settings:
 _SETTINGS = ("config", "pose", "preset", "set", "variant", "each_variant")
 """Options that give settings, beside those that name theirs."""
 _INPUTS = ("asset", "layer", "before", "pose", "fixed", "previous", "like", "base")
-_SEVERAL = ("config", "configuration", "animation")
+_SEVERAL = ("config", "configuration", "animation", "corrections")
 
 
 def files_read(arguments: argparse.Namespace) -> list[Path]:

@@ -32,6 +32,8 @@ PART_PROOF = {"partStatuses": "status", "partCosts": "cost", "partBounds": "boun
 """Keys of lists there, and the fields of `LayoutPart`."""
 FIGURES = {"figure": "figures", "weight": "weights"}
 """Beginnings of pairs of keys (``figureNames`` and ``figureValues``), and the fields of `Proof`."""
+MATCHES = {"before": "before", "after": "after", "sure": "confidence", "reasons": "reason"}
+"""Keys of lists of controls that had another name, and the fields of `Match`."""
 LEFT_OFF = {"controls": "control", "stages": "stage", "reasons": "reason"}
 """Keys of lists of what was left off, and the fields of `LeftOff`."""
 

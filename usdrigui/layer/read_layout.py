@@ -21,6 +21,7 @@ from usdrigui.errors import RigUIError, listed, refuse
 from usdrigui.layer.properties import (
     FIGURES,
     LEFT_OFF,
+    MATCHES,
     PART_PROOF,
     PROOF,
     applied,
@@ -49,6 +50,7 @@ from usdrigui.model import (
     LayoutPart,
     Look,
     Manipulator,
+    Match,
     Member,
     MirrorPlane,
     Proof,
@@ -271,6 +273,7 @@ def _layout(scope: Usd.Prim) -> Layout:
             parts=_parts(scope),
         ),
         proof=_proof(scope),
+        matches=_matches(scope),
     )
 
 
@@ -347,6 +350,14 @@ def _left_off(scope: Usd.Prim) -> tuple[LeftOff, ...]:
     columns = [strings(_noted(scope, "leftOff", key, ())) for key in LEFT_OFF]
     check_equal(scope, "leftOff", *columns)
     return tuple(LeftOff(*row) for row in zip(*columns, strict=True))
+
+
+def _matches(scope: Usd.Prim) -> tuple[Match, ...]:
+    columns = {field: _noted(scope, "matches", key, ()) for key, field in MATCHES.items()}
+    confidence = array_of(columns.pop("confidence")).tolist()
+    before, after, reasons = (strings(column) for column in columns.values())
+    check_equal(scope, "matches", before, after, confidence, reasons)
+    return tuple(map(Match, before, after, confidence, reasons))
 
 
 def _noted(scope: Usd.Prim, part: str, key: str, fallback: Any) -> Any:

@@ -13,6 +13,8 @@ from usdrigui.model.assignment import Status
 from usdrigui.model.candidates import ElementKind, axes_of
 from usdrigui.model.motion import MirrorPlane
 
+SURE = 0.9
+"""Confidence from which a match is acted upon; less sure matches are reported only."""
 Side = Literal["left", "right", "middle", "none"]
 Decision = Literal["anchor", "place", "grouping"]
 """What a person may decide about an element: its point; on the character or on the board; which
@@ -28,6 +30,8 @@ class Layout(Record):
     left_off: tuple[LeftOff, ...]
     frame: LayoutFrame
     proof: Proof
+    matches: tuple[Match, ...] = ()
+    """Controls that had another name in the layout that this one succeeds, or may have had."""
 
     @property
     def controls(self) -> frozenset[str]:
@@ -43,6 +47,25 @@ class Layout(Record):
         return issue(
             "LAYOUT_MESH_GONE", mesh, f"{message}{more * bool(controls)}", self.character.root
         )
+
+
+@dataclass(frozen=True, slots=True)
+class Match:
+    """Two names of one control."""
+
+    before: str
+    after: str
+    confidence: float
+    """In [0, 1], to three digits: the odds of the best assignment against the best one without this
+    pair."""
+    reason: str
+    """What speaks for it: ``configuration``, ``name``, ``spelling``, ``meaning`` or ``motion``, the
+    first that does."""
+
+    @property
+    def sure(self) -> str:
+        """The confidence in words; rounded down, so that none below `SURE` reads as it."""
+        return f"{math.floor(100.0 * self.confidence + 1e-6)}% sure"
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,44 +10,44 @@ results.
 
 from __future__ import annotations
 
-from usdrigui.pipeline.configuration import with_faults_of_asset
-from usdrigui.pipeline.inspecting import inspect
-from usdrigui.pipeline.laying_out import process, process_stage
-from usdrigui.pipeline.progress import Event, ProgressCallback
-from usdrigui.pipeline.records import ProblemInputs, Task
-from usdrigui.pipeline.reviewing import (
-    LayerDifference,
-    LayerReview,
-    Loaded,
-    check,
-    diff,
-    load_layer,
-    open_layouts,
-    review,
+from usdrigui.pipeline.configuration import (
+    with_faults_of_asset as with_faults_of_asset,
 )
-from usdrigui.pipeline.stages import build_problem
-from usdrigui.pipeline.targets import check_outputs, default_output, stage_file, write_file
-
-__all__ = [
-    "Event",
-    "LayerDifference",
-    "LayerReview",
-    "Loaded",
-    "ProblemInputs",
-    "ProgressCallback",
-    "Task",
-    "build_problem",
-    "check",
-    "check_outputs",
-    "default_output",
-    "diff",
-    "inspect",
-    "load_layer",
-    "open_layouts",
-    "process",
-    "process_stage",
-    "review",
-    "stage_file",
-    "with_faults_of_asset",
-    "write_file",
-]
+from usdrigui.pipeline.correcting import (
+    pin as pin,
+    pins as pins,
+)
+from usdrigui.pipeline.inspecting import (
+    inspect as inspect,
+)
+from usdrigui.pipeline.laying_out import (
+    process as process,
+    process_stage as process_stage,
+)
+from usdrigui.pipeline.progress import (
+    Event as Event,
+    ProgressCallback as ProgressCallback,
+)
+from usdrigui.pipeline.records import (
+    ProblemInputs as ProblemInputs,
+    Task as Task,
+)
+from usdrigui.pipeline.reviewing import (
+    LayerDifference as LayerDifference,
+    LayerReview as LayerReview,
+    Loaded as Loaded,
+    check as check,
+    diff as diff,
+    load_layer as load_layer,
+    open_layouts as open_layouts,
+    review as review,
+)
+from usdrigui.pipeline.stages import (
+    build_problem as build_problem,
+)
+from usdrigui.pipeline.targets import (
+    check_outputs as check_outputs,
+    default_output as default_output,
+    stage_file as stage_file,
+    write_file as write_file,
+)

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 from usdrigui.character import Control, Floats, Rig
+from usdrigui.conventions import same_name
 from usdrigui.errors import Faults, RigUIError, meant, refuse
 from usdrigui.layout.control_overrides import control_index, control_overrides
 from usdrigui.layout.group.grouping import check_groups
@@ -16,11 +19,11 @@ from usdrigui.layout.place.locality import check_near
 from usdrigui.layout.reuse.partial_layout import anchored_point
 from usdrigui.layout.symmetry.orbits import check_orbits
 from usdrigui.layout.symmetry.twins import configured_twins
-from usdrigui.model import Layout
+from usdrigui.model import Correction, Layout
 from usdrigui.pipeline.reference_layouts import check_like
 from usdrigui.reader.reader_process import read_rigs_isolated
 from usdrigui.reader.reader_records import ReadResult
-from usdrigui.settings import Settings
+from usdrigui.settings import Settings, load, with_sections
 from usdrigui.settings.loading import UnsoundSettingsError
 from usdrigui.settings.parts import ControlSettings, PartSettings
 
@@ -54,6 +57,27 @@ def with_faults_of_asset(error: UnsoundSettingsError, asset: Path) -> RigUIError
     except RigUIError as more:
         return RigUIError(error.issue, error.exit_code, (*error.others, *more.issues))
     return error
+
+
+def with_corrections(
+    settings: Settings, corrections: Sequence[Correction], rigs: Sequence[Rig]
+) -> Settings:
+    """The settings with those of corrections of controls that the rigs have by these names, or by
+    another spelling; what the settings say is stronger.  Raises UnsoundSettingsError."""
+    names, plain = tuple({name for rig in rigs for name in rig.control_names}), ControlSettings()
+    controls, groups = dict(settings.rig.controls), dict(settings.layout.groups.groups)
+    for each in corrections:
+        name = each.control if each.control in names else same_name(each.control, names)
+        if name and each.settings:
+            own = controls.get(name, plain)
+            said = load({"controls": {name: each.settings}}).rig.controls[name]
+            unsaid = [key for key in each.settings if getattr(own, key) == getattr(plain, key)]
+            controls[name] = replace(own, **{key: getattr(said, key) for key in unsaid})
+        members = tuple(member for member in each.group if member in names)
+        if len(members) > 1 and not {*members} & {*itertools.chain(*groups.values())}:
+            groups["_".join(members)] = members
+    changed_groups = replace(settings.layout.groups, groups=groups)
+    return with_sections(settings, controls=controls, groups=changed_groups)
 
 
 def base_values_of(root: str, controls: tuple[Control, ...], pose: Mapping[str, float]) -> Floats:

@@ -42,7 +42,7 @@ def inspect(
         source = read_rigs_isolated(asset, settings)
         opening = Opening.of(settings.rig.read)
         clips = animation.performances(animations, opening)
-        references = read_references(ReferenceLayers(like=like), opening)
+        references = read_references(ReferenceLayers(like=like), opening, source)
         refuse_unsound(source, settings, references.like)
     issues: list[Issue] = []
     characters = []
@@ -54,7 +54,8 @@ def inspect(
         facts = _facts(character, parts)
         if clips:
             whole = parts[0] if len(parts) == 1 else build_problem(rig, task, clock)
-            uses, odd = animation.animation_facts(whole.measured, whole.candidates, clips)
+            weight = settings.character.animation.weight
+            uses, odd = animation.animation_facts(whole.face, clips, weight)
             facts = replace(facts, animation=uses)
             issues += of_character(rig.skel_root.path_in_variants, odd)
         characters.append(facts)

@@ -66,6 +66,4 @@ def joined_assignment(assignments: Sequence[Assignment], names: Sequence[str]) -
 
 def issues_of(laid: Sequence[ProblemInputs]) -> tuple[Issue, ...]:
     """Findings about a rig and its controls, each once."""
-    if len(laid) == 1:
-        return laid[0].issues
     return tuple(dict.fromkeys(found for inputs in laid for found in inputs.issues))

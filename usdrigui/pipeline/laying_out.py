@@ -15,19 +15,19 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from usdrigui.character import Rig
-from usdrigui.errors import Issue, explained, issue, of_character, refuse
+from usdrigui.errors import Issue, issue, of_character, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_unchanged
 from usdrigui.layout.element.elements import proof_of
 from usdrigui.layout.reuse import existing_layout
-from usdrigui.layout.review.difference import Difference, cost_savings, difference
+from usdrigui.layout.review.difference import difference
 from usdrigui.layout.review.legibility import legibility_of
 from usdrigui.layout.review.shortfalls import shortfalls
-from usdrigui.model import Element, Layout, Legibility
+from usdrigui.model import Layout, Legibility
 from usdrigui.pipeline import variants
-from usdrigui.pipeline.configuration import refuse_unsound
+from usdrigui.pipeline.configuration import refuse_unsound, with_corrections
 from usdrigui.pipeline.joining import issues_of, joined, joined_assignment
 from usdrigui.pipeline.progress import Clock, ProgressCallback
-from usdrigui.pipeline.records import LaidPart, Task
+from usdrigui.pipeline.records import Character, LaidPart, Task
 from usdrigui.pipeline.reference_layouts import (
     ReferenceLayers,
     ReferenceLayouts,
@@ -37,14 +37,14 @@ from usdrigui.pipeline.reference_layouts import (
     rigs_over,
 )
 from usdrigui.pipeline.stages import character_of, layout_of, part_problem, with_own_cost
-from usdrigui.pipeline.targets import check_place, check_replaceable, check_target, default_output
+from usdrigui.pipeline.targets import check_replaceable, check_target, default_output
 from usdrigui.pipeline.writing import check_base, stage_layer
 from usdrigui.reader.reader_process import read_rigs_isolated, read_variants_isolated
 from usdrigui.reader.reader_records import Opening, ReadResult
 from usdrigui.replacing.transaction import Transaction, same_file
+from usdrigui.report import documents
 from usdrigui.report.run_report import CharacterReport, Outcome, PartRow, Report, SourceRow, rows_of
-from usdrigui.settings import Settings
-from usdrigui.settings import document as settings_document
+from usdrigui.settings import Settings, sections
 from usdrigui.settings.parts import OutputSettings
 from usdrigui.stages.schema import SCOPE
 from usdrigui.stages.variant_paths import asset_selections, with_sets
@@ -86,8 +86,6 @@ def process(
             _check_base(each, target)
         opening = Opening.of(settings.rig.read)
         check_replaceable(target, opening, asset if output is None else None)
-        if dry_run:
-            check_place(target)
     laid = _laid_out(readings, clock, stop)
     reports = [report for _, report in laid]
     outcome: Outcome = "dry run"
@@ -130,14 +128,9 @@ def process_stage(
     settings = replace(settings, output=replace(settings.output, bare=True))
     root = stage.GetRootLayer() if hasattr(stage, "GetRootLayer") else stage
     with clock.stage("read"):
-        sets = (
-            in_memory.read_open_variants(stage, settings.rig.read.variants)
-            if settings.rig.read.each_variant
-            else {}
-        )
         readings, plain = _read_each(
             settings,
-            sets,
+            lambda: in_memory.read_open_variants(stage, settings.rig.read.variants),
             lambda chosen: _read_open(stage, chosen),
         )
     sources = [each.source for each in readings]
@@ -188,25 +181,29 @@ def _readings(
                 "--base",
                 "adds to the variant that the shot selects, and to no other",
             )
-        return _read_over(asset, settings, layers), ()
-    read = settings.rig.read
-    sets = read_variants_isolated(asset, Opening.of(read)) if read.each_variant else {}
+        over = _read_over(asset, settings, layers)
+        return over, over[0].references.ignored
+    sets = functools.partial(read_variants_isolated, asset, Opening.of(settings.rig.read))
     return _read_each(settings, sets, functools.partial(_read, asset, layers))
 
 
 def _read_each(
     settings: Settings,
-    sets: Mapping[str, tuple[str, ...]],
+    sets: Callable[[], Mapping[str, tuple[str, ...]]],
     read: Callable[[Settings], AssetReading],
 ) -> tuple[list[AssetReading], tuple[Issue, ...]]:
     readings, plain = variants.in_each_variant(settings, sets, read)
     _check_above(readings)
-    return readings, plain
+    ignored = dict.fromkeys(told for each in readings for told in each.references.ignored)
+    return readings, (*ignored, *plain)
 
 
 def _read(asset: Path, layers: ReferenceLayers, settings: Settings) -> AssetReading:
     source = read_rigs_isolated(asset, settings)
-    references = read_references(layers, Opening.of(settings.rig.read))
+    references = read_references(layers, Opening.of(settings.rig.read), source)
+    corrected = with_corrections(settings, references.corrections, source.rigs)
+    if corrected != settings:
+        source, settings = read_rigs_isolated(asset, corrected), corrected
     refuse_unsound(source, settings, references.like)
     return AssetReading(settings, source, references)
 
@@ -237,7 +234,7 @@ def _of_variant(
     select."""
     source = replace(found.source, rigs=tuple(rigs))
     opening = Opening.of(variants.selecting(found.settings, chosen).rig.read)
-    return AssetReading(found.settings, source, read_references(layers, opening))
+    return AssetReading(found.settings, source, read_references(layers, opening, source))
 
 
 def _check_above(readings: Sequence[AssetReading]) -> None:
@@ -269,7 +266,7 @@ def _laid_out(
     reports: list[tuple[AssetReading, CharacterReport]] = []
     for each in readings:
         references, characters = followed(each.references, each.source.rigs)
-        for rig in rigs_over(references, characters, each.settings.character.trajectories):
+        for rig in rigs_over(references, characters):
             same = [report for _, report in reports if report.root == rig.skel_root.path]
             if not any(
                 report.rig.skel_root.variant_path == rig.skel_root.variant_path for report in same
@@ -306,7 +303,7 @@ def _report(
         characters=tuple(reports),
         issues=(*(found for character in reports for found in character.issues), *plain),
         seconds=clock.seconds,
-        settings=settings_document(settings),
+        settings=documents.plain(sections(settings)),
         sources=tuple(_source_row(each, asset) for each in sources),
     )
 
@@ -388,31 +385,12 @@ def _lay_out(
         layout = existing_layout.combined(
             existing, existing_layout.uniquify_names(layout, existing)
         )
-    previous = task.references.previous.get(rig.skel_root.path)
-    if previous is None:
-        return _account(laid, layout)
-    tell = functools.partial(_changes, laid, previous, layout)
-    changes, issues = explained(tell, None, rig.skel_root.path)
-    return _account(laid, layout, changes, issues)
+    return _account(character, laid, layout)
 
 
-def _changes(laid: Sequence[LaidPart], previous: Layout, layout: Layout) -> Difference:
-    improved: dict[str, float] = {}
-    for each in laid:
-        inputs = each.inputs
-        improved |= cost_savings(inputs.measured, inputs.placement, each.assignment.labels)
-    matchings = laid[0].inputs.character.references.matchings
-    return difference(previous, layout, improved, matchings["previous"])
-
-
-def _account(
-    laid: Sequence[LaidPart],
-    layout: Layout,
-    changes: Difference | None = None,
-    unexplained: tuple[Issue, ...] = (),
-) -> CharacterReport:
-    parts = [each.inputs for each in laid]
-    rig, references = parts[0].face.rig, parts[0].character.references
+def _account(character: Character, laid: Sequence[LaidPart], layout: Layout) -> CharacterReport:
+    parts, rig, references = [each.inputs for each in laid], character.rig, character.references
+    existing, previous = references.existing, references.earlier
     peaks = {
         rig.controls[each.control].name: float(each.arc_length.max())
         for inputs in parts
@@ -422,12 +400,13 @@ def _account(
     explained_by = {
         control: others for inputs in parts for control, others in inputs.explained_by.items()
     }
-    rows = rows_of(rig, layout, peaks, twins, explained_by)
-    added = _added(references.existing, layout.elements)
-    nothing = () if references.existing is None or added else (_nothing_added(layout),)
-    short = (
-        found for each in laid for found in shortfalls(each.inputs.measured, each.layout.elements)
-    )
+    kept = 0 if existing is None else len(existing.elements)
+    added = frozenset(element.name for element in layout.elements[kept:])
+    told = [found for e in laid for found in shortfalls(e.inputs.measured, e.layout.elements)]
+    if existing is not None and not added:
+        told.append(issue("BASE_COMPLETE", layout.character.root, f"{kept} elements in it"))
+    notes = (note for each in parts for note in each.left_off if note.control in layout.controls)
+    legible = (legibility_of(each.inputs.face, each.layout.elements) for each in laid)
     return CharacterReport(
         root=rig.skel_root.path,
         rig=rig,
@@ -435,26 +414,17 @@ def _account(
         assignment=joined_assignment(
             [each.assignment for each in laid], [inputs.part for inputs in parts]
         ),
-        rows=rows,
-        notes=tuple(
-            dict.fromkeys(
-                note for each in parts for note in each.left_off if note.control in layout.controls
-            )
-        ),
+        rows=rows_of(rig, layout, peaks, twins, explained_by),
+        notes=tuple(dict.fromkeys(notes)),
         issues=(
             *issues_of(parts),
-            *of_character(
-                rig.skel_root.path_in_variants, (*dict.fromkeys(short), *unexplained, *nothing)
-            ),
+            *of_character(rig.skel_root.path_in_variants, tuple(dict.fromkeys(told))),
         ),
-        difference=changes,
+        difference=None if previous is None else difference(previous, layout),
         added=added,
         matchings=references.matchings,
         parts=tuple(_part_row(each) for each in laid),
-        legibility=sum(
-            (legibility_of(each.inputs.face, each.layout.elements) for each in laid),
-            Legibility(0, ()),
-        ),
+        legibility=sum(legible, Legibility(0, ())),
     )
 
 
@@ -471,17 +441,6 @@ def _part_row(laid: LaidPart) -> PartRow:
         laid.layout.frame.view,
         laid.assignment,
     )
-
-
-def _added(existing: Layout | None, elements: tuple[Element, ...]) -> frozenset[str]:
-    """Names of the elements that are not in another layer."""
-    return frozenset(
-        e.name for e in elements[len(existing.elements) if existing is not None else 0 :]
-    )
-
-
-def _nothing_added(layout: Layout) -> Issue:
-    return issue("BASE_COMPLETE", layout.character.root, f"{len(layout.elements)} elements in it")
 
 
 def _source_row(source: SourceFile, asset: Path) -> SourceRow:

@@ -10,18 +10,23 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+import numpy as np
+
 from usdrigui.character import Performance, Rig
-from usdrigui.errors import Faults, issue, meant, of_character, refuse
+from usdrigui.errors import Faults, Issue, RigUIError, issue, meant, of_character, refuse
 from usdrigui.isolation.foreign_file import SourceFile
-from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
-from usdrigui.layout.reuse.existing_layout import layout_of
-from usdrigui.layout.reuse.identity import Matching, match_layout
-from usdrigui.layout.reuse.pinned import Pins
-from usdrigui.model import Layout, Trajectories
+from usdrigui.layout.reuse.existing_layout import layout_of, moved_path
+from usdrigui.layout.reuse.identity import Matching
+from usdrigui.layout.reuse.pinned import Pins, with_rest_places
+from usdrigui.model import Correction, Layout, Match, Trajectories
 from usdrigui.pipeline.animation import performances
-from usdrigui.reader.reader_process import read_composed_isolated, read_layouts_isolated
-from usdrigui.reader.reader_records import LayoutsResult, Limits, Opening
-from usdrigui.settings import Settings, TrajectorySettings
+from usdrigui.reader.reader_process import (
+    read_composed_isolated,
+    read_layer_isolated,
+    read_layouts_isolated,
+)
+from usdrigui.reader.reader_records import LayoutsResult, Limits, Opening, ReadResult
+from usdrigui.settings import ReadSettings, Settings, with_sections
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +46,8 @@ class ReferenceLayers:
     base: Path | None = None
     """The asset's own layout, which stays: only controls that it lacks are laid out; not together
     with the others."""
+    corrections: tuple[Path, ...] = ()
+    """Layers of corrections that hold, besides those of the asset and of the layouts to succeed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,14 +64,29 @@ class ReferenceLayouts:
     """Existing layouts, with the paths of their own layer."""
     sources: tuple[SourceFile, ...] = ()
     """Every file that composed those layers and characters."""
+    ignored: tuple[Issue, ...] = ()
+    """Opinions in those layers that say nothing."""
+    corrections: tuple[Correction, ...] = ()
+    """Those of a person, one for each control."""
+    unit: float = 0.0
+    """Meters of a unit of the asset; 0 where unknown."""
+    units: Mapping[str, float] = field(default_factory=dict)
+    """The same of the layer of each layout to keep, by SkelRoot."""
+
+    def scale(self, root: str) -> float:
+        """Units of the asset in one of the layout to keep of a SkelRoot."""
+        then = self.units.get(root, 0.0)
+        return then / self.unit if then and self.unit else 1.0
 
     def existing(self, rig: Rig) -> Layout | None:
         """The existing layout of this character, with its paths; none where there is none."""
         return layout_of(self.base.layouts, rig) if self.base is not None else None
 
 
-def read_references(layers: ReferenceLayers, opening: Opening) -> ReferenceLayouts:
-    """Read the layers, each in a process of its own.
+def read_references(
+    layers: ReferenceLayers, opening: Opening, source: ReadResult
+) -> ReferenceLayouts:
+    """Read the layers, each in a process of its own, for an asset that was read.
 
     Raises LAYOUT_MISSING, SOURCE_MISSING for a `like` that does not name its character, and
     everything that reading a layer or an asset can raise.
@@ -81,16 +103,73 @@ def read_references(layers: ReferenceLayers, opening: Opening) -> ReferenceLayou
             "--base",
             "keeps the whole layout, and cannot be combined with another layout",
         )
-    clips = performances(layers.animations, opening)
     base = read_layouts_isolated(layers.base, opening) if layers.base else None
-    fixed = read_layouts_isolated(layers.fixed, opening) if layers.fixed else None
-    previous = read_layouts_isolated(layers.previous, opening) if layers.previous else None
+    kept = [_kept(each, opening) for each in (layers.fixed, layers.previous)]
     like, theirs = _characters(layers.like, opening.limits) if layers.like else ((), ())
-    sources = (
-        *theirs,
-        *(source for each in (base, fixed, previous) if each for source in each.sources),
+    read = [each for each in (base, *kept) if each is not None]
+    given = (read_layer_isolated(each, opening).corrections for each in layers.corrections)
+    stacked = (*(each.corrections for each in read), source.corrections)
+    said = [each for own in (*stacked, *given) for each in own]
+    corrections, lost = _of_characters(said, source.rigs)
+    told = (*lost, *(each for result in read for each in result.ignored))
+    fixed, previous = map(_by_root, kept)
+    return ReferenceLayouts(
+        fixed,
+        previous,
+        like,
+        performances(layers.animations, opening),
+        base,
+        sources=(*theirs, *(file for each in read for file in each.sources)),
+        ignored=tuple(dict.fromkeys(told)),
+        corrections=corrections,
+        unit=float(source.metadata.get("metersPerUnit", 0.0)),
+        units={root: each.unit for each in kept if each for root in _by_root(each)},
     )
-    return ReferenceLayouts(_by_root(fixed), _by_root(previous), like, clips, base, sources)
+
+
+def _of_characters(
+    said: Sequence[Correction], rigs: Sequence[Rig]
+) -> tuple[tuple[Correction, ...], list[Issue]]:
+    """Corrections of the characters of an asset, of several of one control the last; those of a
+    single character are of the single one of the asset, whatever its path.  And PIN_LOST for those
+    of characters that it does not have."""
+    roots, here = {each.root for each in said}, [rig.skel_root.path for rig in rigs]
+    if len(roots) == len(here) == 1:
+        said = [
+            replace(each, root=here[0], mesh=moved_path(each.mesh, each.root, here[0]))
+            for each in said
+        ]
+    lost = [
+        issue(
+            "PIN_LOST", each.control, f"there is no character {each.root}{meant(each.root, here)}"
+        )
+        for each in said
+        if each.root not in here
+    ]
+    found = {(each.root, each.control): each for each in said if each.root in here}
+    return tuple(found.values()), lost
+
+
+def _kept(layer: Path | None, opening: Opening) -> LayoutsResult | None:
+    """A layout to keep; anchors that a stronger layer gives as a point alone have the place of that
+    point in the stage that the layer composes."""
+    if layer is None:
+        return None
+    found = read_layouts_isolated(layer, opening)
+    pinned = (e.placement.pinned_position for each in found.layouts for e in each.elements)
+    if np.isfinite([*pinned]).all():
+        return found
+    settings = with_sections(Settings(), read=ReadSettings(variants=opening.variants))
+    try:
+        _, composed = read_composed_isolated(layer, settings, opening.limits)
+    except RigUIError:
+        return found  # the character is gone; what is lost is told where it is missed
+    rigs = {rig.skel_root.path: rig for rig in composed.rigs}
+    layouts = tuple(
+        with_rest_places(each, rigs[each.character.root]) if each.character.root in rigs else each
+        for each in found.layouts
+    )
+    return replace(found, layouts=layouts)
 
 
 def as_sibling(references: ReferenceLayouts, rig: Rig, first: Layout) -> ReferenceLayouts:
@@ -132,20 +211,16 @@ def followed(
     )
 
 
-def rigs_over(
-    references: ReferenceLayouts, rigs: tuple[Rig, ...], sampling: TrajectorySettings
-) -> tuple[Rig, ...]:
+def rigs_over(references: ReferenceLayouts, rigs: tuple[Rig, ...]) -> tuple[Rig, ...]:
     """The characters to lay out: all, or those with an existing layout.
 
     Raises BASE_MISMATCH or PREVIOUS_MISMATCH where no layout of `base` or `previous` is of any of
     them.
     """
-    if references.previous and not any(
-        _can_be_of(references.previous.get(rig.skel_root.path), rig, sampling) for rig in rigs
-    ):
-        raise refuse(
-            "PREVIOUS_MISMATCH", rigs[0].skel_root.path, _mismatch(references.previous, rigs[0])
-        )
+    if references.previous and not any(r.skel_root.path in references.previous for r in rigs):
+        theirs = ", ".join(references.previous)
+        what = f"has another path than the characters of the layer, {theirs}"
+        raise refuse("PREVIOUS_MISMATCH", rigs[0].skel_root.path, what)
     if references.base is None:
         return rigs
     found = tuple(rig for rig in rigs if references.existing(rig) is not None)
@@ -157,26 +232,6 @@ def rigs_over(
             f"shares mesh and controls with none of the layouts, or with several: {theirs}",
         )
     return found
-
-
-def _mismatch(previous: Mapping[str, Layout], rig: Rig) -> str:
-    """Why none of the earlier layouts can be this character's: it has another path, or other
-    controls."""
-    alike = [root for root, layout in previous.items() if _shares_controls(layout.controls, rig)]
-    if alike:
-        return (
-            "has another path than the character of the layer with its controls,"
-            f" {', '.join(alike)}"
-        )
-    return f"shares no control with a layout of the layer, of {', '.join(previous)}"
-
-
-def _can_be_of(layout: Layout | None, rig: Rig, sampling: TrajectorySettings) -> bool:
-    """Whether a layout can be an earlier one of this character, all of whose controls may have
-    other names now."""
-    if layout is None or _shares_controls(layout.controls, rig):
-        return layout is not None
-    return bool(match_layout(layout, rig, find_trajectories(rig, sampling)).names)
 
 
 def _shares_controls(controls: frozenset[str], rig: Rig) -> bool:
@@ -197,6 +252,14 @@ class OwnReferences:
     """What a person has decided in the layouts that the new one succeeds."""
     matchings: Mapping[str, Matching] = field(default_factory=dict)
     """By ``fixed``, ``previous`` and ``like``: whose control there is which one here."""
+    earlier: Layout | None = None
+    """The previous layout by the names that it has itself, in the units of today."""
+
+    @property
+    def matches(self) -> tuple[Match, ...]:
+        """What the new layout has on record of the names of the one that it succeeds."""
+        found = self.matchings.get("previous") or self.matchings.get("fixed") or Matching()
+        return tuple(each for each in found.matches if each.before != each.after)
 
     @property
     def followed(self) -> bool:

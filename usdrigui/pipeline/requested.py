@@ -1,19 +1,29 @@
-"""What the configuration and the layouts that exist ask of one character."""
+"""What the configuration, corrections of a person and layouts that exist ask of one character."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from usdrigui.character import Rig
 from usdrigui.character.deform import posed
-from usdrigui.errors import refuse
+from usdrigui.conventions import same_name
+from usdrigui.errors import Issue, issue, meant, refuse
 from usdrigui.layout.control_overrides import control_overrides, with_anchors_of_groups
 from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
+from usdrigui.layout.reuse.carrying import Today
 from usdrigui.layout.reuse.identity import Matching, match_layout, match_rigs
-from usdrigui.layout.reuse.partial_layout import with_fixed
-from usdrigui.layout.reuse.pinned import Pins, pins_of, with_pins, with_twins
+from usdrigui.layout.reuse.other_world import in_world
+from usdrigui.layout.reuse.pinned import (
+    Pins,
+    pins_of,
+    pins_of_corrections,
+    pins_of_fixed,
+    with_pins,
+    with_twins,
+)
 from usdrigui.layout.reuse.prior_layout import (
     NO_PRIOR,
     PriorLayout,
@@ -25,7 +35,7 @@ from usdrigui.layout.reuse.prior_layout import (
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.reuse.retargeting import of_another
-from usdrigui.model import Layout, Trajectories
+from usdrigui.model import Correction, Layout, Trajectories
 from usdrigui.pipeline.animation import weighted
 from usdrigui.pipeline.records import CharacterPart
 from usdrigui.pipeline.reference_layouts import (
@@ -42,28 +52,90 @@ def own_references(
 ) -> OwnReferences:
     """The references of one character, their controls matched with those that it has now.
 
-    Raises CONFIG_UNKNOWN_CONTROL for names of `like` that nobody bears, CONFIG_VALUE when the fixed
-    layer has no such character, or none of several characters to imitate has the path of this one.
+    Raises CONFIG_UNKNOWN_CONTROL for names of `like` that nobody bears and of a fixed layout that
+    are gone, FIXED_IMPOSSIBLE where that was made for other points, CONFIG_VALUE when the fixed
+    layer has no such character, or none of several characters to imitate has the path of this one,
+    PREVIOUS_MISMATCH for a layout without any of its controls.
     """
     root, names = rig.skel_root.path, settings.character.like.names
     if references.fixed and root not in references.fixed:
         have = f"has layouts of {', '.join(references.fixed)}, not of {root}"
         raise refuse("CONFIG_VALUE", "--fixed", have)
-    matchings, here = dict[str, Matching](), dict[str, Layout]()
+    matchings, here, then = dict[str, Matching](), dict[str, Layout](), dict[str, Layout]()
     for which, layouts in (("fixed", references.fixed), ("previous", references.previous)):
         if root in layouts:
-            matchings[which] = match_layout(layouts[root], rig, trajectories)
-            here[which] = with_names(layouts[root], matchings[which].renamed)
+            then[which] = in_world(layouts[root], references.scale(root), rig.skel_root.up)
+            matchings[which] = match_layout(then[which], rig, trajectories)
+            if not matchings[which].names:
+                what = f"shares no control with its {which} layout"
+                raise refuse("PREVIOUS_MISMATCH", root, what)
+            here[which] = with_names(then[which], matchings[which].renamed)
     like = _to_imitate(references.like, rig, names, settings.character.trajectories)
     if like is not None:
         matchings["like"] = match_rigs(like[:2], (rig, trajectories), names)
-    fixed, previous = here.get("fixed"), here.get("previous")
-    succeeded = (previous or fixed) if settings.layout.objective.keep_penalty > 0.0 else None
-    pins = Pins()
+    return OwnReferences(
+        here.get("fixed"),
+        here.get("previous"),
+        like,
+        references.existing(rig),
+        references.clips,
+        _pins(references, here, (rig, trajectories, matchings), settings),
+        matchings,
+        then.get("previous"),
+    )
+
+
+def _pins(
+    references: ReferenceLayouts,
+    here: Mapping[str, Layout],
+    character: tuple[Rig, Trajectories, Mapping[str, Matching]],
+    settings: Settings,
+) -> Pins:
+    """What a person has decided: the corrections first, then what is on record in the layout that
+    this one succeeds; `here` are the layouts by the names of today."""
+    rig, trajectories, matchings = character
+    succeeded = here.get("previous") or here.get("fixed")
+    if not references.corrections and succeeded is None:
+        return Pins()
+    names: dict[str, str] = {}
+    for each in here:
+        names |= matchings[each].names
+    corrections, issues = by_names_of_today(references.corrections, rig, names)
+    today = Today(rig, posed(rig, None).points, trajectories)
+    width = settings.layout.objective.handle_size * trajectories.surface.face_size
     if succeeded is not None:
-        pins = pins_of(succeeded, rig, posed(rig, None).points, trajectories)
-    existing, clips = references.existing(rig), references.clips
-    return OwnReferences(fixed, previous, like, existing, clips, pins, matchings)
+        width = succeeded.frame.handle_width
+    said = pins_of_corrections(corrections, today, width, references.unit)
+    recorded = Pins()
+    if succeeded is not None and settings.layout.objective.keep_penalty > 0.0:
+        recorded = pins_of(succeeded, today, corrections)
+    return Pins((*said.pins, *recorded.pins), (*issues, *said.issues, *recorded.issues))
+
+
+def by_names_of_today(
+    corrections: Sequence[Correction], rig: Rig, renamed: Mapping[str, str]
+) -> tuple[list[Correction], list[Issue]]:
+    """The corrections of a character by the names that its controls have today, and PIN_LOST for
+    those of controls that it does not have, with the name that is likely meant.
+
+    `renamed` are names of today by those of an earlier layout, as far as known; beyond these a
+    control is known by another spelling of its name.
+    """
+    found, told, names = [], [], rig.control_names
+    for each in (own for own in corrections if own.root == rig.skel_root.path):
+        spelt = each.control if each.control in names else same_name(each.control, tuple(names))
+        name = renamed.get(each.control, "") or spelt
+        if name not in names:
+            what = f"{rig.skel_root.path} has no control of this name{meant(each.control, names)}"
+            told.append(issue("PIN_LOST", each.control, what))
+            continue
+        found.append(replace(each, control=name))
+        if spelt != each.control:
+            told.append(issue("CONTROL_RENAMED", each.control, f"of the corrections is {name} now"))
+        if not spelt and (each.group or each.settings):
+            what = f"is {name} now: its group and its settings are to be said again"
+            told.append(issue("PIN_LOST", each.control, what))
+    return found, told
 
 
 def requested(
@@ -71,14 +143,16 @@ def requested(
 ) -> Requests:
     """What the configuration and the references ask of one character.
 
-    Raises FIXED_IMPOSSIBLE and CONFIG_UNKNOWN_CONTROL for a fixed layout, CLIP_FOREIGN where no
-    clip is of this character.
+    Raises CLIP_FOREIGN where no clip is of this character.
     """
     configured = control_overrides(rig, settings.rig.controls)
-    overrides = configured
+    overrides, pins = configured, references.pins
+    said = Pins(tuple(pin for pin in pins.pins if not pin.recorded))
+    overrides = with_pins(rig, overrides, said)
     if references.fixed is not None:
-        overrides = with_fixed(rig, overrides, references.fixed)
-    overrides = with_pins(rig, overrides, references.pins)
+        whole = Today(rig, np.zeros((0, 3)), parts[0].trajectories)
+        overrides = with_pins(rig, overrides, pins_of_fixed(references.fixed, whole))
+    overrides = with_pins(rig, overrides, pins)
     overrides = with_anchors_of_groups(rig, overrides, settings.layout.groups.groups)
     priors, twins = [], np.full(len(rig.controls), -1)
     for part in parts:
@@ -102,7 +176,7 @@ def requested(
         levels=settings.layout.levels.members,
         prior=of_parts(priors),
         existing=existing,
-        pins=references.pins,
+        pins=pins,
     )
 
 
@@ -117,8 +191,10 @@ def _prior(
         ours = (rig, part.trajectories)
         prior = of_another(layout, (other, found), ours, names, imitating.penalty)
     if references.previous is not None:
-        keep_penalty = settings.layout.objective.keep_penalty
-        prior = prior_of_previous(references.previous.elements, rig, keep_penalty)
+        today = Today(rig, part.trajectories.surface.points, part.trajectories)
+        prior = prior_of_previous(
+            references.previous, today, settings.layout.objective.keep_penalty
+        )
     if references.fixed is not None:
         prior = joined(PriorLayout(kept_groups(references.fixed.elements, rig)), prior)
     return prior

@@ -3,6 +3,7 @@ what changed."""
 
 from __future__ import annotations
 
+import functools
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -13,14 +14,15 @@ import numpy as np
 
 from usdrigui.character import Floats, Rig
 from usdrigui.errors import NO_LAYOUT, Issue, RigUIError, issue, of_character, refuse
-from usdrigui.layout.review import difference as difference_stage
-from usdrigui.layout.review import review as review_stage
+from usdrigui.layout.reuse.other_world import in_world, other_up, up_of
+from usdrigui.layout.review import difference as difference_stage, review as review_stage
 from usdrigui.layout.review.layout_faults import not_animated
 from usdrigui.model import Element, Layout
 from usdrigui.pipeline import variants
 from usdrigui.pipeline.configuration import refuse_unsound
 from usdrigui.pipeline.progress import Clock, ProgressCallback
 from usdrigui.pipeline.records import Character, CharacterPart, Task
+from usdrigui.pipeline.requested import by_names_of_today
 from usdrigui.pipeline.stages import character_of, part_problem
 from usdrigui.pipeline.targets import default_output
 from usdrigui.reader.reader_process import (
@@ -37,12 +39,6 @@ if TYPE_CHECKING:
     from pxr import Sdf, Usd
 
 
-_SIDEWAYS = 0.5
-"""Sine of the angle between the view and the left below which they do not determine up."""
-_LYING = 0.7
-"""Cosine of the angle to the up axis from which a character lies."""
-
-
 @dataclass(frozen=True, slots=True)
 class Loaded:
     """The layouts of a stage with their characters."""
@@ -54,7 +50,8 @@ class Loaded:
     files: tuple[Path, ...]
     """Every file that was read."""
     without_layout: tuple[Issue, ...] = ()
-    """LAYOUT_NONE or LAYOUT_OFF for each character beside them that has none."""
+    """LAYOUT_NONE or LAYOUT_OFF for each character beside them that has none, and OPINION_IGNORED
+    for opinions that say nothing."""
     contradictions: tuple[Issue, ...] = ()
     """LAYOUT_INVALID of layouts that can be read all the same."""
     listed: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
@@ -99,6 +96,8 @@ class LayerDifference:
     """Of the characters that both lay out."""
     only_in_one: tuple[str, ...]
     """SkelRoots that only one of the layers lays out."""
+    issues: tuple[Issue, ...] = ()
+    """Opinions in either layer that say nothing."""
 
     @property
     def empty(self) -> bool:
@@ -144,39 +143,35 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...],
         for each in found.layouts
         if not wanted or each.character.root == wanted
     }
-    characters = tuple(
-        (
-            each,
-            _with_base(
-                each, layouts[each.skel_root.path], read.listed.get(each.skel_root.path, ())
-            ),
-        )
-        for each in read.rigs
-        if each.skel_root.path in layouts
-    )
-    lacking = sorted(layouts.keys() - {rig.skel_root.path for rig, _ in characters})
+    lacking = sorted(layouts.keys() - {rig.skel_root.path for rig in read.rigs})
     lost = {each.character: each for each in read.lost}
     stale = tuple(
         lost.get(root) or issue("LAYOUT_STALE", root, f"{layer} no longer has this character", root)
         for root in lacking
     )
-    files = tuple(Path(each.path) for each in read.sources)
-    loaded = Loaded(
-        characters,
-        found.source,
+    loaded = _with_characters(layouts, read, found.source)
+    told = (*loaded.without_layout, *found.ignored)
+    return replace(loaded, without_layout=told), stale, read
+
+
+def _with_characters(layouts: Mapping[str, Layout], read: ReadResult, source: str) -> Loaded:
+    """The layouts by SkelRoot with their characters, of what was read."""
+    rigs = [rig for rig in read.rigs if rig.skel_root.path in layouts]
+    return Loaded(
+        tuple((rig, _with_base(rig, layouts[rig.skel_root.path], read.listed)) for rig in rigs),
+        source,
         read.cameras,
-        files,
+        tuple(Path(each.path) for each in read.sources),
         read.without_layout,
         read.contradictions,
         read.listed,
     )
-    return loaded, stale, read
 
 
-def _with_base(rig: Rig, layout: Layout, listed: Sequence[str]) -> Layout:
+def _with_base(rig: Rig, layout: Layout, every: Mapping[str, Sequence[str]]) -> Layout:
     """The layout with a base pose in the order of the rig's controls, where its own is of just
-    these, `listed` in any order; where it lists none, with that of the defaults."""
-    own = layout.character.base_values
+    these, listed in any order by SkelRoot; where it lists none, with that of the defaults."""
+    own, listed = layout.character.base_values, every.get(rig.skel_root.path, ())
     if not len(own):
         values = {each.name: each.default for each in rig.controls}
     elif len(listed) != len(rig.controls) or not rig.control_names.issuperset(listed):
@@ -205,11 +200,9 @@ def check(
 
 
 def _checked(layer: Path, settings: Settings, clock: Clock) -> LayerReview:
-    if not settings.rig.read.each_variant:
-        return _checked_as_selected(layer, settings, clock)
     reviews, plain = variants.in_each_variant(
         settings,
-        read_variants_isolated(layer, Opening.of(settings.rig.read)),
+        functools.partial(read_variants_isolated, layer, Opening.of(settings.rig.read)),
         lambda chosen: _checked_as_selected(layer, chosen, clock),
     )
     characters = {root: review for each in reviews for root, review in each.characters}
@@ -221,7 +214,9 @@ def _checked_as_selected(layer: Path, settings: Settings, clock: Clock) -> Layer
     with clock.stage("read"):
         loaded, stale, source = _loaded(layer, settings)
         refuse_unsound(source, settings)
-    return _review_of(str(layer), loaded, stale, settings, clock)
+    corrected = (by_names_of_today(source.corrections, rig, {}) for rig in source.rigs)
+    told = tuple(each for _, issues in corrected for each in issues)
+    return _review_of(str(layer), loaded, (*stale, *told), settings, clock)
 
 
 def open_layouts(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Loaded:
@@ -231,20 +226,7 @@ def open_layouts(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Loaded:
     layouts, read = read_open_layouts(stage, settings)
     refuse_unsound(read)
     _refuse_lost(read.lost)
-    by_root = {each.character.root: each for each in layouts}
-    characters = tuple(
-        (rig, _with_base(rig, by_root[rig.skel_root.path], read.listed.get(rig.skel_root.path, ())))
-        for rig in read.rigs
-    )
-    return Loaded(
-        characters,
-        "",
-        read.cameras,
-        (),
-        read.without_layout,
-        read.contradictions,
-        read.listed,
-    )
+    return _with_characters({each.character.root: each for each in layouts}, read, "")
 
 
 def review(
@@ -300,34 +282,9 @@ def _reviewed(
 
 def _upright(rig: Rig, layout: Layout) -> Rig:
     """The character with the up direction that its layout was made for, where it lies down in the
-    stage or comes from one with another up axis.
-
-    The layout's view and the left of the character give that direction up to the tilt of the view.
-    """
-    left = _left(layout.elements, layout.frame.plane.normal)
-    up = np.cross(layout.frame.view, left / max(float(np.linalg.norm(left)), 1e-300))
-    length = float(np.linalg.norm(up))
-    ahead = np.sum([each.anchor.normal for each in layout.elements], axis=0)
-    if layout.frame.view @ ahead <= _LYING * np.linalg.norm(ahead):
-        return rig  # a view from above or aside gives none
-    if length < _SIDEWAYS or abs(float(up @ rig.skel_root.up)) > _LYING * length:
-        return rig
-    axis = int(np.abs(up).argmax())
-    straight = np.sign(up[axis]) * np.eye(3)[axis]
-    up = straight if abs(up[axis]) > _LYING * length else up / length
-    return replace(rig, skel_root=replace(rig.skel_root, up=up))
-
-
-def _left(elements: tuple[Element, ...], plane_normal: Floats) -> Floats:
-    """(3,) to the left of the character: the plane's normal, else from the elements of the right
-    to those of the left; 0 where it is unknown."""
-    if plane_normal.any():
-        return plane_normal
-    left, right = (
-        [each.anchor.position for each in elements if each.look.side == side]
-        for side in ("left", "right")
-    )
-    return np.mean(left, axis=0) - np.mean(right, axis=0) if left and right else np.zeros(3)
+    stage or comes from one with another up axis."""
+    up = other_up(layout, rig.skel_root.up)
+    return rig if up is None else replace(rig, skel_root=replace(rig.skel_root, up=up))
 
 
 def _of_part(layout: Layout, character: Character, part: CharacterPart) -> Layout:
@@ -374,30 +331,28 @@ def diff(before: Path, after: Path, settings: Settings) -> LayerDifference:
     Of the variants of `read.each_variant` each by itself, as far as the second layer has a layout
     in it.  Raises RigUIError where a layer cannot be read.
     """
-    opening = Opening.of(settings.rig.read)
-    if not settings.rig.read.each_variant:
-        return _difference(before, after, opening)
     each, _ = variants.in_each_variant(
         settings,
-        read_variants_isolated(after, opening),
+        functools.partial(read_variants_isolated, after, Opening.of(settings.rig.read)),
         lambda chosen: _difference(before, after, Opening.of(chosen.rig.read)),
     )
     characters = {one.root: one for found in each for one in found.characters}
     only = {root for found in each for root in found.only_in_one}
-    return LayerDifference(str(before), str(after), tuple(characters.values()), tuple(sorted(only)))
+    issues = tuple(dict.fromkeys(told for found in each for told in found.issues))
+    compared = tuple(characters.values())
+    return LayerDifference(str(before), str(after), compared, tuple(sorted(only)), issues)
 
 
 def _difference(before: Path, after: Path, opening: Opening) -> LayerDifference:
-    old, new = (
-        {each.character.root: each for each in read_layouts_isolated(layer, opening).layouts}
-        for layer in (before, after)
-    )
-    shared = [(old[root], new[root]) for root in new if root in old]
-    found = tuple(
-        replace(
-            difference_stage.difference(first, second),
-            root=second.character.path_in_variants,
-        )
-        for first, second in shared
-    )
-    return LayerDifference(str(before), str(after), found, tuple(sorted(old.keys() ^ new.keys())))
+    layers = [read_layouts_isolated(layer, opening) for layer in (before, after)]
+    old, new = ({each.character.root: each for each in read.layouts} for read in layers)
+    issues = tuple(dict.fromkeys(told for read in layers for told in read.ignored))
+    scale = layers[0].unit / layers[1].unit
+    found = []
+    for root in (root for root in new if root in old):
+        up = up_of(new[root])
+        first = in_world(old[root], scale, np.zeros(3) if up is None else up)
+        change = difference_stage.difference(first, new[root])
+        found.append(replace(change, root=new[root].character.path_in_variants))
+    alone = tuple(sorted(old.keys() ^ new.keys()))
+    return LayerDifference(str(before), str(after), tuple(found), alone, issues)

@@ -101,7 +101,7 @@ def part_problem(
         inputs = _problem(known, character, part, clock)
         if inputs.placement.impossible is None:
             return inputs
-        character = _without_pins(character, inputs.placement.impossible)
+        character = _without_pin(character, *inputs.placement.impossible)
 
 
 def measured(
@@ -132,12 +132,15 @@ def measured(
     return Measured(face, alike, requests, classification, character.settings)
 
 
-def _without_pins(character: Character, error: RigUIError) -> Character:
-    """The character without the decisions of an earlier layout that an error is about; raises it
-    where it is about none of them."""
-    references = character.references
-    fewer = replace(references, pins=references.pins.without(error))
-    asked = requested(character.rig, character.parts, character.settings, fewer)
+def _without_pin(
+    character: Character, error: RigUIError, groups: Sequence[frozenset[int]]
+) -> Character:
+    """The character without the weakest decision of a person that an error about the anchors of
+    some groups of controls is about; raises it where it is about none."""
+    references, rig = character.references, character.rig
+    names = [frozenset(rig.controls[control].name for control in group) for group in groups]
+    fewer = replace(references, pins=references.pins.without(error, names))
+    asked = requested(rig, character.parts, character.settings, fewer)
     return replace(character, references=fewer, requests=asked)
 
 
@@ -199,5 +202,6 @@ def layout_of(inputs: ProblemInputs, assignment: Assignment) -> Layout:
         found,
         character=replace(found.character, base_values=inputs.character.base_values),
         left_off=(*rig.findings.left_off, *inputs.left_off),
+        matches=inputs.character.references.matches,
     )
     return with_decisions(found, rig, posed(rig, None).points, inputs.requests)

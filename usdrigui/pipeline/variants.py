@@ -20,15 +20,17 @@ all be there."""
 
 
 def in_each_variant(
-    settings: Settings, sets: Mapping[str, tuple[str, ...]], act: Callable[[Settings], T]
+    settings: Settings,
+    read: Callable[[], Mapping[str, tuple[str, ...]]],
+    act: Callable[[Settings], T],
 ) -> tuple[list[T], tuple[Issue, ...]]:
     """What is found in each variant, and that the others are left off, as they have no character or
-    no layout.
+    no layout; `read` is asked for the variants by the name of their set, if there are to be any.
 
     Raises what `act` raises for another reason, or everywhere, and as `each_variant`.
     """
     found: list[T] = []
-    plain, refusals = [], []
+    plain, refusals, sets = [], [], read() if settings.rig.read.each_variant else {}
     for chosen in each_variant(settings, sets):
         try:
             found.append(act(chosen))

@@ -17,6 +17,8 @@ from usdrigui.character import Floats, Rig
 from usdrigui.errors import Issue, RigUIError, issue, raised_at, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_unchanged, hashed
 from usdrigui.layer.contradictions import contradictions
+from usdrigui.layer.corrections import own_corrections, read_corrections
+from usdrigui.layer.ignored_opinions import ignored_opinions
 from usdrigui.layer.read_layout import (
     composed_layouts,
     layout_paths,
@@ -94,8 +96,16 @@ def _layouts(path: Path, settings: Settings) -> Response:
 def _layouts_in(asset: _Asset) -> LayoutsResult:
     layouts, stage = read_layout(asset.path), asset.stage
     sources = asset.sources()
-    prims, composed = existing_prims(stage), composed_layouts(stage)
-    return LayoutsResult(layouts, source_of(asset.path), sources, prims, composed)
+    return LayoutsResult(
+        layouts,
+        source_of(asset.path),
+        sources,
+        existing_prims(stage),
+        composed_layouts(stage),
+        _as_text(ignored_opinions(stage)),
+        read_corrections(stage),
+        UsdGeom.GetStageMetersPerUnit(stage),
+    )
 
 
 def _composed(path: Path, settings: Settings) -> Response:
@@ -144,7 +154,8 @@ def _layer(path: Path, _: Settings) -> Response:
     variants = tuple(map(dict, chosen)) if any(chosen) else ()
     ours = SIGNATURE in layer.customLayerData
     below = tuple(layer.subLayerPaths)
-    return Response(layer=LayerResult(below, tuple(needed.values()), ours, variants))
+    held = own_corrections(layer)
+    return Response(layer=LayerResult(below, tuple(needed.values()), ours, variants, held))
 
 
 _TASKS: Mapping[Task, Callable[[Path, Settings], Response]] = {
@@ -184,6 +195,7 @@ def read_result(
         },
         lost=_as_text(found.lost),
         config_faults=_as_text(found.faults.issues),
+        corrections=read_corrections(stage),
     )
     if laid_out is None:
         return result

@@ -10,10 +10,10 @@ from typing import Any, Literal
 from usdrigui.character import Floats, Performance, Record, Rig
 from usdrigui.errors import Issue
 from usdrigui.isolation.foreign_file import SourceFile
-from usdrigui.model import ExistingPrim, Layout
+from usdrigui.model import Correction, ExistingPrim, Layout
 from usdrigui.settings import ReadSettings, Settings
 
-Task = Literal["rigs", "layouts", "composed", "clips", "faults", "layer", "variants"]
+Task = Literal["rigs", "layouts", "composed", "clips", "faults", "layer", "variants", "corrections"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,6 +81,8 @@ class ReadResult(Record):
     """By SkelRoot, the names of the controls that its layout knows, with and without an element."""
     config_faults: tuple[Issue, ...] = ()
     """Errors of the configuration that only the asset shows."""
+    corrections: tuple[Correction, ...] = ()
+    """Those that the stage has."""
 
     def layout_inside(self, root: str) -> str:
         """Where the asset itself has a layout of a SkelRoot, as a predicate; empty if nowhere."""
@@ -100,6 +102,12 @@ class LayoutsResult(Record):
     prims: tuple[ExistingPrim, ...] = ()
     composed_from: Mapping[str, str] = field(default_factory=dict)
     """By SkelRoot, the file of the layout that another layer of it brings in."""
+    ignored: tuple[Issue, ...] = ()
+    """Opinions of the layer and its sublayers that say nothing."""
+    corrections: tuple[Correction, ...] = ()
+    """Those that the stage has."""
+    unit: float = 0.0
+    """Meters of a unit of the stage; 0 where unknown."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,6 +133,8 @@ class LayerResult(Record):
     variants: tuple[Mapping[str, str], ...] = ()
     """The asset's variants that hold its own layouts: a selection for each of them; empty
     where none names any."""
+    corrections: tuple[Correction, ...] = ()
+    """Those that it holds itself."""
 
 
 @dataclass(frozen=True, eq=False)

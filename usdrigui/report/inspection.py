@@ -4,7 +4,7 @@ solving."""
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 from usdrigui.errors import Issue
 from usdrigui.report.documents import document
@@ -60,18 +60,6 @@ class UseFacts:
 
 
 @dataclass(frozen=True, slots=True)
-class TogetherFacts:
-    """Controls that animations move together."""
-
-    controls: tuple[str, ...]
-    agreement: float
-    """Least weighted Jaccard index of any two of them (pairs of twins taken as one)."""
-    suggestion: Literal["group", "pose", ""]
-    """``group``: they share a place, and could share an element. ``pose``: they do not; a coarse
-    control could move them all. Empty where neither can be."""
-
-
-@dataclass(frozen=True, slots=True)
 class AnimationFacts:
     """The use of one character's controls by animations."""
 
@@ -79,9 +67,8 @@ class AnimationFacts:
     frames: int
     controls: tuple[UseFacts, ...]
     """The most used first; without poses."""
-    together: tuple[TogetherFacts, ...]
     configuration: str
-    """All of it as lines of a configuration."""
+    """Their importances as lines of a configuration."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -55,7 +55,7 @@ def difference_json(found: Any) -> str:
         after=found.after,
         characters=[_difference(each) for each in found.characters],
         only_in_one=found.only_in_one,
-        issues=[],
+        issues=found.issues,
     )
 
 
@@ -106,14 +106,8 @@ def _legibility(found: Legibility) -> dict[str, Any]:
 
 
 def _part(part: PartRow) -> dict[str, Any]:
-    return {
-        "name": part.name,
-        "controls": part.controls,
-        "on_it": part.on_it,
-        "handle_width": part.handle_width,
-        "view": part.view,
-        "solution": _proof(part.assignment),
-    }
+    names = ("name", "controls", "on_it", "handle_width", "view")
+    return {name: getattr(part, name) for name in names} | {"solution": _proof(part.assignment)}
 
 
 def _proof(assignment: Assignment) -> dict[str, Any]:
@@ -124,17 +118,9 @@ def _proof(assignment: Assignment) -> dict[str, Any]:
 
 
 def _row(row: ControlRow) -> dict[str, Any]:
-    return {
-        "control": row.control,
-        "kind": row.kind,
-        "place": row.place,
-        "part": row.part,
-        "element": row.element,
-        "twin": row.twin,
-        "displacement_kept": row.kept,
-        "reason": row.reason,
-        "explained_by": dict(row.explained_by),
-    }
+    """A control's row, in which what it keeps is of the displacement."""
+    named = {("displacement_kept" if k == "kept" else k): v for k, v in plain(row).items()}
+    return named | {"explained_by": dict(row.explained_by)}
 
 
 def _element(element: Element, existing: bool) -> dict[str, Any]:

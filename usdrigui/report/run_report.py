@@ -15,7 +15,6 @@ from usdrigui.character import Floats, LeftOff, Rig
 from usdrigui.errors import Issue
 from usdrigui.model import Assignment, Layout, Legibility
 from usdrigui.model.levels import outer_first
-from usdrigui.report.markup import markup
 
 Outcome = Literal["written", "unchanged", "dry run", "in memory"]
 Place = Literal["face", "board", "left off"]
@@ -144,29 +143,6 @@ class Report:
         )
         where = f" {self.output}" if self.output else ""
         return f"<Report {self.outcome}{where}: {'; '.join(counts)}; {len(self.issues)} issues>"
-
-    def _repr_html_(self) -> str:
-        """For notebooks: a table of the controls of every character, and the issues."""
-        tables = "".join(_html_table(each) for each in self.characters)
-        issues = "".join(
-            f"<li>{markup(f'{each.severity}: {each.code} {each.where} {each.message}')}</li>"
-            for each in self.issues
-        )
-        return f"<p>{markup(repr(self)[1:-1])}</p>{tables}<ul>{issues}</ul>"
-
-
-def _html_table(character: CharacterReport) -> str:
-    head = "".join(
-        f"<th>{name}</th>" for name in ("control", "place", "element", "displacement", "why")
-    )
-    rows = []
-    for row in character.rows:
-        kept = f"{row.kept:.0%}" if math.isfinite(row.kept) else ""
-        cells = (row.control, row.stands, row.element, kept, row.reason)
-        rows.append("<tr>" + "".join(f"<td>{markup(each)}</td>" for each in cells) + "</tr>")
-    return (
-        f"<table><caption>{markup(character.root)}</caption><tr>{head}</tr>{''.join(rows)}</table>"
-    )
 
 
 def rows_of(

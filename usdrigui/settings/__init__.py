@@ -7,63 +7,45 @@ keys.
 
 from __future__ import annotations
 
-from usdrigui.settings.bounds import view_angles
-from usdrigui.settings.config_sections import with_sections
-from usdrigui.settings.loading import UnsoundSettingsError, document, limited, load
-from usdrigui.settings.parts import (
-    AnimationSettings,
-    CandidateSettings,
-    CharacterSettings,
-    ControlSettings,
-    GroupSettings,
-    JointSettings,
-    LayoutSettings,
-    LevelSettings,
-    LikeSettings,
-    ObjectiveSettings,
-    OutputSettings,
-    PartSettings,
-    PoseSettings,
-    ReadSettings,
-    RigSettings,
-    RunSettings,
-    Settings,
-    SolveSettings,
-    SymmetrySettings,
-    TrajectorySettings,
+from usdrigui.settings.bounds import (
+    view_angles as view_angles,
 )
-from usdrigui.settings.presets import PRESETS
-from usdrigui.settings.sources import environment_settings, literal, read_toml
-
-__all__ = [
-    "PRESETS",
-    "AnimationSettings",
-    "CandidateSettings",
-    "CharacterSettings",
-    "ControlSettings",
-    "GroupSettings",
-    "JointSettings",
-    "LayoutSettings",
-    "LevelSettings",
-    "LikeSettings",
-    "ObjectiveSettings",
-    "OutputSettings",
-    "PartSettings",
-    "PoseSettings",
-    "ReadSettings",
-    "RigSettings",
-    "RunSettings",
-    "Settings",
-    "SolveSettings",
-    "SymmetrySettings",
-    "TrajectorySettings",
-    "UnsoundSettingsError",
-    "document",
-    "environment_settings",
-    "limited",
-    "literal",
-    "load",
-    "read_toml",
-    "view_angles",
-    "with_sections",
-]
+from usdrigui.settings.config_sections import (
+    sections as sections,
+    with_sections as with_sections,
+)
+from usdrigui.settings.loading import (
+    UnsoundSettingsError as UnsoundSettingsError,
+    limited as limited,
+    load as load,
+)
+from usdrigui.settings.parts import (
+    AnimationSettings as AnimationSettings,
+    CandidateSettings as CandidateSettings,
+    CharacterSettings as CharacterSettings,
+    ControlSettings as ControlSettings,
+    GroupSettings as GroupSettings,
+    JointSettings as JointSettings,
+    LayoutSettings as LayoutSettings,
+    LevelSettings as LevelSettings,
+    LikeSettings as LikeSettings,
+    ObjectiveSettings as ObjectiveSettings,
+    OutputSettings as OutputSettings,
+    PartSettings as PartSettings,
+    PoseSettings as PoseSettings,
+    ReadSettings as ReadSettings,
+    RigSettings as RigSettings,
+    RunSettings as RunSettings,
+    Settings as Settings,
+    SolveSettings as SolveSettings,
+    SymmetrySettings as SymmetrySettings,
+    TrajectorySettings as TrajectorySettings,
+)
+from usdrigui.settings.presets import (
+    presets as presets,
+)
+from usdrigui.settings.sources import (
+    environment_settings as environment_settings,
+    literal as literal,
+    read_toml as read_toml,
+)

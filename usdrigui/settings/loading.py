@@ -1,5 +1,4 @@
-"""load(): settings from nested tables, every key, type and value checked; document(): the way
-back."""
+"""load(): settings from nested tables, every key, type and value checked."""
 
 from __future__ import annotations
 
@@ -8,7 +7,7 @@ import sys
 import types
 import typing
 from collections.abc import Mapping
-from dataclasses import fields, is_dataclass, replace
+from dataclasses import is_dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
@@ -16,7 +15,7 @@ from usdrigui.errors import Faults, RigUIError, meant, refuse
 from usdrigui.settings.bounds import check_value
 from usdrigui.settings.config_sections import section_types, sections, with_sections
 from usdrigui.settings.parts import Settings
-from usdrigui.settings.presets import PRESETS
+from usdrigui.settings.presets import presets
 from usdrigui.settings.sources import environment_settings, from_environment, read_toml
 
 
@@ -86,11 +85,11 @@ def limited(settings: Settings, ceilings: Settings) -> Settings:
 
 def _preset(name: str, faults: Faults) -> Mapping[str, Any]:
     with faults.collected():
-        if name not in PRESETS:
-            known = " and ".join(sorted(PRESETS))
-            what = f"no preset is called {name!r}; there are {known}{meant(name, PRESETS)}"
+        if name not in presets():
+            known = " and ".join(sorted(presets()))
+            what = f"no preset is called {name!r}; there are {known}{meant(name, presets())}"
             raise refuse("CONFIG_VALUE", "preset", what)
-    return PRESETS.get(name, {})
+    return presets().get(name, {})
 
 
 def _changed(
@@ -164,16 +163,3 @@ def _scalar(hint: Any, value: Any, path: str) -> Any:
     if hint is float and not math.isfinite(value):
         raise refuse("CONFIG_VALUE", path, f"expected a number, got {value}")
     return value
-
-
-def document(settings: Settings) -> dict[str, Any]:
-    """The sections of a complete configuration, as plain JSON-ready values."""
-    return {name: _plain(section) for name, section in sections(settings).items()}
-
-
-def _plain(value: Any) -> Any:
-    if is_dataclass(value):
-        return {each.name: _plain(getattr(value, each.name)) for each in fields(value)}
-    if isinstance(value, Mapping):
-        return {str(key): _plain(item) for key, item in value.items()}
-    return [_plain(item) for item in value] if isinstance(value, tuple) else value

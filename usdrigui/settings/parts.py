@@ -212,7 +212,6 @@ class AnimationSettings:
     """What is made of animation given with `--animation`."""
 
     weight: float = 0.5
-    together: float = 0.8
 
 
 @dataclass(frozen=True, slots=True)

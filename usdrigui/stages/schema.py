@@ -26,7 +26,10 @@ ELEMENT = "RigUIElementAPI"
 ANCHOR = "RigUIAnchorAPI"
 HANDLE = "RigUIHandleAPI"
 CONTROL = "RigUIControlAPI"
-APIS = (LAYOUT, DRAWING, ELEMENT, ANCHOR, HANDLE, CONTROL)
+CORRECTION = "RigUICorrectionAPI"
+CORRECTIONS = "RigUICorrections"
+"""Name of the prim below the SkelRoot that holds the corrections of a person."""
+APIS = (LAYOUT, DRAWING, ELEMENT, ANCHOR, HANDLE, CONTROL, CORRECTION)
 ROLE = "rigUI:role"
 ROLES = ("handle", "track", "area")
 """Primvar of a drawing, and what each of its faces is by it."""

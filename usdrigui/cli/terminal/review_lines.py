@@ -69,8 +69,6 @@ def _animation(found: AnimationFacts) -> Iterator[Printed]:
         for each in found.controls
     ]
     yield Table("control | use | active | importance", rows)
-    for together in found.together:
-        yield f"  together ({together.agreement:.2f}): {', '.join(together.controls)}"
     yield "as a configuration:"
     yield Verbatim(found.configuration)
 
@@ -184,3 +182,4 @@ def _difference(found: LayerDifference) -> Iterator[Printed]:
         yield from change_lines(character)
     for root in found.only_in_one:
         yield f"{root}: only one of the two layers has a layout of it"
+    yield from issue_lines(found.issues)

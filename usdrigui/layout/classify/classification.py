@@ -108,6 +108,10 @@ def _category(
     override = requests.overrides[control]
     if override.place in ("face", "proxy") or override.anchor:
         return "", ""
+    earlier = requests.prior.places.get(control)
+    if earlier is not None and earlier.category:
+        return earlier.category, earlier.reason
+    stays = requests.prior.keeps_on_face(control)
     # A control that is on the face already is not sent away because another one was added.
     composite = (
         evidence.composite
@@ -117,7 +121,7 @@ def _category(
     if composite is not None and composite.kind == "family":
         # All of it under one heading, whatever else speaks against some of its members.
         return composite.category, ""
-    if settings.board_global:
+    if settings.board_global and not stays:
         if evidence.vanishes:
             return "global", "makes parts of the character disappear"
         # Where the mouth alone is animated, a jaw moves all that smaller controls move.
@@ -126,7 +130,8 @@ def _category(
             return "global", "moves the face as a whole"
     if settings.board_hidden and evidence.visible_share < settings.hidden_share:
         return "hidden", "only affects geometry hidden in all views"
-    if settings.board_hidden and evidence.kept < settings.least_kept and not evidence.essential:
+    needed = stays or evidence.essential
+    if settings.board_hidden and evidence.kept < settings.least_kept and not needed:
         return "hidden", f"no visible place keeps more than {evidence.kept:.0%} of its displacement"
     if composite is not None:
         return composite.category, ""

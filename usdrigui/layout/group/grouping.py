@@ -112,15 +112,6 @@ def suggested_groups(
     )
 
 
-def share_a_place(known: Measured, candidates: Candidates, names: Sequence[str]) -> bool:
-    """Whether controls could be one element: all are controls of the face, and some point suits
-    them all."""
-    grouping = _Grouping(known, candidates)
-    motions = tuple(i for i in grouping.sets if grouping.names[i] in names)
-    on_face = not any(grouping.category[i] for i in motions)
-    return len(motions) == len(names) and on_face and grouping.share_a_place(motions)
-
-
 def _motions_of(merged: Iterable[_Merged]) -> set[int]:
     return set().union(*(element.motions for element in merged))
 

@@ -1,9 +1,7 @@
-"""The use of controls by animation: how much each is used, and which move together.
+"""The use of controls by animation: how much each is used.
 
 The activity of a control in a frame is how far it is from its default, as a share of how far it can
-go, from 0 to 1.  Two controls are together as far as their activities agree, by the weighted
-Jaccard index over all frames (sum of the lesser over sum of the greater; Ruzicka 1958): 1 when they
-always do the same, 0 when never at once.
+go, from 0 to 1.
 """
 
 from __future__ import annotations
@@ -12,7 +10,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.spatial.distance import cdist, squareform
 
 from usdrigui.character import Control, Floats, Joint, Performance, Record, Rig
 from usdrigui.character.rotation import rotation_part, rotation_vectors
@@ -23,8 +20,6 @@ _LEAST_USE = 1e-3
 """Mean activity below which a control is not used at all."""
 _MOST = 3.0
 """Use beyond this many times the mean counts no more."""
-_ROUNDING = 1e-9
-"""By which two controls that agree just enough may seem to agree less."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,41 +61,6 @@ def activity(rig: Rig, performances: Iterable[Performance]) -> Activity:
     if not (amounts.mean(axis=0) > _LEAST_USE).any():
         raise refuse("CLIP_FOREIGN", rig.skel_root.path, why)
     return Activity(tuple(c.name for c in rig.controls), values, amounts, names, issues)
-
-
-def agreement(amounts: Floats) -> Floats:
-    """(controls, controls) weighted Jaccard index of the columns of (frames, controls)
-    activities."""
-    apart = cdist(amounts.T, amounts.T, "braycurtis")  # not a number for two that are never used
-    return np.asarray(np.nan_to_num((1.0 - apart) / (1.0 + apart)))
-
-
-def together(
-    done: Activity, twins: Mapping[str, str], least: float
-) -> tuple[tuple[tuple[str, ...], float], ...]:
-    """Controls that move together, in sets, the clearest first, with the least agreement within
-    each.
-
-    `twins` names the mirror control of each; the two go as one, moving as far as both do on
-    average.  Sets grow as long as all their members agree by `least` (complete linkage).
-    """
-    from scipy.cluster.hierarchy import fcluster, linkage
-
-    units = _units(done, twins)
-    amounts = np.stack([done.amounts[:, list(unit)].mean(axis=1) for unit in units], axis=1)
-    used = np.flatnonzero(amounts.mean(axis=0) > _LEAST_USE)
-    if len(used) < 2:
-        return ()
-    table = agreement(amounts[:, used])
-    tree = linkage(squareform(1.0 - table, checks=False), "complete")
-    of_unit = fcluster(tree, 1.0 - least + _ROUNDING, "distance")
-    found = []
-    for label in np.unique(of_unit):
-        members = np.flatnonzero(of_unit == label)
-        if len(members) > 1:
-            names = tuple(done.controls[i] for unit in used[members].tolist() for i in units[unit])
-            found.append((names, float(table[np.ix_(members, members)].min())))
-    return tuple(sorted(found, key=lambda pair: (-round(pair[1], 9), pair[0])))
 
 
 def importances(done: Activity, twins: Mapping[str, str], weight: float) -> dict[str, float]:

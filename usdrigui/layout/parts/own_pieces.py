@@ -6,8 +6,7 @@ is what hangs beside the chains of a skinned character: a sword, a hat, a bag.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from collections.abc import Set as AbstractSet
+from collections.abc import Iterable, Set as AbstractSet
 from dataclasses import dataclass
 
 import numpy as np

@@ -53,8 +53,9 @@ class PlacementProblem:
     problem: LayoutProblem
     choices: tuple[Choice, ...]
     """(variables,) what the labels of each variable mean."""
-    impossible: RigUIError | None = None
-    """FIXED_IMPOSSIBLE where the fixed anchors contradict each other."""
+    impossible: tuple[RigUIError, tuple[frozenset[int], ...]] | None = None
+    """FIXED_IMPOSSIBLE where the fixed anchors contradict each other, and the controls of each
+    element that they are of."""
 
 
 def placement_problem(
@@ -261,21 +262,23 @@ def _impossible(
     groups: tuple[Group, ...],
     choices: tuple[Choice, ...],
     overrides: tuple[ControlSettings, ...],
-) -> RigUIError | None:
+) -> tuple[RigUIError, tuple[frozenset[int], ...]] | None:
     """FIXED_IMPOSSIBLE when the fixed anchors contradict each other, naming them."""
     fixed = list(_fixed(groups, choices, overrides))
+    controls = {number: groups[choices[number].group].all_controls for number in fixed}
+
+    def told(what: str, *numbers: int) -> tuple[RigUIError, tuple[frozenset[int], ...]]:
+        error = refuse("FIXED_IMPOSSIBLE", problem.variables[numbers[0]].name, what)
+        return error, tuple(controls[number] for number in numbers)
+
     for number in fixed:
-        name = problem.variables[number].name
-        anchors = sorted(
-            {overrides[c].anchor for c in groups[choices[number].group].controls} - {""}
-        )
+        anchors = sorted({overrides[c].anchor for c in groups[choices[number].group].controls})
+        anchors = [anchor for anchor in anchors if anchor]
         if len(anchors) > 1:
-            return refuse(
-                "FIXED_IMPOSSIBLE", name, f"one element is fixed at {' and at '.join(anchors)}"
-            )
+            return told(f"one element is fixed at {' and at '.join(anchors)}", number)
         if not len(choices[number].anchors):
             why = "not all of its controls can be anchored there, or its copies would collide"
-            return refuse("FIXED_IMPOSSIBLE", name, f"cannot be anchored at {anchors[0]}: {why}")
+            return told(f"cannot be anchored at {anchors[0]}: {why}", number)
     for place, a in enumerate(fixed):
         for b in fixed[place + 1 :]:
             one, other = problem.variables[a], problem.variables[b]
@@ -283,12 +286,8 @@ def _impossible(
                 continue
             apart = np.linalg.norm(one.handles[0][:, None] - other.handles[0][None], axis=2).min()
             if apart < problem.separation:
-                share = (
-                    f"{apart / problem.separation:.2f} of the least distance between two handles"
-                )
-                return refuse(
-                    "FIXED_IMPOSSIBLE", one.name, f"is fixed at {share} from {other.name}"
-                )
+                share = f"{apart / problem.separation:.2f} of the least distance of two handles"
+                return told(f"is fixed at {share} from {other.name}", a, b)
     return None
 
 

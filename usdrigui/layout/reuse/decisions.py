@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
 
 from usdrigui.character import Floats, Rig
-from usdrigui.layout.reuse.pinned import Pin, Pins
-from usdrigui.layout.reuse.prior_layout import ONE_PLACE
+from usdrigui.layout.reuse.carrying import ONE_PLACE
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import Decision, Element, Layout
 from usdrigui.model.levels import outer_first
@@ -19,11 +18,18 @@ def with_decisions(layout: Layout, rig: Rig, rest: Floats, requests: Requests) -
     """The layout with the decisions of a person in it: those of the configuration, and those
     carried.  `rest` (n, 3) are the points at rest."""
     index = {control.name: i for i, control in enumerate(rig.controls)}
-    carried = list(_of_pins(layout.elements, requests.pins))
     decided = {element.name: _configured(element, index, requests) for element in layout.elements}
-    for element, pin in carried:
-        here = element.anchor.place == (pin.anchor or "board")
-        decided[element.name] |= {each for each in pin.decisions if each != "anchor" or here}
+    before: dict[str, tuple[float, float, float]] = {}
+    held: set[str] = set()
+    for element in outer_first(layout.elements):
+        controls = element.manipulator.controls
+        inner = bool(held & controls)
+        held |= controls
+        for pin in requests.pins.pins:
+            if pin.inner == inner and not controls.isdisjoint(pin.controls):
+                here = element.anchor.place == (pin.anchor or "board")
+                decided[element.name] |= {k for k in pin.decisions if k != "anchor" or here}
+                before |= {element.name: pin.position} if pin.anchor else {}
     mirrored = [
         element.name
         for element in layout.elements
@@ -32,7 +38,6 @@ def with_decisions(layout: Layout, rig: Rig, rest: Floats, requests: Requests) -
     ]
     for name in mirrored:
         decided[name].add("anchor")
-    before = {element.name: pin.position for element, pin in carried if pin.anchor}
 
     def pinned(element: Element) -> Element:
         kinds, anchor = decided[element.name], element.anchor
@@ -62,15 +67,3 @@ def _configured(element: Element, index: Mapping[str, int], requests: Requests) 
     found: set[Decision] = {"anchor"} if any(each.anchor for each in asked) else set()
     found |= {"place"} if any(each.place or each.near for each in asked) else set()
     return found | ({"grouping"} if controls in map(frozenset, requests.groups.values()) else set())
-
-
-def _of_pins(elements: tuple[Element, ...], pins: Pins) -> Iterator[tuple[Element, Pin]]:
-    """The elements that have the controls of a pin, each on its level."""
-    held: set[str] = set()
-    for element in outer_first(elements):
-        controls = element.manipulator.controls
-        inner = bool(held & controls)
-        held |= controls
-        for pin in pins.pins:
-            if pin.inner == inner and controls & set(pin.controls):
-                yield element, pin

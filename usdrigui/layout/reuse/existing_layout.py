@@ -157,7 +157,7 @@ def _moved(layout: Layout, root: str, variant_path: str) -> Layout:
         replace(
             each,
             anchor=replace(
-                each.anchor, mesh=_moved_path(each.anchor.mesh, layout.character.root, root)
+                each.anchor, mesh=moved_path(each.anchor.mesh, layout.character.root, root)
             ),
         )
         for each in layout.elements
@@ -166,7 +166,7 @@ def _moved(layout: Layout, root: str, variant_path: str) -> Layout:
     return replace(layout, elements=elements, character=character)
 
 
-def _moved_path(path: str, before: str, after: str) -> str:
+def moved_path(path: str, before: str, after: str) -> str:
     """A path below `before` as it is below `after`."""
     return after + path.removeprefix(before) if path.startswith(f"{before}/") else path
 

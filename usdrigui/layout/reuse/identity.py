@@ -1,5 +1,4 @@
-"""Which control is which: the controls of two rigs, of a layout and a rig, or of two layouts,
-matched one to one.
+"""Which control is which: the controls of two rigs, or of a layout and a rig, matched one to one.
 
 Names change their spelling, meshes their topology, and shapes are sculpted again; seldom does all
 that change at once. Every pair of controls is weighed by their names and by their motions
@@ -10,26 +9,20 @@ lose without a pair is how sure that pair is.
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.optimize import linear_sum_assignment
-from scipy.sparse import csr_array
-from scipy.sparse.csgraph import connected_components
 
-from usdrigui.character import Floats, Indices, Rig
+from usdrigui.character import Floats, Rig
 from usdrigui.conventions import spellings
 from usdrigui.errors import Issue, issue
-from usdrigui.layout.reuse.motion_evidence import at_anchors, between_anchors, over_faces
+from usdrigui.layout.reuse.motion_evidence import at_anchors, over_faces
 from usdrigui.layout.reuse.name_evidence import name_evidence, same_meaning
-from usdrigui.model import Element, Layout, Trajectories
+from usdrigui.model import SURE, Element, Layout, Match, Trajectories
 from usdrigui.model.levels import outer_first
 from usdrigui.ties import rounded
-
-SURE = 0.9
-"""Confidence from which a match is acted upon; less sure matches are reported only."""
 
 _CHANCE = 2.5
 """Evidence that chance alone may give a pair: a pair below it is none."""
@@ -40,25 +33,6 @@ _ROUNDS = 8
 """Matches shape the map between two faces, and the map the matches, at most so often."""
 _CERTAIN = 12.0
 """Evidence beyond which nothing is gained by knowing more exactly how sure a pair is."""
-
-
-@dataclass(frozen=True, slots=True)
-class Match:
-    """Two names of one control."""
-
-    before: str
-    after: str
-    confidence: float
-    """In [0, 1], to three digits: the odds of the best assignment against the best one without this
-    pair."""
-    reason: str
-    """What speaks for it: ``configuration``, ``name``, ``spelling``, ``meaning`` or ``motion``, the
-    first that does."""
-
-    @property
-    def sure(self) -> str:
-        """The confidence in words; rounded down, so that none below `SURE` reads as it."""
-        return f"{math.floor(100.0 * self.confidence + 1e-6)}% sure"
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,17 +110,6 @@ def match_layout(layout: Layout, rig: Rig, trajectories: Trajectories) -> Matchi
         layout.elements, left, rig, trajectories, new
     )
     return _joined(before, kept, _matched(left, new, evidence))
-
-
-def match_layouts(before: Layout, after: Layout) -> Matching:
-    """The controls of two layouts of one character, by the layouts alone; names as
-    of `match_layout`."""
-    names = _names_of(before.elements), _names_of(after.elements)
-    kept, left, new = _kept(*names)
-    if not left:
-        return Matching(kept, (), tuple(new))
-    evidence = name_evidence(left, new, geometry=True) + between_anchors(before, left, after, new)
-    return _joined(names[0], kept, _matched(left, new, evidence))
 
 
 def matching_issues(which: str, found: Matching) -> Iterator[Issue]:
@@ -248,35 +211,14 @@ def _matched(before: Sequence[str], after: Sequence[str], evidence: Floats) -> M
 
 def _assigned(evidence: Floats) -> list[tuple[int, int, float]]:
     """Rows and columns of the assignment of greatest total, and what the total would lose without
-    each pair.
-
-    Rows and columns that share no evidence do not know of each other, so every connected part is an
-    assignment of its own.
-    """
-    count = len(evidence)
-    where = np.nonzero(evidence)
-    graph = csr_array(
-        (np.ones(len(where[0])), (where[0], where[1] + count)), shape=(sum(evidence.shape),) * 2
-    )
-    _, part = connected_components(graph, directed=False)
-    found = []
-    for number in np.unique(part[np.unique(where[0])]):
-        rows = np.flatnonzero(part[:count] == number)
-        columns = np.flatnonzero(part[count:] == number)
-        found += _assigned_part(evidence[np.ix_(rows, columns)], rows, columns)
-    return sorted(found)
-
-
-def _assigned_part(
-    evidence: Floats, rows: Indices, columns: Indices
-) -> list[tuple[int, int, float]]:
-    chosen = [
-        (i, j)
-        for i, j in zip(*linear_sum_assignment(-evidence), strict=True)
+    each pair."""
+    rows, columns = linear_sum_assignment(-evidence)
+    total = float(evidence[rows, columns].sum())
+    return [
+        (int(i), int(j), _loss(evidence, i, j, total))
+        for i, j in zip(rows, columns, strict=True)
         if evidence[i, j] > 0.0
     ]
-    total = sum(evidence[i, j] for i, j in chosen)
-    return [(int(rows[i]), int(columns[j]), _loss(evidence, i, j, total)) for i, j in chosen]
 
 
 def _loss(evidence: Floats, row: int, column: int, total: float) -> float:

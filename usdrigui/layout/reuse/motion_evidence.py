@@ -15,10 +15,9 @@ import numpy as np
 from scipy.sparse import csr_array
 from scipy.spatial import cKDTree
 
-from usdrigui.character import Body, Flags, Floats, Indices, Rig
-from usdrigui.layout.reuse.prior_layout import ONE_PLACE, points_of_meshes, same_point
+from usdrigui.character import Flags, Floats, Indices, Rig
 from usdrigui.layout.reuse.retargeting import face_map
-from usdrigui.model import BaseSurface, Element, Layout, Member, Motion, Trajectories
+from usdrigui.model import BaseSurface, Element, Member, Motion, Trajectories
 from usdrigui.model.levels import outer_first
 
 _SAMPLES = 1.0 / 30.0
@@ -126,7 +125,7 @@ def at_anchors(
     """(left, new) evidence for controls of an earlier layout and of the rig, at the anchors of the
     layout."""
     held = _held(elements)
-    points = _anchor_points(held, rig.body, trajectories)
+    points = _anchor_points(held, trajectories)
     index = {control.name: number for number, control in enumerate(rig.controls)}
     columns = np.array([index[name] for name in new], dtype=np.int64)
     found = np.zeros((len(left), len(new)))
@@ -137,42 +136,17 @@ def at_anchors(
     return found
 
 
-def between_anchors(
-    before: Layout, left: Sequence[str], after: Layout, new: Sequence[str]
-) -> Floats:
-    """(left, new) evidence for controls of two layouts of one character."""
-    one, other = _held(before.elements), _held(after.elements)
-    width = max(before.frame.handle_width, after.frame.handle_width, 1e-300)
-    found = np.zeros((len(left), len(new)))
-    for row, name in enumerate(left):
-        for column, new_name in enumerate(new):
-            if name not in one or new_name not in other:
-                continue
-            a, b = one[name], other[new_name]
-            apart = (
-                float(np.linalg.norm(a.element.anchor.position - b.element.anchor.position)) / width
-            )
-            exact = apart < ONE_PLACE
-            value = _at_one_point(a.vector, b.vector[None], exact=exact).item()
-            found[row, column] = max(_LEAST, value - (0.0 if exact else apart))
-    return found
-
-
-def _at_one_point(one: Floats, other: Floats, *, exact: bool = True) -> Floats:
-    """(b,) evidence of a displacement (3,) and others (b, 3) at one place; none where nothing moves
-    there.
-
-    `exact`: whether it is one place, so that copies agree to the last digit.
-    """
+def _at_one_point(one: Floats, other: Floats) -> Floats:
+    """(b,) evidence of a displacement (3,) and others (b, 3) at one place, where copies agree to
+    the last digit; none where nothing moves there."""
     found = _agreement(one[None], other)
     evidence = (
         np.maximum(_ANCHOR_SLOPE * (found.cosine[0] - _ANCHOR_MIDDLE), _LEAST)
         - _LENGTH * found.length[0]
     )
-    if exact:
-        sizes = np.maximum(np.linalg.norm(other, axis=1), np.linalg.norm(one))
-        off = np.linalg.norm(other - one, axis=1) / np.maximum(sizes, 1e-300)
-        evidence += np.where(off < _CLOSE, _CLOSE_WEIGHT * np.log(_CLOSE / (off + _EXACT)), 0.0)
+    sizes = np.maximum(np.linalg.norm(other, axis=1), np.linalg.norm(one))
+    off = np.linalg.norm(other - one, axis=1) / np.maximum(sizes, 1e-300)
+    evidence += np.where(off < _CLOSE, _CLOSE_WEIGHT * np.log(_CLOSE / (off + _EXACT)), 0.0)
     return np.asarray(np.where(np.any(one) & np.any(other), np.maximum(evidence, _LEAST), 0.0))
 
 
@@ -198,54 +172,29 @@ def _thinned(trajectories: Trajectories, size: float) -> Floats:
 
 def _blurred(character: tuple[Rig, Trajectories], points: Floats) -> Floats:
     """(controls, m, 3) displacements from least to greatest value around `points` (m, 3), zero
-    where none is near."""
+    where none is near: their means over the surface in each cell of a fine grid, blurred."""
     rig, trajectories = character
-    weights = (_around(trajectories, points) @ _cells(trajectories)).tocsc()
+    surface, places = trajectories.surface, _moved_places(trajectories)
+    areas, size = _areas(surface, places), surface.face_size
+    grid = np.floor(surface.points[places] / (_CELLS * size))
+    number = np.unique(grid, axis=0, return_inverse=True)[1].reshape(-1)
+    area = np.bincount(number, areas)
+    shape = len(area), len(surface.points)
+    cells = csr_array((areas / area[number], (number, places)), shape=shape)
+    tree = cKDTree(cells @ surface.points)
+    apart, near = tree.query(points, k=_NEIGHBOURS, distance_upper_bound=2.0 * _BLUR * size)
+    amounts = np.exp(-0.5 * np.square(apart / (_BLUR * size))) * np.append(area, 0.0)[near]
+    amounts /= np.maximum(amounts.sum(axis=1, keepdims=True), 1e-300)
+    rows = np.repeat(np.arange(len(points)), near.shape[1])
+    columns = np.minimum(near, len(area) - 1).ravel()
+    around = csr_array((amounts.ravel(), (rows, columns)), shape=(len(points), len(area)))
+    weights = (around @ cells).tocsc()
     found = np.zeros((len(rig.controls), len(points), 3))
     for motion in trajectories.motions:
         found[motion.control] = weights[:, motion.points] @ (
             motion.polylines.offsets[-1] - motion.polylines.offsets[0]
         )
     return found
-
-
-def _cells(trajectories: Trajectories) -> csr_array:
-    """(cells, n) mean over the surface in each cell of a fine grid; cells in the order of
-    `_cell_numbers`."""
-    places, number, count = _cell_numbers(trajectories)
-    areas = _areas(trajectories.surface, places)
-    share = areas / np.bincount(number, areas, count)[number]
-    return csr_array((share, (number, places)), shape=(count, len(trajectories.surface.points)))
-
-
-def _around(trajectories: Trajectories, points: Floats) -> csr_array:
-    """(m, cells) weights of the cells around each point."""
-    places, number, count = _cell_numbers(trajectories)
-    areas = _areas(trajectories.surface, places)
-    area = np.bincount(number, areas, count)
-    centres = np.stack(
-        [
-            np.bincount(number, areas * axis, count) / area
-            for axis in trajectories.surface.points[places].T
-        ],
-        1,
-    )
-    blur = _BLUR * trajectories.surface.face_size
-    apart, near = cKDTree(centres).query(points, k=_NEIGHBOURS, distance_upper_bound=2.0 * blur)
-    weights = np.exp(-0.5 * np.square(apart / blur)) * np.append(area, 0.0)[near]
-    weights /= np.maximum(weights.sum(axis=1, keepdims=True), 1e-300)
-    rows = np.repeat(np.arange(len(points)), near.shape[1])
-    return csr_array(
-        (weights.ravel(), (rows, np.minimum(near, count - 1).ravel())), shape=(len(points), count)
-    )
-
-
-def _cell_numbers(trajectories: Trajectories) -> tuple[Indices, Indices, int]:
-    """The moved places, the cell of each, and the number of cells."""
-    places = _moved_places(trajectories)
-    grid = np.floor(trajectories.surface.points[places] / (_CELLS * trajectories.surface.face_size))
-    _, number = np.unique(grid, axis=0, return_inverse=True)
-    return places, number.reshape(-1), int(number.max(initial=-1)) + 1
 
 
 def _areas(surface: BaseSurface, places: Indices) -> Floats:
@@ -261,11 +210,10 @@ def _areas(surface: BaseSurface, places: Indices) -> Floats:
 class _Held:
     """What a layout knows of a control on the face."""
 
-    element: Element
+    position: Floats
+    """(3,) of its anchor."""
     vector: Floats
     """(3,) from the least value to the greatest, where the track is."""
-    track: Floats
-    """(k, 3) as drawn."""
 
 
 def _held(elements: tuple[Element, ...]) -> dict[str, _Held]:
@@ -273,7 +221,8 @@ def _held(elements: tuple[Element, ...]) -> dict[str, _Held]:
     found: dict[str, _Held] = {}
     for element in outer_first(elements):
         for member in element.manipulator.members if not element.anchor.on_board else ():
-            found.setdefault(member.control, _Held(element, _displacement(member), member.track))
+            held = _Held(element.anchor.position, _displacement(member))
+            found.setdefault(member.control, held)
     return found
 
 
@@ -293,30 +242,8 @@ def _at_point(motions: tuple[Motion, ...], count: int, point: int) -> Floats:
     return found
 
 
-def _anchor_points(
-    held: Mapping[str, _Held], body: Body, trajectories: Trajectories
-) -> dict[str, int]:
-    """By control, the point of today's rig whose track the layout holds.
-
-    That is the anchor, or the nearest point that moves where the mesh has other points; but a hand
-    that corrects an anchor seldom draws its track again.
-    """
-    meshes, places = points_of_meshes(body.meshes, body.starts), _moved_places(trajectories)
+def _anchor_points(held: Mapping[str, _Held], trajectories: Trajectories) -> dict[str, int]:
+    """By control, the point of today's rig whose track the layout holds: the nearest that moves."""
+    places = _moved_places(trajectories)
     tree = cKDTree(trajectories.surface.points[places])
-    found = {}
-    for name, each in held.items():
-        near = int(places[tree.query(each.element.anchor.position)[1]])
-        same = same_point(each.element.anchor, meshes)
-        apart = [
-            _to_track(trajectories.surface.points[point], each.track)
-            for point in (near, same)
-            if point >= 0
-        ]
-        found[name] = same if same >= 0 and apart[-1] <= apart[0] else near
-    return found
-
-
-def _to_track(point: Floats, track: Floats) -> float:
-    """Distance of a point (3,) from the nearest vertex of a track (k, 3), one of which is its rest
-    position."""
-    return float(np.linalg.norm(track - point, axis=1).min())
+    return {name: int(places[tree.query(each.position)[1]]) for name, each in held.items()}

@@ -6,50 +6,12 @@ Fixed anchors (``controls."name".anchor``) are kept to the point, and the rest i
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
-
-from usdrigui.character import Body, Indices, Rig, RigMesh
+from usdrigui.character import Body, Indices, Rig
 from usdrigui.errors import meant, refuse
-from usdrigui.model import Element, Layout
-from usdrigui.model.levels import outer_first
 from usdrigui.settings import ControlSettings
 
 MIRROR = "mirror:"
 """In front of what ``near`` names: its mirror image."""
-
-
-def with_fixed(
-    rig: Rig, overrides: Sequence[ControlSettings], layout: Layout
-) -> tuple[ControlSettings, ...]:
-    """(controls,) the `overrides` with every anchor of `layout` fixed; a place that the
-    configuration itself gives a control is stronger.
-
-    Raises FIXED_IMPOSSIBLE where the layout was made for other points, CONFIG_UNKNOWN_CONTROL where
-    it has a control that the rig lacks.
-    """
-    index = {control.name: i for i, control in enumerate(rig.controls)}
-    found, placed = list(overrides), set[int]()
-    for element in outer_first(layout.elements):
-        for name in (member.control for member in element.manipulator.members):
-            if name not in index:
-                where = f"{layout.character.root} element {element.name}"
-                what = f"{rig.skel_root.path} has no control {name!r}"
-                raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
-            control = index[name]
-            override = found[control]
-            if control in placed:
-                if not (override.inner_anchor or element.anchor.on_board):
-                    inner = _anchor_of(element, rig.body.meshes)
-                    found[control] = replace(override, inner_anchor=inner)
-            elif not (override.anchor or override.place):
-                placed.add(control)
-                found[control] = (
-                    replace(override, place="board")
-                    if element.anchor.on_board
-                    else replace(override, anchor=_anchor_of(element, rig.body.meshes))
-                )
-    return tuple(found)
 
 
 def fixed_anchor(rig: Rig, name: str, anchor: str) -> int | None:
@@ -102,14 +64,3 @@ def moves(points: Indices, name: str, override: ControlSettings, point: int) -> 
         f'controls."{name}".anchor',
         f"{name} does not move the point {override.anchor}",
     )
-
-
-def _anchor_of(element: Element, meshes: tuple[RigMesh, ...]) -> str:
-    """Its anchor as ``MESH_PATH#POINT``; raises FIXED_IMPOSSIBLE where that is another point by
-    now."""
-    anchor = element.anchor
-    mesh = next((each for each in meshes if each.path == anchor.mesh), None)
-    if mesh is None or not anchor.fits(mesh.topology.hash):
-        change = "is gone" if mesh is None else "has other points or faces by now"
-        raise refuse("FIXED_IMPOSSIBLE", element.name, f"its mesh {anchor.mesh} {change}")
-    return f"{anchor.mesh}#{anchor.point}"

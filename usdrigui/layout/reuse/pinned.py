@@ -13,17 +13,17 @@ from typing import Literal
 
 import numpy as np
 
-from usdrigui.character import Floats, Indices, Rig
-from usdrigui.errors import Issue, RigUIError, issue
+from usdrigui.character import Rig
+from usdrigui.character.deform import posed
+from usdrigui.errors import Issue, RigUIError, issue, refuse
+from usdrigui.layout.reuse.carrying import MOVES, ONE_PLACE, Today, carried
+from usdrigui.layout.reuse.other_world import turn_between
 from usdrigui.layout.reuse.partial_layout import MIRROR, fixed_anchor, place_of
-from usdrigui.layout.reuse.prior_layout import ONE_PLACE, points_of_meshes, same_point
-from usdrigui.model import Decision, Element, Layout, Symmetry, Trajectories
+from usdrigui.model import Anchor, Correction, Decision, Element, Layout, Symmetry, Trajectories
 from usdrigui.model.levels import outer_first
 from usdrigui.settings import ControlSettings
 from usdrigui.ties import first_smallest
 
-_MOVES = 0.05
-"""Share of its peak by which a control moves a point to which it may be carried."""
 _SHARED = 0.25
 """Share of its peak by which a control moves a point that is its own as well as its twin's."""
 
@@ -43,102 +43,162 @@ class Pin:
     """At rest, on the rig for which the anchor was decided."""
     inner: bool = False
     """Whether the element is a member of a coarse one that has its controls, too."""
+    recorded: bool = False
+    """Whether an earlier layout has it on record; else a correction says it."""
 
 
 @dataclass(frozen=True)
 class Pins:
-    """The decisions that an earlier layout records, and what could not be carried."""
+    """The decisions that hold for a rig, the strongest first, and what could not be carried."""
 
     pins: tuple[Pin, ...] = ()
     issues: tuple[Issue, ...] = ()
 
-    def without(self, error: RigUIError) -> Pins:
-        """The rest, of an error about an anchor that one of the pins fixes; raises it if it is
-        about none of them."""
-        named = [pin for pin in self.pins if pin.anchor and _is_about(error.issue.path, pin)]
+    def without(self, error: RigUIError, groups: Sequence[frozenset[str]]) -> Pins:
+        """The rest, of an error about the anchors of one group of controls or of two: without those
+        of the group that has the fewest, of those on record if there are any; raises it if none of
+        the pins is one."""
+        fixed = [pin for pin in self.pins if pin.anchor]
+        named = [[p for p in fixed if not g.isdisjoint(p.controls)] for g in groups]
+        named = [pins for pins in named if pins]
         if not named:
             raise error
-        lost = tuple(issue("PIN_LOST", pin.element, error.issue.message) for pin in named)
-        rest = (replace(pin, anchor="") if pin in named else pin for pin in self.pins)
+        gone = min(named, key=lambda pins: (not all(p.recorded for p in pins), len(pins)))
+        if len(groups) == 1:
+            gone = gone[-1:]
+        lost = (issue("PIN_LOST", pin.element, error.issue.message) for pin in gone)
+        rest = (replace(pin, anchor="") if pin in gone else pin for pin in self.pins)
         return Pins(tuple(rest), (*self.issues, *lost))
 
 
-def _is_about(path: str, pin: Pin) -> bool:
-    return path == pin.element or any(
-        path in (name, f'controls."{name}".anchor') for name in pin.controls
-    )
+def pins_of(layout: Layout, today: Today, corrections: Sequence[Correction] = ()) -> Pins:
+    """The pins of an earlier layout of a character, by its names of today, of whose points at rest
+    `today` tells; but for those that corrections replace or take back.
 
-
-def pins_of(layout: Layout, rig: Rig, rest: Floats, trajectories: Trajectories) -> Pins:
-    """The pins of an earlier layout of a character, by its names of today; `rest` (n, 3) are its
-    points at rest.
-
-    Controls that are gone leave their decisions to the others of the element.
+    Controls that are gone leave their decisions to the others of the element; where none is left,
+    they are told as lost.
     """
     pins, issues = [], []
     held: set[str] = set()
-    names = rig.control_names
+    names = today.rig.control_names
+    free = _freed(layout, frozenset(each.control for each in corrections if each.place))
     for element in outer_first(layout.elements):
         placement, on_board = element.placement, element.anchor.on_board
         known = tuple(m.control for m in element.manipulator.members if m.control in names)
         inner = bool(held & set(known))
         held |= set(known)
-        if not placement.pinned or not known:
+        if not placement.pinned or not free.isdisjoint(known):
+            continue
+        if not known:
+            issues.append(issue("PIN_LOST", element.name, "its controls are gone"))
             continue
         pin = Pin(element.name, known, placement.pinned, position=placement.pinned_position)
         if "anchor" in placement.pinned and not on_board:
-            width = layout.frame.handle_width_of(placement.part)
-            anchor, problem = _carried(element, known, width, (rig, rest, trajectories))
-            pin = replace(pin, anchor=anchor)
-            issues += [problem] if problem is not None else []
+            pin, told = _at_point(
+                pin, element.anchor, layout.frame.handle_width_of(placement.part), today
+            )
+            issues += told
         if "place" in placement.pinned and not pin.anchor:
             pin = replace(pin, place="board" if on_board else "face")
-        pins.append(replace(pin, inner=inner))
+        pins.append(replace(pin, inner=inner, recorded=True))
     return Pins(tuple(pins), tuple(issues))
 
 
-def _carried(
-    element: Element,
-    controls: Sequence[str],
-    width: float,
-    today: tuple[Rig, Floats, Trajectories],
-) -> tuple[str, Issue | None]:
-    """Where the pinned anchor of an element is on the rig of today, empty if nowhere, and an issue
-    about it; `width` is that of a handle."""
-    rig, rest, trajectories = today
-    moved = _moved_by_all(controls, rig, trajectories)
-    same = same_point(element.anchor, points_of_meshes(rig.body.meshes, rig.body.starts))
-    if same >= 0 and same in moved:
-        return place_of(rig.body, same), None
-    if not len(moved) or not np.isfinite(element.placement.pinned_position).all():
-        why = (
-            "its controls move no point together"
-            if not len(moved)
-            else "its mesh has other points or faces by now"
-        )
-        return "", issue("PIN_LOST", element.name, why)
-    apart = np.linalg.norm(rest[moved] - element.placement.pinned_position, axis=1)
-    nearest = first_smallest(apart)
-    off = float(apart[nearest]) / max(width, 1e-300)
+def with_rest_places(layout: Layout, rig: Rig) -> Layout:
+    """The layout with the rest positions on `rig`, which its own stage has, of the anchors that a
+    person gave as a point alone."""
+    points, meshes = posed(rig, None).points, {mesh.path: mesh for mesh in rig.body.meshes}
+
+    def placed(element: Element) -> Element:
+        anchor, placement = element.anchor, element.placement
+        mesh = meshes.get(anchor.mesh)
+        known = mesh is not None and 0 <= anchor.point < len(mesh.points)
+        if np.isfinite(placement.pinned_position).all() or not known:
+            return element
+        x, y, z = points[rig.body.point_of(anchor.mesh, anchor.point)].tolist()
+        return replace(element, placement=replace(placement, pinned_position=(x, y, z)))
+
+    return replace(layout, elements=tuple(map(placed, layout.elements)))
+
+
+def _freed(layout: Layout, corrected: frozenset[str]) -> frozenset[str]:
+    """The corrected controls, and those on the other side that are pinned as their mirror image."""
+    found, by_name = set(corrected), {element.name: element for element in layout.elements}
+    for element in layout.elements:
+        twin = by_name.get(element.manipulator.mirror)
+        if twin is None or corrected.isdisjoint(element.manipulator.controls):
+            continue
+        mine, other = (np.array(each.placement.pinned_position) for each in (element, twin))
+        apart = np.linalg.norm(layout.frame.plane.reflected(mine) - other)
+        if apart <= ONE_PLACE * layout.frame.handle_width_of(twin.placement.part):
+            found |= twin.manipulator.controls
+    return frozenset(found)
+
+
+def pins_of_fixed(layout: Layout, today: Today) -> Pins:
+    """Every place of a layout that is kept to the point.
+
+    Raises FIXED_IMPOSSIBLE where it was made for other points, CONFIG_UNKNOWN_CONTROL where it has
+    a control that the rig lacks.
+    """
+    rig, pins, held = today.rig, [], set[str]()
+    for element in outer_first(layout.elements):
+        names, anchor = tuple(m.control for m in element.manipulator.members), element.anchor
+        if unknown := [name for name in names if name not in rig.control_names]:
+            where = f"{layout.character.root} element {element.name}"
+            what = f"{rig.skel_root.path} has no control {unknown[0]!r}"
+            raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
+        inner = bool(held & set(names))
+        held |= set(names)
+        if anchor.on_board:
+            pins.append(Pin(element.name, names, (), place="board", inner=inner))
+            continue
+        point = today.index_of(anchor)
+        if point < 0:
+            change = "is gone, or has other points or faces by now"
+            raise refuse("FIXED_IMPOSSIBLE", element.name, f"its mesh {anchor.mesh} {change}")
+        pins.append(Pin(element.name, names, (), place_of(rig.body, point), inner=inner))
+    return Pins(tuple(pins))
+
+
+def pins_of_corrections(
+    corrections: Sequence[Correction], today: Today, width: float, unit: float
+) -> Pins:
+    """The pins of corrections of this character, by its names of today.
+
+    `width` is that of a handle, `unit` the meters of a unit, 0 where unknown.
+    """
+    pins, issues = [], []
+    for each in corrections:
+        pin = Pin(each.control, (each.control,), ("place",))
+        if each.place in ("board", "face"):
+            pins.append(replace(pin, place="board" if each.place == "board" else "face"))
+        elif each.place == "point":
+            scale = each.unit / unit if each.unit and unit else 1.0
+            turn = turn_between(np.array(each.up), today.rig.skel_root.up)
+            x, y, z = (scale * turn @ np.array(each.position)).tolist()
+            pin = replace(pin, decisions=("anchor",), position=(x, y, z))
+            pin, told = _at_point(pin, each, width, today)
+            issues += told
+            pins += [pin] if pin.anchor else []
+    return Pins(tuple(pins), tuple(issues))
+
+
+def _at_point(
+    pin: Pin, hint: Anchor | Correction, width: float, today: Today
+) -> tuple[Pin, list[Issue]]:
+    """The pin at the point of today's rig to which its own is carried, at none where there is none,
+    and what is to be told of it; `width` is that of a handle."""
+    point, apart = carried(hint, pin.position, pin.controls, today)
+    if point < 0:
+        why = "its controls move no point together"
+        if len(today.moved_by_all(pin.controls)):
+            why = "its mesh has other points or faces by now, and its position is not known"
+        return pin, [issue("PIN_LOST", pin.element, why)]
+    off = apart / max(width, 1e-300)
     message = f"is {off:.1f} handle widths from where it was pinned"
-    return place_of(rig.body, int(moved[nearest])), (
-        issue("PIN_CARRIED", element.name, message) if off > ONE_PLACE else None
-    )
-
-
-def _moved_by_all(controls: Sequence[str], rig: Rig, trajectories: Trajectories) -> Indices:
-    """Points that every one of these controls moves by a share of its peak; none where one of them
-    moves nothing."""
-    by_name = {rig.controls[motion.control].name: motion for motion in trajectories.motions}
-    found = np.arange(len(trajectories.surface.points))
-    for motion in (by_name.get(name) for name in controls):
-        far = (
-            motion.points[motion.arc_length >= _MOVES * motion.peak]
-            if motion is not None
-            else found[:0]
-        )
-        found = np.intersect1d(found, far)
-    return found
+    told = [issue("PIN_CARRIED", pin.element, message)] if off > ONE_PLACE else []
+    return replace(pin, anchor=place_of(today.rig.body, point)), told
 
 
 def with_pins(
@@ -195,7 +255,7 @@ def _image(trajectories: Trajectories, symmetry: Symmetry, twin: int, point: int
     if partner in motion.points:
         return partner
     there = symmetry.plane.reflected(trajectories.surface.points[point])
-    far = motion.points[motion.arc_length >= _MOVES * motion.peak]
+    far = motion.points[motion.arc_length >= MOVES * motion.peak]
     return int(
         far[first_smallest(np.linalg.norm(trajectories.surface.points[far] - there, axis=1))]
     )

@@ -9,16 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import cast
 
 import numpy as np
 
-from usdrigui.character import Floats, Indices, Record, Rig, RigMesh
-from usdrigui.model import Anchor, Element
+from usdrigui.character import Floats, Indices, Record, Rig
+from usdrigui.layout.reuse.carrying import Today, carried
+from usdrigui.model import Category, Element, Layout
 from usdrigui.model.levels import inner_names, outer_first
 from usdrigui.ties import first_smallest
-
-ONE_PLACE = 0.5
-"""Handle widths within which two anchors are at one place."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,10 +39,15 @@ class Place(Record):
     """The earlier place of a control."""
 
     point: int
-    """The same point of today's rig, or -1 where the mesh has other points by now."""
+    """The point of today's rig that is there, or -1 where none is."""
     position: Floats
     """(3,) in root space."""
     on_board: bool
+    category: Category = ""
+    """Why it was on the board for good; empty where there was no room for it, or a person wanted it
+    there, and on the face."""
+    reason: str = ""
+    """The same in words."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,13 +63,18 @@ class PriorLayout(Record):
     """Cost of leaving a place, per copy of the element, in the units of the objective."""
     cutoff_distance: float = 0.0
     """Distance at which the full penalty is due, in handle widths; 0 asks it of every other
-    point."""
+    point, and more of those beyond a handle's width."""
 
     def stood_on_face(self, controls: Sequence[int]) -> bool:
         """Whether any of these controls had its place on the face."""
         return any(
             control in self.places and not self.places[control].on_board for control in controls
         )
+
+    def keeps_on_face(self, control: int) -> bool:
+        """Whether a control stays on the face as far as it can be seen there; not where another
+        character's layout is imitated."""
+        return self.cutoff_distance == 0.0 and self.stood_on_face((control,))
 
     def stood_on_board(self, controls: Sequence[int]) -> bool:
         """Whether all of these controls had their place on the board."""
@@ -75,11 +84,12 @@ class PriorLayout(Record):
 NO_PRIOR = PriorLayout()
 
 
-def prior_of_previous(elements: tuple[Element, ...], rig: Rig, penalty: float) -> PriorLayout:
-    """An earlier layout of the same character as a prior; no prior at a penalty of 0."""
+def prior_of_previous(layout: Layout, today: Today, penalty: float) -> PriorLayout:
+    """An earlier layout of the same character as a prior; no prior at a penalty of 0.  `today` has
+    the points of the base pose."""
     if penalty <= 0.0:
         return NO_PRIOR
-    return PriorLayout(kept_groups(elements, rig), *_places(elements, rig), penalty)
+    return PriorLayout(kept_groups(layout.elements, today.rig), *_places(layout, today), penalty)
 
 
 def joined(first: PriorLayout, second: PriorLayout) -> PriorLayout:
@@ -155,7 +165,8 @@ def leaving_penalties(
 def _penalty_share(
     prior: PriorLayout, place: Place, anchors: Indices, base: Floats, width: float
 ) -> Floats:
-    """(R,) share of the penalty, from 0 at the earlier place to 1."""
+    """(R,) share of the penalty: 0 at the earlier place, 1 within a handle's width of it, and in
+    proportion to the distance beyond; at most 1 where there is a cutoff."""
     if place.on_board or not len(anchors):
         return np.ones(len(anchors))
     if prior.cutoff_distance > 0.0:
@@ -164,30 +175,26 @@ def _penalty_share(
         # preferred.
         return np.asarray(np.minimum(1.0, (apart - apart.min()) / (prior.cutoff_distance * width)))
     here = anchors == place.point
+    apart = np.linalg.norm(base[anchors] - place.position, axis=1) / width
     if not here.any():
         # The mesh has other points, or the control no longer moves that one: the nearest place
         # stands for it.
-        here[first_smallest(np.linalg.norm(base[anchors] - place.position, axis=1))] = True
-    return np.where(here, 0.0, 1.0)
+        here[first_smallest(apart)] = True
+    # Further than a handle's width from the nearest place that it may keep, it is another place.
+    return np.where(here, 0.0, np.maximum(1.0, apart - apart[here].min()))
 
 
-def _places(elements: tuple[Element, ...], rig: Rig) -> tuple[dict[int, Place], dict[int, Place]]:
+def _places(layout: Layout, today: Today) -> tuple[dict[int, Place], dict[int, Place]]:
     """The places of the controls, and those of the sliders that some have besides under a coarse
     element."""
-    index = {control.name: number for number, control in enumerate(rig.controls)}
-    meshes = points_of_meshes(rig.body.meshes, rig.body.starts)
+    index = {control.name: number for number, control in enumerate(today.rig.controls)}
     places: dict[int, Place] = {}
     axis_places: dict[int, Place] = {}
-    inner = inner_names(elements)
-    for element in outer_first(elements):
-        place = Place(
-            same_point(element.anchor, meshes), element.anchor.position, element.anchor.on_board
-        )
-        for control in (
-            index[member.control]
-            for member in element.manipulator.members
-            if member.control in index
-        ):
+    inner = inner_names(layout.elements)
+    for element in outer_first(layout.elements):
+        controls = [m.control for m in element.manipulator.members if m.control in index]
+        place = _place(element, controls, today)
+        for control in map(index.__getitem__, controls):
             if control not in places:
                 places[control] = place
             elif element.name in inner:
@@ -195,18 +202,12 @@ def _places(elements: tuple[Element, ...], rig: Rig) -> tuple[dict[int, Place], 
     return places, axis_places
 
 
-def points_of_meshes(
-    meshes: tuple[RigMesh, ...], starts: Indices
-) -> Mapping[str, tuple[int, RigMesh]]:
-    """By prim path, each mesh and its first point among all points of the rig."""
-    return {mesh.path: (int(start), mesh) for start, mesh in zip(starts, meshes, strict=False)}
-
-
-def same_point(anchor: Anchor, meshes: Mapping[str, tuple[int, RigMesh]]) -> int:
-    """The anchor as a point of today's rig; -1 where its mesh is gone or has other points or
-    faces."""
-    if anchor.mesh not in meshes:
-        return -1
-    start, mesh = meshes[anchor.mesh]
-    known = anchor.fits(mesh.topology.hash) and 0 <= anchor.point < len(mesh.points)
-    return start + anchor.point if known else -1
+def _place(element: Element, controls: Sequence[str], today: Today) -> Place:
+    """Where an element was, at the point of today's rig that is nearest to there."""
+    anchor, own = element.anchor, element.placement
+    if not anchor.on_board:
+        point, _ = carried(anchor, anchor.position, controls, today)
+        return Place(point, anchor.position, False)
+    kept = own.category not in ("crowded", "requested")
+    category, reason = (cast(Category, own.category), own.reason) if kept else ("", "")
+    return Place(-1, anchor.position, True, category, reason)

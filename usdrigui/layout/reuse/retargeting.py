@@ -12,13 +12,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from usdrigui.character import Floats, Rig
 from usdrigui.layout.reuse.prior_layout import Place, PriorLayout, kept_groups
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.model import BaseSurface, Layout, Motion, Trajectories
 from usdrigui.model.levels import inner_names
-from usdrigui.ties import axis_across
 
 CUTOFF_DISTANCE = 4.0
 """Handle widths from the corresponding place at which the whole penalty is due."""
@@ -70,9 +70,8 @@ def of_another(
     Controls without a counterpart are free.  Elements that share controls there share them here.
     """
     renamed = with_names(layout, names)
-    places = corresponding(
-        [element.anchor.position for element in layout.elements], theirs, ours, names
-    )
+    positions = np.array([element.anchor.position for element in layout.elements])
+    places = face_map(theirs, ours, names).points(positions)
     index = {control.name: number for number, control in enumerate(ours[0].controls)}
     found: dict[int, Place] = {}
     inner = inner_names(renamed.elements)
@@ -88,19 +87,6 @@ def of_another(
         found,
         penalty=penalty,
         cutoff_distance=CUTOFF_DISTANCE,
-    )
-
-
-def corresponding(
-    positions: list[Floats],
-    theirs: tuple[Rig, Trajectories],
-    ours: tuple[Rig, Trajectories],
-    names: Mapping[str, str],
-) -> Floats:
-    """(k, 3) positions on our face that correspond to `positions` (3,) on theirs, both in root
-    space."""
-    return face_map(theirs, ours, names).points(
-        np.array(positions, dtype=np.float64).reshape(-1, 3)
     )
 
 
@@ -137,7 +123,7 @@ def face_map(
     """The map from their face to ours by the controls that both have; `names` maps their names to
     ours."""
     source, target = _landmarks(theirs, ours, names)
-    if len(source) < _LEAST_FOR_SIMILARITY or not _spread(source) or not _spread(target):
+    if len(source) < _LEAST_FOR_SIMILARITY or not (_spans(source, 2) and _spans(target, 2)):
         return FaceMap(_by_size(theirs, ours), source[:0], target[:0])
     similarity, weights = _robust(source, target)
     return FaceMap(similarity, similarity(source[weights > 0.0]), target[weights > 0.0])
@@ -182,10 +168,10 @@ def _middle(surface: BaseSurface, motion: Motion, power: float) -> Floats:
     return np.asarray(weights @ surface.points[motion.points] / weights.sum())
 
 
-def _spread(points: Floats) -> bool:
-    """Whether the points span more than a line."""
+def _spans(points: Floats, directions: int) -> bool:
+    """Whether points span so many directions: 2 is more than a line, 3 more than a plane."""
     values = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
-    return bool(values[1] > _FLAT * values[0])
+    return bool(values[directions - 1] > _FLAT * values[0])
 
 
 # --- from one face to the other -------------------------------------------------------------------
@@ -210,11 +196,11 @@ def _fitted(source: Floats, target: Floats, weights: Floats) -> _Similarity:
     share = weights / weights.sum()
     from_middle, to_middle = share @ source, share @ target
     one, other = source - from_middle, target - to_middle
-    left, values, right = np.linalg.svd(other.T @ (share[:, None] * one))
-    sign = np.array([1.0, 1.0, np.sign(np.linalg.det(left @ right))])
-    rotation = (left * sign) @ right
-    scale = float((values * sign).sum() / (share @ np.square(one).sum(axis=1)))
-    return _Similarity(scale, rotation, to_middle - scale * rotation @ from_middle)
+    turn = Rotation.align_vectors(other, one, weights)[0].as_matrix()
+    scale = float(
+        share @ (other * (one @ turn.T)).sum(axis=1) / (share @ np.square(one).sum(axis=1))
+    )
+    return _Similarity(scale, turn, to_middle - scale * turn @ from_middle)
 
 
 def _warped(source: Floats, target: Floats, points: Floats) -> Floats:
@@ -244,7 +230,7 @@ def _thin_plate(source: Floats, target: Floats, smoothing: float, points: Floats
     middle = source.mean(axis=0)
     unit = float(np.linalg.norm(source - middle, axis=1).max())
     _, first = np.unique(np.round((source - middle) / unit, 6), axis=0, return_index=True)
-    if len(first) < _LEAST_FOR_SIMILARITY or not _solid(source[first]):
+    if len(first) < _LEAST_FOR_SIMILARITY or not _spans(source[first], 3):
         return points
     from scipy.interpolate import RBFInterpolator  # a tenth of a second that only some layouts need
 
@@ -258,31 +244,13 @@ def _thin_plate(source: Floats, target: Floats, smoothing: float, points: Floats
     return np.asarray(points + moved((points - middle) / unit), dtype=np.float64)
 
 
-def _solid(points: Floats) -> bool:
-    """Whether the points span more than a plane: only then they define an affine map."""
-    values = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
-    return bool(values[2] > _FLAT * values[0])
-
-
 def _by_size(theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories]) -> _Similarity:
     """From too few landmarks: moving regions put middle on middle, scaled by their heights, up on
     up."""
     (rig, one), (other_rig, other) = theirs, ours
     scale = other.surface.face_size / one.surface.face_size
-    rotation = _turn(rig.skel_root.up, other_rig.skel_root.up)
+    rotation = Rotation.align_vectors(other_rig.skel_root.up, rig.skel_root.up)[0].as_matrix()
     return _Similarity(scale, rotation, _face_middle(other) - scale * rotation @ _face_middle(one))
-
-
-def _turn(start: Floats, end: Floats) -> Floats:
-    """(3, 3) the least rotation from one unit vector to another."""
-    axis, cosine = np.cross(start, end), float(start @ end)
-    if cosine < -1.0 + 1e-9:
-        side = axis_across(start)
-        normal = np.cross(start, side)
-        normal /= np.linalg.norm(normal)
-        return np.asarray(2.0 * np.outer(normal, normal) - np.eye(3))
-    cross = np.array([[0.0, -axis[2], axis[1]], [axis[2], 0.0, -axis[0]], [-axis[1], axis[0], 0.0]])
-    return np.asarray(np.eye(3) + cross + cross @ cross / (1.0 + cosine))
 
 
 def _face_middle(trajectories: Trajectories) -> Floats:

@@ -1,29 +1,21 @@
-"""What changed between two layouts of a character, control by control, with reasons where known.
-
-`difference` compares two `Layout` records alone, from any tool.  `cost_savings` takes the solved
-problem: how much cost each element saves by leaving its earlier place.
-"""
+"""What changed between two layouts of a character, control by control, with reasons where known."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Literal, get_args
 
 import numpy as np
 
-from usdrigui.character import Floats, Indices
 from usdrigui.errors import listed
-from usdrigui.layout.element.elements import names_of_copies
-from usdrigui.layout.measured import Measured
-from usdrigui.layout.place.problem import PlacementProblem, penalties_of_leaving
-from usdrigui.layout.reuse.identity import Matching, match_layouts
 from usdrigui.layout.reuse.renaming import with_names
-from usdrigui.layout.review.rating import cost_given_others
-from usdrigui.model import Element, Layout
+from usdrigui.model import SURE, Anchor, Element, Layout
 from usdrigui.model.levels import inner_names, outer_first
 
-ChangeKind = Literal["added", "removed", "renamed", "moved", "to the face", "board", "regrouped"]
+ChangeKind = Literal["added", "removed", "renamed", "regrouped", "to the face", "board", "moved"]
+_KINDS: tuple[ChangeKind, ...] = get_args(ChangeKind)
+"""In the order in which changes are told."""
 
 _STILL = 1e-3
 """Handles nearer to where they were than this many handle widths have not moved."""
@@ -78,263 +70,197 @@ class Difference:
 
 
 @dataclass(frozen=True, slots=True)
-class _Membership:
-    """A control in its element."""
+class _Pair:
+    """A control in its elements of two layouts, the earlier one with the names of the later."""
 
     control: str
-    element: Element
+    layouts: tuple[Layout, Layout]
+    elements: tuple[Element, Element]
 
     @property
-    def partners(self) -> frozenset[str]:
-        return self.element.manipulator.controls
+    def anchors(self) -> tuple[Anchor, Anchor]:
+        """Where it was and where it is."""
+        return self.elements[0].anchor, self.elements[1].anchor
+
+    @property
+    def partners(self) -> tuple[frozenset[str], frozenset[str]]:
+        """The controls with which it shared its element, and those with which it shares it."""
+        return self.elements[0].manipulator.controls, self.elements[1].manipulator.controls
+
+    @property
+    def handles(self) -> tuple[int, int]:
+        """How many elements of the first level it has: two, where it is doubled across the
+        middle."""
+        one, other = (_handles(layout.elements, self.control) for layout in self.layouts)
+        return one, other
+
+    @property
+    def distance(self) -> float:
+        """In handle widths of the earlier layout, to three digits, as layers hold single precision;
+        nan unless it was on the face and is."""
+        one, other = self.anchors
+        if one.on_board or other.on_board:
+            return float(np.nan)
+        width = self.layouts[0].frame.handle_width
+        apart = float(np.linalg.norm(one.position - other.position))
+        return round(apart / width if width > 0.0 else apart, 3)
 
 
-def difference(
-    before: Layout,
-    after: Layout,
-    improvements: Mapping[str, float] | None = None,
-    matching: Matching | None = None,
-) -> Difference:
-    """Compare two layouts of one character.
+def difference(before: Layout, after: Layout) -> Difference:
+    """Compare two layouts of one character, in the same units.
 
-    `improvements` is what each element of `after` saves by its move, in the units
-    of the objective, as far as known; `matching` maps the controls of the one to those of the
-    other, and is worked out from the layouts where it is not given.  The places of elements on the
-    board are not compared.
+    Which control of the one is which of the other is what `after` has on record of `before`, else
+    their names tell.  The places of elements on the board are not compared.
     """
-    matching = matching or match_layouts(before, after)
-    names = matching.renamed
-    then = with_names(before, names)
-    old = _memberships(then.elements, then.frame.plane.normal)
-    new = _memberships(after.elements, after.frame.plane.normal)
-    was = {now: earlier for earlier, now in names.items()}
+    recorded = [each for each in after.matches if each.before in before.controls]
+    sure = {each.before: each.after for each in recorded if each.confidence >= SURE}
+    may_be = {each.before: f"may be {each.after} ({each.sure})" for each in recorded}
+    then = with_names(before, sure)
+    old, new = (_by_control(layout) for layout in (then, after))
+    was = {now: earlier for earlier, now in sure.items()}
     changes = [
-        *(_added(new[name, 0]) for name in sorted(after.controls - then.controls)),
-        *(_removed(old[name, 0], matching) for name in sorted(then.controls - after.controls)),
-        *(
-            _renamed(then, after, old[key], new[key], was, improvements)
-            for key in sorted(old.keys() & new.keys())
-        ),
+        _alone(name, "added", new[name, 0]) for name in sorted(after.controls - then.controls)
     ]
-    found = [change for change in changes if change is not None]
-    kinds: tuple[ChangeKind, ...] = (
-        "added",
-        "removed",
-        "renamed",
-        "regrouped",
-        "to the face",
-        "board",
-        "moved",
-    )
-    found.sort(key=lambda change: kinds.index(change.kind))
-    return Difference(after.character.root, tuple(found), len(then.controls & after.controls))
+    for name in sorted(then.controls - after.controls):
+        gone = _alone(name, "removed", old[name, 0])
+        changes.append(replace(gone, why=(may_be[name],) if name in may_be else ()))
+    for key in sorted(old.keys() & new.keys()):
+        pair = _Pair(key[0], (then, after), (old[key], new[key]))
+        kind = _kind(pair) or ("renamed" if key[0] in was else None)
+        if kind is not None:
+            why = () if kind == "renamed" else tuple(_reasons(pair, kind))
+            changes.append(_change(pair, kind, why, was.get(key[0], "")))
+    changes.sort(key=lambda change: _KINDS.index(change.kind))
+    found = tuple(_with_cause(change, changes, (then, after)) for change in changes)
+    return Difference(after.character.root, found, len(then.controls & after.controls))
 
 
-def _memberships(
-    elements: tuple[Element, ...], plane_normal: Floats
-) -> dict[tuple[str, int], _Membership]:
+def _by_control(layout: Layout) -> dict[tuple[str, int], Element]:
     """By control and by how many elements before this one hold it too: of doubled ones the left one
     comes first."""
-    memberships: dict[tuple[str, int], _Membership] = {}
-    from_left = sorted(elements, key=lambda each: -float(each.anchor.position @ plane_normal))
+    found: dict[tuple[str, int], Element] = {}
+    normal = layout.frame.plane.normal
+    from_left = sorted(layout.elements, key=lambda each: -float(each.anchor.position @ normal))
     for element in outer_first(from_left):
         for member in element.manipulator.members:
             count = 0
-            while (member.control, count) in memberships:
+            while (member.control, count) in found:
                 count += 1
-            memberships[member.control, count] = _Membership(member.control, element)
-    return memberships
+            found[member.control, count] = element
+    return found
 
 
-def _added(held: _Membership) -> Change:
-    why = (held.element.placement.reason,) if held.element.placement.reason else ()
-    return Change(
-        held.control, "added", held.element.name, np.nan, "", held.element.anchor.place, why
-    )
+def _alone(control: str, kind: Literal["added", "removed"], element: Element) -> Change:
+    place, added = element.anchor.place, kind == "added"
+    places = ("", place) if added else (place, "")
+    why = (element.placement.reason,) if added and element.placement.reason else ()
+    return Change(control, kind, element.name, np.nan, *places, why)
 
 
-def _removed(held: _Membership, matching: Matching) -> Change:
-    may_be = {each.before: f"may be {each.after} ({each.sure})" for each in matching.unsure}
-    why = (may_be[held.control],) if held.control in may_be else ()
-    return Change(
-        held.control, "removed", held.element.name, np.nan, held.element.anchor.place, "", why
-    )
+def _change(pair: _Pair, kind: ChangeKind, why: tuple[str, ...], was: str) -> Change:
+    places = pair.anchors[0].place, pair.anchors[1].place
+    return Change(pair.control, kind, pair.elements[1].name, pair.distance, *places, why, was)
 
 
-def _renamed(
-    before: Layout,
-    after: Layout,
-    old: _Membership,
-    new: _Membership,
-    was: Mapping[str, str],
-    improvements: Mapping[str, float] | None,
-) -> Change | None:
-    """What changed of a control that both have; its name, if nothing else."""
-    change = _compared(before, after, old, new, improvements or {})
-    earlier = was.get(new.control, "")
-    if change is None and earlier:
-        where = old.element.anchor.place, new.element.anchor.place
-        return Change(
-            new.control,
-            "renamed",
-            new.element.name,
-            _distance(before.frame.handle_width, old, new),
-            *where,
-            (),
-            earlier,
-        )
-    return change and replace(change, was=earlier)
-
-
-def _compared(
-    before: Layout,
-    after: Layout,
-    old: _Membership,
-    new: _Membership,
-    improvements: Mapping[str, float],
-) -> Change | None:
-    kind = _kind(before, after, old, new)
-    if kind is None:
-        return None
-    distance = _distance(before.frame.handle_width, old, new)
-    why = tuple(_reasons(before, after, old, new, kind, improvements))
-    why = why or (_unexplained(before, after),)
-    return Change(
-        new.control,
-        kind,
-        new.element.name,
-        distance,
-        old.element.anchor.place,
-        new.element.anchor.place,
-        why,
-    )
-
-
-def _kind(before: Layout, after: Layout, old: _Membership, new: _Membership) -> ChangeKind | None:
-    then, now = before.controls, after.controls
-    one, other = old.element.anchor, new.element.anchor
+def _kind(pair: _Pair) -> ChangeKind | None:
+    then, now = (layout.controls for layout in pair.layouts)
+    (one, other), partners = pair.anchors, pair.partners
     # A partner that is gone or new is not a regrouping of those who stay.
-    if old.partners & now != new.partners & then:
+    if partners[0] & now != partners[1] & then:
         return "regrouped"
     if one.on_board != other.on_board:
         return "board" if other.on_board else "to the face"
     if other.on_board:
         return None
-    if _handles(before.elements, old.control) != _handles(after.elements, new.control):
+    if pair.handles[0] != pair.handles[1]:
         return "moved"
-    if _same_mesh(old, new):
+    if one.mesh == other.mesh and one.topology_hash == other.topology_hash:
         return None if one.point == other.point else "moved"
-    return "moved" if _distance(before.frame.handle_width, old, new) > _STILL else None
+    return "moved" if pair.distance > _STILL else None
 
 
-def _same_mesh(old: _Membership, new: _Membership) -> bool:
-    one, other = old.element.anchor, new.element.anchor
-    return one.mesh == other.mesh and one.topology_hash == other.topology_hash
-
-
-def _distance(handle_width: float, old: _Membership, new: _Membership) -> float:
-    one, other = old.element.anchor, new.element.anchor
-    if one.on_board or other.on_board:
-        return float(np.nan)
-    apart = float(np.linalg.norm(one.position - other.position))
-    return apart / handle_width if handle_width > 0.0 else apart
-
-
-def _reasons(
-    before: Layout,
-    after: Layout,
-    old: _Membership,
-    new: _Membership,
-    kind: ChangeKind,
-    improvements: Mapping[str, float],
-) -> Iterator[str]:
-    one, other = old.element.anchor, new.element.anchor
-    was, now = old.element.placement, new.element.placement
-    joined, left = sorted(new.partners - old.partners), sorted(old.partners - new.partners)
-    if joined:
+def _reasons(pair: _Pair, kind: ChangeKind) -> Iterator[str]:
+    (one, other), (before, now) = pair.anchors, pair.partners
+    was, element = pair.elements[0].placement.pinned, pair.elements[1]
+    pinned = element.placement.pinned
+    if joined := sorted(now - before):
         yield f"shares its element with {', '.join(joined)}"
-    if left:
+    if left := sorted(before - now):
         yield f"no longer shares its element with {', '.join(left)}"
     change = one.mesh_change(other.topology_hash, other.point_count)
-    if not one.on_board and one.mesh == other.mesh and change:
+    if change and one.mesh == other.mesh and not one.on_board:
         yield change
-    decided = "anchor" in now.pinned
-    if kind in ("moved", "board", "regrouped") and not (one.on_board or decided):
-        yield from _crowd(after.elements, after.frame.handle_width, old, new)
-    if kind == "board" and now.reason:
-        yield now.reason
-    newly = decided and "anchor" not in was.pinned
-    if newly or (decided and one.topology_hash == other.topology_hash and one.place != other.place):
+    decided = "anchor" in pinned
+    if kind != "to the face" and not (one.on_board or decided):
+        yield from _crowd(pair)
+    if kind == "board" and element.placement.reason:
+        yield element.placement.reason
+    same_mesh = one.topology_hash == other.topology_hash
+    if decided and ("anchor" not in was or (same_mesh and one.place != other.place)):
         yield "its anchor, or its twin's, was decided by a person"
-    if "anchor" in set(was.pinned) - set(now.pinned):
+    if "place" in pinned and "place" not in was:
+        yield "on the face or on the board was decided by a person"
+    if "anchor" in set(was) - set(pinned):
         yield "its anchor is no longer the one that a person had decided"
-    handles = [_handles(layout.elements, new.control) for layout in (before, after)]
-    if handles[0] != handles[1]:
-        yield f"has {handles[1]} handle{'s' * (handles[1] != 1)} now, {handles[0]} before"
-    if new.element.name in improvements:
-        yield f"saves {improvements[new.element.name]:.2f}"
+    if pair.handles[0] != pair.handles[1]:
+        plural = "s" * (pair.handles[1] != 1)
+        yield f"has {pair.handles[1]} handle{plural} now, {pair.handles[0]} before"
+    ranges = [
+        f"{m.values[0]:.4g} to {m.values[-1]:.4g}"
+        for each in pair.elements
+        for m in each.manipulator.members
+        if m.control == pair.control
+    ]
+    if ranges[0] != ranges[1]:
+        yield f"its range is {ranges[1]} now, {ranges[0]} before"
 
 
-def _unexplained(before: Layout, after: Layout) -> str:
-    """The reason, from the layouts, of a change that none of its own circumstances explains."""
-    weights = sorted({name for name, _ in set(before.proof.weights) ^ set(after.proof.weights)})
-    if weights:
-        return f"made with other settings: {listed(weights)}"
-    then, now = before.frame.handle_width, after.frame.handle_width
-    wider = now / then if then > 0.0 else 1.0
-    if abs(wider - 1.0) > _STILL:
-        return f"handles are {wider:.2f} times as wide"
-    return "no reason recorded: made with another motion, configuration or version"
+def _with_cause(change: Change, every: Sequence[Change], layouts: tuple[Layout, Layout]) -> Change:
+    """The change with the reason from what else differs, where its own circumstances tell none."""
+    if change.why or change.kind in ("added", "removed", "renamed"):
+        return change
+    one, other = (_settings(layout) for layout in layouts)
+    settings = sorted(
+        name
+        for name in one.keys() & other.keys()
+        if abs(one[name] - other[name]) > _STILL * max(abs(one[name]), abs(other[name]))
+    )
+    if settings:
+        return replace(change, why=(f"made with other settings: {listed(settings)}",))
+    others = sorted({each.control for each in every if each.control != change.control})
+    if others:
+        return replace(change, why=(f"makes room, as {listed(others)} changed",))
+    return replace(change, why=("no reason recorded: made with another motion or version",))
+
+
+def _settings(layout: Layout) -> dict[str, float]:
+    """The settings that a layout was made with: lengths in handle widths, without what follows
+    from the character."""
+    width = layout.frame.handle_width
+    found = dict(layout.proof.weights)
+    for name in ("overlap_handle_width", "typical_length", "separation"):
+        found.pop(name, None)
+    lengths = ("radius", "cutoff_distance")
+    return {k: v / width if k.endswith(lengths) and width > 0.0 else v for k, v in found.items()}
 
 
 def _handles(elements: tuple[Element, ...], control: str) -> int:
-    """How many elements of the first level a control has: two, where it is doubled across the
-    middle."""
     inner = inner_names(elements)
     return sum(
         control in element.manipulator.controls for element in elements if element.name not in inner
     )
 
 
-def _crowd(
-    elements: tuple[Element, ...], handle_width: float, old: _Membership, new: _Membership
-) -> Iterator[str]:
+def _crowd(pair: _Pair) -> Iterator[str]:
     """Whose handle is now nearer to the old place than two handles may be."""
-    for element in elements:
-        if (
-            element is new.element
-            or element.anchor.on_board
-            or old.partners & element.manipulator.controls
-        ):
+    (_, after), (then, now) = pair.layouts, pair.elements
+    for element in after.elements:
+        if element is now or element.anchor.on_board:
             continue
-        apart = float(np.linalg.norm(element.anchor.position - old.element.anchor.position))
-        if apart < handle_width * (1.0 - _STILL):
+        apart = float(np.linalg.norm(element.anchor.position - then.anchor.position))
+        others = pair.partners[0].isdisjoint(element.manipulator.controls)
+        if others and apart < after.frame.handle_width * (1.0 - _STILL):
             decided = ", whose anchor was decided by a person" * (
                 "anchor" in element.placement.pinned
             )
             yield f"its place is taken by {element.name}{decided}"
-
-
-def cost_savings(known: Measured, placement: PlacementProblem, labels: Indices) -> dict[str, float]:
-    """By element: cost at its earlier place less cost where it is, all others being where they
-    are now.
-
-    Elements that stay, that had no place on the face, or that can no longer be there are left
-    out.
-    """
-    found: dict[str, float] = {}
-    problem, face, requests = placement.problem, known.face, known.requests
-    for index, choice in enumerate(placement.choices):
-        group = placement.groups[choice.group]
-        stay, leave = penalties_of_leaving(
-            face, requests.of_axes() if group.part else requests, choice
-        )
-        label, earlier = int(labels[index]), int(np.argmin(stay)) if len(stay) else -1
-        if leave <= 0.0 or earlier < 0 or label == earlier or np.ptp(stay) == 0.0:
-            continue
-        plain: Floats = cost_given_others(problem, labels, index) - stay
-        now = problem.variables[index].off_face_cost - leave if label < 0 else plain[label]
-        if np.isfinite(plain[earlier]):
-            improvement = float(plain[earlier] - now)
-            found |= dict.fromkeys(names_of_copies(face.rig, group, choice), improvement)
-    return found

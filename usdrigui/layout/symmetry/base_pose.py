@@ -10,8 +10,7 @@ import numpy as np
 from usdrigui.character import Floats, Rig
 from usdrigui.character.joint_tree import unit
 from usdrigui.layout.motion.similarity import DisplacementFields, displacement_fields
-from usdrigui.layout.motion.trajectory import of_controls
-from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
+from usdrigui.layout.motion.trajectory import of_controls, trajectories as find_trajectories
 from usdrigui.layout.parts.joint_regions import FACE
 from usdrigui.layout.symmetry.mirror_plane import LEAST_SHARE, find_symmetry
 from usdrigui.layout.symmetry.twins import paired

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from types import SimpleNamespace
 
+import chain
 import makers
 import numpy as np
 import pytest
@@ -10,7 +11,6 @@ from chain import by_name, lay_out, problem_of, settings
 
 from usdrigui.character import Control
 from usdrigui.errors import RigUIError
-from usdrigui.layout.reuse.prior_layout import prior_of_previous
 from usdrigui.layout.review.difference import difference
 from usdrigui.layout.review.layout_faults import crowded
 from usdrigui.layout.review.review import review
@@ -163,7 +163,7 @@ def test_a_layout_with_levels_can_be_fixed_and_kept():
     first = lay_out(FACE, joystick()).layout
     again = lay_out(FACE, joystick(), fixed=first).layout
     assert anchors(again) == anchors(first)
-    kept = lay_out(FACE, joystick(), prior=prior_of_previous(first.elements, FACE, 0.2)).layout
+    kept = lay_out(FACE, joystick(), prior=chain.prior(first, FACE, 0.2)).layout
     assert anchors(kept) == anchors(first)
     assert not difference(first, kept).changes
 

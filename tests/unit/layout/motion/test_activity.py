@@ -9,9 +9,7 @@ from usdrigui.errors import RigUIError
 from usdrigui.layout.motion.activity import (
     Activity,
     activity,
-    agreement,
     importances,
-    together,
     with_importances,
 )
 from usdrigui.settings import ControlSettings
@@ -38,36 +36,6 @@ def test_activity_is_the_share_of_the_way_from_the_default():
     assert done.amounts[:, column(done, "chin")] == pytest.approx(np.minimum(2.0 * RAMP, 1.0))
     assert done.use[column(done, "pucker")] == pytest.approx(0.5 * RAMP.mean())
     assert done.use[column(done, "smile_L")] == 0.0
-
-
-def test_agreement_is_the_weighted_jaccard_index():
-    table = agreement(np.stack([RAMP, 0.5 * RAMP, LATER, np.zeros(8)], axis=1))
-    assert table[0, 0] == pytest.approx(1.0)
-    assert table[0, 1] == pytest.approx(0.5)
-    assert table[0, 2] == pytest.approx(0.0)
-    assert table[0, 3] == table[3, 3] == 0.0
-    np.testing.assert_array_equal(table, table.T)
-
-
-def test_what_moves_together_is_found_and_what_does_not_is_not():
-    done = activity(FACE, [clip(chin=RAMP, pucker=0.9 * RAMP, jawLeft=LATER, brow_L=LATER, brow_R=LATER)])
-    found = together(done, TWINS, 0.8)
-    assert [set(controls) for controls, _ in found] == [{"brow_L", "brow_R", "jawLeft"}, {"chin", "pucker"}]
-    assert [value for _, value in found] == pytest.approx([1.0, 0.9])
-    assert together(done, TWINS, 0.95) == found[:1]
-
-
-def test_twins_alone_are_not_said_to_move_together():
-    assert together(activity(FACE, [clip(smile_L=RAMP, smile_R=RAMP)]), TWINS, 0.5) == ()
-
-
-def test_sets_grow_only_while_all_agree():
-    """a is like b and b like c, but a is not like c."""
-    a, b, c = np.array([1, 0.8, 0, 0]), np.array([1, 0.8, 0.5, 0]), np.array([0.9, 0.8, 0.8, 0.4])
-    done = activity(FACE, [clip(chin=a, pucker=b, jawLeft=c)])
-    table = agreement(np.stack([a, b, c], axis=1))
-    assert table[0, 1] > table[1, 2] > 0.7 > table[0, 2]
-    assert [set(controls) for controls, _ in together(done, {}, 0.7)] == [{"chin", "pucker"}]
 
 
 def test_importance_goes_with_use():
@@ -117,27 +85,11 @@ def done_of(**amounts):
     return Activity(tuple(amounts), table, np.nan_to_num(table), (), ())
 
 
-def test_a_set_takes_the_least_agreement_of_its_members_and_sets_of_equal_ones_go_by_name():
-    """b does four fifths of a, c the other way about; d and e do the same at other times."""
-    a, later = np.array([1.0, 1, 0, 0]), np.array([0.0, 0, 1, 1])
-    done = done_of(a=a, b=0.8 * a, c=0.9 * a, e=later, d=later)
-    assert together(done, {}, 0.8) == ((("e", "d"), 1.0), (("a", "b", "c"), pytest.approx(0.8)))
-    assert together(done, {}, 0.81)[1] == (("a", "c"), pytest.approx(0.9))
-    assert together(done, {}, 1.01) == ()
-
-
 def test_of_pairs_the_mean_counts_and_poses_are_left_out():
     a = np.array([1.0, 0.5, 0.0])
     done = done_of(a_L=a, pose=np.full(3, np.nan), a_R=0.0 * a, b=0.5 * a)
-    assert together(done, {"a_L": "a_R", "a_R": "a_L"}, 0.99) == ((("a_L", "a_R", "b"), pytest.approx(1.0)),)
     assert importances(done, {"a_L": "a_R", "a_R": "a_L"}, 1.0) == {"a_L": 1.0, "a_R": 1.0, "b": 1.0}
     assert importances(done, {}, 1.0) == {"a_L": 2.0, "a_R": 0.0, "b": 1.0}
-
-
-def test_what_is_used_a_thousandth_is_used_and_what_is_used_less_is_not():
-    some = np.array([0.0, 0.0021])
-    assert len(together(done_of(a=some, b=some), {}, 0.5)) == 1
-    assert together(done_of(a=0.9 * some, b=0.9 * some), {}, 0.5) == ()
 
 
 def test_strays_are_told_by_name_up_to_three():

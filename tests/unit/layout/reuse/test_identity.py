@@ -9,14 +9,14 @@ import makers
 import numpy as np
 import pytest
 from rig_copies import numbers, renamed, spelt_otherwise
-from scipy.optimize import linear_sum_assignment
 
 from usdrigui.conventions import meanings
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.reuse import identity, name_evidence
-from usdrigui.layout.reuse.identity import SURE, match_layout, match_layouts, match_rigs, matching_issues, names_draft
+from usdrigui.layout.reuse.identity import match_layout, match_rigs, matching_issues, names_draft
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.layout.review.difference import difference
+from usdrigui.model import SURE, Match
 from usdrigui.settings import Settings
 
 
@@ -30,6 +30,12 @@ def line(face):
     return chain.lay_out(face)
 
 
+def respelt(layout, names):
+    """The layout as one that succeeds it has it when some controls have other names."""
+    matches = tuple(Match(before, after, 1.0, "motion") for before, after in names.items())
+    return replace(with_names(layout, names), matches=matches)
+
+
 def with_motions(rig):
     return rig, trajectories(rig, Settings().character.trajectories)
 
@@ -39,7 +45,6 @@ def test_renamed_controls_are_recognised_in_rigs_and_layouts(face, line, name):
     copy, names = renamed(face, name)
     assert match_rigs(with_motions(face), with_motions(copy)).names == names
     assert match_layout(line.layout, *with_motions(copy)).names == names
-    assert match_layouts(line.layout, with_names(line.layout, names)).names == names
 
 
 def test_a_control_that_keeps_its_name_is_the_same_one_whatever_it_does(face, line):
@@ -105,7 +110,7 @@ def test_the_draft_names_the_controls_of_this_character_that_have_no_counterpart
 
 def test_a_renamed_control_is_neither_lost_nor_new(line):
     names = {"smile_L": "grin.left", "jawLeft": "jaw_to_the_left"}
-    found = difference(line.layout, with_names(line.layout, names))
+    found = difference(line.layout, respelt(line.layout, names))
     assert {(each.was, each.control, each.kind) for each in found.changes} == {
         (was, now, "renamed") for was, now in names.items()
     }
@@ -136,7 +141,7 @@ def test_a_control_that_was_renamed_and_moved_is_told_so_once(line):
     moved = replace(
         line.layout, elements=tuple(replace(e, anchor=anchor) if e is element else e for e in line.layout.elements)
     )
-    (change,) = difference(line.layout, with_names(moved, {"chin": "chinUp"})).changes
+    (change,) = difference(line.layout, respelt(moved, {"chin": "chinUp"})).changes
     assert (change.was, change.control, change.kind) == ("chin", "chinUp", "moved")
 
 
@@ -181,23 +186,13 @@ def test_other_words_for_one_thing_and_one_action_unit_speak_for_a_pair(name, co
     assert found[0] > max(found[1:]) + 0.5
 
 
-@pytest.mark.parametrize("seed", range(5))
-def test_the_assignment_of_the_parts_is_that_of_the_whole(seed):
-    random = np.random.default_rng(seed)
-    evidence = np.where(random.random((7, 5)) < 0.3, random.uniform(1.0, 9.0, (7, 5)), 0.0)
-    found = identity._assigned(evidence)
-    rows, columns = linear_sum_assignment(evidence, maximize=True)
-    assert sum(evidence[row, column] for row, column, _ in found) == pytest.approx(evidence[rows, columns].sum())
-    assert len({row for row, *_ in found}) == len({column for _, column, _ in found}) == len(found)
-
-
 def test_a_match_is_as_sure_as_what_the_whole_would_lose_without_it():
     """5 + 3 with it; without it 3 alone, as 1 + 2 is no more.  What nobody contests needs no other assignment."""
     evidence = np.array([[5.0, 1.0], [2.0, 3.0]])
     assert identity._loss(evidence, 0, 0, 8.0) == 5.0
     assert identity._loss(evidence, 1, 1, 8.0) == 3.0
-    assert identity._assigned_part(evidence, np.array([4, 7]), np.array([2, 9])) == [(4, 2, 5.0), (7, 9, 3.0)]
+    assert identity._assigned(evidence) == [(0, 0, 5.0), (1, 1, 3.0)]
     sure = np.array([[16.0, 1.0], [2.0, 3.0]])
     assert identity._loss(sure, 0, 0, 19.0) == 13.0, "16 less 1 and 2: a bound"
     assert identity._loss(np.array([[14.0, 1.0], [2.0, 3.0]]), 0, 0, 17.0) == 14.0
-    assert identity._assigned_part(np.array([[-1.0]]), np.array([0]), np.array([0])) == []
+    assert identity._assigned(np.array([[-1.0]])) == []

@@ -9,11 +9,16 @@ import pytest
 
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.reuse import retargeting
-from usdrigui.layout.reuse.retargeting import _face_middle, _warped, corresponding, of_another
+from usdrigui.layout.reuse.retargeting import _warped, face_map, of_another
 from usdrigui.layout.review.difference import difference
 from usdrigui.settings import Settings
 
 SPIN = np.array([[0.36, 0.48, -0.8], [-0.8, 0.6, 0.0], [0.48, 0.64, 0.6]])
+
+
+def corresponding(positions, theirs, ours, names):
+    """Where positions on their face are on ours."""
+    return face_map(theirs, ours, names).points(np.array(positions))
 
 
 def reshaped(points):
@@ -144,16 +149,6 @@ def test_beside_there_is_beside_here(theirs):
     assert any(c.kind == "board" for c in difference(theirs.layout, ours.layout).changes)
 
 
-def test_the_middle_of_a_face_lies_halfway_between_the_ends_of_what_moves():
-    base = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [4.0, 2.0, 0.0], [9.0, 9.0, 9.0]])
-    motion = SimpleNamespace(points=np.arange(3), arc_length=np.array([0.5, 1.0, 0.5]))
-    assert _face_middle(SimpleNamespace(surface=SimpleNamespace(points=base), motions=[motion])).tolist() == [
-        2.0,
-        1.0,
-        0.0,
-    ]
-
-
 def test_most_landmarks_count_where_few_are_wrong():
     """Those of two heads agree roughly; one that is elsewhere is left out, the others are not."""
     random = np.random.default_rng(4)
@@ -168,34 +163,9 @@ def test_most_landmarks_count_where_few_are_wrong():
 def test_points_of_a_plane_or_a_line_say_less_than_those_of_a_body():
     cube = np.array([[x, y, z] for x in (0.0, 1) for y in (0.0, 1) for z in (0.0, 1)])
     for depth, solid in ((1.0, True), (1.1e-3, True), (0.9e-3, False), (0.0, False)):
-        assert retargeting._solid(cube * [1, 1, depth]) == solid
-        assert retargeting._spread(cube * [depth, 1, 0]) == solid
-        assert retargeting._spread(cube * [1, 1, depth])
-
-
-@pytest.mark.parametrize("end", [(0, 1, 0), (0, 0, 1), (0.6, 0.8, 0), (0, -1, 0)])
-def test_the_least_rotation_turns_one_up_to_the_other_and_nothing_across(end):
-    start, end = np.array([0.0, 1, 0]), np.array(end, dtype=float)
-    turn = retargeting._turn(start, end)
-    assert turn @ start == pytest.approx(end)
-    assert turn @ turn.T == pytest.approx(np.eye(3))
-    assert np.linalg.det(turn) == pytest.approx(1.0)
-    across = np.cross(start, end)
-    assert turn @ across == pytest.approx(across)
-
-
-def test_a_similarity_is_found_back_with_its_weights():
-    source = np.random.default_rng(2).normal(size=(9, 3))
-    target = 3.0 * source @ SPIN.T + [1.0, 2.0, 3.0]
-    target[0] += 5.0
-    found = retargeting._fitted(source, target, np.array([0.0, *range(1, 9)]))
-    assert found.scale == pytest.approx(3.0)
-    assert found.rotation == pytest.approx(SPIN)
-    assert found(source[1:]) == pytest.approx(target[1:])
-    assert retargeting._fitted(source, source * [-1, 1, 1], np.ones(9)).rotation == pytest.approx(
-        retargeting._fitted(source, source * [-1, 1, 1], np.full(9, 2.0)).rotation
-    )
-    assert np.linalg.det(retargeting._fitted(source, source * [-1, 1, 1], np.ones(9)).rotation) == pytest.approx(1.0)
+        assert retargeting._spans(cube * [1, 1, depth], 3) == solid
+        assert retargeting._spans(cube * [depth, 1, 0], 2) == solid
+        assert retargeting._spans(cube * [1, 1, depth], 2)
 
 
 def test_landmarks_that_are_elsewhere_do_not_shape_the_warp(monkeypatch):

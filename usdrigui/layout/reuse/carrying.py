@@ -1,0 +1,75 @@
+"""Where a point of an earlier version of a character is on that of today."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from usdrigui.character import Floats, Indices, Rig
+from usdrigui.model import Anchor, Correction, Trajectories
+from usdrigui.ties import first_smallest
+
+ONE_PLACE = 0.5
+"""Handle widths within which two anchors are at one place."""
+MOVES = 0.05
+"""Share of its peak by which a control moves a point to which it may be carried."""
+
+
+@dataclass(frozen=True, eq=False)
+class Today:
+    """A rig, its points and its motions."""
+
+    rig: Rig
+    points: Floats
+    """(n, 3) in the pose in which places are compared."""
+    trajectories: Trajectories
+
+    def moved_by_all(self, controls: Sequence[str]) -> Indices:
+        """Points that every one of these controls moves by a share of its peak; none where one of
+        them moves nothing."""
+        names = [control.name for control in self.rig.controls]
+        motions = {names[each.control]: each for each in self.trajectories.motions}
+        found = np.arange(len(self.points))
+        for name in controls:
+            motion = motions.get(name)
+            far = found[:0]
+            if motion is not None:
+                far = motion.points[motion.arc_length >= MOVES * motion.peak]
+            found = np.intersect1d(found, far)
+        return found
+
+    def index_of(self, hint: Anchor | Correction) -> int:
+        """The point that an anchor names, or the one of this mesh and number; -1 where the mesh is
+        gone or is known to have other points or faces."""
+        meshes = zip(self.rig.body.starts.tolist(), self.rig.body.meshes, strict=False)
+        for start, mesh in meshes:
+            if mesh.path == hint.mesh and 0 <= hint.point < len(mesh.points):
+                fits = isinstance(hint, Correction) or hint.fits(mesh.topology.hash)
+                return start + hint.point if fits else -1
+        return -1
+
+
+def carried(
+    hint: Anchor | Correction,
+    position: Sequence[float] | Floats,
+    controls: Sequence[str],
+    today: Today,
+) -> tuple[int, float]:
+    """The point of today's rig for one that lay at `position` (3,), and how far it is from there.
+
+    That is the point that an anchor names, if the mesh is the same, else the nearest that all the
+    controls move; of several as near the one that a correction names.  -1 where there is none.
+    """
+    moved, same = today.moved_by_all(controls), today.index_of(hint)
+    if isinstance(hint, Anchor) and same >= 0 and same in moved:
+        return same, 0.0
+    if not len(moved) or not np.isfinite(position).all():
+        return -1, np.inf
+    apart = np.linalg.norm(today.points[moved] - position, axis=1)
+    nearest = first_smallest(apart)
+    named = np.flatnonzero(moved == same)
+    if len(named) and apart[named[0]] <= apart[nearest] * (1.0 + 1e-3):
+        nearest = int(named[0])
+    return int(moved[nearest]), float(apart[nearest])

@@ -1,0 +1,165 @@
+"""pin() and pins(): a person's decisions about the controls of a layout, as a layer of
+corrections."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import fields, replace
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+
+from usdrigui.character import Rig
+from usdrigui.character.deform import posed
+from usdrigui.errors import meant, refuse
+from usdrigui.layout.reuse.partial_layout import anchored_point
+from usdrigui.model import CorrectedPlace, Correction, Element, Layout
+from usdrigui.pipeline.targets import make_folder
+from usdrigui.reader.reader_process import (
+    read_composed_isolated,
+    read_layer_isolated,
+    read_layouts_isolated,
+)
+from usdrigui.reader.reader_records import Opening, ReadResult
+from usdrigui.replacing.transaction import State, Transaction, same_file
+from usdrigui.settings import ControlSettings, Settings, literal, load
+
+
+def pin(
+    layer: Path, decisions: Mapping[str, str], output: Path, settings: Settings, reason: str = ""
+) -> State:
+    """Write decisions about controls of a layout into a layer of corrections over it; those that
+    `output` has already stay, unless they are about the same.
+
+    `decisions`: by control, or control and key (``jawOpen.label``), what is decided: ``here``,
+    ``board``, ``face``, ``MESH_PATH#POINT`` or ``X,Y,Z`` (at rest, in root space) of a control,
+    ``free`` to take back what is decided, there and on record in the layout; its ``group``
+    (``NAME,NAME``), and every other key of its configuration.
+
+    Raises CONFIG_UNKNOWN_CONTROL and CONFIG_VALUE, FILE_TARGET for an `output` that is something
+    else, and as `read_composed_isolated`.
+    """
+    found, read = read_composed_isolated(layer, settings)
+    layouts = {each.character.root: each for each in found.layouts}
+    made = _existing(output, layer, Opening.of(settings.rig.read))
+    unit = float(read.metadata["metersPerUnit"])
+    for key, value in decisions.items():
+        rig, name, what = _meant(read, key)
+        root, up = rig.skel_root.path, rig.skel_root.up.tolist()
+        known = made.pop((root, name), Correction(root, name))
+        if value != "free":
+            known = _decided(known, (what, value), rig, layouts[root])
+            why = reason or known.reason
+            made[root, name] = replace(known, up=tuple(up), unit=unit, reason=why)
+        elif any(each.control == name for each in _recorded(layouts[root])):
+            made[root, name] = Correction(root, name, "free", reason=reason)
+    return _written(tuple(made.values()), layer, output, read.metadata)
+
+
+def pins(layer: Path, settings: Settings) -> tuple[Correction, ...]:
+    """The corrections that a layer brings, and as such what its layouts have on record."""
+    found = read_layouts_isolated(layer, Opening.of(settings.rig.read))
+    recorded = (each for layout in found.layouts for each in _recorded(layout))
+    told = {(each.root, each.control): each for each in (*recorded, *found.corrections)}
+    return tuple(told.values())
+
+
+def _recorded(layout: Layout) -> list[Correction]:
+    return [
+        _of_record(layout.character.root, member.control, element)
+        for element in layout.elements
+        for member in element.manipulator.members
+        if element.placement.pinned
+    ]
+
+
+def _of_record(root: str, control: str, element: Element) -> Correction:
+    own, on_board = element.placement, element.anchor.on_board
+    place = "board" if on_board else "point" if "anchor" in own.pinned else "face"
+    placed = cast(CorrectedPlace, place if {"anchor", "place"} & {*own.pinned} else "")
+    reason = f"on record: {', '.join(own.pinned)}"
+    return Correction(root, control, placed, own.pinned_position, reason=reason)
+
+
+def _existing(output: Path, layer: Path, opening: Opening) -> dict[tuple[str, str], Correction]:
+    """What a layer of corrections holds already; raises FILE_TARGET for another file."""
+    if same_file(output, layer):
+        raise refuse("FILE_TARGET", str(output), "is the layout itself, which stays as it is")
+    if output.suffix != ".usda":
+        raise refuse("FILE_TARGET", str(output), "a layer of corrections ends in .usda")
+    held = read_layer_isolated(output, opening).corrections if output.is_file() else ()
+    if output.is_file() and not held:
+        raise refuse("FILE_TARGET", str(output), "exists and is no layer of corrections")
+    return {(each.root, each.control): each for each in held}
+
+
+def _meant(read: ReadResult, key: str) -> tuple[Rig, str, str]:
+    """The character with a control, the control, and what of it a key is about: ``place`` unless it
+    says so."""
+    known = {each.name for each in fields(ControlSettings)} | {"group"}
+    name, _, what = key.rpartition(".")
+    name, what = (name, what) if what in known else (key, "place")
+    rigs = [rig for rig in read.rigs if name in rig.control_names]
+    if len(rigs) != 1:
+        every = {each for rig in read.rigs for each in rig.control_names}
+        why = "several characters have" if rigs else "no character has"
+        raise refuse("CONFIG_UNKNOWN_CONTROL", key, f"{why} this control{meant(name, every)}")
+    return rigs[0], name, what
+
+
+def _decided(known: Correction, said: tuple[str, str], rig: Rig, layout: Layout) -> Correction:
+    """The correction with one more decision."""
+    what, value = said
+    if what == "place":
+        return _placed(known, value, rig, layout)
+    names = value.split(",") if what == "group" else [value] * (what == "twin")
+    for name in names:
+        if name not in rig.control_names:
+            where, hint = f"{known.control}.{what}", meant(name, rig.control_names)
+            raise refuse("CONFIG_UNKNOWN_CONTROL", where, f"there is no control {name!r}{hint}")
+    if what == "group":
+        return replace(known, group=tuple(dict.fromkeys((known.control, *names))))
+    settings = {**known.settings, what: literal(value)}
+    load({"controls": {known.control: settings}})
+    return replace(known, settings=settings)
+
+
+def _placed(known: Correction, value: str, rig: Rig, layout: Layout) -> Correction:
+    """The correction at a place."""
+    if value == "here":
+        anchors = [e.anchor for e in layout.elements if known.control in e.manipulator.controls]
+        if not anchors:
+            raise refuse("CONFIG_VALUE", known.control, "has no element in the layout")
+        value = anchors[0].place
+    if value in ("board", "face"):
+        return replace(known, place=cast(CorrectedPlace, value), mesh="", point=-1)
+    rest = posed(rig, None).points
+    if "#" in value:
+        point = anchored_point(rig, known.control, value)
+        position = rest[point].reshape(3)
+    else:
+        try:
+            position = np.array([float(each) for each in value.split(",")]).reshape(3)
+        except ValueError:
+            what = "neither here, board, face, free, MESH_PATH#POINT nor X,Y,Z"
+            raise refuse("CONFIG_VALUE", known.control, f"{value!r} is {what}") from None
+        point = int(np.linalg.norm(rest - position, axis=1).argmin())
+    mesh, local = rig.body.mesh_of(point or 0)
+    x, y, z = position.tolist()
+    path = rig.body.meshes[mesh].path
+    return replace(known, place="point", position=(x, y, z), mesh=path, point=local)
+
+
+def _written(
+    corrections: tuple[Correction, ...], layer: Path, output: Path, metadata: Mapping[str, Any]
+) -> State:
+    from usdrigui.layer.corrections import corrections_text
+    from usdrigui.layer.write_layout import relative_asset_path
+
+    make_folder(output)
+    content = corrections_text(corrections, relative_asset_path(layer, output), metadata)
+    with Transaction([layer]) as files:
+        state = files.stage(content, output)
+        files.commit()
+    return state
