@@ -188,6 +188,11 @@ def test_what_another_program_writes_while_a_page_is_open(tmp_path):
         assert work_in(edit)["keys"] == {name: [[3, 0.5]]}
         back = pages(server, rig, [[[]], change("# mine\n", ""), [keyed(name, 5, 1)]])
         assert back["states"] == ["saved"]
+        lines = edit.read_text().split("\n")
+        head = lines.index(")")
+        written = "\n\n".join([*lines[6:head], *lines[2:6]])
+        turned = pages(server, rig, [[[]], change("\n".join(lines[2:head]), written)])
+        assert turned["states"] == ["saved"], "lines of the head in another order, as USD writes them"
         assert work_in(edit)["keys"] == {name: [[3, 0.5], [5, 1.0]]}
 
 

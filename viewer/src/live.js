@@ -6,6 +6,7 @@ import { animationLayerOf, saidKeys, worksOf } from './animation_layer.js';
 import { make } from './dom.js';
 import { NOTHING, differing, merged } from './merging.js';
 import { keysFrom, sayKeys } from './by_name.js';
+import { sameContent } from './usda.js';
 
 const EVERY = 300; // milliseconds between writes, at least
 const LOOKS = 3; // a look at the file, or another try after a refusal, comes after so many turns
@@ -152,7 +153,7 @@ export class Live {
     const isWhole = isFirst
       ? works.length && works.every(({ root }) => this.sessions.some(({ character }) => character.root === root)) &&
         this.sessions.every((session) => !differing(workOf(session), read.get(session)).length)
-      : text === animationLayerOf(this.sessions, (session) => read.get(session));
+      : sameContent(text, animationLayerOf(this.sessions, (session) => read.get(session)));
     if (works.length) this.sessions.forEach((session) => this.merge(session, read.get(session), isFirst));
     this.tell(isWhole ? (this.changed ? 'unsaved' : 'saved') : 'foreign');
   }
