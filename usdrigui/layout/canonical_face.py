@@ -17,25 +17,22 @@ import numpy as np
 
 from usdrigui.character import Flags, Floats, Record
 from usdrigui.conventions import Action, Meaning
+from usdrigui.layout.symmetry.lobes import ASIDE
+from usdrigui.layout.symmetry.sides_of_joints import ACROSS
 from usdrigui.layout.visibility import Views
 from usdrigui.model import BaseSurface, MirrorPlane, Motion, Symmetry, Trajectories
 from usdrigui.ties import first_largest
 
 _LEAST = 4
-"""Different places that it takes to lay the canonical face over a character."""
+"""Different places that it takes to lay the canonical face over a character, and actions on both
+sides to find the middle of one without a mirror plane."""
 _SPAN = 0.5
 """Least spread of their heights, in distances of the pupils: controls of the mouth alone fix
 nothing of the brows."""
 _ACROSS = 0.2
 """Distance from the middle, in the same units, from which a place determines the width."""
-_PAIRS = 4
-"""Actions on both sides that it takes to find the middle of a face without a mirror plane."""
-_ALIGNED = 0.8
-"""Length of the mean of the directions from their right to their left, at least."""
 _NEAR = 0.7
 """Share of that radius within which a place is near."""
-_SIDED = 0.1
-"""A motion whose middle is nearer to the plane, in face sizes, acts on both sides."""
 
 
 _FAINT = 0.5
@@ -141,7 +138,7 @@ def expectations(
     for clue in clues:
         scale, height = fit.around(clue.place)
         across, place = clue.middle[0], clue.place
-        side = np.sign(across) if abs(across) > _SIDED * surface.face_size else 0.0
+        side = np.sign(across) if abs(across) > ASIDE * surface.face_size else 0.0
         origin = symmetry.plane.origin + (height - symmetry.plane.origin @ views.up) * views.up
         target = np.array([place[0] * side if side else abs(place[0]), place[1]])
         both = bool(side == 0.0 and place[0] != 0.0)
@@ -261,12 +258,12 @@ def _middle_of_names(
         for (action, side), left in sorted(sides.items())
         if side == "left" and (action, "right") in sides
     ]
-    if len(pairs) < _PAIRS:
+    if len(pairs) < _LEAST:
         return symmetry
     apart = np.array([left - right for left, right in pairs])
     across = apart / np.maximum(np.linalg.norm(apart, axis=1, keepdims=True), 1e-300)
     mean = np.asarray(across.mean(axis=0))
-    if np.linalg.norm(mean) < _ALIGNED:
+    if np.linalg.norm(mean) < ACROSS:
         return symmetry
     origin = np.median([0.5 * (left + right) for left, right in pairs], axis=0)
     return replace(symmetry, plane=MirrorPlane(origin, mean / np.linalg.norm(mean)))

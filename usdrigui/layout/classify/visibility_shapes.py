@@ -16,8 +16,6 @@ _COLLAPSED = 0.1
 """A part collapses when its extent shrinks below this share."""
 _WHOLE = 0.8
 """Share of a part's points that move when the part moves as a whole."""
-_MOST = 0.5
-"""Share of what a control moves, in displacement, that must vanish."""
 
 
 def visibility_shapes(meshes: tuple[RigMesh, ...], trajectories: Trajectories) -> Flags:
@@ -30,7 +28,7 @@ def visibility_shapes(meshes: tuple[RigMesh, ...], trajectories: Trajectories) -
         whole = np.bincount(own, minlength=len(sizes)) >= _WHOLE * sizes
         moved = np.bincount(own, weights=motion.arc_length, minlength=len(sizes))
         collapsed = whole & _shrunk(trajectories.surface.points, motion, own, len(sizes))
-        flags[index] = moved[collapsed].sum() >= _MOST * moved.sum()
+        flags[index] = 2.0 * moved[collapsed].sum() >= moved.sum()
     return flags
 
 

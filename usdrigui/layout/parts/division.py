@@ -31,6 +31,7 @@ from usdrigui.layout.parts.joint_regions import (
     joint_regions,
     owner_of_points,
 )
+from usdrigui.layout.parts.own_pieces import NEARLY_ALL
 from usdrigui.model import Motion, Trajectories
 from usdrigui.settings import Settings
 from usdrigui.ties import first_largest
@@ -41,11 +42,6 @@ widest."""
 _NEAR = 0.5
 """A blend shape of skin nearer to the face than this share of the head's extent (the neck) is of
 the face."""
-_SEVERAL = 2
-"""Controls of tongue and teeth, at least, that make a part: a lone ``tongueOut`` is on the board of
-the face."""
-_MOST = 0.9
-"""Share of a motion, area times distance, that has to lie there."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,7 +123,8 @@ def _inside_mouth(rig: Rig, found: Trajectories, names: Mapping[int, str]) -> li
         for control in sorted(named)
         if 2.0 * shares[control][skin : skin + 1].sum() <= shares[control].sum()
     ]
-    return inside if len(inside) >= _SEVERAL else []
+    # A lone tongueOut is on the board of the face.
+    return inside if len(inside) > 1 else []
 
 
 def _named(names: Mapping[int, str], name: str) -> frozenset[int]:
@@ -186,14 +183,14 @@ class _Names:
         total = float(mass.sum())
         masses = np.bincount(self.skin[motion.points], mass, len(self.known)).astype(np.float64)
         most = self.known[first_largest(masses)]
-        prop = most == PROPS and float(masses.max()) >= _MOST * total
+        prop = most == PROPS and float(masses.max()) >= NEARLY_ALL * total
         if prop and self._all_props(motion):
             # It hides or carries them: among controls of props alone it would have no place.
             prop, most = False, BODY if BODY in self.known else main_part(self.known)
         near = (
             not prop
             and self.near_face is not None
-            and float(mass[self.near_face[motion.points]].sum()) >= _MOST * total
+            and float(mass[self.near_face[motion.points]].sum()) >= NEARLY_ALL * total
         )
         # One direction of a gaze moves the lids, another one does not: they stay together.
         return FACE if near or most == EYES else most

@@ -15,7 +15,7 @@ import numpy as np
 from usdrigui.character import Control, Floats, Indices, Rig, RigMesh
 from usdrigui.character.joint_tree import Fan, Tree, fans, unit
 from usdrigui.conventions import words
-from usdrigui.layout.parts.own_pieces import eyes, pieces_of, props
+from usdrigui.layout.parts.own_pieces import NEARLY_ALL, eyes, pieces_of, props
 from usdrigui.model import Trajectories
 from usdrigui.ties import first_largest
 
@@ -32,8 +32,6 @@ _FACIAL = 6
 """Joints without joints below on one joint that make it a head."""
 _LIMB = 3
 """Joints with skin in a chain beside the spine, the hands and the feet that make a body."""
-_VOTES = 0.9
-"""Share of the blend shapes whose skin hangs below the head, where they alone define it."""
 _LOW = 0.25
 """Share of a headless character's height below which chains side by side are toes."""
 
@@ -137,7 +135,7 @@ def _by_shapes(
     for joint, count in votes.items():
         for above in (joint, *tree.above(joint)):
             below[above] += count
-    wide = [joint for joint, count in below.items() if joint >= 0 and count >= _VOTES * total]
+    wide = [joint for joint, count in below.items() if joint >= 0 and count >= NEARLY_ALL * total]
     deepest = max(wide, key=lambda joint: (len(list(tree.above(joint))), -joint), default=-1)
     return frozenset({deepest} if deepest >= 0 and tree.parents[deepest] >= 0 else ())
 

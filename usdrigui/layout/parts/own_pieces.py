@@ -16,8 +16,9 @@ from usdrigui.character.joint_tree import Tree
 from usdrigui.character.skinning import bound_points
 from usdrigui.character.surface import components, mesh_triangles
 
-_WHOLE = 0.9
-"""Share of the weights of a piece by which it is held as a whole."""
+NEARLY_ALL = 0.9
+"""Share from which skin, votes or motions count as all: of the weights of a piece, by which it is
+held as a whole."""
 _TOUCHED = 0.05
 """Share of the weights of a piece, or of a joint, from which the joint holds that piece, too."""
 _ROUND = 0.15
@@ -49,7 +50,7 @@ class Pieces:
 
     def whole(self, joints: Iterable[int]) -> Indices:
         """The pieces that some joints hold alone, as good as."""
-        return np.flatnonzero(self.held[list(joints)].sum(axis=0) >= _WHOLE)
+        return np.flatnonzero(self.held[list(joints)].sum(axis=0) >= NEARLY_ALL)
 
     def touched(self, joints: Iterable[int]) -> Indices:
         """The pieces that some joints hold, alone or with others."""

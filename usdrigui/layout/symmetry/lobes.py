@@ -23,7 +23,7 @@ _KEPT_IN_THE_MIDDLE = 0.5
 """The same where the conventions expect it in the middle (the lips)."""
 
 
-_ASIDE = 0.1
+ASIDE = 0.1
 """Distance from the plane, in face sizes, from which a place lies to one side of the face."""
 
 
@@ -31,7 +31,7 @@ def all_aside(surface: BaseSurface, plane: MirrorPlane, points: Indices) -> bool
     """Whether all of these points, the candidates of a symmetric control, lie to the sides of the
     face: one handle would be on one side only."""
     apart = np.abs(plane.distance(surface.points[points]))
-    return bool(apart.min(initial=np.inf) > _ASIDE * surface.face_size)
+    return bool(apart.min(initial=np.inf) > ASIDE * surface.face_size)
 
 
 def two_lobed(

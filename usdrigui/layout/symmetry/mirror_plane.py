@@ -17,7 +17,7 @@ from usdrigui.character import Flags, Floats, Indices, Rig
 from usdrigui.layout.motion.similarity import DisplacementFields
 from usdrigui.layout.motion.trajectory import total_motion
 from usdrigui.layout.symmetry.front import front
-from usdrigui.layout.symmetry.sides_of_joints import ahead_of_head, plane_of_names
+from usdrigui.layout.symmetry.sides_of_joints import ACROSS, ahead_of_head, plane_of_names
 from usdrigui.layout.symmetry.twins import agreements, pairable, paired
 from usdrigui.model import MirrorPlane, Symmetry, Trajectories
 from usdrigui.settings import Settings
@@ -44,8 +44,6 @@ _HALF_A_CELL = 0.75
 """Distance of any place of a surface from the nearest point, in spacings of its points, at most."""
 LEAST_SHARE = 0.5
 """Least share of the points whose mirror image must meet the surface."""
-_AGREES = 0.7
-"""Cosine from which a plane is that of the names of joints."""
 
 
 def find_symmetry(
@@ -85,7 +83,7 @@ def find_symmetry(
 
 def _agree(named: MirrorPlane, plane: MirrorPlane | None) -> bool:
     """Whether the plane between joints `named` left and right is one that was found."""
-    return plane is not None and abs(float(named.normal @ plane.normal)) >= _AGREES
+    return plane is not None and abs(float(named.normal @ plane.normal)) >= ACROSS
 
 
 # --- the plane ------------------------------------------------------------------------------------

@@ -16,10 +16,8 @@ from usdrigui.layout.motion.owned_skin import joint_places
 from usdrigui.layout.parts.joint_regions import FACE, joint_regions, owner_of_points
 from usdrigui.model import MirrorPlane, Trajectories
 
-_PAIRS = 2
-"""Least number of pairs of joints whose names have a side."""
-_ACROSS = 0.7
-"""Mean cosine of these pairs to the normal of the plane that they have in common, at least."""
+ACROSS = 0.7
+"""Cosine from which pairs, of joints or of actions, lie across a plane, and two planes are one."""
 _OFF = 0.1
 """Share of the skeleton's extent by which a joint may miss the mirror image of its pair: characters
 rest in poses."""
@@ -38,12 +36,12 @@ def plane_of_names(
         for i, other in _twins(joints).items()
         if side_of(joints[i].name) == "left" and (places[i] != places[other]).any()
     ]
-    if len(pairs) < _PAIRS:
+    if len(pairs) < 2:
         return None
     left, right = np.array(pairs).transpose(1, 0, 2)
     across = (left - right) / np.linalg.norm(left - right, axis=1)[:, None]
     normal = unit(np.median(across, axis=0))
-    if float((across @ normal).mean()) < _ACROSS:
+    if float((across @ normal).mean()) < ACROSS:
         return None
     offset = float(np.median(0.5 * (left + right) @ normal))
     return MirrorPlane(offset * normal, normal)
