@@ -202,3 +202,40 @@ def test_a_click_opens_a_coarse_element_and_closes_it_again(window):
     assert "cheekPuff" in shown
     assert "cheekSquintLeft" not in shown
     assert away(window) == {}
+
+
+def test_a_bone_is_taken_by_the_mouse_moves_its_shape_and_is_undone(window):
+    window.ask(
+        "area, region, view = view_region()\n"
+        "with bpy.context.temp_override(window=view, area=area, region=region):\n"
+        "    bpy.context.scene.usdrigui.show = False\n"
+        "    bpy.ops.usdrigui.switch_bones()\n"
+        "    made = character().holder['usdrigui_bones']\n"
+        "    bpy.ops.object.select_all(action='DESELECT')\n"
+        "    made.select_set(True)\n"
+        "    bpy.context.view_layer.objects.active = made\n"
+        "    bpy.ops.object.mode_set(mode='POSE')\n"
+        "    bpy.ops.ed.undo_push(message='bones')\n"
+    )
+    window.settle(0.5)
+    where = (
+        "made = character().holder['usdrigui_bones']\n"
+        "bone = made.pose.bones['browInnerUp']\n"
+        "result = [pixel(made.matrix_world @ bone.{}), pixel(made.matrix_world @ bone.tail)]"
+    )
+    start, end = (np.array(each) for each in window.ask(where.format("head")))
+    window.picture("bones")
+    window.hover(start)
+    window.xdotool("click", 1)
+    window.settle(0.3)
+    window.key("g")
+    window.hover(start + 0.7 * (end - start))
+    window.xdotool("click", 1)
+    window.settle(0.3)
+    window.picture("bone_moved")
+    assert away(window) == {"browInnerUp": pytest.approx(0.7, abs=0.15)}
+    window.key("ctrl+z")
+    window.settle(0.5)
+    assert not away(window)
+    window.ask("bpy.ops.object.mode_set(mode='OBJECT')\nbpy.ops.usdrigui.switch_bones()")
+    assert window.ask("result = [each.name for each in bpy.data.armatures]") == ["Skeleton"]

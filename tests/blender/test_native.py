@@ -78,6 +78,14 @@ def test_one_button_binds_every_control_to_the_scenes_own_keys_and_leaves_the_ri
 
 
 @pytest.mark.real
+def test_a_library_override_keeps_its_controls_when_the_shot_is_opened_again(run_inside, usd_python):
+    found = run_inside([usd_python], "overridden", source=asset("godette"), python=sys.executable)
+    assert found["value"] == pytest.approx(0.4)
+    assert not found["missing"].size
+    assert found["kind"] == "EMPTY"
+
+
+@pytest.mark.real
 @pytest.mark.parametrize("name", ["facecap_blender", "godette"])
 def test_bones_drive_the_same_values_and_leave_no_trace(run_inside, usd_python, name):
     found = run_inside([usd_python], "boned", source=asset(name), scene="plain", python=sys.executable)
