@@ -23,6 +23,8 @@ def test_parts_that_vanish_are_global():
     assert collapsed.category == "global"
     assert "disappear" in collapsed.off_face_reason
     assert swung.category != "global"
+    pinched = np.where(np.arange(4)[:, None] < 2, hair[:2].mean(axis=0) - hair, 0.0)
+    assert hides(pinched).category != "global", "half of it stays"
 
 
 def test_a_control_that_moves_the_face_more_than_the_part_it_hides_means_the_face():
