@@ -101,7 +101,7 @@ def _beside_the_face(controls: tuple[Control, ...], names: Mapping[int, str]) ->
 
 def _inside_mouth(rig: Rig, found: Trajectories, names: Mapping[int, str]) -> list[int]:
     """The controls of the face that bear the name of a tongue or of teeth, where there are several;
-    what moves the piece of surface that most controls move, the skin, is none of them."""
+    a shape of the piece of surface that most controls move, the skin, is none of them."""
     meant = meanings([control.name for control in rig.controls])
     named = {
         control
@@ -121,7 +121,8 @@ def _inside_mouth(rig: Rig, found: Trajectories, names: Mapping[int, str]) -> li
     inside = [
         control
         for control in sorted(named)
-        if 2.0 * shares[control][skin : skin + 1].sum() <= shares[control].sum()
+        if rig.controls[control].kind == "joint"
+        or 2.0 * shares[control][skin : skin + 1].sum() <= shares[control].sum()
     ]
     # A lone tongueOut is on the board of the face.
     return inside if len(inside) > 1 else []
