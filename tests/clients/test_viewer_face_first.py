@@ -185,6 +185,8 @@ def test_what_is_always_needed_is_in_sight_and_the_rest_is_in_a_menu(browser, tm
         box = viewer.page.get_by_role("button", name=name, exact=True).bounding_box()
         assert box["x"] >= 0, name
         assert box["x"] + box["width"] <= size[0], name
+    tag = "[...document.querySelectorAll('.side-tag')].map((each) => getComputedStyle(each).color)"
+    assert viewer.page.evaluate(tag) == ["rgb(244, 245, 247)"] * 2, "words are not in the colours of marks"
     viewer.page.get_by_role("button", name="Symmetry", exact=True).click()
     assert viewer.page.evaluate("usdrigui.app.session.options.symmetric")
     assert viewer.trouble == []

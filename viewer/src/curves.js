@@ -63,7 +63,7 @@ export class Curves {
     return [
       svg('polyline', { class: 'curve', points: points.join(' '), stroke: colour }),
       ...track.map(([frame, value]) => this.keyMark(control, frame, value, colour, label)),
-      text(label, { class: 'curve-name', x: named[0] + (ends ? -8 : 8), y: Math.max(12, named[1] - 6), fill: colour, 'text-anchor': ends ? 'end' : 'start' }),
+      text(label, { class: 'curve-name', x: named[0] + (ends ? -8 : 8), y: Math.max(12, named[1] - 6), 'text-anchor': ends ? 'end' : 'start' }),
     ];
   }
 

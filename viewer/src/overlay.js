@@ -324,7 +324,7 @@ export class Overlay extends Arrangement {
       const strength = this.strength(element, hidden);
       if (strength < 0.3 || element.onBoard) continue;
       const text = element.label;
-      const box = [handle[0] + width / 2 + 5, handle[1] - 7, pen.measureText(text).width + 8, 14];
+      const box = [handle[0] + width / 2 + 5, handle[1] - 7, pen.measureText(text).width + 10, 14];
       if (taken.some((other) => overlapping(box, other))) continue;
       taken.push(box);
       pen.globalAlpha = 0.72 * strength;
@@ -332,7 +332,9 @@ export class Overlay extends Arrangement {
       pen.fillRect(...box);
       pen.globalAlpha = strength;
       pen.fillStyle = this.session.colours[element.side];
-      pen.fillText(text, box[0] + 4, box[1] + 11);
+      pen.fillRect(box[0], box[1], 3, box[3]); // words are never in the colour of a mark, which is hard to read
+      pen.fillStyle = '#f4f5f7';
+      pen.fillText(text, box[0] + 6, box[1] + 11);
     }
     pen.globalAlpha = 1;
   }

@@ -335,7 +335,7 @@ export class View {
       const { label, minimum, maximum } = controls[control];
       return make('div', {}, make('b', {}, shownValue(values[control], maximum - minimum)), ` ${label}`);
     });
-    const heading = make('div', { class: 'tip-side', style: { color: this.session.colours[element.side] } }, sideName(element.side));
+    const heading = make('div', { class: 'tip-side', style: { borderColor: this.session.colours[element.side] } }, sideName(element.side));
     this.tip.replaceChildren(...(sideName(element.side) ? [heading] : []), ...lines);
     const [x, y] = drawn.handle;
     const right = x + 230 > this.width;
@@ -352,7 +352,7 @@ export class View {
       node.hidden = !name || !this.session.options.handles;
       if (!name) return;
       node.textContent = i === 0 ? `◂ Character’s ${name}` : `Character’s ${name} ▸`;
-      node.style.color = this.session.colours[name];
+      node.style.borderColor = this.session.colours[name];
       if (i === 0) node.style.left = '14px';
     });
   }
