@@ -137,8 +137,8 @@ def levels(folder: Path, target: Path) -> None:
     for opened in ((), ("--open", "smile")):
         drawn = folder / "level.png"
         _command("picture", folder / "levels.rigui.usda", "-o", drawn, "--config", config, *opened)
-        panels.append(Image.open(drawn).convert("RGB").crop((0, 0, 700, 960)))
-    both = Image.new("RGB", (1400, 960))
+        panels.append(Image.open(drawn).convert("RGB").crop((0, 0, 700, 942)))
+    both = Image.new("RGB", (1400, 942))
     for index, panel in enumerate(panels):
         both.paste(panel, (700 * index, 0))
     both.save(target, quality=QUALITY)
@@ -186,9 +186,11 @@ def _page(folder: Path, size: tuple[int, int]) -> Iterator[Any]:
 
 
 def _settle(page: Any) -> None:
+    """Until what was asked for is drawn, and drawn as finely as at rest."""
     page.evaluate(
         "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
     )
+    page.evaluate("() => { const { view } = usdrigui.app; view.setFineness(2); view.drawNow(); }")
 
 
 def viewer(folder: Path, target: Path) -> None:
