@@ -44,6 +44,7 @@ def process(
     fixed: File | None = None,
     like: File | None = None,
     base: File | None = None,
+    corrections: Sequence[File] = (),
     animations: Sequence[File] = (),
     progress: ProgressCallback | None = None,
     stop: Callable[[], bool] | None = None,
@@ -55,7 +56,8 @@ def process(
     sublayers or its session layer.
 
     `settings`: by default those of the environment and of ``CHAR.rigui.toml`` beside the file.
-    `previous`, `fixed`, `like`, `base` and `animations` are the options of the command, for files.
+    `previous`, `fixed`, `like`, `base`, `corrections` and `animations` are the options of the
+    command, for files.
     `progress` is called with an `Event` when a stage begins (``seconds`` is None), when it has
     ended (``seconds`` is what it took), and now and then while it searches (``detail`` holds cost,
     bound and gap); `stop` is polled meanwhile, and once it is true the best layout so far is taken.
@@ -63,7 +65,8 @@ def process(
     """
     _check_kind(asset)
     if not isinstance(asset, (str, Path)):
-        if output or previous or fixed or like or base or animations or dry_run:
+        files = (output, previous, fixed, like, base, *corrections, *animations)
+        if any(files) or dry_run:
             raise refuse(
                 "CONFIG_VALUE",
                 "process",
@@ -76,6 +79,7 @@ def process(
         previous=_path(previous),
         like=_path(like),
         base=_path(base),
+        corrections=tuple(Path(each) for each in corrections),
         animations=tuple(Path(each) for each in animations),
     )
     return pipeline.process(

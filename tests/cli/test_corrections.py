@@ -7,6 +7,7 @@ import pytest
 from commands import run
 from pxr import Sdf, Usd, UsdGeom
 
+import usdrigui
 from usdrigui.layer.read_layout import read_layout
 
 
@@ -158,3 +159,12 @@ def test_diff_tells_what_process_told(folder, capsys):
     assert [(each["was"], each["control"], each["kind"]) for each in changes] == [("chin", "jut", "renamed")]
     found = run(capsys, "diff", folder / "char.rigui.usda", out)["characters"][0]["changes"]
     assert found == changes
+
+
+def test_an_open_stage_is_laid_out_with_the_corrections_that_it_has(folder, capsys):
+    said = folder / "corrections.usda"
+    run(capsys, "pin", folder / "char.rigui.usda", "pucker=board", "-o", said)
+    said.write_text(said.read_text().replace("char.rigui.usda", "char.usda"))
+    report = usdrigui.process(Usd.Stage.Open(str(said)))
+    rows = {row.control: row.place for row in report.characters[0].rows}
+    assert rows["pucker"] == "board"

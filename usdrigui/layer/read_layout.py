@@ -262,6 +262,7 @@ def _layout(scope: Usd.Prim) -> Layout:
             root=str(scope.GetPath().GetParentPath()),
             base_values=_base_values(scope),
             variant_path=_variant_path(scope),
+            matches=_matches(scope),
         ),
         elements=elements,
         left_off=_left_off(scope),
@@ -273,7 +274,6 @@ def _layout(scope: Usd.Prim) -> Layout:
             parts=_parts(scope),
         ),
         proof=_proof(scope),
-        matches=_matches(scope),
     )
 
 

@@ -285,7 +285,7 @@ def books(layout: Layout) -> dict[str, Any]:
     return {
         "solution": solution | parts,
         "leftOff": _columns(layout.left_off, properties.LEFT_OFF),
-        "matches": _columns(layout.matches, properties.MATCHES),
+        "matches": _columns(layout.character.matches, properties.MATCHES),
     }
 
 

@@ -30,8 +30,6 @@ class Layout(Record):
     left_off: tuple[LeftOff, ...]
     frame: LayoutFrame
     proof: Proof
-    matches: tuple[Match, ...] = ()
-    """Controls that had another name in the layout that this one succeeds, or may have had."""
 
     @property
     def controls(self) -> frozenset[str]:
@@ -79,6 +77,8 @@ class LayoutCharacter(Record):
     variant_path: str = ""
     """Path of the SkelRoot with the variants that hold the layout, ``/Char{LOD=low}``; empty
     without."""
+    matches: tuple[Match, ...] = ()
+    """Controls that had another name in the layout that this one succeeds, or may have had."""
 
     @property
     def path_in_variants(self) -> str:

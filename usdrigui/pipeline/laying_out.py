@@ -131,7 +131,9 @@ def process_stage(
         readings, plain = _read_each(
             settings,
             lambda: in_memory.read_open_variants(stage, settings.rig.read.variants),
-            lambda chosen: _read_open(stage, chosen),
+            functools.partial(
+                _read, functools.partial(in_memory.read_open_rigs, stage), ReferenceLayers()
+            ),
         )
     sources = [each.source for each in readings]
     found = [
@@ -147,14 +149,6 @@ def process_stage(
     return replace(
         report, layer=layer.layer_for(laid, "", settings.output, readings[0].source.metadata)
     )
-
-
-def _read_open(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> AssetReading:
-    from usdrigui.reader import in_memory
-
-    source = in_memory.read_open_rigs(stage, settings)
-    refuse_unsound(source, settings)
-    return AssetReading(settings, source, ReferenceLayouts())
 
 
 # --- what is read ---------------------------------------------------------------------------------
@@ -184,7 +178,11 @@ def _readings(
         over = _read_over(asset, settings, layers)
         return over, over[0].references.ignored
     sets = functools.partial(read_variants_isolated, asset, Opening.of(settings.rig.read))
-    return _read_each(settings, sets, functools.partial(_read, asset, layers))
+    return _read_each(
+        settings,
+        sets,
+        functools.partial(_read, functools.partial(read_rigs_isolated, asset), layers),
+    )
 
 
 def _read_each(
@@ -198,12 +196,14 @@ def _read_each(
     return readings, (*ignored, *plain)
 
 
-def _read(asset: Path, layers: ReferenceLayers, settings: Settings) -> AssetReading:
-    source = read_rigs_isolated(asset, settings)
+def _read(
+    read: Callable[[Settings], ReadResult], layers: ReferenceLayers, settings: Settings
+) -> AssetReading:
+    source = read(settings)
     references = read_references(layers, Opening.of(settings.rig.read), source)
     corrected = with_corrections(settings, references.corrections, source.rigs)
     if corrected != settings:
-        source, settings = read_rigs_isolated(asset, corrected), corrected
+        source, settings = read(corrected), corrected
     refuse_unsound(source, settings, references.like)
     return AssetReading(settings, source, references)
 
@@ -211,7 +211,7 @@ def _read(asset: Path, layers: ReferenceLayers, settings: Settings) -> AssetRead
 def _read_over(shot: Path, settings: Settings, layers: ReferenceLayers) -> list[AssetReading]:
     """A shot and its base; where that has a layout for each variant, once for the characters of
     each selection."""
-    found = _read(shot, layers, settings)
+    found = _read(functools.partial(read_rigs_isolated, shot), layers, settings)
     assert found.references.base is not None
     sets = frozenset[str]().union(
         *(asset_selections(each.character.variant_path) for each in found.references.base.layouts)

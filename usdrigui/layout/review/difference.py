@@ -112,7 +112,7 @@ def difference(before: Layout, after: Layout) -> Difference:
     Which control of the one is which of the other is what `after` has on record of `before`, else
     their names tell.  The places of elements on the board are not compared.
     """
-    recorded = [each for each in after.matches if each.before in before.controls]
+    recorded = [each for each in after.character.matches if each.before in before.controls]
     sure = {each.before: each.after for each in recorded if each.confidence >= SURE}
     may_be = {each.before: f"may be {each.after} ({each.sure})" for each in recorded}
     then = with_names(before, sure)

@@ -33,7 +33,8 @@ def line(face):
 def respelt(layout, names):
     """The layout as one that succeeds it has it when some controls have other names."""
     matches = tuple(Match(before, after, 1.0, "motion") for before, after in names.items())
-    return replace(with_names(layout, names), matches=matches)
+    new = with_names(layout, names)
+    return replace(new, character=replace(new.character, matches=matches))
 
 
 def with_motions(rig):
