@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -170,3 +171,17 @@ def test_a_memory_limit_on_the_search_gives_a_layout_or_a_code(tmp_path, limit, 
         assert solution["bound"] <= solution["cost"]
         assert solution["status"] == ("optimal" if solution["gap"] <= Settings().layout.solve.gap else "stopped")
     assert (tmp_path / "char.rigui.usda").exists() == (code == 0)
+
+
+@pytest.mark.parametrize("most", [100, 300, 1200])
+def test_a_limit_of_the_system_on_addresses_is_no_bug(tmp_path, most):
+    """Libraries are not loaded, wait for ever or crash where they get none."""
+    path = head(tmp_path / "char.usda")
+
+    def bounded():
+        resource.setrlimit(resource.RLIMIT_AS, (most << 20,) * 2)
+
+    command = [sys.executable, "-m", "usdrigui", "process", str(path)]
+    done = subprocess.run(command, preexec_fn=bounded, capture_output=True, text=True, check=False, timeout=60)
+    assert done.returncode == 4
+    assert "RUN_MEMORY_LIMIT the system allows" in done.stderr

@@ -98,11 +98,11 @@ def _apart(asset: Path, rig, rng) -> float:
             place = transforms.GetLocalToWorldTransform(prim)
             if query.HasJointInfluences():
                 skeleton = UsdSkel.BindingAPI(prim).GetInheritedSkeleton()
-                mapper, bones = query.GetJointMapper(), cache.GetSkelQuery(skeleton)
+                bones = cache.GetSkelQuery(skeleton)
                 posed = UsdSkel.ConcatJointTransforms(bones.GetTopology(), Vt.Matrix4dArray.FromNumpy(local))
                 bind = bones.GetJointWorldBindTransforms()
                 moved = Vt.Matrix4dArray([b.GetInverse() * p for b, p in zip(bind, posed, strict=True)])
-                query.ComputeSkinnedPoints(mapper.Remap(moved) if mapper else moved, points)
+                query.ComputeSkinnedPoints(moved, points)
                 place = transforms.GetLocalToWorldTransform(skeleton.GetPrim())
             place *= transforms.GetLocalToWorldTransform(root.GetPrim()).GetInverse()
             theirs = np.array([place.Transform(each) for each in np.asarray(points, dtype=np.float64).tolist()])

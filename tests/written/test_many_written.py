@@ -9,7 +9,11 @@ import sys
 from pathlib import Path
 
 import failing
+import numpy as np
 import pytest
+
+import usdrigui
+from usdrigui.settings import load
 
 HERE = Path(__file__).parent
 COUNT = int(os.environ.get("USDRIGUI_WRITTEN", "24"))
@@ -35,3 +39,12 @@ def test_the_first_call_of_every_kind_fails_on_a_written_character():
         write_rig(4, folder).rename(folder / "char.usda")
 
     assert failing.campaign(1 << 20, ["process"], make)["faults"] == []
+
+
+def test_pairs_that_joints_bring_together_tilt_no_plane(tmp_path):
+    sys.path.append(str(HERE))
+    from written_rigs import write_rig
+
+    report = usdrigui.process(write_rig(61, tmp_path), load({"solve": {"work_limit": 2000}}))
+    (character,) = report.characters
+    assert all(np.isfinite(member.track).all() for e in character.layout.elements for member in e.manipulator.members)

@@ -186,7 +186,7 @@ def _animation(plan: Plan) -> str:
 def _mesh(plan: Plan, index: int, library: list[str]) -> str:
     rng = plan.rng
     surface = _surface(rng, rng.choice(_FORMS if index else _FORMS[:5]))
-    far = rng.choice([1e4, 1e7]) if index and rng.random() < 0.15 else 0.0
+    far = rng.choice([1e4, 1e6]) if index and rng.random() < 0.15 else 0.0
     placed = [tuple(plan.scale * (each + far * (axis == 0)) for axis, each in enumerate(p)) for p in surface.points]
     names = [f"m{index}_{i}" if rng.random() < 0.6 else f"both{i}" for i in range(rng.randint(1, 7))]
     names = list(dict.fromkeys(names)) if index else [*dict.fromkeys([*names, "sure"])]

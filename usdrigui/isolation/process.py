@@ -8,6 +8,7 @@ reader (`usdrigui.isolation.reading`).  Nothing here imports more than the stand
 from __future__ import annotations
 
 import contextlib
+import math
 import os
 import signal
 import sys
@@ -56,6 +57,17 @@ class ProcessEnd:
     def last_line(self) -> str:
         """The last line that it printed."""
         return self.text.decode(errors="replace").strip().rpartition("\n")[2]
+
+
+def addresses_allowed() -> float | int:
+    """Bytes of addresses that the system allows this process, and all that it starts; inf without a
+    limit."""
+    with contextlib.suppress(ImportError):
+        import resource
+
+        limit = resource.getrlimit(resource.RLIMIT_AS)[0]
+        return math.inf if limit == resource.RLIM_INFINITY else limit
+    return math.inf
 
 
 def not_started(error: Exception, code: str, path: str, what: str) -> RigUIError:

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import math
 import os
 import shutil
 import subprocess
@@ -26,6 +27,7 @@ from usdrigui.errors import RigUIError, refuse
 from usdrigui.isolation.process import (
     Drain,
     ProcessEnd,
+    addresses_allowed,
     environment,
     kill,
     not_started,
@@ -45,6 +47,8 @@ _PATIENCE = 3.0
 writes."""
 _LAST_WORDS = 2.0
 """Seconds in which the messages of a worker that was ended must have come."""
+_LEAST_ADDRESSES = 3 << 29
+"""Bytes below which OpenBLAS waits for ever for what it is not given, or crashes."""
 _LAST = 60.0
 """Seconds in which one that searches or writes must have ended after its time was up."""
 
@@ -86,6 +90,10 @@ def supervise(
     stopped and continued with this process by the terminal.
     """
     events = SimpleQueue() if events is None else events
+    allowed = addresses_allowed()
+    if allowed < _LEAST_ADDRESSES:
+        what = f"the system allows {allowed / (1 << 20):.0f} MiB of addresses (ulimit -v)"
+        return _dead(refuse("RUN_MEMORY_LIMIT", "", f"{what}; it needs {_LEAST_ADDRESSES >> 20}"))
     process = None
     try:
         with signals_later():
@@ -293,6 +301,11 @@ class _Supervision:
             )
         if end.was_killed_by("SIGKILL"):
             return refuse("WORKER_LOST", "", "the working process was killed from outside")
+        if end.code < 0 and addresses_allowed() < math.inf:
+            what = (
+                f"the working process crashed ({signal_name(-end.code)}) under a limit on addresses"
+            )
+            return refuse("RUN_MEMORY_LIMIT", "", f"{what} (ulimit -v)")
         if end.code < 0:
             return refuse(
                 "WORKER_CRASHED", "", f"the working process crashed ({signal_name(-end.code)})"

@@ -105,7 +105,9 @@ def _at_pose(symmetry: Symmetry, surface: BaseSurface, base: Floats) -> Symmetry
     """The same partners with the plane where most pairs now have it: what one side does must not
     tilt it."""
     side = symmetry.plane.distance(surface.points)
-    left = np.flatnonzero((symmetry.partner >= 0) & (side > 0.0))
+    # Joints may bring together what is apart at the bind pose.
+    apart = (base != base[symmetry.partner]).any(axis=1)
+    left = np.flatnonzero((symmetry.partner >= 0) & (side > 0.0) & apart)
     if not len(left):
         return symmetry
     # Pairs near the middle determine the plane badly.
