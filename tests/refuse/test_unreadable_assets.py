@@ -137,7 +137,7 @@ def test_another_skelroot_is_wanted(tmp_path):
 def test_blend_shapes_without_a_skeleton_are_counted(tmp_path):
     error = spoilt(tmp_path, lambda stage: stage.RemovePrim("/Char/Skel"))
     assert error.issue.code == "CONTROLS_MISSING"
-    assert "smile and 1 more (" in error.issue.message
+    assert "smile, frown (" in error.issue.message
     assert "bind a Skeleton" in error.issue.repair
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -27,7 +26,7 @@ from usdrigui.character.deform import channel_state, deform
 from usdrigui.character.rotation import rotations
 from usdrigui.errors import RigUIError
 from usdrigui.reader.existing_layouts import without_layout
-from usdrigui.reading import pose as poses, refusal as refusals
+from usdrigui.reading import pose as poses
 from usdrigui.reading.character import read_rigs
 from usdrigui.reading.clips import State
 from usdrigui.settings import Settings, load
@@ -730,13 +729,6 @@ def test_scales_are_read_along_the_axes_of_the_joint_whatever_it_turns():
     local = np.eye(4)
     local[:3, :3] = np.diag([2.0, 3.0, 0.0]) @ turn
     assert np.exp(poses._log_scales(local[None], turn[None]))[0] == pytest.approx([2.0, 3.0, 1e-9])
-
-
-def test_meshes_bound_in_vain_are_counted():
-    vain = [SimpleNamespace(path=f"/M{i}", message="has no skeleton") for i in range(3)]
-    assert refusals._vain_clause([]) == ""
-    assert refusals._vain_clause(vain[:1]) == "; /M0 has no skeleton"
-    assert refusals._vain_clause(vain) == "; /M0 (and 2 more meshes) has no skeleton"
 
 
 @pytest.mark.parametrize(

@@ -111,7 +111,7 @@ class TreeCaster(Record):
     @property
     def size(self) -> float:
         """Diagonal of the soup's bounding box."""
-        return _diagonal(self.triangles)
+        return diagonal(self.triangles)
 
     def first_hits(self, origins: Floats, direction: Floats) -> Hits:
         """Nearest triangle along each ray; of several at one distance the first in the soup."""
@@ -164,7 +164,7 @@ class EmbreeCaster:
         from embreex.mesh_construction import TriangleMesh
         from embreex.rtcore_scene import EmbreeScene
 
-        self.size = _diagonal(soup)
+        self.size = diagonal(soup)
         self._centre: Floats = 0.5 * (soup.min(axis=(0, 1)) + soup.max(axis=(0, 1)))
         self._scale = 1.0 / max(self.size, 1e-30)
         self._scene = EmbreeScene()
@@ -193,11 +193,9 @@ def _frame(direction: Floats) -> Floats:
 
 
 def _unit(vector: Floats) -> Floats:
-    length = float(np.linalg.norm(vector))
-    if not np.isfinite(length) or length == 0.0:
-        raise ValueError("a direction must be finite and not zero")
-    return np.asarray(vector, dtype=np.float64) / length
+    return np.asarray(vector / np.linalg.norm(vector), dtype=np.float64)
 
 
-def _diagonal(soup: Floats) -> float:
-    return float(np.linalg.norm(np.ptp(soup.reshape(-1, 3), axis=0))) if len(soup) else 0.0
+def diagonal(points: Floats) -> float:
+    """Of the box about points (..., 3); 0 without any."""
+    return float(np.linalg.norm(np.ptp(points.reshape(-1, 3), axis=0))) if points.size else 0.0

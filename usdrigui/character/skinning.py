@@ -77,13 +77,6 @@ def point_maps(
     )
 
 
-def influences(joints: Indices, weights: Floats, count: int) -> csr_array:
-    """(p, count) the influences (p, k) of points by joint, without zeros."""
-    acting = weights != 0.0
-    ends = np.append(0, np.cumsum(acting.sum(axis=1)))
-    return csr_array((weights[acting], joints[acting], ends), shape=(len(joints), count))
-
-
 def bound_points(points: Floats, skin: Skin) -> Floats:
     """(n, 4) homogeneous points after geomBindTransform."""
     bound = np.ones((len(points), 4))
@@ -149,8 +142,9 @@ def _shared_or_own_maps(skin: Skin, rows: Indices | slice, skinning: Floats, siz
 def _weighted(weights: Floats, joints: Indices, tables: Floats) -> Floats:
     """Sum over influences: (p, ...) of weights (p, k) times tables (joints, ...) at joints (p,
     k)."""
-    flat = tables.reshape(len(tables), -1)
-    total = influences(joints, weights, len(flat)) @ flat
+    flat, ends = tables.reshape(len(tables), -1), np.arange(0, joints.size + 1, joints.shape[1])
+    shape = (len(joints), len(flat))
+    total = csr_array((weights.ravel(), joints.ravel(), ends), shape=shape) @ flat
     return np.asarray(total.reshape(len(joints), *tables.shape[1:]))
 
 

@@ -12,9 +12,6 @@ from usdrigui.reading.control import joint_names, names_in_configuration
 from usdrigui.settings import RigSettings
 from usdrigui.stages.schema import SCOPE
 
-_JOINTS_TOLD = 12
-"""Names of joints in one message."""
-
 
 @dataclass(frozen=True)
 class Reading:
@@ -80,12 +77,7 @@ def check_names(readings: list[Reading], settings: RigSettings, faults: Faults) 
 def _joints_clause(reading: Reading) -> str:
     """A clause with the names of the first joints of a rig, empty if it has none."""
     names = joint_names(reading.rig.body.joints)
-    more = f" and {len(names) - _JOINTS_TOLD} more" if len(names) > _JOINTS_TOLD else ""
-    return (
-        f"; {reading.rig.skel_root.path} has the joints {', '.join(names[:_JOINTS_TOLD])}{more}"
-        if names
-        else ""
-    )
+    return f"; {reading.rig.skel_root.path} has the joints {listed(names)}" if names else ""
 
 
 def _lost_clause(lost: list[LeftOff]) -> str:
@@ -94,10 +86,7 @@ def _lost_clause(lost: list[LeftOff]) -> str:
     names: dict[str, list[str]] = {}
     for dropped in lost:
         names.setdefault(dropped.reason, []).append(dropped.control)
-    reasons = [
-        f"{same[0]}{f' and {len(same) - 1} more' if len(same) > 1 else ''} ({reason})"
-        for reason, same in names.items()
-    ]
+    reasons = [f"{listed(same)} ({reason})" for reason, same in names.items()]
     return f"; left off: {listed(reasons)}" if reasons else ""
 
 
@@ -109,8 +98,5 @@ def _inactive_clause(stage: Usd.Stage, root: str) -> str:
 
 
 def _vain_clause(vain: list[Issue]) -> str:
-    """A clause with the first mesh that is bound in vain, and how many are; empty if none."""
-    if not vain:
-        return ""
-    more = f" (and {len(vain) - 1} more meshes)" if len(vain) > 1 else ""
-    return f"; {vain[0].path}{more} {vain[0].message}"
+    """A clause with the first mesh that is bound in vain; empty if none is."""
+    return f"; {vain[0].path} {vain[0].message}" if vain else ""

@@ -19,6 +19,7 @@ from usdrigui.character import (
 )
 from usdrigui.character.deform import Posed, Sweep, knots, posed, sweep_start
 from usdrigui.character.joint_tree import Hanging, hanging
+from usdrigui.character.rays import diagonal
 from usdrigui.character.surface import (
     faces_inward,
     mesh_triangles,
@@ -64,7 +65,7 @@ def trajectories(
     duplicate and tiny ones stay and are named in `issues`.
     """
     base = posed(rig, base_values)
-    size = _diagonal(base.points)
+    size = diagonal(base.points)
     chains = hanging(rig.body.joints, rig.body.meshes)
     motions, left_off = [], []
     for index, control in enumerate(rig.controls):
@@ -280,8 +281,8 @@ class _Scale:
         # A joint may own a single point, and all points may rest in one place.
         size = (
             _face_size(shown, base @ rig.skel_root.up)
-            or _diagonal(base[np.concatenate([np.zeros(0, int), *(each.points for each in shown)])])
-            or _diagonal(base)
+            or diagonal(base[np.concatenate([np.zeros(0, int), *(each.points for each in shown)])])
+            or diagonal(base)
             or float(peaks.max(initial=0.0))
             or 1.0
         )
@@ -354,7 +355,3 @@ def _same_up_to_scale(motion: Motion, other: Motion) -> float:
         if factor > 0.0 and float(np.abs(a - factor * b).max()) <= 1e-4 * float(np.abs(a).max())
         else 0.0
     )
-
-
-def _diagonal(points: Floats) -> float:
-    return float(np.linalg.norm(np.ptp(points, axis=0))) if len(points) else 0.0
