@@ -4,7 +4,7 @@ Plain arrays, no pickled objects; ``numpy.load(path)`` reads them without usdrig
 
     version              () 3
     names                (variables,) text
-    overlap              the fields of `usdrigui.model.Overlap` (10,) or `MeanOverlap` (5,)
+    overlap              the fields of `usdrigui.model.Overlap` (12,) or `MeanOverlap` (5,)
     separation, unit_cost, off_face_cost
                          (), (), (variables,)
     points_K, cost_K     (R,) of variable K: anchor points and linear costs

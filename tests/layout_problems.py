@@ -21,7 +21,7 @@ def random_problem(seed: int, variables: int = 5, candidates: int = 7) -> Layout
     elements = tuple(_element(generator, at, size, candidates, axes) for at in range(count))
     overlap: AnyOverlap = MeanOverlap(5.0, 1.0, 4.0, float(generator.choice([3.0, np.inf])), 0.15)
     if seed % 3:
-        overlap = Overlap(3, 1.0, *generator.uniform(0.1, [1, 2, 0.5, 0.7, 0.5, 0.5, 0.5, 0.5]))
+        overlap = Overlap(3, 1.0, *generator.uniform(0.1, [1, 2, 0.3, 3, 0.5, 0.7, 0.5, 0.5, 0.5, 0.5]))
     separation = float(generator.choice([1e-6, 0.5, 1.0]))
     return LayoutProblem(elements, overlap, separation, 0.85, _explicit(generator, elements))
 

@@ -165,6 +165,9 @@ def _seen_costs(
     """
     cost = overlap.near * _hinge(between + slack, overlap.near_radius)
     near = between - slack < overlap.near_radius
+    if overlap.room:
+        cost += overlap.room * _hinge(between + slack, overlap.room_radius)
+        near |= between - slack < overlap.room_radius
     for track, handle in ((one, other), (other, one)):
         starts, ends = _segments(track.samples, overlap.samples)
         gap = segment_distances(handle.handle[None], starts, ends).min(axis=0)

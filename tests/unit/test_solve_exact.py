@@ -280,7 +280,7 @@ def test_tightening_ends_with_a_pass_that_gains_nothing(monkeypatch: pytest.Monk
     rows = local_search.LazyRows(problem, labels, budget)
     search = LocalSearch(labels.start, labels.cost, rows, budget, infeasible_penalty(problem, labels))
     search.construct()
-    left = reduce.Reduction(problem, labels, budget, search)
+    left = reduce.Reduction(problem, labels, near_blocks(problem, labels, budget), budget, search)
     assert left.tightened()
     assert len(left.problem.costs) == passes[-1]
 
@@ -611,15 +611,16 @@ def with_copies(problem: LayoutProblem, copies: int) -> LayoutProblem:
     ("copies", "limits", "single"),
     [
         (1, {}, True),
-        (3, {}, False),
-        (1, {"memory_limit": 200}, False),
+        (3, {}, True),
+        (1, {"memory_limit": 20}, False),
         (1, {"work_limit": 1_000_000}, False),
     ],
 )
 def test_few_labels_are_looked_at_one_by_one_within_limits(copies: int, limits: dict[str, Any], single: bool) -> None:
-    labels = all_labels(with_copies(crowd(3, variables=5, candidates=300), copies))
-    blocks = partition.first_blocks(labels, Budget(replace(HIGHS, **limits)))
-    assert (blocks.sizes.max() == 1) == single
+    labels = all_labels(problem := with_copies(crowd(3, variables=5, candidates=300), copies))
+    near = partition.near_one_by_one(problem, labels, Budget(replace(HIGHS, **limits)))
+    assert (near is not None) == single
+    blocks = partition.first_blocks(labels, Budget(HIGHS))
     assert np.sort(blocks.members).tolist() == list(range(len(labels.cost)))
 
 

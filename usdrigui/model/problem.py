@@ -82,6 +82,9 @@ class Overlap(Record):
     near: float
     """Cost of two handles on one place."""
     near_radius: float
+    room: float
+    """Cost besides of two handles on one place; falls more slowly than `near`."""
+    room_radius: float
     on_track: float
     """Cost of a handle on a track of another element."""
     track_radius: float
@@ -96,12 +99,13 @@ class Overlap(Record):
     @property
     def most(self) -> float:
         """What two elements cost at most."""
-        return self.near + 2.0 * self.on_track + self.crossing + 2.0 * self.along
+        return self.near + self.room + 2.0 * self.on_track + self.crossing + 2.0 * self.along
 
     @property
     def reach(self) -> float:
         """Distance of drawn points from which two elements cannot interact; scene units."""
-        return max(self.near_radius, self.track_radius, self.along_radius)
+        room_radius = self.room_radius if self.room else 0.0
+        return max(self.near_radius, room_radius, self.track_radius, self.along_radius)
 
 
 @dataclass(frozen=True, eq=False)

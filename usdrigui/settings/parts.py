@@ -140,7 +140,9 @@ class ObjectiveSettings:
     relative_displacement: float = 0.5
     overlap: Literal["seen", "mean"] = "seen"
     near_weight: float = 1.0
-    near_radius: float = 2.0
+    near_radius: float = 1.5
+    room_weight: float = 0.1
+    room_radius: float = 3.0
     track_weight: float = 0.5
     track_radius: float = 0.7
     crossing_weight: float = 0.3

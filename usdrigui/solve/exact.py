@@ -9,11 +9,14 @@ from usdrigui.model import Assignment, LayoutProblem
 from usdrigui.solve.assignment import assignment
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import LabelSet, all_labels
-from usdrigui.solve.local_search import LazyRows, LocalSearch
-from usdrigui.solve.partition import affordable_at_once
+from usdrigui.solve.local_search import KnownRows, LazyRows, LocalSearch
+from usdrigui.solve.pair_costs import NearPairs, pair_costs
+from usdrigui.solve.partition import near_one_by_one
 from usdrigui.solve.reduce import Reduction, reduce
 from usdrigui.solve.toulbar2 import check_installed, solve_by_toulbar2
 
+FEW = 2500
+"""Labels up to which the first layout is one of all."""
 DEARER = 0.18
 """The first layout is one of labels that cost no more than this above their variable's cheapest."""
 TRIES = 4
@@ -47,9 +50,9 @@ def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
     # Layouts with a forbidden pair cost at least 1 more than all that are allowed.
     budget.ceiling = least + infeasible_penalty(problem, labels) - 0.5
     budget.found("linear costs", bound=least)
-    labels, incumbent = _first_layout(problem, labels, budget)
+    labels, near, incumbent = _first_layout(problem, labels, budget)
     budget.note("local search", cost=incumbent.cost, labels=count, work=budget.work)
-    left = reduce(problem, labels, budget, incumbent)
+    left = reduce(problem, labels, near, budget, incumbent)
     figures = {"labels": 0} if left is None else left.figures()
     found = {"cutoff": budget.cutoff, "cost": incumbent.cost, "bound": budget.bound}
     budget.note("reduce", **figures, **found, work=budget.work)
@@ -72,35 +75,41 @@ def infeasible_penalty(problem: LayoutProblem, labels: LabelSet) -> float:
 
 def _first_layout(
     problem: LayoutProblem, labels: LabelSet, budget: Budget
-) -> tuple[LabelSet, LocalSearch]:
-    """A good layout, and the labels that a better one may use.
+) -> tuple[LabelSet, list[NearPairs] | None, LocalSearch]:
+    """A good layout, and the labels that a better one may use, with all their near pairs where they
+    are few.
 
     What a label costs against all others is dear to work out where there are many, so a layout of
     labels nearly as cheap as the cheapest comes first: good layouts have hardly any others.
     """
     penalty = infeasible_penalty(problem, labels)
 
-    def search_among(some: LabelSet) -> LocalSearch:
-        rows = LazyRows(problem, some, budget)
+    def search_among(some: LabelSet, rows: KnownRows | LazyRows) -> LocalSearch:
         return LocalSearch(some.start, some.cost, rows, budget, penalty, tell=True)
 
-    if affordable_at_once(labels, budget):
-        incumbent = search_among(labels)
-        incumbent.construct()
-        incumbent.search(*CROWD)
-    else:
+    first = None
+    if len(labels.cost) > FEW:
         few = np.flatnonzero(labels.cost - labels.best[labels.variable] <= DEARER)
-        rough = search_among(labels.of(few))
+        some = labels.of(few)
+        rough = search_among(some, LazyRows(problem, some, budget))
         rough.construct()
         rough.search(TRIES)
         wanted = labels.active_below(rough.cost)
         wanted[few[rough.chosen]] = True
-        chosen = (np.cumsum(wanted) - 1)[few[rough.chosen]]
+        first = (np.cumsum(wanted) - 1)[few[rough.chosen]]
         labels = labels.of(np.flatnonzero(wanted))
-        incumbent = search_among(labels)
-        incumbent.improve_from(chosen)
+    near = near_one_by_one(problem, labels, budget)
+    rows: KnownRows | LazyRows = LazyRows(problem, labels, budget)
+    if near is not None:
+        rows = KnownRows(pair_costs(problem, labels, near))
+    incumbent = search_among(labels, rows)
+    if first is None:
+        incumbent.construct()
+        incumbent.search(*CROWD)
+    else:
+        incumbent.improve_from(first)
     incumbent.search(TRIES, most=budget.settings.work_limit / 2)
-    return labels, incumbent
+    return labels, near, incumbent
 
 
 # --- what is left ---------------------------------------------------------------------------------

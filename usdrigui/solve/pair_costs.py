@@ -34,6 +34,13 @@ class NearPairs(Record):
 
 def near_blocks(problem: LayoutProblem, labels: LabelSet, budget: Budget) -> list[NearPairs]:
     """All pairs of blocks of different variables, visible together, that may interact."""
+    return near_at_once(problem, labels, budget, np.inf) or []
+
+
+def near_at_once(
+    problem: LayoutProblem, labels: LabelSet, budget: Budget, most: float
+) -> list[NearPairs] | None:
+    """The same; None where more than `most` pairs are to be looked at."""
     pairs = np.triu(problem.together, 1)
     found = []
     for a, b in itertools.product(range(len(labels.geometries)), repeat=2):
@@ -46,6 +53,9 @@ def near_blocks(problem: LayoutProblem, labels: LabelSet, budget: Budget) -> lis
             near &= pairs[labels.variable[one.owner[i]], labels.variable[other.owner[j]]]
             at, columns = np.nonzero(near)
             first, second = one.owner[at + low], other.owner[columns]
+            most -= len(first)
+            if most < 0:
+                return None
             pieces.append(_evaluated(problem, labels, (a, b), first, second, budget))
         found.append(_joined((a, b), pieces))
     return found

@@ -7,12 +7,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from usdrigui.character import Flags, Floats, Indices, Record
+from usdrigui.model import LayoutProblem
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import SEVERAL, LabelSet, bounding
-from usdrigui.solve.pair_costs import NearPairs
+from usdrigui.solve.pair_costs import NearPairs, near_at_once
 
-ONE_BY_ONE = 2500
+ONE_BY_ONE = 6000
 """Labels up to which a problem is not cut into blocks at all."""
+BYTES_PER_NEAR = 64
+"""Of a pair of labels that is looked at, while it is held alone."""
 BYTES_PER_PAIR = 250
 """Of a near pair of blocks: itself, and in keys while those of two rounds are held."""
 BYTES_PER_ENTRY = 20
@@ -37,10 +40,7 @@ class Blocks(Record):
 
 
 def first_blocks(labels: LabelSet, budget: Budget) -> Blocks:
-    """A few blocks of every variable, or the labels one by one where there are few."""
-    count = len(labels.cost)
-    if affordable_at_once(labels, budget):
-        return Blocks(np.arange(count), np.arange(count + 1), labels.variable)
+    """A few blocks of every variable."""
     blocks = blocks_of_variables(labels)
     for _ in range(3):
         finer, _parent = bisect(labels, blocks, np.ones(len(blocks.variable), dtype=bool))
@@ -50,15 +50,22 @@ def first_blocks(labels: LabelSet, budget: Budget) -> Blocks:
     return blocks
 
 
-def affordable_at_once(labels: LabelSet, budget: Budget) -> bool:
-    """Whether labels are few, and all pairs of elements can be looked at with a quarter of the work
-    that is left, should every two of different variables be near."""
-    owners = [labels.variable[each.owner] for each in labels.geometries]
-    elements = sum(np.bincount(each, minlength=labels.variables) for each in owners)
-    pairs = int(np.sum(elements) ** 2 - np.square(elements).sum()) // 2
-    memory = planned(len(labels.cost) ** 2 // 2, pairs)
-    few = len(labels.cost) <= ONE_BY_ONE and 4 * pairs <= budget.work_left
-    return few and memory <= budget.settings.memory_limit
+def one_by_one(labels: LabelSet) -> Blocks:
+    """Every label as a block of its own."""
+    count = len(labels.cost)
+    return Blocks(np.arange(count), np.arange(count + 1), labels.variable)
+
+
+def near_one_by_one(
+    problem: LayoutProblem, labels: LabelSet, budget: Budget
+) -> list[NearPairs] | None:
+    """All pairs of labels that may interact, where these are few enough for half of the memory and
+    a quarter of the work that is left; else None."""
+    memory = budget.settings.memory_limit / 2
+    if len(labels.cost) > ONE_BY_ONE or planned(len(labels.cost) ** 2 // 2, 0) > memory:
+        return None
+    most = min(budget.work_left / 4, memory * 2**20 / BYTES_PER_NEAR)
+    return near_at_once(problem, labels, budget, most)
 
 
 def planned(entries: int, pairs: int) -> float:

@@ -9,13 +9,14 @@ from usdrigui.model import LayoutProblem
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import LabelSet
 from usdrigui.solve.local_search import KnownRows, LocalSearch
-from usdrigui.solve.pair_costs import near_blocks, pair_costs, refined
+from usdrigui.solve.pair_costs import NearPairs, near_blocks, pair_costs, refined
 from usdrigui.solve.partition import (
     ONE_BY_ONE,
     block_set,
     cheapest,
     first_blocks,
     member_slack,
+    one_by_one,
     split,
 )
 from usdrigui.solve.reduced_problem import (
@@ -36,20 +37,27 @@ NEAR = 0.02
 """Share of the way to the cutoff in which blocks are split while the bound rises well."""
 SLOW = 0.1
 """Share of the labels, or of what the bound misses, that a step must take for another to pay."""
+FREEINGS = 4
+"""Per variable, with some others each."""
 TRIES = 20
 """Of local search per variable where all pair costs are at hand: thousands take a second."""
 
 
 def reduce(
-    problem: LayoutProblem, labels: LabelSet, budget: Budget, incumbent: LocalSearch
+    problem: LayoutProblem,
+    labels: LabelSet,
+    near: list[NearPairs] | None,
+    budget: Budget,
+    incumbent: LocalSearch,
 ) -> Reduction | None:
     """What bounds leave of a problem: labels, and pairs of them, that a layout below
     `budget.cutoff` may use.
 
-    None when nothing is left.  At a limit blocks of several labels may be left.  `incumbent` holds
+    None when nothing is left.  At a limit blocks of several labels may be left.  `near` are all
+    pairs of labels that may interact, where they are few.  `incumbent` holds
     the best layout known of these labels; it is improved on the way.
     """
-    left = Reduction(problem, labels, budget, incumbent)
+    left = Reduction(problem, labels, near, budget, incumbent)
     if left.done():
         return left
     budget.found("blocks", bound=budget.cutoff)
@@ -63,13 +71,18 @@ class Reduction:
     """
 
     def __init__(
-        self, problem: LayoutProblem, labels: LabelSet, budget: Budget, incumbent: LocalSearch
+        self,
+        problem: LayoutProblem,
+        labels: LabelSet,
+        near: list[NearPairs] | None,
+        budget: Budget,
+        incumbent: LocalSearch,
     ) -> None:
         self._whole, self._labels, self._budget = problem, labels, budget
         self._incumbent, self._searched = incumbent, False
-        self.blocks = first_blocks(labels, budget)
+        self.blocks = first_blocks(labels, budget) if near is None else one_by_one(labels)
         self.block_set = block_set(labels, self.blocks)
-        self._near = near_blocks(problem, self.block_set, budget)
+        self._near = near_blocks(problem, self.block_set, budget) if near is None else near
         self.pairs = pair_costs(problem, self.block_set, self._near)
         """Pair costs of the problem's labels, without messages."""
         numbers, cost = np.arange(len(self.block_set.cost)), self.block_set.cost.copy()
@@ -131,10 +144,12 @@ class Reduction:
         left = self.problem
         first = np.array([each.start + int(left.costs[each].argmin()) for each in left.slices])
         linear, penalty = self.block_set.cost[left.labels], self._incumbent.penalty
-        found = LocalSearch(left.start, linear, KnownRows(self.pairs), self._budget, penalty)
+        rows = KnownRows(self.pairs)
+        found = LocalSearch(left.start, linear, rows, self._budget, penalty)
         found.improve_from(first)
         if self.exact:
             found.search(TRIES)
+            found.free(rows, FREEINGS * left.count)
         self._incumbent.improve_from(self.representatives(found.chosen))
         return found.cost - left.bound() > FRUSTRATED * (self._budget.cutoff - left.bound())
 

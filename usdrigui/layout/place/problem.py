@@ -44,6 +44,9 @@ any place does."""
 _COINCIDENT = 1e-9
 """Separation that forbids only a shared point, in face sizes."""
 
+_SAME = 1e-6
+"""Widths that differ by a smaller share are the same."""
+
 
 @dataclass(frozen=True, eq=False)
 class PlacementProblem:
@@ -134,11 +137,15 @@ def _constants(face: Face, settings: ObjectiveSettings) -> tuple[AnyOverlap, flo
     trajectories, width = face.trajectories, face.handle_width
     separation = width if settings.separation else _COINCIDENT * trajectories.surface.face_size
     if settings.overlap == "seen":
+        # A crowd that made handles narrower has no room to give.
+        has_room = width >= (1.0 - _SAME) * settings.handle_size * trajectories.surface.face_size
         seen = Overlap(
             samples=settings.samples,
             handle_width=width,
             near=settings.near_weight,
             near_radius=settings.near_radius * width,
+            room=settings.room_weight * has_room,
+            room_radius=settings.room_radius * width,
             on_track=settings.track_weight,
             track_radius=settings.track_radius * width,
             crossing=settings.crossing_weight,
