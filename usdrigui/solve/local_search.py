@@ -17,14 +17,9 @@ from usdrigui.model import LayoutProblem
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import LabelSet, meeting, pair_bounds
 from usdrigui.solve.pair_costs import pair_costs
-from usdrigui.solve.reduced_problem import PlainProblem
 
 SAME = 1e-9
 """Costs that differ by no more are of the same layout."""
-FREED = 2, 9
-"""Variables freed together with one: at least, and fewer than."""
-MOST = 20_000
-"""Work of HiGHS on a few variables."""
 WORSE = 0.01
 """How much more than the best a layout may cost for the search to go on from it, and, in the mean,
 a label put back than the cheapest."""
@@ -91,66 +86,11 @@ class LocalSearch:
                     for variable in np.flatnonzero(self._now != self.chosen):
                         self._place(int(variable), int(self.chosen[variable]))
 
-    def free(self, rows: KnownRows, tries: int) -> None:
-        """Large-neighbourhood search: as often take a few rivals out of the best layout, all others
-        fixed, and let HiGHS put them back."""
-        from usdrigui.solve.milp import solve_milp
-
-        budget = self._budget
-        self._set(self.chosen)
-        for _ in range(tries):
-            if budget.stopped() or budget.closed():
-                return
-            group = self._neighbours(rows)
-            for variable in group:
-                self._place(int(variable), -1)
-            part, labels = self._freed(group, rows)
-            best = self.chosen.copy()
-            present = part.value(np.searchsorted(labels, best[group]))
-            found = solve_milp(part, present - SAME, budget, budget.work + MOST)
-            if found.chosen is not None:
-                best[group] = labels[found.chosen]
-            self._set(best)
-            self._descend()
-
-    def _freed(self, group: Indices, rows: KnownRows) -> tuple[PlainProblem, Indices]:
-        """The problem of a group of variables that were taken out: of the labels that a layout
-        better than the best may give them; and which these are."""
-        slices = [np.arange(*self._start[[at, at + 1]]) for at in group]
-        owner = np.repeat(np.arange(len(group)), [len(each) for each in slices])
-        labels = np.concatenate(slices)
-        least = np.array([self._costs[each].min() for each in slices])
-        above = self._costs[labels] - least[owner]
-        present = self.chosen[group]
-        spare = (self._costs[present] - least).sum() + rows.among(present).sum() / 2
-        kept = above <= spare + SAME
-        labels, start = labels[kept], np.searchsorted(owner[kept], np.arange(len(group) + 1))
-        return PlainProblem(start, self._costs[labels], rows.among(labels)), labels
-
-    def _neighbours(self, rows: KnownRows) -> Indices:
-        """A variable that pays much and, the likelier the more of their labels cost one of the
-        other anything, a few others; ascending."""
-        first = self._dear()
-        own = np.arange(*self._start[[first, first + 1]])
-        sizes = np.diff(self._start)
-        weights = rows.partners(own)[self._now] / sizes[first]
-        weights += np.add.reduceat(rows.partners(self._now[[first]]), self._start[:-1]) / sizes
-        weights[first] = 0.0
-        count = min(int(self._generator.integers(*FREED)), int((weights > 0.0).sum()))
-        if not count:
-            return np.array([first])
-        others = self._generator.choice(len(sizes), count, replace=False, p=weights / weights.sum())
-        return np.sort(np.append(first, others))
-
-    def _dear(self) -> int:
-        """A variable, the likelier the more it pays."""
-        pays = np.maximum(self._costs[self._now] - self._least, 0.0) + 1e-3
-        return int(self._generator.choice(len(pays), p=pays / pays.sum()))
-
     def _rivals(self) -> Indices:
         """Variables to take out together: one that pays much, and some whose labels cost its
         present label, or nearly its cheapest, anything."""
-        first = self._dear()
+        pays = np.maximum(self._costs[self._now] - self._least, 0.0) + 1e-3
+        first = int(self._generator.choice(len(pays), p=pays / pays.sum()))
         low, high = self._start[first], self._start[first + 1]
         wanted = self._linear[low:high] + self._generator.exponential(WORSE, high - low)
         near = np.zeros(len(self._linear), dtype=bool)
@@ -215,14 +155,6 @@ class KnownRows:
 
     def __init__(self, pairs: csr_array) -> None:
         self._both = (pairs + pairs.T).tocsr()
-
-    def among(self, labels: Indices) -> Floats:
-        """(n, n) pair costs of some labels, the same both ways."""
-        return np.asarray(self._both[labels][:, labels].toarray())
-
-    def partners(self, labels: Indices) -> Indices:
-        """(n,) with how many of some labels each one costs anything."""
-        return np.bincount(self._both[labels].indices, minlength=self._both.shape[0])
 
     def of(self, label: int) -> tuple[Indices, Floats]:
         """The labels that cost anything in a pair with `label`, and the costs: +inf forbidden."""

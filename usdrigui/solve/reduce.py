@@ -11,11 +11,9 @@ from usdrigui.solve.label_geometry import LabelSet
 from usdrigui.solve.local_search import KnownRows, LocalSearch
 from usdrigui.solve.pair_costs import NearPairs, near_blocks, pair_costs, refined
 from usdrigui.solve.partition import (
-    ONE_BY_ONE,
     block_set,
     cheapest,
     first_blocks,
-    member_slack,
     one_by_one,
     split,
 )
@@ -37,8 +35,6 @@ NEAR = 0.02
 """Share of the way to the cutoff in which blocks are split while the bound rises well."""
 SLOW = 0.1
 """Share of the labels, or of what the bound misses, that a step must take for another to pay."""
-FREEINGS = 4
-"""Per variable, with some others each."""
 TRIES = 20
 """Of local search per variable where all pair costs are at hand: thousands take a second."""
 
@@ -79,7 +75,7 @@ class Reduction:
         incumbent: LocalSearch,
     ) -> None:
         self._whole, self._labels, self._budget = problem, labels, budget
-        self._incumbent, self._searched = incumbent, False
+        self._incumbent = incumbent
         self.blocks = first_blocks(labels, budget) if near is None else one_by_one(labels)
         self.block_set = block_set(labels, self.blocks)
         self._near = near_blocks(problem, self.block_set, budget) if near is None else near
@@ -122,8 +118,6 @@ class Reduction:
             frustrated = self._frustrated()
             if self.exact or budget.closed() or budget.stopped():
                 return True
-            if frustrated and not self._searched:
-                self._search_likely_labels()
             if frustrated and not self.tightened():
                 return False
             bound = self.problem.bound()
@@ -144,30 +138,12 @@ class Reduction:
         left = self.problem
         first = np.array([each.start + int(left.costs[each].argmin()) for each in left.slices])
         linear, penalty = self.block_set.cost[left.labels], self._incumbent.penalty
-        rows = KnownRows(self.pairs)
-        found = LocalSearch(left.start, linear, rows, self._budget, penalty)
+        found = LocalSearch(left.start, linear, KnownRows(self.pairs), self._budget, penalty)
         found.improve_from(first)
         if self.exact:
             found.search(TRIES)
-            found.free(rows, FREEINGS * left.count)
         self._incumbent.improve_from(self.representatives(found.chosen))
         return found.cost - left.bound() > FRUSTRATED * (self._budget.cutoff - left.bound())
-
-    def _search_likely_labels(self) -> None:
-        """Look for a good layout of the labels that most likely are part of one."""
-        self._searched = True
-        labels, slack = self._labels, np.full(len(self._labels.cost), -np.inf)
-        slack[self.blocks.members] = member_slack(labels, self.blocks, -self._lower_bounds())
-        likeliest = np.lexsort((-slack, labels.variable))[labels.start[:-1]]
-        slack[likeliest] = np.inf
-        kept = np.sort(np.argsort(-slack, kind="stable")[: max(ONE_BY_ONE, len(likeliest))])
-        part = labels.of(kept)
-        pairs = pair_costs(self._whole, part, near_blocks(self._whole, part, self._budget))
-        rows, penalty = KnownRows(pairs), self._incumbent.penalty
-        found = LocalSearch(part.start, part.cost, rows, self._budget, penalty)
-        found.improve_from(np.searchsorted(kept, likeliest))
-        found.search(TRIES)
-        self._incumbent.improve_from(kept[found.chosen])
 
     # --- bounds -----------------------------------------------------------------------------------
 
