@@ -21,7 +21,7 @@ from pxr import Sdf
 HERE = Path(__file__).resolve().parent
 _RANGE = re.compile(r"^Range: [\[(](\S+), (\S+)[\])]$", re.MULTILINE)
 _NUMBER = re.compile(r"-?[\d.]+")
-_FLOW = re.compile(r"\s*\n\s*(?=\S)(?!Range:|Space:|Units:|Zero:)|(?<=\.)  ")
+_FLOW = re.compile(r"\s*\n\s*(?=\S)(?!Range:|Length:|Order:|Norm:|Space:|Units:|Zero:)|(?<=\.)  ")
 
 
 def generate(folder: Path) -> None:

@@ -9,7 +9,7 @@ from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
 from usdrigui.character import LeftOff
 from usdrigui.character.deform import channel_state, knots, posed, sweep
 from usdrigui.layer.properties import element_name
-from usdrigui.layer.read_layout import element_prims, points_of_subset
+from usdrigui.layer.read_layout import element_prims, points_by_role
 from usdrigui.model import (
     Anchor,
     Element,
@@ -160,15 +160,15 @@ def _key(stage, rig, skeleton, poses):
 def handle(stage, root, element, time):
     """(n, 3) the drawn handle of an element, in the space of the SkelRoot."""
     prim = element_prim(stage, root, element)
-    return root_points(stage, str(prim.GetParent().GetPath()), root, time)[points_of_subset(prim)[0]]
+    return root_points(stage, str(prim.GetParent().GetPath()), root, time)[points_by_role(prim, "handle")]
 
 
 def tracks(stage, root, element, time):
     """Per member (k, 3) the middle of its drawn track, in the space of the SkelRoot."""
     prim = element_prim(stage, root, element)
     subsets = [each.GetChild(prim.GetName()) for each in scope_of(stage, root).GetChildren()]
-    subset = max((each for each in subsets if each), key=lambda each: len(points_of_subset(each)[1]))
-    drawn = root_points(stage, str(subset.GetParent().GetPath()), root, time)[points_of_subset(subset)[1]]
+    subset = max((each for each in subsets if each), key=lambda each: len(points_by_role(each, "track", "area")))
+    drawn = root_points(stage, str(subset.GetParent().GetPath()), root, time)[points_by_role(subset, "track", "area")]
     ends = np.cumsum([2 * len(member.values) - 1 for member in element.manipulator.members])
     tracks = np.split(drawn[: ends[-1]], ends[:-1])
     return [0.5 * (each[::2] + np.concatenate([each[1::2], each[-1:]])) for each in tracks]

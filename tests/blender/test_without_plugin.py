@@ -8,7 +8,7 @@ import usd_versions
 from PIL import Image
 from pxr import Usd, UsdGeom, UsdSkel
 
-from usdrigui.layer.read_layout import element_prims, points_of_subset, read_layout
+from usdrigui.layer.read_layout import element_prims, points_by_role, read_layout
 
 CLOSE = 1e-5
 FRAMES = [1, 9, 24, 37, 48]
@@ -60,7 +60,7 @@ def handles(layer, rig, names):
     stage = Usd.Stage.Open(str(layer))
     prims = element_prims(stage.GetPrimAtPath(rig.skel_root.path).GetChild("RigUI"))
     return {
-        prim.GetName(): (prim.GetParent().GetName(), points_of_subset(prim)[0].tolist())
+        prim.GetName(): (prim.GetParent().GetName(), points_by_role(prim, "handle").tolist())
         for prim in prims
         if prim.GetName() in names
     }

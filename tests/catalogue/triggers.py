@@ -659,6 +659,8 @@ TRIGGERS: Mapping[str, Trigger] = {
         "check", minimal_assets.character(folder, "WEIGHTS_BEYOND_LIMITS")
     ),
     "LAYOUT_INVALID": _checked(_edited((r"uniform int rigUI:anchor:pointIndex = \d+\n", ""))),
+    "LAYOUT_TRACK": _checked(_edited((r'smile:blendShapes = \["smile"\]', 'smile:blendShapes = ["frown"]'))),
+    "LAYOUT_DRAWN": _checked(_edited((r"point3f\[\] points = \[\([^)]*\)", "point3f[] points = [(9, 9, 9)"))),
     "LAYOUT_VERSION": _checked(_edited(("RigUILayoutAPI_1", "RigUILayoutAPI_99"))),
     "SOURCE_MISSING": _viewed(_bare),
     "LAYOUT_STALE": _viewed(_renamed),

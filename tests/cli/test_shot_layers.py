@@ -9,7 +9,7 @@ from commands import run
 from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
 
 from usdrigui.cli import main
-from usdrigui.layer.read_layout import element_prims, layout_scopes, points_of_subset, read_layout
+from usdrigui.layer.read_layout import element_prims, layout_scopes, points_by_role, read_layout
 from usdrigui.pipeline import laying_out
 
 SHAPES = {
@@ -43,7 +43,7 @@ def handles(stage):
     """Anchor point, mesh and points of every handle on the face."""
     prims = [prim for scope in layout_scopes(stage) for prim in element_prims(scope)]
     return [
-        (prim.GetAttribute("rigUI:anchor:pointIndex").Get(), prim.GetParent().GetPath(), points_of_subset(prim)[0])
+        (prim.GetAttribute("rigUI:anchor:pointIndex").Get(), prim.GetParent().GetPath(), points_by_role(prim, "handle"))
         for prim in prims
         if prim.GetRelationship("rigUI:anchor:prim").GetTargets()
     ]

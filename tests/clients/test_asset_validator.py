@@ -6,7 +6,7 @@ from importlib.metadata import entry_points
 
 import pytest
 import skel_stages
-from pxr import Sdf, Usd, UsdSkel, Vt
+from pxr import Usd, UsdSkel, Vt
 
 validator = pytest.importorskip("omni.asset_validator", reason="usd-validation-nvidia is not installed")
 
@@ -49,13 +49,7 @@ def test_a_fault_that_cannot_be_repaired_is_reported(stage):
     assert not found.suggestions
 
 
-def test_a_dangling_target_is_reported_and_repaired(stage):
+def test_a_dangling_target_is_reported(stage):
     stage.RemovePrim("/Char/Face/s_smile")
     (found,) = issues(stage)
     assert "TARGET_INVALID" in found.message
-    results = validator.IssueFixer(stage).fix([found])
-    assert [result.status.name for result in results] == ["SUCCESS"]
-    assert issues(stage) == []
-    api = UsdSkel.BindingAPI(stage.GetPrimAtPath("/Char/Face"))
-    assert list(api.GetBlendShapesAttr().Get()) == ["frown"]
-    assert api.GetBlendShapeTargetsRel().GetTargets() == [Sdf.Path("/Char/Face/s_frown")]

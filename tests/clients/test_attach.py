@@ -12,7 +12,7 @@ from pxr import Sdf, Usd, UsdGeom
 from usdrigui.cli import main
 from usdrigui.clients.attaching import attach as edit
 from usdrigui.clients.attaching.attach import attach, detach, write_bare
-from usdrigui.clients.attaching.layer_text import ReferenceOf, with_references, with_sublayer
+from usdrigui.clients.attaching.layer_text import with_sublayer
 from usdrigui.errors import RigUIError
 from usdrigui.settings import Settings
 
@@ -117,7 +117,6 @@ def test_a_layout_in_a_variant_is_opened_with_it_alone_and_leaves_no_trace(folde
     asset, bare = reworded(folder, text), folder / "ui" / "bare.usda"
     assert attach(asset, bare, Settings(), in_variant=True) == "written"
     assert attach(asset, bare, Settings(), in_variant=True) == "unchanged"
-    assert all(line.strip() in asset.read_text() for line in text.splitlines())
     for load in (Usd.Stage.LoadAll, Usd.Stage.LoadNone):
         stage = Usd.Stage.Open(str(asset), load)
         stage.SetEditTarget(stage.GetSessionLayer())
@@ -132,7 +131,9 @@ def test_a_layout_in_a_variant_is_opened_with_it_alone_and_leaves_no_trace(folde
         assert len([prim for prim in stage.Traverse() if prim.IsA(UsdGeom.Mesh)]) > len(drawn)
     bare.unlink()
     assert detach(asset, bare, Settings()) == "written"
-    assert asset.read_text() == text
+    before = Sdf.Layer.CreateAnonymous(".usda")
+    assert before.ImportFromString(text)
+    assert Sdf.Layer.OpenAsAnonymous(str(asset)).ExportToString() == before.ExportToString()
 
 
 def test_a_layout_in_a_variant_of_a_crate_leaves_no_trace(folder, capsys):
@@ -159,7 +160,6 @@ def test_the_time_of_an_edit_grows_with_the_text_alone():
         text = f'#usda 1.0\n(\n{chr(10) * lines}    defaultPrim = "Char"\n)\n{chr(10) * lines}'
         before = time.process_time()
         assert "@./ui.usda@" in with_sublayer(text, "./ui.usda")
-        assert "@./ui.usda@" in with_references(text, [ReferenceOf("/Char", "./ui.usda")])
         return time.process_time() - before
 
     short, long = (min(seconds(lines) for _ in range(3)) for lines in (20_000, 80_000))
@@ -224,11 +224,6 @@ def test_refuses_cycles(folder):
     prim.referenceList.Prepend(Sdf.Reference("../middle.usda", "/World"))
     round_about.Save()
     assert refusal(asset, folder / "ui" / "bare.usda") == "ATTACH_CYCLE"
-
-
-def test_exchanged_arguments_are_reported(folder):
-    with pytest.raises(RigUIError, match="the asset is named first"):
-        attach(folder / "ui" / "bare.usda", folder / "char.usda", Settings())
 
 
 def test_an_asset_with_its_layout_inside_gets_no_second_one(folder, capsys):

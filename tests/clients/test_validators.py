@@ -146,30 +146,6 @@ def test_a_crafted_fault_is_found(name, stage, validators):
     assert len(errors[code].GetMessage()) > 20
 
 
-@pytest.mark.parametrize("name", ["missing target", "a name twice", "token order"])
-def test_what_can_be_repaired_without_guessing_is(name, stage, validators):
-    code, spoil = FAULTS[name]
-    spoil(stage)
-    meant = dict(zip(*faults.names_and_targets(mesh(stage)), strict=True))
-    animation = UsdSkel.Animation(stage.GetPrimAtPath("/Char/Anim"))
-    (error,) = [each for each in validators.Validate(stage) if each.GetName() == code][:1]
-    (fixer,) = error.GetFixers()
-    target = Usd.EditTarget(stage.GetRootLayer())
-    assert fixer.CanApplyFix(error, target)
-    assert fixer.ApplyFix(error, target)
-    assert code not in {each.GetName() for each in validators.Validate(stage)}
-    tokens, targets = faults.names_and_targets(mesh(stage))
-    assert dict(zip(tokens, targets, strict=True)).items() <= meant.items()
-    order = list(animation.GetBlendShapesAttr().Get())
-    assert list(tokens) == [token for token in order if token in tokens]
-
-
-def test_what_would_be_a_guess_is_left_alone(stage, validators):
-    names(stage, ["smile"])
-    (error,) = validators.Validate(stage)
-    assert not any(fixer.CanApplyFix(error, Usd.EditTarget(stage.GetRootLayer())) for fixer in error.GetFixers())
-
-
 def test_stale_layouts_are_found(tmp_path, validators):
     import skinned_stages
 

@@ -155,8 +155,9 @@ EDITS = {
     deactivate_all: {"LAYOUT_MESH_GONE"},
     displace: {"LAYOUT_ANCHOR_MOVED"},
     turn_a_face: {"LAYOUT_TOPOLOGY"},
-    regrab: {"LAYOUT_ANCHOR_MOVED"},
-    collide: {"LAYOUT_HANDLES_COLLIDE", "LAYOUT_ANCHOR_MOVED", "LAYOUT_INVALID"},  # its track stays
+    regrab: {"LAYOUT_ANCHOR_MOVED", "LAYOUT_TRACK", "LAYOUT_DRAWN"},
+    # Its track and what is drawn stay, and its mirror.
+    collide: {"LAYOUT_HANDLES_COLLIDE", "LAYOUT_ANCHOR_MOVED", "LAYOUT_INVALID", "LAYOUT_DRAWN"},
     take_shape: {"LAYOUT_CONTROL_GONE", "LAYOUT_CONTROL_NEW"},
     deactivate_element: {"LAYOUT_CONTROL_NEW"},
     deactivate_twin: {"LAYOUT_CONTROL_NEW"},

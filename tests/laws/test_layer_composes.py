@@ -9,7 +9,7 @@ import skinned_stages
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel, UsdUtils
 from usdskel_oracle import deformed_points
 
-from usdrigui.layer.read_layout import element_prims, layout_scopes, points_of_subset, read_layout
+from usdrigui.layer.read_layout import element_prims, layout_scopes, points_by_role, read_layout
 from usdrigui.layer.write_layout import stage_metadata, write_layout
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, Settings
@@ -138,7 +138,7 @@ def test_handles_are_on_the_skin_behind_the_arc(posed, tmp_path, arc):
         size = np.linalg.norm(np.ptp(np.concatenate([skin[path][0] for path in skin]), axis=0))
         drawn = {}
         for element, prim in zip(layout.elements, element_prims(scope), strict=True):
-            mesh, points = str(prim.GetParent().GetPath()), points_of_subset(prim)[0]
+            mesh, points = str(prim.GetParent().GetPath()), points_by_role(prim, "handle")
             for time in range(POSES):
                 if (mesh, time) not in drawn:
                     drawn[mesh, time] = deformed_points(stage, layout.character.root, mesh, time)

@@ -270,15 +270,13 @@ def test_the_code(path, task, end, declaration, tmp_path):
 
 
 def test_faults_name_the_prim_and_go_on(tmp_path):
-    """A validator sees what else is wrong as well, and offers no repair of what it cannot read."""
+    """A validator sees what else is wrong as well."""
     path = tmp_path / "char.usda"
     text = as_text(STOCK["everything"], "/Char/Face.skel:blendShapes", 'tokel[] {n} = ["a"]')
     path.write_text(text.replace('token[] blendShapes = ["smile", "frown"]', 'string blendShapes = "smile"'))
     stage = Usd.Stage.Open(str(path))
     found = {(each.code, each.path) for each in faults.stage_faults(stage)}
     assert {("ARRAY_TYPE", "/Char/Face"), ("ARRAY_TYPE", "/Char/Anim")} <= found
-    assert not faults.can_repair(stage.GetPrimAtPath("/Char/Face"))
-    assert faults.can_repair(stage.GetPrimAtPath("/Char/Empty"))
 
 
 @pytest.mark.parametrize(

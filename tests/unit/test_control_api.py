@@ -12,7 +12,8 @@ from pxr import Sdf, Usd
 
 from usdrigui.character import Channel
 from usdrigui.layer import control_api
-from usdrigui.layer.control_api import _driven_joints, _driven_weights, _is_plain, _weight_ranges
+from usdrigui.layer.control_api import _driven_joints, _driven_weights, _is_plain
+from usdrigui.layer.write_layout import author_variant
 
 
 def driven(weights, values=(0.0, 1.0)):
@@ -94,27 +95,17 @@ def test_joints_are_said_in_degrees_and_factors_and_noise_is_left_out():
     assert turning([0, 0, 0], still, still, still) == {}
 
 
-def test_the_range_of_a_weight_is_that_of_the_control_whose_value_it_is():
-    """Of a SkelAnimation of four weights, of which the rig has the second and the fourth."""
-    channels = (Channel("b", "/A", 1), Channel("d", "/A", 3), Channel("b", "/B", 0))
-    half = replace(driven([[0.0], [0.5]]), minimum=-7.0)
-    plain = replace(makers.control("d", 1, -0.5, 2.0), drive=makers.drive([1]))
-    other = replace(makers.control("b", 2, -3.0, 3.0), drive=makers.drive([2]))
-    body = SimpleNamespace(channels=channels, base_weights=np.zeros(3))
-    rig = SimpleNamespace(body=body, controls=(half, plain, other))
-    assert _weight_ranges(rig, "/A").tolist() == [[0, 1], [0, 1], [0, 1], [-0.5, 2]]
-    assert _weight_ranges(rig, "/B").tolist() == [[-3, 3]]
-    assert _weight_ranges(rig, "/C").tolist() == []
-
-
 @pytest.mark.skipif(not hasattr(Usd, "AttributeLimits"), reason="USD before 25.11 has no limits")
 def test_ranges_are_said_where_usd_looks_for_them():
+    """Inside the variant of the layout, as far as the SkelAnimation is below the SkelRoot."""
     rig = makers.face(9, 11, ranges={"chin": (-0.5, 2.0)})
     layer = Sdf.Layer.CreateAnonymous(".usda")
-    skeletons = tuple(SimpleNamespace(animation=each) for each in ("", "/Root/Anim"))
-    channels = tuple(replace(each, animation="/Root/Anim") for each in rig.body.channels)
-    control_api.author_limits(layer, makers.changed(rig, channels=channels, skeletons=skeletons))
-    said = layer.GetAttributeAtPath("/Root/Anim.blendShapeWeights").GetInfo("limits")["soft"]
+    root = author_variant(layer, rig.skel_root.path)
+    skeletons = tuple(SimpleNamespace(animation=each) for each in ("", f"{rig.skel_root.path}/Anim", "/Anim"))
+    channels = tuple(replace(each, animation=skeletons[1].animation) for each in rig.body.channels)
+    control_api.author_limits(root, makers.changed(rig, channels=channels, skeletons=skeletons))
+    said = layer.GetAttributeAtPath(f"{root.path}Anim.blendShapeWeights").GetInfo("limits")["soft"]
     at = [each.token for each in channels].index("chin")
     assert (said["minimum"][at], said["maximum"][at]) == (-0.5, 2.0)
     assert len(said["minimum"]) == len(channels)
+    assert not layer.GetPrimAtPath("/Anim")

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from usdrigui.character.deform import deform
+from usdrigui.character.subset import subset
 from usdrigui.errors import RigUIError
 from usdrigui.pose.evaluate import checked_values, evaluate, prepare, values_of
-from usdrigui.pose.subset import subset
 
 
 @pytest.fixture(scope="module")

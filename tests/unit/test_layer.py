@@ -468,8 +468,8 @@ AT = 'def Mesh "knobs"'
 CONTRADICTIONS = [
     ('"RigUILayoutAPI_1"', '"SomeAPI"', "LAYOUT_MISSING", "RigUILayoutAPI"),
     ("int rigUI:anchor:pointIndex = 7", "", "LAYOUT_INVALID", "pointIndex"),
-    (", (0, 1, 0)]\n            }", "]\n            }", "LAYOUT_INVALID", "two points"),
-    ("point3f[] rigUI:control:smile:trackPoints = [(0, 0, 0), (0, 1, 0)]", "", "LAYOUT_INVALID", "two points"),
+    (", (0, 1, 0)]\n            }", "]\n            }", "LAYOUT_INVALID", "trackPoints"),
+    ("point3f[] rigUI:control:smile:trackPoints = [(0, 0, 0), (0, 1, 0)]", "", "LAYOUT_INVALID", "trackPoints"),
     ("[(0, 0, 0), (0, 1, 0)]", "[(0, 0, 0), (0, nan, 0)]", "LAYOUT_INVALID", "NaN"),
     (AT, f'def Xform "b" (\napiSchemas = ["RigUIElementAPI"]\n) {{}}\n{AT}', "LAYOUT_INVALID", "no control"),
     ("int rigUI:anchor:pointIndex", "double rigUI:anchor:pointIndex", "LAYOUT_INVALID", "double, not int"),
@@ -483,8 +483,7 @@ CONTRADICTIONS = [
     ("double rigUI:layout:handleWidth = 0.5", "", "LAYOUT_INVALID", "handleWidth is missing"),
     ("RigUILayoutAPI_1", "RigUILayoutAPI_99", "LAYOUT_VERSION", "99"),
     (AT, f"double[] rigUI:layout:baseValues = [1]\n{AT}", "LAYOUT_INVALID", "baseValues"),
-    ('_1"]\n', '_1"]\ncustomData = {\ndictionary usdrigui = {\ndictionary solution = {\nint cost = 1\n}\n}\n}\n',
-     "LAYOUT_INVALID", "cost"),
+    ('_1"]\n', '_1"]\ncustomData = {\nstring usdrigui = "{}"\n}\n', "LAYOUT_INVALID", "record"),
 ]  # fmt: skip
 
 

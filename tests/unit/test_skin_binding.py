@@ -178,16 +178,6 @@ def test_a_shape_bends_at_its_in_betweens_and_goes_on_beyond():
         assert np.allclose(shape.at(weight), offset), weight
 
 
-def test_layouts_of_another_rig_are_a_bug_of_ours():
-    made = rig({HEAD: 1.0})
-    with pytest.raises(RigUIError, match="BUG"):
-        SkinBinding(made, layout(made)).at_anchor(element(["unknown"]))
-    with pytest.raises(RigUIError, match="BUG"):
-        SkinBinding(made, layout(made)).at_anchor(element(["chin"], point=99))
-    with pytest.raises(RigUIError, match="BUG"):
-        SkinBinding(made, layout(made, base_values=np.zeros(2)))
-
-
 def test_a_skeleton_that_collapses_space_is_refused():
     made = rig({HEAD: 1.0}, np.diag([1.0, 1, 0, 1]))
     with pytest.raises(RigUIError, match="SKELETON_INVALID"):

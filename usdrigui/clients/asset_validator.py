@@ -10,13 +10,12 @@ from __future__ import annotations
 from typing import Any
 
 from pxr import Usd, UsdGeom, UsdSkel
-from usd_validation_nvidia import BaseRuleChecker, Suggestion, register_rule
+from usd_validation_nvidia import BaseRuleChecker, register_rule
 
 from usdrigui.errors import Issue, sentences
 from usdrigui.reader import faults
 
 CATEGORY = "Usd:RigUI"
-_REPAIRABLE = ("TARGET_INVALID", "TOKEN_REPEATED", "TOKEN_ORDER")
 
 
 @register_rule(CATEGORY)
@@ -25,24 +24,17 @@ class BlendShapeChecker(BaseRuleChecker):
     length, finite numbers.
 
     Found besides: in-betweens without a weight of their own, names that are listed twice, an order
-    other than the animation's, and weights outside the limits of the animation.  Pairs that
-    UsdSkel ignores can be dropped, and the order changed, by the suggestion.
+    other than the animation's, and weights outside the limits of the animation.
     """
 
     def CheckPrim(self, prim: Usd.Prim) -> None:  # noqa: N802 (the validator's own name)
         """Look at meshes and SkelAnimations."""
         if prim.IsA(UsdGeom.Mesh):
             for found in faults.mesh_faults(prim):
-                fixable = found.code in _REPAIRABLE and faults.can_repair(prim)
-                suggestion = (
-                    Suggestion(_repair, "Drop unusable pairs, use the animation's order")
-                    if fixable
-                    else None
-                )
-                _tell(self, found, prim, suggestion)
+                _tell(self, found, prim)
         elif prim.IsA(UsdSkel.Animation):
             for found in faults.animation_faults(prim):
-                _tell(self, found, prim, None)
+                _tell(self, found, prim)
 
 
 @register_rule(CATEGORY)
@@ -55,7 +47,7 @@ class RigUILayoutChecker(BaseRuleChecker):
         """Look at every layout of the stage."""
         for found in faults.layout_faults(usdStage):
             prim = usdStage.GetPrimAtPath(found.path) if found.path.startswith("/") else None
-            _tell(self, found, prim or usdStage, None)
+            _tell(self, found, prim or usdStage)
 
 
 class Rules:
@@ -68,13 +60,9 @@ class Rules:
         """Called by the validator when it ends; rules go with its registry."""
 
 
-def _tell(rule: Any, found: Issue, at: Any, suggestion: Any) -> None:
+def _tell(rule: Any, found: Issue, at: Any) -> None:
     """One finding by its severity; the validator has no notes, so infos are warnings."""
     message = f"{found.code} {found.where}: {sentences(found)}"
     # Rules report in this way.
     tell = rule._AddFailedCheck if found.severity == "error" else rule._AddWarning  # noqa: SLF001
-    tell(message, at=at, suggestion=suggestion)
-
-
-def _repair(_: Usd.Stage, prim: Usd.Prim) -> None:
-    faults.repair(prim)
+    tell(message, at=at)

@@ -37,6 +37,7 @@ _SCALARS: Mapping[str, Callable[[Any], Any]] = {
 }
 _DIGITS, _MATRIX_DIGITS = 7, 12
 """Significant digits authored of numbers: as many as a source in single precision has."""
+_RULE = re.compile(r"^(Range|Length|Order|Norm): (.+)$", re.MULTILINE)
 _NOT_PLAIN = re.compile(r"[^A-Za-z0-9_]")
 _LISTS = {"token[]": Vt.TokenArray, "string[]": Vt.StringArray}
 
@@ -52,6 +53,9 @@ class Property:
     fallback: Any
     allowed: tuple[str, ...]
     """Tokens that the schema allows; empty for no limit."""
+    rules: Mapping[str, str]
+    """What its documentation says of its numbers: ``Range``, ``Length``, ``Order`` and ``Norm``
+    (`usdrigui.layer.rules`)."""
 
 
 @functools.cache
@@ -64,7 +68,10 @@ def properties(api: str) -> Mapping[str, Property]:
         type_name = str(spec.typeName) if is_attribute else ""
         fallback = spec.default if is_attribute else None
         allowed = tuple(str(token) for token in spec.allowedTokens or ()) if is_attribute else ()
-        found[spec.name.rpartition(":")[2]] = Property(spec.name, type_name, fallback, allowed)
+        rules = dict(_RULE.findall(spec.documentation))
+        found[spec.name.rpartition(":")[2]] = Property(
+            spec.name, type_name, fallback, allowed, rules
+        )
     return found
 
 
@@ -83,28 +90,9 @@ def apply(spec: Sdf.PrimSpec, apis: Sequence[str]) -> None:
     spec.SetInfo("apiSchemas", schemas)
 
 
-def note(spec: Sdf.PrimSpec, books: Mapping[str, Mapping[str, Any]]) -> None:
-    """Put what only usdrigui asks for into the prim's customData: texts, numbers, lists of either
-    with any entry."""
-    pages = {key: _noted(values) for key, values in books.items()}
-    spec.SetInfo("customData", {schema.NOTES: {key: page for key, page in pages.items() if page}})
-
-
-def _noted(values: Mapping[str, Any]) -> dict[str, Any]:
-    return {
-        key: _plain(value)
-        for key, value in values.items()
-        if isinstance(value, (str, float)) or len(value)
-    }
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, str):
-        return value
-    if isinstance(value, float):
-        return float(f"{value:.7g}")
-    kind = Vt.StringArray if isinstance(value[0], str) else Vt.DoubleArray
-    return kind([_plain(entry) for entry in value])
+def note(spec: Sdf.PrimSpec, text: str) -> None:
+    """Put what only usdrigui asks for into the prim's customData."""
+    spec.SetInfo("customData", {schema.NOTES: text})
 
 
 def put(

@@ -1,191 +1,246 @@
 """Contradictions in the layouts of a stage: with their own parts, or with the character's.
 
 `read_layout` refuses what nobody could read.  These layouts can be read, and would do nothing, or
-not what they show; a layer written by hand has such faults.
+not what they show.
 """
 
 from __future__ import annotations
 
-import contextlib
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
-from typing import Any
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 
 import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel
 
-from usdrigui.errors import Issue, RigUIError, issue
+from usdrigui.character import Floats
+from usdrigui.errors import Issue, RigUIError
+from usdrigui.layer.agreement import disagreements, invalid_at, length
 from usdrigui.layer.properties import (
     applied,
-    array_of,
     control_instances,
-    strings,
+    has,
+    integers_of,
     targets,
-    value_of,
 )
 from usdrigui.layer.read_layout import (
     base_controls,
     element_prims,
+    layout_at,
     layout_scopes,
-    points_of_subset,
+    points_by_role,
 )
-from usdrigui.reading.blend_shape import shape_tokens
+from usdrigui.model import Element, Layout
+from usdrigui.settings import ReadSettings
 from usdrigui.stages import schema
-from usdrigui.stages.arrays import tokens
 
 _FAMILY = "rigUI"
-_ASTRAY = 0.25
-"""A track misses its anchor where it passes it by more than this share of its length, and by a
-handle's width besides: between its points a curved track cuts a corner."""
+_OPPOSITE = {"left": "right", "right": "left"}
+_MEMBERS = {"slider": (1, 1), "patch": (2, 2), "fan": (1, np.inf)}
+"""How many axes each type of element has."""
+_MIRRORED = 0.1
+"""Of a handle's width: anchors so near to each other's mirror image are those of a pair."""
+_ASIDE = 1.0
+"""Of a handle's width: so far from the plane an element is not on its other side."""
+Reflection = Callable[[Floats], Floats]
+_CLEAR = 0.5
+"""Cosine beyond which two directions are one, or opposite."""
 
 
-def contradictions(stage: Usd.Stage) -> tuple[Issue, ...]:
-    """LAYOUT_INVALID, an error or a warning, for each element of the layouts of today's format;
-    `stage` has layouts that `read_layout` reads."""
-    scopes = [scope for scope in layout_scopes(stage) if schema.LAYOUT in applied(scope)]
-    known = _tokens(stage) if scopes else frozenset[str]()
+def contradictions(stage: Usd.Stage, settings: ReadSettings) -> tuple[Issue, ...]:
+    """LAYOUT_INVALID, LAYOUT_TRACK and LAYOUT_DRAWN for each element of the layouts of today's
+    format; `stage` has layouts that `read_layout` reads."""
     return tuple(
         replace(found, character=str(scope.GetPath().GetParentPath()))
-        for scope in scopes
-        for found in _of_scope(scope, known)
+        for scope in layout_scopes(stage)
+        if has(scope, schema.LAYOUT)
+        for found in _of_scope(scope, settings)
     )
 
 
-@dataclass(frozen=True)
-class _Character:
-    """What a layout may speak of."""
-
-    tokens: frozenset[str]
-    """Blend shapes of the meshes and SkelAnimations of its stage."""
-    base: Mapping[str, float]
-    """Values of controls in the base pose, by name."""
-    handle_width: float
-
-
-def _of_scope(scope: Usd.Prim, known: frozenset[str]) -> tuple[Issue, ...]:
-    """The same of one layout, up to a property that has another type than the schema's; `known` as
-    `_tokens`."""
+def _of_scope(scope: Usd.Prim, settings: ReadSettings) -> tuple[Issue, ...]:
+    """The same of one layout, up to a property or a character that cannot be read."""
     found: list[Issue] = []
     try:
-        found.extend(_of_layout(scope, known))
+        found.extend(_of_layout(scope, settings))
     except RigUIError as error:
         found.append(error.issue)
     return tuple(found)
 
 
-def _of_layout(scope: Usd.Prim, known: frozenset[str]) -> Iterator[Issue]:
-    values = value_of(scope, schema.LAYOUT, "baseValues")
+def _of_layout(scope: Usd.Prim, settings: ReadSettings) -> Iterator[Issue]:
+    layout, prims = layout_at(scope), element_prims(scope)
+    by_name = {
+        element.name: (prim, element) for prim, element in zip(prims, layout.elements, strict=True)
+    }
+    yield from _of_listing(scope, layout)
+    for mesh in scope.GetAllChildren():
+        if mesh.IsA(UsdGeom.Mesh):
+            yield from _of_drawing(mesh)
+    for prim, element in by_name.values():
+        if UsdGeom.Subset(prim):
+            yield from _of_subset(prim)
+        yield from _of_manipulator(prim, element)
+        yield from _of_side(prim, element, layout)
+        mirror = element.manipulator.mirror
+        if mirror in by_name:
+            yield from _of_mirror(prim, element, *by_name[mirror], layout)
+        elif mirror:
+            yield invalid_at(prim, f"rigUI:element:mirror is {mirror}, which is no element")
+    yield from _unpaired(by_name, layout)
+    yield from disagreements(scope, layout, settings)
+
+
+def _of_listing(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
+    """Whether the lists of a layout name what it has, each once."""
+    for prim in (scope, *scope.GetAllChildren()):
+        if UsdGeom.Imageable(prim).ComputePurpose() != UsdGeom.Tokens.guide:
+            yield invalid_at(prim, "purpose is not guide: final pictures show the controls")
+            break
+    for name, kind in (("elements", None), ("skeleton", UsdSkel.Skeleton)):
+        for path in targets(scope, schema.LAYOUT, name):
+            prim = scope.GetStage().GetPrimAtPath(path)
+            known = prim and (prim.IsA(kind) if kind else has(prim, schema.ELEMENT))
+            if not known:
+                yield invalid_at(scope, f"rigUI:layout:{name} names {path}, which is none")
     names = base_controls(scope)
-    base = dict(zip(names, values if len(values) else [0.0] * len(names), strict=True))
-    width = float(value_of(scope, schema.LAYOUT, "handleWidth"))
-    character = _Character(known, base, width)
-    elements = element_prims(scope)
-    for mesh in dict.fromkeys(each.GetParent() for each in elements):
-        yield from _of_drawing(mesh)
-    for prim in elements:
-        yield from _of_subset(prim)
-        for instance in control_instances(prim):
-            yield from _of_drive(prim, instance, character)
-            yield from _of_track(prim, instance, character)
-
-
-def _tokens(stage: Usd.Stage) -> frozenset[str]:
-    """The blend shapes that meshes and SkelAnimations of the stage name, but for ours."""
-    found: set[str] = set()
-    for prim in Usd.PrimRange(stage.GetPseudoRoot(), Usd.TraverseInstanceProxies()):
-        if schema.DRAWING in applied(prim):
-            continue
-        # The character has the issue about arrays of other types.
-        with contextlib.suppress(RigUIError):
-            if prim.IsA(UsdSkel.Animation):
-                given = UsdSkel.Animation(prim).GetBlendShapesAttr()
-                found.update(tokens(given.Get(), str(prim.GetPath()), "blendShapes"))
-            elif prim.IsA(UsdGeom.Mesh):
-                found.update(shape_tokens(prim))
-    return frozenset(found)
+    for name, count in Counter(names).items():
+        if count > 1:
+            yield invalid_at(scope, f"rigUI:layout:baseControls lists {name!r} {count} times")
+    if names:
+        for name in sorted(layout.controls - {*names}):
+            yield invalid_at(
+                scope, f"rigUI:layout:baseControls lacks {name!r}, which has an element"
+            )
 
 
 def _of_drawing(mesh: Usd.Prim) -> Iterator[Issue]:
-    """Whether a mesh that draws elements moves with a Skeleton."""
+    """Whether a mesh that draws elements moves with a Skeleton, and says of each face what it
+    draws."""
     if schema.DRAWING not in applied(mesh):
-        yield _invalid(mesh, f"{schema.DRAWING} is missing: it draws elements")
+        yield invalid_at(mesh, f"{schema.DRAWING} is missing: it draws elements")
     if not UsdSkel.BindingAPI(mesh).GetInheritedSkeleton():
-        yield _invalid(mesh, "skel:skeleton is missing: nothing moves its handles")
+        yield invalid_at(mesh, "skel:skeleton is missing: nothing moves its handles")
+    subsets = [
+        UsdGeom.Subset(each)
+        for each in mesh.GetAllChildren()
+        if each.GetAttribute("familyName").Get() == _FAMILY or has(each, schema.ELEMENT)
+    ]
+    faces = len(integers_of(UsdGeom.Mesh(mesh).GetFaceVertexCountsAttr()))
+    drawn = [integers_of(each.GetIndicesAttr()) for each in subsets]
+    count = np.bincount(np.concatenate([*drawn, np.zeros(0, dtype=np.int64)]), minlength=faces)
+    if (count > 1).any():
+        first = int(np.flatnonzero(count > 1)[0])
+        yield invalid_at(mesh, f"its face {first} belongs to {count[first]} elements")
 
 
 def _of_subset(prim: Usd.Prim) -> Iterator[Issue]:
-    subset = UsdGeom.Subset(prim)
-    if not subset:
+    if not len(points_by_role(prim, "handle")):
+        what = f"no face has the role 'handle': see primvars:{schema.ROLE} of its mesh"
+        yield invalid_at(prim, what)
+    if UsdGeom.Subset(prim).GetFamilyNameAttr().Get() != _FAMILY:
+        yield replace(invalid_at(prim, f"familyName is not {_FAMILY!r}"), severity="warning")
+
+
+def _of_manipulator(prim: Usd.Prim, element: Element) -> Iterator[Issue]:
+    """Whether its controls make an element of its type, on one end of an axis each."""
+    least, most = _MEMBERS[element.manipulator.kind]
+    axes = len(element.manipulator.axes)
+    if not least <= axes <= most:
+        what = f"is a {element.manipulator.kind}, with {axes} axes"
+        yield invalid_at(prim, f"rigUI:element:elementType {what}")
+    for index, name in enumerate(control_instances(prim)):
+        member = element.manipulator.members[index]
+        drawn = length(member.track)
+        meant = member.arc_length * member.magnification
+        if meant and abs(drawn - meant) > 0.02 * max(drawn, meant):
+            what = f"trackPoints have length {drawn:.4g}, arcLength by magnification is {meant:.4g}"
+            yield invalid_at(prim, f"rigUI:control:{name}:{what}")
+
+
+def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue]:
+    """Whether an element on the character is on the side that it names."""
+    plane, side = layout.frame.plane, element.look.side
+    if not plane.normal.any():
         return
-    handle, _ = points_of_subset(prim)
-    if not len(handle):
-        yield _invalid(
-            prim, f"no face has the role 'handle': see primvars:{schema.ROLE} of its mesh"
-        )
-    if subset.GetFamilyNameAttr().Get() != _FAMILY:
-        found = _invalid(prim, f"familyName is not {_FAMILY!r}")
-        yield replace(found, severity="warning")
+    if element.anchor.on_board:
+        return
+    away = float((element.anchor.position - plane.origin) @ plane.normal)
+    width = _ASIDE * layout.frame.handle_width_of(element.placement.part)
+    if side == "none" or (away < -width and side == "left") or (away > width and side == "right"):
+        where = "left" if away > 0.0 else "right"
+        yield invalid_at(prim, f"rigUI:element:side is {side}, its anchor is on the {where}")
 
 
-def _of_drive(prim: Usd.Prim, instance: str, character: _Character) -> Iterator[Issue]:
-    """Whether the targets of a control exist; the rig shows whether the control itself does."""
-
-    def get(name: str) -> Any:
-        return value_of(prim, schema.CONTROL, name, instance)
-
-    where = f"rigUI:control:{instance}"
-    shapes, joints = strings(get("blendShapes")), strings(get("joints"))
-    if not shapes and not joints:
-        yield _invalid(
-            prim, f"{where}:blendShapes and joints are missing: the control drives nothing"
-        )
-    elif not len(get("keys")) and (len(shapes) != 1 or joints):
-        yield _invalid(prim, f"{where}:keys are missing: without, it is one blend shape")
-    own = {instance, str(get("name")), str(get("source"))}
-    for token in sorted({*shapes} - character.tokens - own):
-        yield _invalid(prim, f"{where}:blendShapes names {token!r}, which no mesh has")
-    there = _joints(prim, instance)
-    for token in sorted({*joints} - there):
-        if there:
-            yield _invalid(prim, f"{where}:joints names {token!r}, which its Skeleton lacks")
-    if joints and not targets(prim, schema.CONTROL, "skeleton", instance):
-        yield _invalid(prim, f"{where}:skeleton is missing: it moves joints")
-
-
-def _joints(prim: Usd.Prim, instance: str) -> frozenset[str]:
-    """The joints of the Skeletons of a control; none where they are gone, as the rig shows."""
-    stage = prim.GetStage()
-    skeletons = (
-        UsdSkel.Skeleton(stage.GetPrimAtPath(path))
-        for path in targets(prim, schema.CONTROL, "skeleton", instance)
-    )
-    return frozenset(
-        joint
-        for each in skeletons
-        if each
-        for joint in tokens(each.GetJointsAttr().Get(), str(each.GetPath()), "joints")
-    )
+def _of_mirror(
+    prim: Usd.Prim, element: Element, other_prim: Usd.Prim, other: Element, layout: Layout
+) -> Iterator[Issue]:
+    """Whether the element on the other side is one."""
+    where = f"rigUI:element:mirror {other_prim.GetPath()}"
+    if other.manipulator.mirror != element.name:
+        yield invalid_at(prim, f"{where} does not mirror it back")
+        return
+    if _OPPOSITE.get(element.look.side) != other.look.side:
+        yield invalid_at(prim, f"{where} is on the side {other.look.side}")
+    if len(other.manipulator.members) != len(element.manipulator.members):
+        yield invalid_at(prim, f"{where} has another number of controls")
+        return
+    reflect, on_face = _reflection(layout), not (element.anchor.on_board or other.anchor.on_board)
+    if not on_face or not layout.frame.plane.normal.any():
+        return
+    width = layout.frame.handle_width_of(element.placement.part)
+    away = reflect(element.anchor.position) - other.anchor.position
+    if np.linalg.norm(away) > 3.0 * width:
+        yield invalid_at(prim, f"{where} is {np.linalg.norm(away):.3g} from its mirror image")
+    if element.manipulator.kind == "fan":
+        return
+    for index, (one, twin) in enumerate(
+        zip(element.manipulator.members, other.manipulator.members, strict=True)
+    ):
+        origin = np.zeros(3)
+        mine = reflect(one.track[-1] - one.track[0]) - reflect(origin)
+        theirs = twin.track[-1] - twin.track[0]
+        lengths = float(np.linalg.norm(mine) * np.linalg.norm(theirs))
+        alike = float(mine @ theirs) / lengths if lengths else 0.0
+        if one.control == twin.control:
+            continue
+        reversed_ = index in element.manipulator.reversed
+        if (alike > _CLEAR and reversed_) or (alike < -_CLEAR and not reversed_):
+            yield invalid_at(prim, f"rigUI:control:{one.control}:mirrorReversed is {reversed_}")
 
 
-def _of_track(prim: Usd.Prim, instance: str, character: _Character) -> Iterator[Issue]:
-    """Whether a track passes the anchor at the value of the base pose."""
+def _unpaired(by_name: Mapping[str, tuple[Usd.Prim, Element]], layout: Layout) -> Iterator[Issue]:
+    """Elements that are each other's mirror image, and do not say so."""
+    if not layout.frame.plane.normal.any():
+        return
+    reflect = _reflection(layout)
+    alone = [
+        (prim, element)
+        for prim, element in by_name.values()
+        if not (element.manipulator.mirror or element.anchor.on_board)
+    ]
+    for prim, element in alone:
+        width = layout.frame.handle_width_of(element.placement.part)
+        for twin_prim, twin in alone:
+            pair = (element.look.side, twin.look.side) == ("left", "right")
+            alike = len(element.manipulator.members) == len(twin.manipulator.members)
+            if pair and alike and _apart(reflect, element, twin) < _MIRRORED * width:
+                what = f"rigUI:element:mirror is missing: {twin_prim.GetPath()} is its image"
+                yield invalid_at(prim, what)
 
-    def get(name: str) -> Any:
-        return value_of(prim, schema.CONTROL, name, instance)
 
-    track, values = array_of(get("trackPoints")), array_of(get("trackValues"))
-    if not len(values):
-        values = np.linspace(get("minimum"), get("maximum"), len(track))
-    at = character.base.get(str(get("name")) or instance, float(get("default")))
-    here = np.array([np.interp(at, values, column) for column in track.T])
-    anchor = array_of(value_of(prim, schema.ANCHOR, "position"))
-    away = float(np.linalg.norm(here - anchor))
-    length = float(np.linalg.norm(np.diff(track, axis=0), axis=1).sum())
-    if away > character.handle_width + _ASTRAY * length:
-        where = f"rigUI:control:{instance}:trackPoints"
-        clause = f"{where} pass rigUI:anchor:position by {away:.3g} at the base pose ({at:g})"
-        yield replace(_invalid(prim, clause), severity="warning")
+def _apart(reflect: Reflection, element: Element, twin: Element) -> float:
+    """How far the anchor and the tracks of an element are from those of another in the mirror."""
+    pairs = [(element.anchor.position, twin.anchor.position)]
+    for one, other in zip(element.manipulator.members, twin.manipulator.members, strict=True):
+        pairs += [(one.track[0], other.track[0]), (one.track[-1], other.track[-1])]
+    return max(float(np.linalg.norm(reflect(here) - there)) for here, there in pairs)
 
 
-def _invalid(prim: Usd.Prim, message: str) -> Issue:
-    return issue("LAYOUT_INVALID", str(prim.GetPath()), message)
+def _reflection(layout: Layout) -> Reflection:
+    plane = layout.frame.plane
+
+    def reflect(position: Floats) -> Floats:
+        return position - 2.0 * float((position - plane.origin) @ plane.normal) * plane.normal
+
+    return reflect

@@ -11,9 +11,8 @@ from pxr import Sdf, Usd, Vt
 from usdrigui.character import Body, Control, Drive, Floats, Rig, Skeleton
 from usdrigui.layer import author
 from usdrigui.stages import schema
-from usdrigui.stages.variants import within
 
-_NOISE = 1e-6
+NOISE = 1e-6
 """Weights, rotations (radians), logarithms of scales, and translations relative to the longest
 bone: what is below is noise of the file."""
 
@@ -44,7 +43,7 @@ def author_control_api(
 
 def _driven_weights(body: Body, drive: Drive) -> dict[str, Any]:
     plain = _is_plain(body.base_weights, drive)
-    still = np.isclose(drive.weights, 0.0, atol=_NOISE).all(axis=0)
+    still = np.isclose(drive.weights, 0.0, atol=NOISE).all(axis=0)
     driven = np.flatnonzero(plain | ~still)
     channels = [body.channels[channel] for channel in drive.channels[driven]]
     animations = list(dict.fromkeys(channel.animation for channel in channels if channel.animation))
@@ -79,7 +78,7 @@ def _is_plain(base_weights: Floats, drive: Drive) -> bool:
 def _driven_joints(body: Body, drive: Drive) -> dict[str, Any]:
     extent = max((float(np.abs(joint.rest[3, :3]).max()) for joint in body.joints), default=0.0)
     turns, shifts, scales = (
-        np.where(np.abs(rows).max(axis=(0, 2), keepdims=True) > _NOISE * unit, rows, 0.0)
+        np.where(np.abs(rows).max(axis=(0, 2), keepdims=True) > NOISE * unit, rows, 0.0)
         for rows, unit in (
             (drive.rotations, 1.0),
             (drive.translations, extent),
@@ -108,28 +107,21 @@ def _driven_joints(body: Body, drive: Drive) -> dict[str, Any]:
 # --- limits ---------------------------------------------------------------------------------------
 
 
-def author_limits(layer: Sdf.Layer, rig: Rig) -> None:
-    """Say the ranges of the weights where USD itself looks for them: `limits` of blendShapeWeights.
+def author_limits(root: Sdf.PrimSpec, rig: Rig) -> None:
+    """Say the ranges of the weights where USD itself looks for them, `limits` of blendShapeWeights,
+    inside the variant of a SkelRoot that holds its layout; not of a SkelAnimation elsewhere.
 
     USD before 25.11 cannot author them; it reads past them without a word.  Weights without a
     control of their own keep to 0 and 1.
     """
-    if not hasattr(Usd, "AttributeLimits"):
-        return
-    for skeleton in rig.body.skeletons:
-        ranges = _weight_ranges(rig, skeleton.animation) if skeleton.animation else np.zeros((0, 2))
-        if len(ranges):
-            spec = Sdf.CreatePrimInLayer(
-                layer, within(Sdf.Path(skeleton.animation), rig.skel_root.variant_path)
-            )
-            if "blendShapeWeights" not in spec.properties:
-                weights = Sdf.AttributeSpec(
-                    spec, "blendShapeWeights", Sdf.ValueTypeNames.FloatArray
-                )
-                low, high = (
-                    Vt.FloatArray.FromNumpy(column.astype(np.float32)) for column in ranges.T
-                )
-                weights.SetInfo("limits", {"soft": {"minimum": low, "maximum": high}})
+    inside = Sdf.Path(rig.skel_root.path)
+    for animation in {each.animation for each in rig.body.skeletons if each.animation}:
+        ranges, path = _weight_ranges(rig, animation), Sdf.Path(animation)
+        if len(ranges) and path.HasPrefix(inside) and hasattr(Usd, "AttributeLimits"):
+            spec = Sdf.CreatePrimInLayer(root.layer, path.ReplacePrefix(inside, root.path))
+            weights = Sdf.AttributeSpec(spec, "blendShapeWeights", Sdf.ValueTypeNames.FloatArray)
+            low, high = (Vt.FloatArray.FromNumpy(column.astype(np.float32)) for column in ranges.T)
+            weights.SetInfo("limits", {"soft": {"minimum": low, "maximum": high}})
 
 
 def _weight_ranges(rig: Rig, animation: str) -> Floats:

@@ -15,27 +15,10 @@ from pxr import Sdf, Usd, Vt
 from usdrigui.character import Floats, Glyph, Indices
 from usdrigui.errors import refuse
 from usdrigui.layer import author
+from usdrigui.layer.rules import broken
 from usdrigui.model import Anchor, Decision, Element, Placement
 from usdrigui.stages import schema
 from usdrigui.stages.arrays import value_at
-
-PROOF = {
-    "solver": "method",
-    "status": "status",
-    "closedBy": "closed_by",
-    "cost": "cost",
-    "bound": "bound",
-    "aboveUnaryBound": "above_unary_bound",
-}
-"""Keys of the solution in our books, and the fields of `Proof` that they hold."""
-PART_PROOF = {"partStatuses": "status", "partCosts": "cost", "partBounds": "bound"}
-"""Keys of lists there, and the fields of `LayoutPart`."""
-FIGURES = {"figure": "figures", "weight": "weights"}
-"""Beginnings of pairs of keys (``figureNames`` and ``figureValues``), and the fields of `Proof`."""
-MATCHES = {"before": "before", "after": "after", "sure": "confidence", "reasons": "reason"}
-"""Keys of lists of controls that had another name, and the fields of `Match`."""
-LEFT_OFF = {"controls": "control", "stages": "stage", "reasons": "reason"}
-"""Keys of lists of what was left off, and the fields of `LeftOff`."""
 
 
 def applied(prim: Usd.Prim) -> list[str]:
@@ -68,14 +51,31 @@ def value_of(prim: Usd.Prim, api: str, name: str, instance: str = "") -> Any:
     named = attribute.GetTypeName() == Sdf.ValueTypeNames.Find(declared.type_name)
     if not named or not isinstance(value, type(declared.fallback)):
         raise invalid(attribute, f"is {attribute.GetTypeName()}, not {declared.type_name}")
-    if declared.allowed and value not in declared.allowed:
-        raise invalid(attribute, f"is {value!r}, not one of {', '.join(declared.allowed)}")
-    if (
-        declared.type_name not in ("token", "string", "token[]", "string[]")
-        and np.isnan(value).any()
-    ):
-        raise invalid(attribute, "holds NaN")
+    if declared.allowed:
+        words = [value] if isinstance(value, str) else value
+        unknown = [word for word in words if word not in declared.allowed]
+        if unknown:
+            raise invalid(attribute, f"is {unknown[0]!r}, not one of {', '.join(declared.allowed)}")
     return value
+
+
+def refuse_broken(prim: Usd.Prim, api: str, instance: str = "") -> None:
+    """Raise LAYOUT_INVALID for the first property of a schema on a prim that has another type, an
+    unknown word, or breaks a rule of its documentation (`usdrigui.layer.rules`)."""
+
+    def sibling(name: str) -> Any:
+        if not known[name].type_name:
+            return targets(prim, api, name, instance)
+        return value_of(prim, api, name, instance)
+
+    known = author.properties(api)
+    for name, declared in known.items():
+        value = sibling(name)
+        for clause in broken(declared.rules, value, sibling) if declared.rules else ():
+            where = declared.name.replace("__INSTANCE_NAME__", instance)
+            missing = not prim.GetAttribute(where).HasAuthoredValue()
+            what = "is missing" if missing else clause
+            raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.{where}", what)
 
 
 def invalid(attribute: Usd.Attribute, message: str) -> Exception:
@@ -116,15 +116,6 @@ def element_name(prim: Usd.Prim) -> str:
     if not prim or not prim.IsActive():
         return ""
     return str(value_of(prim, schema.ELEMENT, "name")) or str(prim.GetName())
-
-
-def check_equal(prim: Usd.Prim, name: str, *columns: Any) -> None:
-    """Refuse columns of different lengths with LAYOUT_INVALID."""
-    lengths = [len(column) for column in columns]
-    if len(set(lengths)) > 1:
-        raise refuse(
-            "LAYOUT_INVALID", f"{prim.GetPath()}.{name}", f"lengths {lengths} should be equal"
-        )
 
 
 def strings(values: Any) -> list[str]:
@@ -180,13 +171,6 @@ _DECIDED: Mapping[Decision, frozenset[str]] = {
 def placement(prim: Usd.Prim, part: str, category: str, reason: str) -> Placement:
     """With the decisions of a person that are on record; raises LAYOUT_INVALID."""
     values = value_of(prim, schema.ELEMENT, "pinned")
-    unknown = sorted(set(strings(values)) - set(get_args(Decision)))
-    if unknown:
-        raise refuse(
-            "LAYOUT_INVALID",
-            f"{prim.GetPath()}.rigUI:element:pinned",
-            f"{unknown[0]!r} is not a kind of decision",
-        )
     x, y, z = array_of(value_of(prim, schema.ELEMENT, "pinnedPosition")).tolist()
     decided = tuple(each for each in get_args(Decision) if each in values)
     return Placement(part, category, reason, decided, (x, y, z))
@@ -228,14 +212,7 @@ def _authored_above(prim: Usd.Prim) -> set[str]:
 
 def checked_glyph(prim: Usd.Prim, glyph: Glyph) -> Glyph:
     """The glyph, if its numbers fit each other; raises LAYOUT_INVALID."""
-    counts, indices = glyph.counts, glyph.indices
-    least, most = indices.min(initial=0), indices.max(initial=-1)
-    if (
-        counts.min(initial=0) < 0
-        or counts.sum() != len(indices)
-        or least < 0
-        or most >= len(glyph.points)
-    ):
+    if glyph.counts.sum() != len(glyph.indices):
         raise refuse(
             "LAYOUT_INVALID",
             f"{prim.GetPath()}.rigUI:handle:glyphOffsets",

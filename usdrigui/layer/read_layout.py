@@ -7,27 +7,22 @@ come from the schema's own file.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import json
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from pxr import Sdf, Usd, UsdGeom, Vt
+from pxr import Sdf, Usd, UsdGeom
 
 from usdrigui.character import Floats, Glyph, Indices, LeftOff
 from usdrigui.errors import RigUIError, listed, refuse
 from usdrigui.layer.properties import (
-    FIGURES,
-    LEFT_OFF,
-    MATCHES,
-    PART_PROOF,
-    PROOF,
     applied,
     array_of,
     check_elements,
-    check_equal,
     checked_glyph,
     control_instances,
     corrected,
@@ -38,6 +33,7 @@ from usdrigui.layer.properties import (
     invalid,
     placement,
     read_anchor,
+    refuse_broken,
     strings,
     targets,
     value_of,
@@ -54,7 +50,6 @@ from usdrigui.model import (
     Member,
     MirrorPlane,
     Proof,
-    Status,
 )
 from usdrigui.stages import schema
 from usdrigui.stages.opening import open_stage
@@ -62,6 +57,8 @@ from usdrigui.stages.variant_paths import asset_selections, with_sets
 from usdrigui.stages.variants import variant_path
 
 _EVERYTHING = Usd.TraverseInstanceProxies(Usd.PrimAllPrimsPredicate)
+_UNPROVEN = ("stopped", 0.0, 0.0)
+"""Of a part whose proof a layer does not have."""
 _FLATTENED = "Flattened_Prototype_"
 """How USD calls what the instances of a flattened stage refer to."""
 
@@ -77,7 +74,7 @@ def read_layout(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Layout, ...
     LAYOUT_INVALID (a property contradicts another) and LAYOUT_VERSION.
     """
     stage, name = _stage(source)
-    layouts = tuple(_layout(scope) for scope in layout_scopes(stage))
+    layouts = tuple(layout_at(scope) for scope in layout_scopes(stage))
     if not layouts:
         raise _without(stage, name)
     return layouts
@@ -247,7 +244,8 @@ def _stage(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Usd.Stage, str]:
 # --- records --------------------------------------------------------------------------------------
 
 
-def _layout(scope: Usd.Prim) -> Layout:
+def layout_at(scope: Usd.Prim) -> Layout:
+    """The layout of the prim with RigUILayoutAPI; raises as `read_layout`."""
     mark = next(filter(schema.is_layout, applied(scope)))
     if mark != schema.LAYOUT:
         raise refuse("LAYOUT_VERSION", str(scope.GetPath()), f"{mark}; known: {schema.LAYOUT}")
@@ -255,6 +253,8 @@ def _layout(scope: Usd.Prim) -> Layout:
     def get(name: str) -> Any:
         return value_of(scope, schema.LAYOUT, name)
 
+    refuse_broken(scope, schema.LAYOUT)
+    proof, proofs, left_off, matches = _recorded(scope)
     elements = tuple(_element(prim) for prim in element_prims(scope))
     check_elements(scope, elements)
     return Layout(
@@ -262,26 +262,19 @@ def _layout(scope: Usd.Prim) -> Layout:
             root=str(scope.GetPath().GetParentPath()),
             base_values=_base_values(scope),
             variant_path=_variant_path(scope),
-            matches=_matches(scope),
+            matches=matches,
         ),
         elements=elements,
-        left_off=_left_off(scope),
+        left_off=left_off,
         frame=LayoutFrame(
             space=get("space"),
             view=array_of(get("viewDirection")),
             plane=MirrorPlane(array_of(get("planeOrigin")), array_of(get("planeNormal"))),
-            handle_width=_handle_width(scope),
-            parts=_parts(scope),
+            handle_width=get("handleWidth"),
+            parts=_parts(scope, proofs),
         ),
-        proof=_proof(scope),
+        proof=proof,
     )
-
-
-def _handle_width(scope: Usd.Prim) -> float:
-    width = float(value_of(scope, schema.LAYOUT, "handleWidth"))
-    if not width > 0.0:
-        raise refuse("LAYOUT_INVALID", str(scope.GetPath()), "rigUI:layout:handleWidth is missing")
-    return width
 
 
 def _variant_path(scope: Usd.Prim) -> str:
@@ -292,95 +285,44 @@ def _variant_path(scope: Usd.Prim) -> str:
     )
 
 
-def _parts(scope: Usd.Prim) -> tuple[LayoutPart, ...]:
+def _parts(scope: Usd.Prim, proofs: Sequence[Any]) -> tuple[LayoutPart, ...]:
     """The parts of a character; proofs that the layer lacks are unknown."""
     names = strings(value_of(scope, schema.LAYOUT, "parts"))
+    proofs = proofs if len(proofs) == len(names) else [_UNPROVEN] * len(names)
     widths = array_of(value_of(scope, schema.LAYOUT, "partHandleWidths"))
-    views = array_of(value_of(scope, schema.LAYOUT, "partViewDirections")).reshape(-1, 3)
-    statuses, costs, bounds = (_noted(scope, "solution", key, ()) for key in PART_PROOF)
-    if not len(statuses):
-        statuses, (costs, bounds) = ["stopped"] * len(names), np.zeros((2, len(names)))
-    check_equal(scope, "rigUI:layout:parts", names, widths, views, statuses, costs, bounds)
+    views = array_of(value_of(scope, schema.LAYOUT, "partViewDirections"))
     return tuple(
-        LayoutPart(
-            name,
-            width,
-            view,
-            "optimal" if status == "optimal" else "stopped",
-            float(cost),
-            float(bound),
-        )
-        for name, width, view, status, cost, bound in zip(
-            names, widths.tolist(), views, statuses, costs, bounds, strict=True
-        )
+        LayoutPart(name, width, view, *proof)
+        for name, width, view, proof in zip(names, widths.tolist(), views, proofs, strict=True)
     )
 
 
 def _base_values(scope: Usd.Prim) -> Floats:
-    names, values = (
-        value_of(scope, schema.LAYOUT, f"base{each}") for each in ("Controls", "Values")
-    )
-    if not len(values):
-        return np.zeros(len(names))
-    check_equal(scope, "rigUI:layout:baseValues", names, values)
-    return array_of(values)
+    values = array_of(value_of(scope, schema.LAYOUT, "baseValues"))
+    return values if len(values) else np.zeros(len(base_controls(scope)))
 
 
-def _proof(scope: Usd.Prim) -> Proof:
-    """How the layout was found, by the layer; empty for a layout made by hand."""
-    status = _noted(scope, "solution", "status", "stopped")
-    if status not in get_args(Status):
-        raise _misnoted(scope, "solution", "status", f"{status!r} is none")
-    unknown = Proof()
-    noted: dict[str, Any] = {
-        name: _noted(scope, "solution", key, getattr(unknown, name)) for key, name in PROOF.items()
-    }
-    noted |= {name: _figures(scope, kind) for kind, name in FIGURES.items()}
-    return Proof(**noted)
-
-
-def _figures(scope: Usd.Prim, kind: str) -> tuple[tuple[str, float], ...]:
-    """Names and numbers of a kind in our books of the solution."""
-    names, values = (_noted(scope, "solution", f"{kind}{each}", ()) for each in ("Names", "Values"))
-    check_equal(scope, f"solution {kind}s", names, values)
-    return tuple(zip(strings(names), array_of(values).tolist(), strict=True))
-
-
-def _left_off(scope: Usd.Prim) -> tuple[LeftOff, ...]:
-    columns = [strings(_noted(scope, "leftOff", key, ())) for key in LEFT_OFF]
-    check_equal(scope, "leftOff", *columns)
-    return tuple(LeftOff(*row) for row in zip(*columns, strict=True))
-
-
-def _matches(scope: Usd.Prim) -> tuple[Match, ...]:
-    columns = {field: _noted(scope, "matches", key, ()) for key, field in MATCHES.items()}
-    confidence = array_of(columns.pop("confidence")).tolist()
-    before, after, reasons = (strings(column) for column in columns.values())
-    check_equal(scope, "matches", before, after, confidence, reasons)
-    return tuple(map(Match, before, after, confidence, reasons))
-
-
-def _noted(scope: Usd.Prim, part: str, key: str, fallback: Any) -> Any:
-    """One entry of our books in the customData; raises LAYOUT_INVALID for one of another type."""
-    books = scope.GetCustomDataByKey(schema.NOTES)
-    page = books.get(part) if isinstance(books, Mapping) else None
-    value = page.get(key, fallback) if isinstance(page, Mapping) else fallback
-    kinds = (
-        (Vt.StringArray, Vt.DoubleArray, tuple)
-        if isinstance(fallback, tuple)
-        else (type(fallback),)
-    )
-    if not isinstance(value, kinds):
-        raise _misnoted(scope, part, key, f"is {type(value).__name__}")
-    if isinstance(value, (float, Vt.DoubleArray)) and np.isnan(value).any():
-        raise _misnoted(scope, part, key, "holds NaN")
-    return value
-
-
-def _misnoted(scope: Usd.Prim, part: str, key: str, what: str) -> Exception:
-    return refuse(
-        "LAYOUT_INVALID", str(scope.GetPath()), f"customData {schema.NOTES}:{part}:{key} {what}"
-    )
+def _recorded(
+    scope: Usd.Prim,
+) -> tuple[Proof, list[Any], tuple[LeftOff, ...], tuple[Match, ...]]:
+    """How the layout was found, with the proofs of its parts, and what was left off, by the layer;
+    nothing of a layout made by hand.  Raises LAYOUT_INVALID."""
+    text = scope.GetCustomDataByKey(schema.NOTES)
+    if not isinstance(text, str):  # that of an earlier version is none
+        return Proof(), [], (), ()
+    try:
+        found = json.loads(text)
+        pairs = {key: tuple(map(tuple, found["proof"][key])) for key in ("weights", "figures")}
+        proof = Proof(**{**found["proof"], **pairs})
+        left_off = tuple(LeftOff(**each) for each in found["leftOff"])
+        if not np.isfinite([proof.cost, proof.above_unary_bound]).all():
+            raise ValueError("a cost is not finite")
+        parts = [(status, float(cost), float(bound)) for status, cost, bound in found["parts"]]
+        matches = tuple(Match(**each) for each in found["matches"])
+        return proof, parts, left_off, matches
+    except (KeyError, TypeError, ValueError) as error:
+        what = f"customData {schema.NOTES} is no record of usdrigui: {error}"
+        raise refuse("LAYOUT_INVALID", str(scope.GetPath()), what) from None
 
 
 def _element(prim: Usd.Prim) -> Element:
@@ -388,6 +330,8 @@ def _element(prim: Usd.Prim) -> Element:
         return value_of(prim, schema.ELEMENT, name)
 
     instances, name = control_instances(prim), element_name(prim)
+    for api in (schema.ELEMENT, schema.ANCHOR, schema.HANDLE):
+        refuse_broken(prim, api)
     return Element(
         name=name,
         manipulator=Manipulator(
@@ -422,16 +366,10 @@ def _member(prim: Usd.Prim, instance: str) -> Member:
     def get(name: str) -> Any:
         return value_of(prim, schema.CONTROL, name, instance)
 
-    points, values = array_of(get("trackPoints")).reshape(-1, 3), array_of(get("trackValues"))
-    if len(points) < 2:
-        raise refuse(
-            "LAYOUT_INVALID",
-            f"{prim.GetPath()}.rigUI:control:{instance}:trackPoints",
-            "has not two points",
-        )
+    refuse_broken(prim, schema.CONTROL, instance)
+    points, values = array_of(get("trackPoints")), array_of(get("trackValues"))
     if not len(values):
         values = np.linspace(get("minimum"), get("maximum"), len(points))
-    check_equal(prim, f"rigUI:control:{instance}:trackValues", values, points)
     return Member(
         control=str(get("name")) or instance,
         values=values,
@@ -473,9 +411,8 @@ def _glyph(prim: Usd.Prim) -> Glyph | None:
     return checked_glyph(prim, Glyph(str(get("glyph")), get("glyphType"), points, counts, indices))
 
 
-def points_of_subset(prim: Usd.Prim) -> tuple[Indices, Indices]:
-    """Indices of the points that a GeomSubset draws: of its element's handle, and of everything
-    else.
+def points_by_role(prim: Usd.Prim, *wanted: str) -> Indices:
+    """Indices, ascending, of the points that a GeomSubset draws in some of `schema.ROLES`.
 
     Raises LAYOUT_INVALID.
     """
@@ -487,22 +424,16 @@ def points_of_subset(prim: Usd.Prim) -> tuple[Indices, Indices]:
     faces = integers_of(UsdGeom.Subset(prim).GetIndicesAttr())
     if counts.sum() != len(corners) or ((faces < 0) | (faces >= len(counts))).any():
         raise refuse("LAYOUT_INVALID", str(prim.GetPath()), "its faces are not those of its mesh")
-    ends, roles = np.cumsum(counts), face_roles(prim.GetParent(), len(counts))
-    none = np.zeros(0, dtype=np.int64)
-    handle, others = (
-        np.concatenate([none, *(corners[ends[face] - counts[face] : ends[face]] for face in part)])
-        for part in (faces[roles[faces] == "handle"], faces[roles[faces] != "handle"])
-    )
-    return np.unique(handle), np.unique(others)
+    faces = faces[np.isin(face_roles(prim.GetParent(), len(counts))[faces], wanted)]
+    owners = np.repeat(np.arange(len(counts)), counts)
+    return np.unique(corners[np.isin(owners, faces)])
 
 
 def face_roles(mesh: Usd.Prim, count: int) -> NDArray[np.str_]:
     """(count,) what each face of a mesh is drawn for, as `schema.ROLES`; nothing where it does not
     say.  Raises LAYOUT_INVALID."""
     primvar = UsdGeom.PrimvarsAPI(mesh).GetPrimvar(schema.ROLE)
-    if primvar and not isinstance(primvar.Get(), Vt.TokenArray):
-        raise invalid(primvar.GetAttr(), "does not hold tokens")
-    roles = np.array(list(primvar.Get()) if primvar else [], dtype=np.str_)
+    roles = np.array(strings(value_of(mesh, schema.DRAWING, "role")), dtype=np.str_)
     if primvar and primvar.IsIndexed():  # USD 24.11 does not flatten tokens
         indices = np.array(primvar.GetIndices(), dtype=np.int64)
         if ((indices < 0) | (indices >= len(roles))).any():

@@ -28,9 +28,9 @@ from usdrigui.layer.write_layout import (
     author_elements,
     author_metadata,
     author_variant,
-    books,
     holds_layouts,
     layer_bytes,
+    record,
     relative_asset_path,
 )
 from usdrigui.model import Element, ExistingPrim, ExistingSpan, Layout
@@ -85,7 +85,6 @@ def write_shot_layouts(
                 layer.subLayerPaths.append(below)
             if each.added:
                 _author(layer, each)
-                author_limits(layer, each.rig)
     content = layer_bytes(layer, target.suffix, str(target))
     roots = [each.rig.skel_root.path_in_variants for each in shots if each.added]
     return write(content, target, verify=functools.partial(holds_layouts, roots))
@@ -99,12 +98,13 @@ def _author(layer: Sdf.Layer, shot: ShotLayout) -> None:
         if as_variant
         else Sdf.CreatePrimInLayer(layer, rig.skel_root.path)
     )
+    author_limits(root, rig)
     scope = Sdf.PrimSpec(root, schema.SCOPE, Sdf.SpecifierOver)
     author.apply(scope, [schema.LAYOUT])
     author.declare(
         scope, schema.LAYOUT, account(rig.controls, layout.character.base_values), fallbacks=True
     )
-    author.note(scope, books(layout))
+    author.note(scope, record(layout))
     taken = {name for prim in shot.prims for name in (*prim.names, prim.path.rpartition("/")[2])}
     added = [element for element in layout.elements if element.name in shot.added]
     author_elements(scope, rig, layout, added, taken)
@@ -154,20 +154,16 @@ def _author_new_shapes(scope: Sdf.PrimSpec, shot: ShotLayout, elements: Sequence
 def _moved(
     parts: Sequence[Drawn], span: ExistingSpan
 ) -> Iterator[tuple[Indices, Sequence[PointShape]]]:
-    """The points of a span with the shapes that move them: whoever drew it may draw otherwise than
-    we do."""
-    meant = parts[:1] if span.role == "handle" else parts[1:]
-    ends = np.cumsum([len(part.points) for part in meant])
-    if len(ends) and ends[-1] == len(span.points):
-        yield from zip(
-            np.split(span.points, ends[:-1]), (part.shapes for part in meant), strict=True
-        )
-    elif len(span.points):
+    """The points of a span with the shapes that move them, alike for all: whoever drew it may draw
+    otherwise than we do."""
+    part, count = parts[0] if span.role == "handle" else parts[1], len(span.points)
+    if count:
         yield (
             span.points,
-            [_fitted(shape, len(span.points)) for part in meant[:1] for shape in part.shapes],
+            [
+                PointShape(
+                    shape.channel, shape.weights, np.repeat(shape.offsets[:, :1], count, axis=1)
+                )
+                for shape in part.shapes
+            ],
         )
-
-
-def _fitted(shape: PointShape, count: int) -> PointShape:
-    return PointShape(shape.channel, shape.weights, np.repeat(shape.offsets[:, :1], count, axis=1))

@@ -31,13 +31,11 @@ from usdrigui.character import (
 from usdrigui.character.deform import channel_state, posed
 from usdrigui.errors import refuse
 from usdrigui.following import following, shared
+from usdrigui.layer.control_api import NOISE
 from usdrigui.model import Element, Layout
 
 Method = Literal["classicLinear", "dualQuaternion"]
 
-_STILL = 1e-7
-"""Rotations (radians), logarithms of scales and translations (relative to the rig) below this move
-nothing."""
 _NO_OFFSET = 1e-9
 """Offsets below this share of the rig's size are noise of the file."""
 
@@ -114,7 +112,7 @@ class SkinBinding:
 
     def __init__(self, rig: Rig, layout: Layout) -> None:
         self.rig = rig
-        self.values = _base_values(rig.skel_root.path, rig.controls, layout.character.base_values)
+        self.values = layout.character.base_values
         self.weights = channel_state(rig, self.values)[0]
         self._controls = {control.name: control for control in rig.controls}
         self._meshes = {mesh.path: mesh for mesh in rig.body.meshes}
@@ -131,12 +129,6 @@ class SkinBinding:
 
     def control(self, name: str) -> Control:
         """The rig's control of that name."""
-        if name not in self._controls:
-            raise refuse(
-                "BUG",
-                self.rig.skel_root.path,
-                f"the layout has a control {name!r} that the rig lacks",
-            )
         return self._controls[name]
 
     def value(self, name: str) -> float:
@@ -178,8 +170,6 @@ class SkinBinding:
 
     def _own(self, element: Element) -> Indices:
         """The controls of an element, as indices into `Rig.controls`."""
-        for member in element.manipulator.members:
-            self.control(member.control)
         return np.array(
             [self._positions[each.control] for each in element.manipulator.members], dtype=np.int64
         )
@@ -198,14 +188,7 @@ class SkinBinding:
         return np.stack(maps)
 
     def _anchored(self, element: Element) -> tuple[RigMesh, int]:
-        mesh = self._meshes.get(element.anchor.mesh)
-        if mesh is None or not 0 <= element.anchor.point < len(mesh.points):
-            raise refuse(
-                "BUG",
-                element.anchor.mesh,
-                f"the rig has no point {element.anchor.point} for {element.name!r}",
-            )
-        return mesh, element.anchor.point
+        return self._meshes[element.anchor.mesh], element.anchor.point
 
     def _joint_binding(
         self, skin: Skin | None, skeleton: int, influences: tuple[Indices, Floats]
@@ -242,17 +225,6 @@ class SkinBinding:
 
 
 _NONE: Indices = np.zeros(0, dtype=np.int64)
-
-
-def _base_values(root: str, controls: tuple[Control, ...], base_values: Floats) -> Floats:
-    if len(base_values) != len(controls):
-        count = len(base_values)
-        raise refuse(
-            "BUG",
-            root,
-            f"the layout's base pose has {count} values for {len(controls)} controls",
-        )
-    return np.array(base_values, dtype=np.float64)
 
 
 def _size(body: Body) -> float:
@@ -302,9 +274,9 @@ def _own_joints(controls: list[Control], size: float) -> set[int]:
         drive = control.drive
         if len(drive.joints):
             moves = (
-                np.maximum(np.abs(drive.rotations), np.abs(drive.scales)).max(axis=(0, 2)) > _STILL
+                np.maximum(np.abs(drive.rotations), np.abs(drive.scales)).max(axis=(0, 2)) > NOISE
             )
-            moves |= np.abs(drive.translations).max(axis=(0, 2)) > _STILL * size
+            moves |= np.abs(drive.translations).max(axis=(0, 2)) > NOISE * size
             own.update(drive.joints[moves].tolist())
     return own
 
@@ -315,8 +287,8 @@ def _without(
     """Influences that the joints `own` cannot reach: each that hangs on them goes to the nearest
     joint above.
 
-    Where there is none above, the others take its share; without others nothing moves the point any
-    more. Returns the very `influences` when nothing has to change.
+    Where there is none above, the others take its share if theirs is no smaller; else nothing moves
+    the point any more. Returns the very `influences` when nothing has to change.
     """
     joints, weights = influences
     moved = {int(joint): _free_ancestor(body.joints, int(joint), own) for joint in joints}
@@ -327,7 +299,7 @@ def _without(
         shares[moved[joint]] = shares.get(moved[joint], 0.0) + weight
     lost = shares.pop(-1, 0.0)
     kept = sum(shares.values())
-    if kept <= 1e-6:
+    if kept < lost or not kept:
         return _NONE, np.zeros(0)
     targets = sorted(shares)
     scale = (kept + lost) / kept

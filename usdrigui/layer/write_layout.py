@@ -8,9 +8,11 @@ what the layer must repeat of its source.  schemas/CONTRACT.md describes the res
 from __future__ import annotations
 
 import functools
+import json
 import os
 import tempfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +21,7 @@ from pxr import Sdf, Tf, UsdGeom
 
 from usdrigui.character import Body, Control, Floats, Rig, Skeleton
 from usdrigui.errors import refuse
-from usdrigui.layer import author, properties
+from usdrigui.layer import author
 from usdrigui.layer.control_api import author_control_api, author_limits
 from usdrigui.layer.drawing import (
     DrawnElement,
@@ -97,7 +99,6 @@ def layer_for(
             layer.subLayerPaths.append(source)
         for rig, layout in laid:
             _author_layout(layer, rig, layout)
-            author_limits(layer, rig)
     return layer
 
 
@@ -230,6 +231,7 @@ def author_metadata(layer: Sdf.Layer, metadata: Mapping[str, Any], laid: Laid) -
 def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
     """The Scope of one character with all its elements."""
     root = author_variant(layer, layout.character.path_in_variants)
+    author_limits(root, rig)
     scope = author.prim(root, schema.SCOPE, "Scope", (schema.LAYOUT,))
     scope.SetInfo("documentation", _ABOUT)
     author.put(scope, "purpose", "token", "guide", uniform=True)
@@ -239,7 +241,7 @@ def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
         _frame(rig.body.skeletons, layout.frame)
         | account(rig.controls, layout.character.base_values),
     )
-    author.note(scope, books(layout))
+    author.note(scope, record(layout))
     subsets = author_elements(scope, rig, layout, layout.elements)
     children = [child for mesh in scope.nameChildren for child in mesh.nameChildren]
     if subsets != [_plain(child.path) for child in children if _plain(child.path) in set(subsets)]:
@@ -273,25 +275,21 @@ def account(controls: tuple[Control, ...], base_values: Floats) -> dict[str, Any
     }
 
 
-def books(layout: Layout) -> dict[str, Any]:
-    """What only usdrigui itself asks of a layout: how it was found, and what was left off."""
-    proof = layout.proof
-    solution: dict[str, Any] = {key: getattr(proof, name) for key, name in properties.PROOF.items()}
-    for kind, field in properties.FIGURES.items():
-        figures = getattr(proof, field)
-        solution[f"{kind}Names"] = [name for name, _ in figures]
-        solution[f"{kind}Values"] = [value for _, value in figures]
-    parts = _columns(layout.frame.parts, properties.PART_PROOF)
-    return {
-        "solution": solution | parts,
-        "leftOff": _columns(layout.left_off, properties.LEFT_OFF),
-        "matches": _columns(layout.character.matches, properties.MATCHES),
+def record(layout: Layout) -> str:
+    """What only usdrigui itself asks of a layout, as JSON: how it was found, and what was left
+    off."""
+    parts = [(part.status, part.cost, part.bound) for part in layout.frame.parts]
+    found = {
+        "proof": asdict(layout.proof),
+        "parts": parts,
+        "leftOff": [asdict(each) for each in layout.left_off],
+        "matches": [asdict(each) for each in layout.character.matches],
     }
 
+    def short(text: str) -> float:
+        return float(f"{float(text):.7g}")  # the last digits depend on the processor
 
-def _columns(records: Iterable[Any], fields: Mapping[str, str]) -> dict[str, list[Any]]:
-    """A list for each key, of the field of all records."""
-    return {key: [getattr(row, name) for row in records] for key, name in fields.items()}
+    return json.dumps(json.loads(json.dumps(found), parse_float=short))
 
 
 def author_elements(

@@ -128,19 +128,15 @@ def begin_drag(
     ``tracks[i]`` (k_i, 2) are pixels at the control values ``values[i]`` (k_i,), ascending;
     ``axes`` are positions of members: one, or the negative and the positive end.  ``ranges`` (m, 3)
     are minimum, default and maximum of each control, ``base`` (m,) and ``current`` (m,) its values
-    in the base pose and now.  Raises ValueError for records that do not fit together or are not
-    finite.
+    in the base pose and now.  Raises ValueError for a track that is not in sight
+    as a whole.
     """
-    lines, knots = _checked(tracks, values)
+    lines, knots = (
+        [np.array(each, dtype=np.float64) for each in given] for given in (tracks, values)
+    )
+    if not all(np.isfinite(line).all() for line in lines):
+        raise ValueError("a part of a track is behind the viewer")
     limits, home, now = (np.array(each, dtype=np.float64) for each in (ranges, base, current))
-    if limits.shape != (len(lines), 3) or home.shape != (len(lines),) or now.shape != home.shape:
-        raise ValueError(
-            "a member needs one value in the base pose and now, and three for its range"
-        )
-    if sorted(i for members in axes for i in members) != list(range(len(lines))):
-        raise ValueError("every member belongs to one axis")
-    if not (np.isfinite(limits).all() and np.isfinite(home).all() and np.isfinite(now).all()):
-        raise ValueError("values must be finite")
     drawn, free = _long_enough(
         [_axis(_ends(members, limits, home), lines, knots) for members in axes]
     )
@@ -158,8 +154,6 @@ def drag_to(drag: Drag, at: ArrayLike, moved: ArrayLike) -> Floats:
     first.
     """
     last, goal = np.array(at, dtype=np.float64), np.array(moved, dtype=np.float64)
-    if last.shape != (len(drag.axes),) or goal.shape != (2,) or not np.isfinite(goal).all():
-        raise ValueError("a drag takes a coordinate per axis and a finite way (2,)")
     free = list(drag.free)
     goal = goal + sum((drag.axes[i].point(drag.start[i]) for i in free), np.zeros(2))
     found = drag.start.copy()
@@ -363,19 +357,3 @@ def _on(points: Floats, knots: Floats, value: float) -> Floats:
 
 def _piece(knots: Floats, value: float) -> int:
     return int(np.clip(np.searchsorted(knots, value, side="right") - 1, 0, len(knots) - 2))
-
-
-def _checked(
-    tracks: Sequence[ArrayLike], values: Sequence[ArrayLike]
-) -> tuple[list[Floats], list[Floats]]:
-    lines = [np.array(each, dtype=np.float64) for each in tracks]
-    knots = [np.array(each, dtype=np.float64) for each in values]
-    if not lines or len(lines) != len(knots):
-        raise ValueError("an element needs at least one track, and values for each")
-    for line, at in zip(lines, knots, strict=True):
-        fits = line.shape == (len(at), 2) and len(at) > 1 and np.isfinite(line).all()
-        if not (fits and (np.diff(at) > 0.0).all()):
-            raise ValueError(
-                "a track needs two or more finite places (k, 2) at ascending values (k,)"
-            )
-    return lines, knots

@@ -17,11 +17,11 @@ from numpy.typing import ArrayLike
 
 from usdrigui.character import Body, Floats, Indices, Record, Rig, RigMesh, Singles
 from usdrigui.character.deform import Posed, channel_state, deform, posed, sweep
+from usdrigui.character.subset import subset
 from usdrigui.errors import meant, refuse
 from usdrigui.following import Following, following, shared
 from usdrigui.model import Element, Layout
 from usdrigui.pose.handle_track import carried, facing, slid
-from usdrigui.pose.subset import subset
 
 
 @dataclass(frozen=True, eq=False)

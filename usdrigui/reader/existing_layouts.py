@@ -10,7 +10,7 @@ from pxr import Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import Issue, issue
 from usdrigui.layer.properties import element_name, has
-from usdrigui.layer.read_layout import element_prims, layout_scopes, points_of_subset, switched_off
+from usdrigui.layer.read_layout import element_prims, layout_scopes, points_by_role, switched_off
 from usdrigui.model import ExistingPrim, ExistingSpan
 from usdrigui.reading.blend_shape import shape_tokens
 from usdrigui.reading.character import skel_roots
@@ -36,7 +36,8 @@ def _of_scope(scope: Usd.Prim) -> Iterator[ExistingPrim]:
 def _spans(mesh: Usd.Prim, names: dict[str, str]) -> Iterator[ExistingSpan]:
     for child in mesh.GetAllChildren():
         if child.IsA(UsdGeom.Subset) and child.GetName() in names:
-            handle, track = points_of_subset(child)
+            handle = points_by_role(child, "handle")
+            track = points_by_role(child, "track", "area", "")
             yield ExistingSpan(names[child.GetName()], "handle", handle)
             yield ExistingSpan(names[child.GetName()], "track", track)
 

@@ -22,6 +22,7 @@ from usdrigui.reading.clips import checked_weights
 from usdrigui.reading.mesh import read_faces, topology_hash
 from usdrigui.reading.range import limit_entries, limit_table
 from usdrigui.reading.skeleton import repeated
+from usdrigui.settings import ReadSettings
 from usdrigui.stages.arrays import tokens, value_at, vector_count
 
 
@@ -90,35 +91,7 @@ def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
                 found.append(layout.mesh_gone(anchor.mesh))
             elif change := anchor.mesh_change(hashes[anchor.mesh]):
                 found.append(issue("LAYOUT_TOPOLOGY", element.name, change, layout.character.root))
-    return tuple(dict.fromkeys((*found, *contradictions(stage))))
-
-
-# --- the pairs of names and targets, and how to repair them ---------------------------------------
-
-
-def can_repair(prim: Usd.Prim) -> bool:
-    """Whether `repair` knows what was meant: there is one target for each name."""
-    try:
-        names_and_targets(prim)
-    except RigUIError:
-        return False
-    return not prim.IsInstanceProxy()
-
-
-def repair(prim: Usd.Prim) -> None:
-    """Drop the pairs that UsdSkel ignores and put the rest into the animation's order; nothing
-    moves otherwise.
-
-    Authors skel:blendShapes and skel:blendShapeTargets in the stage's edit target.
-    """
-    # Of a name that is listed twice UsdSkel takes the last.
-    pairs, stage = dict(zip(*names_and_targets(prim), strict=True)), prim.GetStage()
-    usable = [token for token, target in pairs.items() if is_shape(stage.GetPrimAtPath(target))]
-    place = {token: index for index, token in enumerate(_animated(prim))}
-    order = sorted(usable, key=lambda token: place.get(token, len(place)))
-    api = UsdSkel.BindingAPI(prim)
-    api.GetBlendShapesAttr().Set(order)
-    api.GetBlendShapeTargetsRel().SetTargets([pairs[token] for token in order])
+    return tuple(dict.fromkeys((*found, *contradictions(stage, ReadSettings()))))
 
 
 # --- one mesh and its shapes ----------------------------------------------------------------------

@@ -202,7 +202,7 @@ def read_result(
     return replace(
         result,
         without_layout=_as_text(without_layout(stage, laid_out, settings.rig.read.skel_root)),
-        contradictions=_as_text(contradictions(stage)),
+        contradictions=_as_text(contradictions(stage, settings.rig.read)),
         listed=listed_controls(stage),
     )
 

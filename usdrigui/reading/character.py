@@ -7,13 +7,13 @@ is asked of UsdSkel, so that a rig means here what it means in any other applica
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from pxr import Gf, Tf, Usd, UsdGeom, UsdSkel
+from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.character import (
     Body,
@@ -40,7 +40,7 @@ from usdrigui.reading.control import (
     settled,
 )
 from usdrigui.reading.glyph import read_glyphs
-from usdrigui.reading.mesh import hidden_issues, outside_issues, read_meshes
+from usdrigui.reading.mesh import drawable, hidden_issues, outside_issues, read_meshes
 from usdrigui.reading.pose import FrameNames, named_poses, read_frame_names
 from usdrigui.reading.range import read_ranges
 from usdrigui.reading.refusal import (
@@ -203,39 +203,62 @@ def _read(root: Usd.Prim, settings: RigSettings, faults: Faults, *, instances: b
     return Reading(rig, frozenset(known), scene.bound_in_vain, tuple(found.faults))
 
 
+def read_body(root: Usd.Prim, settings: ReadSettings, meshes: Sequence[Usd.Prim]) -> Body:
+    """Some of the meshes below a SkelRoot, those that draw a layout too, and what moves them;
+    meshes whose arrays contradict each other are left off."""
+    return _bound(root, settings, meshes).animated.body
+
+
 def _scene(root: Usd.Prim, settings: ReadSettings, *, instances: bool) -> _Scene:
-    stage, time, found = root.GetStage(), settings.time, Found()
+    bound, stage = _bound(root, settings, drawable(root)), root.GetStage()
+    animated, found = bound.animated, bound.found
+    if not instances:
+        _refuse_instances(animated.armatures, stage)
+    meshes = animated.body.meshes
+    vain = bound_in_vain(stage, (mesh.path for mesh in meshes), bound.bindings)
+    found.issues.extend((*vain, *hidden_issues(stage, meshes)))
+    clip = read_clip(animated, stage.GetTimeCodesPerSecond(), found.issues)
+    return _Scene(animated, clip, bound.names, found, vain)
+
+
+@dataclass(frozen=True)
+class _Bound:
+    """Meshes of one SkelRoot and what poses them."""
+
+    animated: Animated
+    names: FrameNames
+    found: Found
+    bindings: Mapping[Sdf.Path, Binding]
+
+
+def _bound(root: Usd.Prim, settings: ReadSettings, prims: Iterable[Usd.Prim]) -> _Bound:
+    time, found = settings.time, Found()
     frames = Frames(root, Usd.TimeCode.Default() if time is None else Usd.TimeCode(time))
     cache, everything = UsdSkel.Cache(), Usd.TraverseInstanceProxies()
     cache.Populate(UsdSkel.Root(root), everything)
-    bindings = [
+    skeletons = [
         binding
         for binding in cache.ComputeSkelBindings(UsdSkel.Root(root), everything)
         if _belongs(binding, root)
     ]
-    armatures = read_armatures([binding.GetSkeleton() for binding in bindings], cache, frames)
+    armatures = read_armatures([binding.GetSkeleton() for binding in skeletons], cache, frames)
     names = read_frame_names(root, armatures, settings.pose_names, found.issues)
     if time is None and names.frames:
         time = names.frames[0].time  # The asset itself names the frame of its rest pose.
     joints = read_joints(armatures, time, found.issues)
     channels = read_channels(armatures, found.issues)
     found.tokens.update({(each.token, each.animation): i for i, each in enumerate(channels)})
-    bound = {
+    bindings = {
         query.GetPrim().GetPath(): Binding(armature, query)
-        for binding, armature in zip(bindings, armatures, strict=True)
+        for binding, armature in zip(skeletons, armatures, strict=True)
         for query in binding.GetSkinningTargets()
     }
-    if not instances:
-        _refuse_instances(armatures, stage)
-    meshes = read_meshes(root, bound, frames, found)
-    vain = bound_in_vain(stage, (mesh.path for mesh in meshes), bound)
-    found.issues.extend((*vain, *hidden_issues(stage, meshes)))
+    meshes = read_meshes(prims, bindings, frames, found)
     channels = _with_unanimated(root, channels, found)
-    skeletons = tuple(armature.record for armature in armatures)
+    records = tuple(armature.record for armature in armatures)
     weights = np.zeros(len(channels)) if time is None else weights_at(armatures, channels, time)
-    animated = Animated(armatures, Body(meshes, skeletons, joints, channels, weights))
-    clip = read_clip(animated, stage.GetTimeCodesPerSecond(), found.issues)
-    return _Scene(animated, clip, names, found, vain)
+    body = Body(meshes, records, joints, channels, weights)
+    return _Bound(Animated(armatures, body), names, found, bindings)
 
 
 def _drafts(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -44,14 +44,15 @@ _DRAWN = (UsdGeom.Tokens.default_, UsdGeom.Tokens.render)
 
 
 def read_meshes(
-    root: Usd.Prim, bindings: Mapping[Sdf.Path, Binding], frames: Frames, found: Found
+    prims: Iterable[Usd.Prim], bindings: Mapping[Sdf.Path, Binding], frames: Frames, found: Found
 ) -> tuple[RigMesh, ...]:
-    """All meshes under the SkelRoot, in stage order; `found` takes the new tokens and the issues.
+    """The meshes among some prims below the SkelRoot, in their order; `found` takes the new tokens
+    and the issues.
 
     A mesh whose arrays contradict each other is left off (decision 023).
     """
     meshes = []
-    for prim in _drawable(root):
+    for prim in prims:
         path = prim.GetPath()
         binding = bindings.get(path)
         if not prim.IsA(UsdGeom.Mesh):
@@ -88,7 +89,7 @@ def _deforming(prim: Usd.Prim) -> str:
     return " and ".join(["blend shapes"] * shapes + ["joint influences"] * joints)
 
 
-def _drawable(root: Usd.Prim) -> list[Usd.Prim]:
+def drawable(root: Usd.Prim) -> list[Usd.Prim]:
     """Point-based prims under the SkelRoot, without nested SkelRoots and earlier layouts."""
     prims = []
     walk = iter(Usd.PrimRange(root, Usd.TraverseInstanceProxies()))

@@ -4,8 +4,9 @@ sublayers, or referenced in a variant of its own.
 `attach` puts a bare layout layer first among the sublayers of the asset's root layer, or makes it a
 reference (`usdrigui.clients.attaching.layout_reference`); `detach` takes it out again. Both write
 through `usdrigui.replacing.exchange`, after the edited file has been read back in a process of its
-own. A text layer is edited in place of one entry, so that comments and layout of the text stay; if
-the edited text does not mean exactly what the edited layer means, the layer is exported instead.
+own. A text layer is edited at its
+list of sublayers, so that comments and layout of the text stay; the layer is exported instead where
+the edited text does not mean exactly what the edited layer means, and for a reference.
 """
 
 from __future__ import annotations
@@ -46,7 +47,8 @@ class _Edit:
     """A change of an asset's root layer."""
 
     of_layer: Callable[[Sdf.Layer], None]
-    of_text: Callable[[str], str]
+    of_text: Callable[[str], str] | None = None
+    """The same of its text, with all other bytes as they are; none where the layer is exported."""
 
 
 def attach(
@@ -105,7 +107,7 @@ def _attached(
     asset: Path, layer: Path, settings: Settings, tell: Callable[[Issue], None], in_variant: bool
 ) -> Outcome:
     before = check_source(asset, settings.rig.read.size_limit)
-    layouts = _layouts(asset, layer, Opening.of(settings.rig.read))
+    layouts = read_layouts_isolated(layer, Opening.of(settings.rig.read)).layouts
     settings = _in_its_variant(layouts, settings)
     read = read_rigs_isolated(asset, settings)
     _check_of(asset, layouts, read.rigs)
@@ -143,31 +145,10 @@ def _references(asset: Path, layer: Path, layouts: Sequence[Layout]) -> _Edit:
         own = layout.character
         layout_reference.check_reachable(layer, opened, own.variant_path, own.root)
     wanted = tuple(
-        layer_text.ReferenceOf(root, entry)
+        layout_reference.ReferenceOf(root, entry)
         for root in dict.fromkeys(each.character.root for each in layouts)
     )
-    return _Edit(
-        functools.partial(layout_reference.add, references=wanted),
-        functools.partial(layer_text.with_references, references=wanted),
-    )
-
-
-def _layouts(asset: Path, layer: Path, opening: Opening) -> tuple[Layout, ...]:
-    """The layouts of the layer; where it has none and the asset has, the two were exchanged."""
-    try:
-        return read_layouts_isolated(layer, opening).layouts
-    except RigUIError as error:
-        if error.issue.code == "LAYOUT_MISSING" and _has_layout(asset, opening):
-            message = f"{error.issue.message}, but {asset} has a layout: the asset is named first"
-            raise refuse("LAYOUT_MISSING", str(layer), message) from error
-        raise
-
-
-def _has_layout(path: Path, opening: Opening) -> bool:
-    try:
-        return bool(read_layouts_isolated(path, opening).layouts)
-    except RigUIError:
-        return False
+    return _Edit(functools.partial(layout_reference.add, references=wanted))
 
 
 def _in_its_variant(layouts: Sequence[Layout], settings: Settings) -> Settings:
@@ -213,16 +194,14 @@ def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:
         _edit(edited, "", sublayers)
         layout_reference.remove(edited, inside)
 
-    def of_text(text: str) -> str:
-        return layer_text.without_references(layer_text.without_sublayers(text, sublayers), inside)
-
+    of_text = functools.partial(layer_text.without_sublayers, paths=sublayers)
     verify = functools.partial(_readable, settings)
-    return _replaced(asset, source, before, verify, _Edit(of_layer, of_text))
+    return _replaced(asset, source, before, verify, _Edit(of_layer, None if inside else of_text))
 
 
 def _entries(
     asset: Path, source: Sdf.Layer, layer: Path
-) -> tuple[Sequence[str], Sequence[layer_text.ReferenceOf]]:
+) -> tuple[Sequence[str], Sequence[layout_reference.ReferenceOf]]:
     """The sublayers and the references of a root layer that are `layer`."""
     leads = functools.partial(_leads_to, asset, layer=layer)
     return [each for each in source.subLayerPaths if leads(each)], layout_reference.references_of(
@@ -270,12 +249,12 @@ def _replaced(
     """Write the edited root layer of the asset in the format that it has."""
     original = Original.of(before)
     edit.of_layer(source)
-    if original.content.startswith(b"#usda"):
+    if original.content.startswith(b"#usda") and edit.of_text is not None:
         edited = edit.of_text(original.content.decode(errors="surrogateescape"))
         kept = layer_text.means(edited, source)
         content = edited.encode(errors="surrogateescape") if kept else layer_bytes(source, ".usda")
     else:
-        content = layer_bytes(source, ".usdc")
+        content = layer_bytes(source, ".usda" if original.content.startswith(b"#usda") else ".usdc")
     replace_source(asset, original, content, verify)
     return "written"
 

@@ -3,23 +3,29 @@ that opens no file of it.
 
 No payload, which does the same: a payload of the SkelRoot would hide the whole character from those
 who load none.
-
-Here is the edit of the asset's root layer by its specs; that of its text is in
-`usdrigui.clients.attaching.layer_text`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from pxr import Sdf
 
-from usdrigui.clients.attaching.layer_text import ReferenceOf
 from usdrigui.errors import refuse
 from usdrigui.layer.write_layout import author_variant
 from usdrigui.stages import schema
 from usdrigui.stages.variant_paths import asset_selections
+
+
+@dataclass(frozen=True)
+class ReferenceOf:
+    """A reference in the variant ``rigUI = ui`` of a SkelRoot."""
+
+    root: str
+    path: str
+    """As it stands in the asset's root layer."""
 
 
 def references_of(asset: Sdf.Layer, leads: Callable[[str], bool]) -> tuple[ReferenceOf, ...]:

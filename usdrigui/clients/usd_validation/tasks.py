@@ -1,4 +1,4 @@
-"""What USD imports when it loads our plug-in: registers the validators and their one fixer."""
+"""What USD imports when it loads our plug-in: registers the validators."""
 
 from __future__ import annotations
 
@@ -15,7 +15,6 @@ _KINDS = {
     "warning": UsdValidation.ValidationErrorType.Warn,
     "info": UsdValidation.ValidationErrorType.Info,
 }
-_REPAIRABLE = ("TARGET_INVALID", "TOKEN_REPEATED", "TOKEN_ORDER")
 
 
 def _blend_shapes(prim: Usd.Prim, *_: Any) -> list[Any]:
@@ -43,19 +42,7 @@ def _as_error(found: Issue, stage: Usd.Stage, owner: Sdf.Path) -> Any:
     return UsdValidation.ValidationError(found.code, _KINDS[found.severity], sites, message)
 
 
-def _can_repair(error: Any, *_: Any) -> bool:
-    prim = error.GetSites()[0].GetPrim()
-    return bool(error.GetName() in _REPAIRABLE and prim and faults.can_repair(prim))
-
-
-def _repair(error: Any, target: Any, *_: Any) -> bool:
-    prim = error.GetSites()[0].GetPrim()
-    with Usd.EditContext(prim.GetStage(), target):
-        faults.repair(prim)
-    return True
-
-
-def _register(kind: str, tasks: str, function: Any, **fixers: Any) -> None:
+def _register(kind: str, tasks: str, function: Any) -> None:
     """One validator: as the plug-in that `plugInfo.json` describes, or else by its metadata alone.
 
     A registry reads the metadata of plug-ins when it is made; what is known to it later must bring
@@ -64,24 +51,16 @@ def _register(kind: str, tasks: str, function: Any, **fixers: Any) -> None:
     registry = UsdValidation.ValidationRegistry()
     name = f"{NAME}:{kind}"
     if name in {each.name for each in registry.GetAllValidatorMetadata()}:
-        getattr(registry, f"RegisterPlugin{tasks}Validator")(name, function, **fixers)
+        getattr(registry, f"RegisterPlugin{tasks}Validator")(name, function)
         return
     plugin = Plug.Registry().GetPluginWithName(NAME)
     described = plugin.metadata["Validators"]
     metadata = UsdValidation.ValidatorMetadata(
         name=name, plugin=plugin, keywords=described["keywords"], doc=described[kind]["doc"]
     )
-    getattr(registry, f"Register{tasks}Validator")(metadata, function, **fixers)
+    getattr(registry, f"Register{tasks}Validator")(metadata, function)
 
 
-_FIXER = UsdValidation.ValidationFixer(
-    name="PairNamesAndTargets",
-    description=(
-        "Drop the pairs of name and target that UsdSkel ignores, and use the animation's order."
-    ),
-    fixerImplFn=_repair,
-    canApplyFn=_can_repair,
-)
-_register("BlendShapes", "Prim", _blend_shapes, fixers=[_FIXER])
+_register("BlendShapes", "Prim", _blend_shapes)
 _register("ShapeWeights", "Prim", _shape_weights)
 _register("Layouts", "Stage", _layouts)

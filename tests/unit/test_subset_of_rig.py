@@ -6,7 +6,7 @@ import pytest
 from skel_stages import character
 
 from usdrigui.character.deform import deform
-from usdrigui.pose.subset import subset
+from usdrigui.character.subset import subset
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
 

@@ -1,0 +1,511 @@
+"""Whether a layout does what it shows: its controls, evaluated on the character, take the anchors
+along the tracks, and what is drawn goes with them.
+
+One law for `usdrigui check`, the validators and the tests.  The character and the meshes that draw
+the layout are posed by what the layer itself says that its controls drive: each control by itself
+along its track, then all of them half way together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from pxr import Usd, UsdGeom
+
+from usdrigui.character import (
+    Body,
+    Configured,
+    Control,
+    Drive,
+    Findings,
+    Floats,
+    Indices,
+    Record,
+    Rig,
+    SkelRoot,
+)
+from usdrigui.character.deform import Posed, posed, sweep, sweep_start
+from usdrigui.character.subset import subset
+from usdrigui.errors import Issue, issue
+from usdrigui.layer.properties import (
+    array_of,
+    control_instances,
+    strings,
+    targets,
+    value_of,
+)
+from usdrigui.layer.read_layout import base_controls, element_prims, points_by_role
+from usdrigui.model import Element, Layout, Member
+from usdrigui.reading.blend_shape import legible_tokens
+from usdrigui.reading.character import read_body
+from usdrigui.reading.mesh import drawable
+from usdrigui.settings import ReadSettings
+from usdrigui.stages import schema
+
+_FOLLOWS, _EXACT = 1e-5, 0.01
+"""Of the size of the meshes with anchors, and of a handle's width: handles follow their anchors as
+closely as both together."""
+_NEAR = 0.03
+"""Of a handle's width: the same for what is anywhere else than the anchor in a handle, and for
+handles that are at their anchor in the base pose."""
+_STILL = 0.5
+"""Of a handle's width: tracks follow the skin so closely."""
+_BESIDE, _LONG = 0.5, 0.2
+"""Of a handle's width and of a track's length: a drawn track passes its points by less than both
+together."""
+_ALONG, _SHARE = 0.05, 0.08
+"""Of a handle's width, and of the way that a control takes its anchor: tracks differ from the
+anchor's way by less than both together."""
+_TURN = 0.05
+"""Degrees by which one of a control turns a joint at least, and as many of it one degree: radians
+are others."""
+_SIZES = 4.0
+"""Times as wide or narrow as the layout says may be what draws a handle."""
+_HALF = 0.5
+"""Of its range: so far every control is from the base pose where all are."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Drawn(Record):
+    """An element with the points that count, as rows of `_Scene.rig`."""
+
+    prim: Usd.Prim
+    element: Element
+    width: float
+    """Of its handle."""
+    anchor: int
+    handle: Indices
+    track: Indices
+    members: Indices
+    """Its controls, as indices into `Rig.controls`."""
+
+    @property
+    def rows(self) -> Indices:
+        """Of everything drawn."""
+        return np.concatenate([self.handle, self.track])
+
+    @property
+    def slides(self) -> bool:
+        """Whether its handle goes along the track by itself, rather than with the skin."""
+        return self.element.anchor.on_board or self.element.look.adapt == "static"
+
+
+@dataclass(frozen=True, eq=False)
+class _Scene(Record):
+    """The points of a character and of a layout that count, ready to be posed."""
+
+    rig: Rig
+    drawn: tuple[_Drawn, ...]
+    base_values: Floats
+    size: float
+    """Diagonal of the box around the meshes that elements are anchored to."""
+
+    @cached_property
+    def base(self) -> Posed:
+        return posed(self.rig, self.base_values)
+
+    def carrying(self, at: Posed, point: int) -> Floats:
+        """(4, 3) map of a point from its mesh to the space of the SkelRoot."""
+        mesh, local = self.rig.body.mesh_of(point)
+        maps = at.maps[mesh]
+        return np.asarray(maps[local if len(maps) > 1 else 0])
+
+    def with_carried(self, controls: Indices) -> Indices:
+        """Some controls, and all that move joints which these carry: what ignores the ones hangs on
+        the joints above.  Where they turn joints, shapes too: what these do turns along the
+        track."""
+        drives = [control.drive for control in self.rig.controls]
+        carried = np.zeros(len(self.rig.body.joints) + 1, dtype=bool)
+        for control in controls:
+            carried[drives[control].joints] = True
+        for index, joint in enumerate(self.rig.body.joints):
+            carried[index] |= carried[joint.parent]
+        others = [
+            index
+            for index, drive in enumerate(drives)
+            if carried[drive.joints].any() or (carried.any() and len(drive.channels))
+        ]
+        return np.union1d(controls, others).astype(np.int64)
+
+    def halfway(self, towards: str, but: Indices) -> Floats:
+        """Values (controls,) of a pose: every control half way from the base pose to its
+        ``minimum`` or ``maximum``, those of `but` at the base pose."""
+        ends = np.array([getattr(each, towards) for each in self.rig.controls])
+        values = self.base_values + _HALF * (ends - self.base_values)
+        values[but] = self.base_values[but]
+        return np.asarray(values)
+
+
+def disagreements(scope: Usd.Prim, layout: Layout, settings: ReadSettings) -> Iterator[Issue]:
+    """LAYOUT_INVALID of what cannot be evaluated, LAYOUT_TRACK of controls that take their anchor
+    elsewhere than their track shows, and LAYOUT_DRAWN of what is drawn and does not go along."""
+    found: list[Issue] = []
+    scene = _scene(scope, layout, settings, found)
+    yield from found
+    if scene is None:
+        return
+    for each in scene.drawn:
+        yield from _at_rest(scene, each)
+        for member, control in zip(each.element.manipulator.members, each.members, strict=True):
+            yield from _alone(scene, each, member, int(control))
+    yield from _together(scene)
+
+
+# --- one element ----------------------------------------------------------------------------------
+
+
+def _at_rest(scene: _Scene, drawn: _Drawn) -> Iterator[Issue]:
+    """What is wrong with an element in the base pose."""
+    element, points, width = drawn.element, scene.base.points, drawn.width
+    position, near = element.anchor.position, _FOLLOWS * scene.size + _NEAR * width
+    handle = points[drawn.handle]
+    if element.look.glyph is None:
+        yield from _as_wide(drawn, handle)
+        away = float(np.linalg.norm(handle[0] - position)) if len(handle) else 0.0
+        if away > near:
+            yield _astray(drawn, f"its handle is {away:.3g} from rigUI:anchor:position")
+    tracks = [member.track for member in element.manipulator.members]
+    beside = _BESIDE * width + _LONG * max(map(length, tracks))
+    ways = points[drawn.track]
+    if len(ways):
+        away = float(np.min([_distances(ways, track) for track in tracks], axis=0).max())
+        if away > beside:
+            yield _astray(drawn, f"its tracks are drawn {away:.3g} from their trackPoints")
+
+
+def _as_wide(drawn: _Drawn, handle: Floats) -> Iterator[Issue]:
+    """Whether a handle (points, 3), its first point at the anchor, is as large as the layout says,
+    and lifted as far."""
+    if len(handle) < 2:
+        return
+    shell, width = handle[1:], drawn.width
+    across = float(np.linalg.norm(np.ptp(shell, axis=0)))
+    if not width / _SIZES < across < width * _SIZES:
+        yield _astray(drawn, f"its handle is {across:.3g} wide, the layout's {width:.3g}")
+    middle = float(np.linalg.norm(shell.mean(axis=0) - handle[0]))
+    if abs(middle - value_of(drawn.prim, schema.HANDLE, "lift")) > width:
+        yield _astray(drawn, f"its handle is {middle:.3g} from its anchor, not rigUI:handle:lift")
+
+
+def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterator[Issue]:
+    """What is wrong with an element while one of its controls goes along its track."""
+    values, element = np.append(scene.base_values[control], member.values), drawn.element
+    start, _ = sweep_start(scene.rig, scene.base, scene.base_values, control)
+    moved, offsets = sweep(scene.rig, start, control, values)
+    motion = np.zeros((len(values) - 1, len(scene.base.points), 3))
+    motion[:, moved] = offsets[1:] - offsets[0]
+    track = np.stack([np.interp(values, member.values, axis) for axis in member.track.T], axis=1)
+    along = track[1:] - track[0]
+    drive = scene.rig.controls[control].drive
+    anchor, steps = motion[:, drawn.anchor], f"as {member.control!r} goes along its track"
+    handle = motion[:, drawn.handle]
+    tolerance = _FOLLOWS * scene.size + _EXACT * drawn.width
+    if drawn.slides:
+        single = len(drive.channels) == 1 and not len(drive.joints)
+        expected, slack = along if single else np.zeros_like(along), _NEAR * drawn.width + tolerance
+        if _worst(handle - expected[:, None]) > slack:
+            yield _astray(drawn, f"its handle does not go along it, {steps}")
+        return
+    way = float(np.linalg.norm(anchor, axis=1).max())
+    off = _worst(along / (member.magnification or 1.0) - anchor)
+    if off > _ALONG * drawn.width + _SHARE * way:
+        clause = f"{off:.3g} from rigUI:control:*:trackPoints, {steps}"
+        yield issue("LAYOUT_TRACK", str(drawn.prim.GetPath()), f"its anchor is up to {clause}")
+    away = _worst(handle[:, :1] - anchor[:, None])
+    if element.look.glyph is None and away > tolerance:
+        yield _astray(drawn, f"its handle leaves its anchor by {away:.3g}, {steps}")
+    if _worst(motion[:, drawn.track]) > _STILL * drawn.width:
+        yield _astray(drawn, f"its tracks move, {steps}")
+
+
+def _together(scene: _Scene) -> Iterator[Issue]:
+    """What does not follow the character while many controls are away from the base pose."""
+    told: set[int] = set()
+    board = np.unique(
+        np.concatenate(
+            [each.members for each in scene.drawn if each.element.anchor.on_board]
+            or [np.zeros(0, dtype=np.int64)]
+        )
+    )
+    for towards in ("maximum", "minimum"):
+        none = np.zeros(0, dtype=np.int64)
+        whole = posed(scene.rig, scene.halfway(towards, none))
+        still = posed(scene.rig, scene.halfway(towards, scene.with_carried(board)))
+        for index, each in enumerate(scene.drawn):
+            if index in told or each.element.look.adapt == "static":
+                continue
+            for what, off, slack in _departures(scene, each, towards, whole, still):
+                if off > _FOLLOWS * scene.size + slack:
+                    clause = f"its {what} leaves the character by {off:.3g}"
+                    yield _astray(each, f"{clause} as all controls go half way to their {towards}")
+                    told.add(index)
+                    break
+
+
+def _departures(
+    scene: _Scene, drawn: _Drawn, towards: str, whole: Posed, still: Posed
+) -> Iterator[tuple[str, float, float]]:
+    """What is drawn, how far it leaves the character, and how far it may, where all controls are
+    half way (`whole`), or all but those of the board (`still`)."""
+    loose = _STILL * drawn.width
+    if drawn.element.anchor.on_board:
+        yield "drawing", _off(scene, drawn, still, drawn.rows), loose
+        return
+    yield "handle", _off(scene, drawn, whole, drawn.handle[:1]), _EXACT * drawn.width
+    yield "handle", _off(scene, drawn, whole, drawn.handle), loose
+    others = posed(scene.rig, scene.halfway(towards, scene.with_carried(drawn.members)))
+    yield "track", _off(scene, drawn, others, drawn.track), loose
+
+
+def _off(scene: _Scene, drawn: _Drawn, at: Posed, rows: Indices) -> float:
+    """How far points are from where the skin at the anchor takes them; on the board, its joints
+    alone."""
+    before, now = (scene.carrying(each, drawn.anchor) for each in (scene.base, at))
+    carry, points = np.linalg.pinv(before[:3]) @ now[:3], scene.base.points
+    start, end = points[drawn.anchor], at.points[drawn.anchor]
+    if drawn.element.anchor.on_board:
+        start, end = before[3], now[3]
+    return _worst(at.points[rows] - end - (points[rows] - start) @ carry)
+
+
+def _astray(drawn: _Drawn, message: str) -> Issue:
+    return issue("LAYOUT_DRAWN", str(drawn.prim.GetPath()), message)
+
+
+def _worst(vectors: Floats) -> float:
+    return float(np.linalg.norm(vectors, axis=-1).max(initial=0.0))
+
+
+def length(line: Floats) -> float:
+    """Of a polyline (k, 3)."""
+    return float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
+
+
+def _distances(points: Floats, line: Floats) -> Floats:
+    """(n,) of points from a polyline (k, 3)."""
+    steps = np.diff(line, axis=0)
+    squared = np.maximum((steps * steps).sum(axis=1), 1e-300)
+    away = points[:, None] - line[:-1]
+    shares = np.clip((away * steps).sum(axis=2) / squared, 0.0, 1.0)
+    return np.asarray(np.linalg.norm(away - shares[..., None] * steps, axis=2).min(axis=1))
+
+
+# --- the scene ------------------------------------------------------------------------------------
+
+
+def _scene(
+    scope: Usd.Prim, layout: Layout, settings: ReadSettings, found: list[Issue]
+) -> _Scene | None:
+    """None where nothing can be evaluated; `found` takes what is not as the character has it."""
+    stage, root, prims = scope.GetStage(), scope.GetParent(), element_prims(scope)
+    drawings = [mesh for mesh in scope.GetAllChildren() if mesh.IsA(UsdGeom.Mesh)]
+    anchored = dict.fromkeys(each.anchor.mesh for each in layout.elements if each.anchor.mesh)
+    meshes = [each for each in map(stage.GetPrimAtPath, anchored) if each and each.IsActive()]
+    body = read_body(root, settings, [*meshes, *drawings])
+    starts = dict(zip((mesh.path for mesh in body.meshes), body.starts.tolist(), strict=False))
+    topologies = {mesh.path: (mesh.topology.hash, len(mesh.points)) for mesh in body.meshes}
+    found += [
+        invalid_at(mesh, "its arrays contradict each other: it draws nothing")
+        for mesh in drawings
+        if str(mesh.GetPath()) not in starts
+    ]
+    controls, weights = _controls(scope, prims, body, found)
+    names, drawn = list(controls), []
+    for prim, element in zip(prims, layout.elements, strict=True):
+        members = [member.control for member in element.manipulator.members]
+        known, count = topologies.get(element.anchor.mesh, ("gone", 0))
+        fits = bool(count) and element.anchor.fits(known)
+        if fits and element.anchor.point_count not in (0, count):
+            found.append(invalid_at(prim, f"rigUI:anchor:pointCount is not {count}"))
+        if fits and controls.keys() >= {*members}:
+            drawn.append(
+                _Drawn(
+                    prim,
+                    element,
+                    layout.frame.handle_width_of(element.placement.part),
+                    starts[element.anchor.mesh] + element.anchor.point,
+                    _rows(starts, drawings, prim, "handle"),
+                    _rows(starts, drawings, prim, "track"),
+                    np.array([names.index(name) for name in members]),
+                )
+            )
+    if not drawn:
+        return None
+    rig = Rig(
+        SkelRoot(str(root.GetPath()), "", np.zeros(3), 1.0, None),
+        replace(body, base_weights=weights),
+        tuple(controls.values()),
+        Findings((), ()),
+        Configured(),
+    )
+    rows = np.unique(np.concatenate([[each.anchor, *each.rows] for each in drawn]).astype(np.int64))
+    drawn = [
+        replace(
+            each,
+            anchor=int(np.searchsorted(rows, each.anchor)),
+            handle=np.searchsorted(rows, each.handle),
+            track=np.searchsorted(rows, each.track),
+        )
+        for each in drawn
+    ]
+    base = dict(zip(base_controls(scope), layout.character.base_values.tolist(), strict=True))
+    values = [base.get(name, control.default) for name, control in controls.items()]
+    spans = [np.ptp(mesh.points, axis=0) for mesh in body.meshes]
+    size = float(np.linalg.norm(spans, axis=1).max())
+    return _Scene(subset(rig, rows)[0], tuple(drawn), np.array(values), size)
+
+
+def _rows(
+    starts: Mapping[str, int], drawings: list[Usd.Prim], prim: Usd.Prim, role: str
+) -> Indices:
+    """Points of the body that draw an element in a role, in all meshes."""
+    found = [np.zeros(0, dtype=np.int64)]
+    for mesh in drawings:
+        part = mesh.GetChild(prim.GetName())
+        if str(mesh.GetPath()) in starts and part and part.IsA(UsdGeom.Subset):
+            found.append(starts[str(mesh.GetPath())] + points_by_role(part, role))
+    return np.concatenate(found)
+
+
+# --- controls as the layer has them ---------------------------------------------------------------
+
+
+def _controls(
+    scope: Usd.Prim, prims: tuple[Usd.Prim, ...], body: Body, found: list[Issue]
+) -> tuple[dict[str, Control], Floats]:
+    """By name, those that the character has, and the weights (channels,) where all are at their
+    defaults; `found` takes what it lacks, and controls that two elements have in two ways."""
+    controls: dict[str, Control] = {}
+    authored: dict[str, list[str]] = {}
+    weights, shaped = body.base_weights.copy(), set[str]()
+    for mesh in drawable(scope.GetParent()):
+        shaped.update(legible_tokens(mesh))
+    tokens = shaped | {channel.token for channel in body.channels}
+    for prim in prims:
+        for instance in control_instances(prim):
+            read = _Reader(prim, instance, body)
+            faults = list(read.faults(tokens))
+            found += faults
+            control = read.control(weights)
+            if not faults and read.complete(control.drive, shaped):
+                controls[control.name] = control
+            said = [str(read.get(name)) for name in _DRIVEN]
+            if authored.setdefault(control.name, said) != said:
+                what = f"its control {control.name!r} is another one in another element"
+                found.append(invalid_at(prim, what))
+    return controls, weights
+
+
+@dataclass(frozen=True)
+class _Reader:
+    """One control of an element, held against the character."""
+
+    prim: Usd.Prim
+    instance: str
+    body: Body
+
+    def get(self, name: str) -> Any:
+        return value_of(self.prim, schema.CONTROL, name, self.instance)
+
+    def targets(self, name: str) -> list[str]:
+        return [str(path) for path in targets(self.prim, schema.CONTROL, name, self.instance)]
+
+    def faults(self, tokens: set[str]) -> Iterator[Issue]:
+        """What keeps it from driving anything; `tokens` are the shapes of the character."""
+        for what in self._contradictions(tokens):
+            yield invalid_at(self.prim, f"rigUI:control:{self.instance}:{what}")
+
+    def _contradictions(self, tokens: set[str]) -> Iterator[str]:
+        shapes, joints = {*strings(self.get("blendShapes"))}, {*strings(self.get("joints"))}
+        if not shapes and not joints:
+            yield "blendShapes and joints are missing: the control drives nothing"
+        elif not len(self.get("keys")) and (len(shapes) != 1 or joints):
+            yield "keys are missing: without, it is one blend shape"
+        # Of its own shape the rig shows that it is gone.
+        own = {self.instance, str(self.get("name")), str(self.get("source"))}
+        for token in sorted(shapes - tokens - own):
+            yield f"blendShapes names {token!r}, which no mesh has"
+        there = {joint.path for joint in self.body.joints}
+        for token in sorted(joints - there) if there else ():
+            yield f"joints names {token!r}, which its Skeleton lacks"
+        if joints and not self.targets("skeleton"):
+            yield "skeleton is missing: it moves joints"
+        degrees = self.get("unit") == "degrees"
+        if degrees != (self.get("kind") == "joint"):
+            yield "unit is not that of its kind"
+        turns = np.abs(array_of(self.get("jointRotationVectors")))
+        span = float(self.get("maximum") - self.get("minimum"))
+        if degrees and turns.any() and not _TURN < turns.max() / span < 1.0 / _TURN:
+            yield f"jointRotationVectors turn by {turns.max():.3g} over {span:.3g}"
+
+    def complete(self, drive: Drive, shaped: set[str]) -> bool:
+        """Whether the character has all joints that it drives and one of the shapes, `shaped` being
+        those of its meshes; what it lacks, a check of the rig says."""
+        moved = len(drive.joints) > 0 or not shaped.isdisjoint(self.get("blendShapes"))
+        return moved and len(drive.joints) == len(self.get("joints"))
+
+    def control(self, weights: Floats) -> Control:
+        """The control as far as the character has what it drives; `weights` (channels,) take that
+        of its default."""
+        keys, ends = array_of(self.get("keys")), [float(self.get(each)) for each in _ENDS]
+        body = self.body
+        columns, channels = self._places(
+            "blendShapes", "animation", [(each.token, each.animation) for each in body.channels]
+        )
+        moved, joints = self._places(
+            "joints",
+            "skeleton",
+            [(each.path, body.skeletons[each.skeleton].path) for each in body.joints],
+        )
+        if len(keys):
+            table = array_of(self.get("blendShapeWeights")).reshape(len(keys), -1)[:, columns]
+        else:
+            keys = np.array([ends[0], ends[2]])
+            table = np.repeat((keys - ends[1])[:, None], len(channels), axis=1)
+            weights[channels] = ends[1]
+
+        def moves(name: str, still: float) -> Floats:
+            rows = array_of(self.get(name)).reshape(len(keys), -1, 3)
+            return rows[:, moved] if rows.size else np.full((len(keys), len(joints), 3), still)
+
+        drive = Drive(
+            keys,
+            channels,
+            table,
+            joints,
+            np.radians(moves("jointRotationVectors", 0.0)),
+            moves("jointTranslations", 0.0),
+            np.log(moves("jointScaleFactors", 1.0)),
+        )
+        name, (low, rest, high) = str(self.get("name")) or self.instance, ends
+        return Control(name, "", self.get("kind"), "", low, rest, high, "limits", drive)
+
+    def _places(
+        self, tokens: str, owners: str, known: list[tuple[str, str]]
+    ) -> tuple[Indices, Indices]:
+        """(n,) columns of the tokens that the character has, and the place of each in what is
+        `known` by token and owner; of a token without a named owner, all places."""
+        targets, which = self.targets(owners), self.get(f"{tokens[:-1]}{owners.title()}s")
+        table = [
+            (column, place)
+            for column, token in enumerate(self.get(tokens))
+            for place, (name, owner) in enumerate(known)
+            if name == token
+            and (not targets or owner == targets[which[column] if len(which) else 0])
+        ]
+        columns, places = np.array(table, dtype=np.int64).reshape(-1, 2).T
+        return columns, places
+
+
+_ENDS = ("minimum", "default", "maximum")
+_DRIVEN = (*_ENDS, "keys", "blendShapes", "blendShapeWeights", "joints", "jointRotationVectors")
+"""Of a control with several elements, alike in all."""
+
+
+def invalid_at(prim: Usd.Prim, message: str) -> Issue:
+    """LAYOUT_INVALID of a prim."""
+    return issue("LAYOUT_INVALID", str(prim.GetPath()), message)
