@@ -86,14 +86,14 @@ def lines(viewer):
 
 
 def amber(viewer, at):
-    """Whether a stroke is to be seen at a place."""
+    """Whether a stroke is to be seen at a place, blended with its dark rim perhaps."""
     return viewer.page.evaluate(
         """([x, y]) => {
           const { canvas, ratio, box: [left, top] } = usdrigui.app.view.overlay;
           const copy = new OffscreenCanvas(1, 1).getContext('2d');
           copy.drawImage(canvas, -Math.round((x - left) * ratio), -Math.round((y - top) * ratio));
           const [red, green, blue] = copy.getImageData(0, 0, 1, 1).data;
-          return Math.abs(red - 240) + Math.abs(green - 169) + Math.abs(blue - 75) < 30;
+          return Math.abs(red - 240) + Math.abs(green - 169) + Math.abs(blue - 75) < 90;
         }""",
         at,
     )
