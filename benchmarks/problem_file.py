@@ -2,7 +2,7 @@
 
 Plain arrays, no pickled objects; ``numpy.load(path)`` reads them without usdrigui:
 
-    version              () 3
+    version              () 4
     names                (variables,) text
     overlap              the fields of `usdrigui.model.Overlap` (12,) or `MeanOverlap` (5,)
     separation, unit_cost, off_face_cost
@@ -28,7 +28,7 @@ import numpy as np
 
 from usdrigui.model import ExtraPairs, LayoutProblem, MeanOverlap, Overlap, Variable
 
-VERSION = 3
+VERSION = 4
 PER_VARIABLE = ("points", "cost", "samples", "handles", "displacement")
 
 
