@@ -73,6 +73,13 @@ _LIP_STEP = 0.028
 """Half of the gap between lips that touch, at most, in the extent of all elements."""
 
 
+@dataclass(frozen=True)
+class _Eye:
+    centre: Floats
+    radius: float
+    piece: int
+
+
 @dataclass(frozen=True, eq=False)
 class _Face(Record):
     """The character at rest in its layout's view: x to the right, y up, z toward the viewer."""
@@ -101,12 +108,34 @@ class _Face(Record):
         """The larger side of the box of the elements."""
         return float(np.ptp(self.at[self.anchors, :2], axis=0).max())
 
+    def pierced(self, at: Floats) -> set[int]:
+        """Pieces whose front the line of sight through a place (3,) meets not far behind it."""
+        depth = self.at[self.corners, 2].mean(axis=1)
+        near = (depth < at[2]) & (depth > at[2] - _BEFORE * self.extent)
+        met = _crossed(self.at[self.corners[near], :2] - at[:2])
+        corners = self.corners[near][met]
+        front = self.normals[corners, 2].mean(axis=1) > 0.0
+        return set(self.pieces[corners[front, 0]].tolist())
 
-@dataclass(frozen=True)
-class _Eye:
-    centre: Floats
-    radius: float
-    piece: int
+    def is_small(self, at: Floats) -> bool:
+        """Whether places (k, 3) are a small part of the box of the elements, or near it."""
+        box, room = self.at[self.anchors, :2], _BEFORE * self.extent
+        middle = at[:, :2].mean(axis=0)
+        inside = ((middle > box.min(axis=0) - room) & (middle < box.max(axis=0) + room)).all()
+        return bool(inside and np.ptp(at[:, :2], axis=0).max() < _MAX_PART * self.extent)
+
+    def eye(self, piece: int) -> _Eye:
+        """The ball that fits a piece in the least-squares sense; of a flat one its middle, and a
+        radius by which its iris fills it."""
+        at = self.at[self.pieces == piece]
+        low, high = at.min(axis=0), at.max(axis=0)
+        system = np.hstack([2.0 * (at - low), np.ones((len(at), 1))])
+        fit = np.linalg.lstsq(system, ((at - low) ** 2).sum(axis=1), rcond=None)[0]
+        radius = float(np.sqrt(max(fit[3] + fit[:3] @ fit[:3], 0.0)))
+        half = 0.5 * float((high - low)[:2].max())
+        if radius > _FLAT * half:
+            return _Eye(0.5 * (low + high) - [0.0, 0.0, half / IRIS], half / IRIS, piece)
+        return _Eye(low + fit[:3], radius, piece)
 
 
 def complexion(rig: Rig, layout: Layout) -> Complexion:
@@ -225,18 +254,8 @@ def _main_piece(face: _Face, eyes: set[int]) -> int:
     own, free = face.pieces[face.anchors], set(face.pieces[face.free].tolist()) - eyes
     votes = Counter(own.tolist())
     for anchor, piece in zip(face.anchors, own, strict=True) if len(votes) > 1 else ():
-        votes.update(_pierced(face, face.at[anchor]) - {int(piece)})
+        votes.update(face.pierced(face.at[anchor]) - {int(piece)})
     return max(sorted(free), key=lambda piece: votes[piece], default=-1)
-
-
-def _pierced(face: _Face, at: Floats) -> set[int]:
-    """Pieces whose front the line of sight through a place (3,) meets not far behind it."""
-    depth = face.at[face.corners, 2].mean(axis=1)
-    near = (depth < at[2]) & (depth > at[2] - _BEFORE * face.extent)
-    met = _crossed(face.at[face.corners[near], :2] - at[:2])
-    corners = face.corners[near][met]
-    front = face.normals[corners, 2].mean(axis=1) > 0.0
-    return set(face.pieces[corners[front, 0]].tolist())
 
 
 def _crossed(flat: Floats) -> Flags:
@@ -258,20 +277,12 @@ def _cards(
     for piece in set(face.pieces[face.free].tolist()) - eyes - {main}:
         on, at = np.flatnonzero(own == piece), face.at[face.pieces == piece]
         places = at.mean(axis=0)[None] if not len(on) else face.at[face.anchors[on]]
-        if _is_small(face, at) and all(main in _pierced(face, place) for place in places):
+        if face.is_small(at) and all(main in face.pierced(place) for place in places):
             region = Counter(face.regions[i] for i in on).most_common(1)
             cards[piece] = _CARDS.get(region[0][0], _LIPS) if region else _BLUSH
         elif len(on):
             skin.add(piece)
     return cards, skin
-
-
-def _is_small(face: _Face, at: Floats) -> bool:
-    """Whether places (k, 3) are a small part of the box of the elements, or near it."""
-    box, room = face.at[face.anchors, :2], _BEFORE * face.extent
-    middle = at[:, :2].mean(axis=0)
-    inside = ((middle > box.min(axis=0) - room) & (middle < box.max(axis=0) + room)).all()
-    return bool(inside and np.ptp(at[:, :2], axis=0).max() < _MAX_PART * face.extent)
 
 
 # --- eyes -----------------------------------------------------------------------------------------
@@ -302,7 +313,7 @@ def _eyes_of(face: _Face, pieces: set[int]) -> list[_Eye]:
     eyes: list[_Eye] = []
     counts = np.bincount(face.pieces[face.free])
     for piece in sorted(pieces, key=lambda piece: (-counts[piece], piece)):
-        eye = _eye(face, piece)
+        eye = face.eye(piece)
         if all(np.linalg.norm(eye.centre - more.centre) > 0.5 * more.radius for more in eyes):
             eyes.append(eye)
     return eyes
@@ -328,25 +339,11 @@ def _eyes_by_region(face: _Face, main: int) -> list[_Eye]:
             at = face.at[face.pieces == piece]
             low, high = at[:, :2].min(axis=0), at[:, :2].max(axis=0)
             off = abs(place - 0.5 * (low + high)) / np.maximum(high - low, 1e-12)
-            if (off < _ABOUT).all() and _is_small(face, at):
+            if (off < _ABOUT).all() and face.is_small(at):
                 sizes[piece] = float((high - low).min())
         if sizes:
-            eyes.append(_eye(face, max(sizes, key=lambda piece: sizes[piece])))
+            eyes.append(face.eye(max(sizes, key=lambda piece: sizes[piece])))
     return eyes
-
-
-def _eye(face: _Face, piece: int) -> _Eye:
-    """The ball that fits a piece in the least-squares sense; of a flat one its middle, and a radius
-    by which its iris fills it."""
-    at = face.at[face.pieces == piece]
-    low, high = at.min(axis=0), at.max(axis=0)
-    system = np.hstack([2.0 * (at - low), np.ones((len(at), 1))])
-    fit = np.linalg.lstsq(system, ((at - low) ** 2).sum(axis=1), rcond=None)[0]
-    radius = float(np.sqrt(max(fit[3] + fit[:3] @ fit[:3], 0.0)))
-    half = 0.5 * float((high - low)[:2].max())
-    if radius > _FLAT * half:
-        return _Eye(0.5 * (low + high) - [0.0, 0.0, half / IRIS], half / IRIS, piece)
-    return _Eye(low + fit[:3], radius, piece)
 
 
 def _on_eye(face: _Face, eye: _Eye, skin: Flags) -> tuple[Flags, Flags]:
@@ -365,7 +362,7 @@ def _on_eye(face: _Face, eye: _Eye, skin: Flags) -> tuple[Flags, Flags]:
 def _is_about(face: _Face, piece: int, eye: _Eye) -> bool:
     """Whether a piece is a ball about the centre of an eye, and no lid."""
     spans = np.ptp(face.at[face.pieces == piece], axis=0)
-    apart = float(np.linalg.norm(_eye(face, piece).centre - eye.centre))
+    apart = float(np.linalg.norm(face.eye(piece).centre - eye.centre))
     return apart < 0.5 * eye.radius and bool((spans[:2] > 1.5 * eye.radius).all())
 
 
