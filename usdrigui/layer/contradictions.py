@@ -49,27 +49,24 @@ _CLEAR = 0.5
 
 def contradictions(stage: Usd.Stage, settings: ReadSettings) -> tuple[Issue, ...]:
     """LAYOUT_INVALID, LAYOUT_TRACK and LAYOUT_DRAWN for each element of the layouts of today's
-    format; `stage` has layouts that `read_layout` reads."""
-    return tuple(
-        replace(found, character=str(scope.GetPath().GetParentPath()))
-        for scope in layout_scopes(stage)
-        if has(scope, schema.LAYOUT)
-        for found in _of_scope(scope, settings)
-    )
+    format, up to a property or a character that cannot be read; `stage` has layouts that
+    `read_layout` reads."""
+    issues: list[Issue] = []
+    for scope in layout_scopes(stage):
+        found: list[Issue] = []
+        try:
+            if has(scope, schema.LAYOUT):
+                layout = layout_at(scope)
+                found.extend(_of_layout(scope, layout))
+                found.extend(disagreements(scope, layout, settings))
+        except RigUIError as error:
+            found.append(error.issue)
+        issues += (replace(each, character=str(scope.GetPath().GetParentPath())) for each in found)
+    return tuple(issues)
 
 
-def _of_scope(scope: Usd.Prim, settings: ReadSettings) -> tuple[Issue, ...]:
-    """The same of one layout, up to a property or a character that cannot be read."""
-    found: list[Issue] = []
-    try:
-        found.extend(_of_layout(scope, settings))
-    except RigUIError as error:
-        found.append(error.issue)
-    return tuple(found)
-
-
-def _of_layout(scope: Usd.Prim, settings: ReadSettings) -> Iterator[Issue]:
-    layout, prims = layout_at(scope), element_prims(scope)
+def _of_layout(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
+    prims = element_prims(scope)
     by_name = {
         element.name: (prim, element) for prim, element in zip(prims, layout.elements, strict=True)
     }
@@ -88,7 +85,6 @@ def _of_layout(scope: Usd.Prim, settings: ReadSettings) -> Iterator[Issue]:
         elif mirror:
             yield invalid_at(prim, f"rigUI:element:mirror is {mirror}, which is no element")
     yield from _unpaired(by_name, layout)
-    yield from disagreements(scope, layout, settings)
 
 
 def _of_listing(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from usdrigui.character import Body, Drive, Floats, Rig, RigMesh
+from usdrigui.character import Body, Drive, Rig, RigMesh
 from usdrigui.errors import (
     Faults,
     Issue,
@@ -55,7 +55,9 @@ def stale(
 ) -> Iterator[Issue]:
     """Why a layout, and with it the whole of which it is a part, does not fit the rig any more."""
     layout, whole = layouts
-    comparable = not _custom_base(layout.character.base_values, settings)
+    posed = bool(settings.pose) or settings.time is not None
+    # Positions of another base pose cannot be compared.
+    comparable = not posed and np.allclose(layout.character.base_values, 0.0)
     meshes = {mesh.path: mesh for mesh in rig.body.meshes}
     known = rig.control_names
     lacking = not known.issuperset(layout.controls)
@@ -105,11 +107,6 @@ def _off(body: Body, surface: BaseSurface, anchor: Anchor) -> float:
     """Distance between the anchor as recorded and as it is, over the face size."""
     here = surface.points[body.point_of(anchor.mesh, anchor.point)]
     return float(np.linalg.norm(here - anchor.position)) / surface.face_size
-
-
-def _custom_base(base_values: Floats, settings: ReadSettings) -> bool:
-    """Whether the layout was solved at another base pose, so that positions cannot be compared."""
-    return bool(settings.pose) or settings.time is not None or not np.allclose(base_values, 0.0)
 
 
 def unplaced(
