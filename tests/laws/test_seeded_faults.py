@@ -378,7 +378,9 @@ def typed(declared, numbers):
 
 @pytest.mark.parametrize(("api", "declared", "value"), list(rules_of_the_schema()))
 def test_a_value_that_breaks_a_rule_of_the_schema_is_refused(stage, api, declared, value):
-    where = SCOPE if api == schema.LAYOUT else f"{MESH}/{EYE}"
+    where = {schema.LAYOUT: SCOPE, schema.CORRECTION: f"/Char/{schema.CORRECTIONS}/smile"}.get(api, f"{MESH}/{EYE}")
+    if api == schema.CORRECTION:
+        stage.DefinePrim(where, "Scope").AddAppliedSchema(schema.CORRECTION)
     name = declared.name.replace("__INSTANCE_NAME__", "EyeLeft_ry")
     Layout(stage).set(name, value, where)
     (found,) = layout_faults(stage)

@@ -385,6 +385,8 @@ def layout(tmp_path_factory):
     written = path.with_name("char.rigui.usda")
     layer = Sdf.Layer.OpenAsAnonymous(str(written))
     layer.subLayerPaths = [str(path)]
+    correction = Sdf.CreatePrimInLayer(layer, f"/{layer.defaultPrim}/{schema.CORRECTIONS}/smile")
+    correction.SetInfo("apiSchemas", Sdf.TokenListOp.CreateExplicit([schema.CORRECTION]))
     for api in schema.APIS:
         _complete(layer, api)
     layer.Export(str(written))

@@ -10,7 +10,7 @@ from typing import Any
 from pxr import Sdf, Usd
 
 from usdrigui.layer import author
-from usdrigui.layer.properties import has, invalid, strings, targets, value_of
+from usdrigui.layer.properties import has, invalid, refuse_broken, strings, targets, value_of
 from usdrigui.model import Correction
 from usdrigui.stages import schema
 
@@ -46,6 +46,7 @@ def own_corrections(layer: Sdf.Layer) -> tuple[Correction, ...]:
 
 
 def _correction(prim: Usd.Prim) -> Correction:
+    refuse_broken(prim, schema.CORRECTION)
     found: dict[str, Any] = {
         field: value_of(prim, schema.CORRECTION, name) for name, field in _FIELDS.items()
     }

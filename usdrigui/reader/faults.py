@@ -16,6 +16,7 @@ from pxr import Sdf, Usd, UsdGeom, UsdSkel
 from usdrigui.character import Floats
 from usdrigui.errors import NO_LAYOUT, Issue, RigUIError, issue
 from usdrigui.layer.contradictions import contradictions
+from usdrigui.layer.corrections import read_corrections
 from usdrigui.layer.read_layout import read_layout
 from usdrigui.reading.blend_shape import is_shape, names_and_targets, shape_arrays
 from usdrigui.reading.clips import checked_weights
@@ -70,8 +71,8 @@ def animation_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
 
 
 def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
-    """LAYOUT_MESH_GONE of every mesh, LAYOUT_TOPOLOGY and LAYOUT_INVALID of every element, or why
-    the layouts cannot be read; none without layout."""
+    """LAYOUT_MESH_GONE of every mesh, LAYOUT_TOPOLOGY and LAYOUT_INVALID of every element and of
+    corrections, or why the layouts cannot be read; none without layout."""
     try:
         layouts = read_layout(stage)
     except RigUIError as error:
@@ -91,6 +92,8 @@ def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
                 found.append(layout.mesh_gone(anchor.mesh))
             elif change := anchor.mesh_change(hashes[anchor.mesh]):
                 found.append(issue("LAYOUT_TOPOLOGY", element.name, change, layout.character.root))
+    with _collecting(found):
+        read_corrections(stage)
     return tuple(dict.fromkeys((*found, *contradictions(stage, ReadSettings()))))
 
 

@@ -117,7 +117,7 @@ def _glyph(prim: Usd.Prim, name: str) -> Glyph:
     if len(points) > _MOST_POINTS:
         what = f"has {len(points)} points; a glyph has {_MOST_POINTS} at most"
         raise refuse("GLYPH_EMPTY", path, what)
-    up = str(UsdGeom.GetStageUpAxis(prim.GetStage()))
+    up = "Z" if UsdGeom.GetStageUpAxis(prim.GetStage()) == UsdGeom.Tokens.z else "Y"
     return Glyph(name, form, _fitted(points @ to_world, up, path), counts, indices)
 
 
