@@ -152,7 +152,7 @@ def test_more_weight_on_overlap_never_brings_handles_nearer():
                 "displacement_weight": weight,
                 "separation": False,
                 "off_face_allowed": False,
-                "handle_size": 0.1,
+                "handle_size": 0.2,
                 "overlap_sharpness": 2.0,
             }
         )

@@ -407,7 +407,7 @@ def _glyph(prim: Usd.Prim) -> Glyph | None:
         np.array(get(f"glyph{each}"), dtype=np.int64) for each in ("Counts", "Indices")
     )
     if get("glyphType") == "curve":
-        indices = np.arange(counts.sum(), dtype=np.int64)
+        indices = np.arange(len(points), dtype=np.int64)
     return checked_glyph(prim, Glyph(str(get("glyph")), get("glyphType"), points, counts, indices))
 
 
