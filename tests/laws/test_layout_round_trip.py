@@ -24,6 +24,7 @@ PRINTED = st.text(st.characters(exclude_categories=("Cs", "Cc")), max_size=12)
 NAMES = st.one_of(st.text(string.ascii_letters + ":.-_ 0'\"\\@é口", min_size=1, max_size=8), PRINTED.filter(bool))
 NUMBERS = st.floats(-1e6, 1e6, width=32)
 VECTORS = st.tuples(NUMBERS, NUMBERS, NUMBERS).map(np.array)
+DIRECTIONS = VECTORS.filter(lambda each: np.linalg.norm(each) > 1e-3).map(lambda each: each / np.linalg.norm(each))
 
 
 @st.composite
@@ -57,9 +58,9 @@ def layouts(draw):
             layout.frame,
             handle_width=draw(st.floats(1e-3, 1e3)),
             space=draw(st.sampled_from(["object", "view"])),
-            view=draw(VECTORS),
+            view=draw(DIRECTIONS),
             parts=tuple(draw(st.lists(parts(), max_size=3))),
-            plane=replace(layout.frame.plane, normal=draw(VECTORS)),
+            plane=replace(layout.frame.plane, normal=draw(DIRECTIONS)),
         ),
         proof=replace(
             layout.proof,
@@ -94,7 +95,7 @@ def changed(draw, element):
     part = draw(st.sampled_from(["", "face", "tail"]))
     return replace(
         element,
-        anchor=replace(element.anchor, position=draw(VECTORS), normal=draw(VECTORS), on_board=draw(st.booleans())),
+        anchor=replace(element.anchor, position=draw(VECTORS), normal=draw(DIRECTIONS), on_board=draw(st.booleans())),
         manipulator=replace(
             element.manipulator,
             members=members,

@@ -167,14 +167,14 @@ def _at_rest(scene: _Scene, drawn: _Drawn) -> Iterator[Issue]:
         yield from _as_wide(drawn, handle)
         away = float(np.linalg.norm(handle[0] - position)) if len(handle) else 0.0
         if away > near:
-            yield _astray(drawn, f"its handle is {away:.3g} from rigUI:anchor:position")
+            yield _astray(drawn.prim, f"its handle is {away:.3g} from rigUI:anchor:position")
     tracks = [member.track for member in element.manipulator.members]
     beside = _BESIDE * width + _LONG * max(map(length, tracks))
     ways = points[drawn.track]
     if len(ways):
         away = float(np.min([_distances(ways, track) for track in tracks], axis=0).max())
         if away > beside:
-            yield _astray(drawn, f"its tracks are drawn {away:.3g} from their trackPoints")
+            yield _astray(drawn.prim, f"its tracks are drawn {away:.3g} from their trackPoints")
 
 
 def _as_wide(drawn: _Drawn, handle: Floats) -> Iterator[Issue]:
@@ -185,10 +185,12 @@ def _as_wide(drawn: _Drawn, handle: Floats) -> Iterator[Issue]:
     shell, width = handle[1:], drawn.width
     across = float(np.linalg.norm(np.ptp(shell, axis=0)))
     if not width / _SIZES < across < width * _SIZES:
-        yield _astray(drawn, f"its handle is {across:.3g} wide, the layout's {width:.3g}")
+        yield _astray(drawn.prim, f"its handle is {across:.3g} wide, the layout's {width:.3g}")
     middle = float(np.linalg.norm(shell.mean(axis=0) - handle[0]))
     if abs(middle - value_of(drawn.prim, schema.HANDLE, "lift")) > width:
-        yield _astray(drawn, f"its handle is {middle:.3g} from its anchor, not rigUI:handle:lift")
+        yield _astray(
+            drawn.prim, f"its handle is {middle:.3g} from its anchor, not rigUI:handle:lift"
+        )
 
 
 def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterator[Issue]:
@@ -208,7 +210,7 @@ def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterat
         single = len(drive.channels) == 1 and not len(drive.joints)
         expected, slack = along if single else np.zeros_like(along), _NEAR * drawn.width + tolerance
         if _worst(handle - expected[:, None]) > slack:
-            yield _astray(drawn, f"its handle does not go along it, {steps}")
+            yield _astray(drawn.prim, f"its handle does not go along it, {steps}")
         return
     way = float(np.linalg.norm(anchor, axis=1).max())
     off = _worst(along / (member.magnification or 1.0) - anchor)
@@ -217,9 +219,9 @@ def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterat
         yield issue("LAYOUT_TRACK", str(drawn.prim.GetPath()), f"its anchor is up to {clause}")
     away = _worst(handle[:, :1] - anchor[:, None])
     if element.look.glyph is None and away > tolerance:
-        yield _astray(drawn, f"its handle leaves its anchor by {away:.3g}, {steps}")
+        yield _astray(drawn.prim, f"its handle leaves its anchor by {away:.3g}, {steps}")
     if _worst(motion[:, drawn.track]) > _STILL * drawn.width:
-        yield _astray(drawn, f"its tracks move, {steps}")
+        yield _astray(drawn.prim, f"its tracks move, {steps}")
 
 
 def _together(scene: _Scene) -> Iterator[Issue]:
@@ -241,7 +243,9 @@ def _together(scene: _Scene) -> Iterator[Issue]:
             for what, off, slack in _departures(scene, each, towards, whole, still):
                 if off > _FOLLOWS * scene.size + slack:
                     clause = f"its {what} leaves the character by {off:.3g}"
-                    yield _astray(each, f"{clause} as all controls go half way to their {towards}")
+                    yield _astray(
+                        each.prim, f"{clause} as all controls go half way to their {towards}"
+                    )
                     told.add(index)
                     break
 
@@ -272,8 +276,8 @@ def _off(scene: _Scene, drawn: _Drawn, at: Posed, rows: Indices) -> float:
     return _worst(at.points[rows] - end - (points[rows] - start) @ carry)
 
 
-def _astray(drawn: _Drawn, message: str) -> Issue:
-    return issue("LAYOUT_DRAWN", str(drawn.prim.GetPath()), message)
+def _astray(prim: Usd.Prim, message: str) -> Issue:
+    return issue("LAYOUT_DRAWN", str(prim.GetPath()), message)
 
 
 def _worst(vectors: Floats) -> float:

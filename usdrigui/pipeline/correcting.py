@@ -3,7 +3,7 @@ corrections."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any, cast
@@ -21,7 +21,7 @@ from usdrigui.reader.reader_process import (
     read_layer_isolated,
     read_layouts_isolated,
 )
-from usdrigui.reader.reader_records import Opening, ReadResult
+from usdrigui.reader.reader_records import Opening
 from usdrigui.replacing.transaction import State, Transaction, same_file
 from usdrigui.settings import ControlSettings, Settings, literal, load
 
@@ -45,7 +45,7 @@ def pin(
     made = _existing(output, layer, Opening.of(settings.rig.read))
     unit = float(read.metadata["metersPerUnit"])
     for key, value in decisions.items():
-        rig, name, what = _meant(read, key)
+        rig, name, what = _meant(read.rigs, key)
         root, up = rig.skel_root.path, rig.skel_root.up.tolist()
         known = made.pop((root, name), Correction(root, name))
         if value != "free":
@@ -94,18 +94,18 @@ def _existing(output: Path, layer: Path, opening: Opening) -> dict[tuple[str, st
     return {(each.root, each.control): each for each in held}
 
 
-def _meant(read: ReadResult, key: str) -> tuple[Rig, str, str]:
+def _meant(rigs: Sequence[Rig], key: str) -> tuple[Rig, str, str]:
     """The character with a control, the control, and what of it a key is about: ``place`` unless it
     says so."""
     known = {each.name for each in fields(ControlSettings)} | {"group"}
     name, _, what = key.rpartition(".")
     name, what = (name, what) if what in known else (key, "place")
-    rigs = [rig for rig in read.rigs if name in rig.control_names]
-    if len(rigs) != 1:
-        every = {each for rig in read.rigs for each in rig.control_names}
-        why = "several characters have" if rigs else "no character has"
+    owners = [rig for rig in rigs if name in rig.control_names]
+    if len(owners) != 1:
+        every = {each for rig in rigs for each in rig.control_names}
+        why = "several characters have" if owners else "no character has"
         raise refuse("CONFIG_UNKNOWN_CONTROL", key, f"{why} this control{meant(name, every)}")
-    return rigs[0], name, what
+    return owners[0], name, what
 
 
 def _decided(known: Correction, said: tuple[str, str], rig: Rig, layout: Layout) -> Correction:

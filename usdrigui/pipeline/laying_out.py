@@ -273,16 +273,16 @@ def _laid_out(
             ):
                 own = as_sibling(references, rig, same[0].layout) if same else references
                 laid = _lay_out(rig, Task(each.settings, own, each.source.cameras), clock, stop)
-                reports.append((each, laid if own is references else _beside(laid, same[0])))
+                reports.append((each, laid if own is references else _beside(laid, same[0].layout)))
     return reports
 
 
-def _beside(report: CharacterReport, first: CharacterReport) -> CharacterReport:
+def _beside(report: CharacterReport, first: Layout) -> CharacterReport:
     """What a variant keeps of the first one is no history of its own."""
     return replace(
         report,
         difference=None,
-        matchings={first.layout.character.variant_path: report.matchings["previous"]},
+        matchings={first.character.variant_path: report.matchings["previous"]},
     )
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from usdrigui.character import Rig
 from usdrigui.errors import refuse
+from usdrigui.isolation.foreign_file import SourceFile
 from usdrigui.layout.reuse.existing_layout import root_in_base
 from usdrigui.pipeline.targets import make_folder
 from usdrigui.reader.reader_records import LayoutsResult, ReadResult
@@ -50,7 +51,7 @@ def _staged_over(
     from usdrigui.layer.shot_layout import ShotLayout, write_shot_layouts
 
     layer = Path(laid[0][0].sources[0].path)
-    composed = _composes(source, layer)
+    composed = _composes(source.sources, layer)
     shots = []
     for base, character in laid:
         root = root_in_base(base.layouts, character.rig)
@@ -81,7 +82,7 @@ def check_base(
         raise refuse(
             "FILE_TARGET", str(target), "is the layout given as --base, which is never written"
         )
-    composed = _composes(source, layer)
+    composed = _composes(source.sources, layer)
     for rig in rigs:
         own, root = rig.skel_root.path, root_in_base(base.layouts, rig)
         if root != own and not composed and base.source and not bare:
@@ -91,6 +92,6 @@ def check_base(
             raise refuse("BASE_APART", own, message)
 
 
-def _composes(source: ReadResult, layer: Path) -> bool:
+def _composes(sources: Sequence[SourceFile], layer: Path) -> bool:
     """Whether the shot brings the layer in."""
-    return any(Path(each.path) == layer for each in source.sources)
+    return any(Path(each.path) == layer for each in sources)
