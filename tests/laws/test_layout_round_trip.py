@@ -64,7 +64,7 @@ def layouts(draw):
         ),
         proof=replace(
             layout.proof,
-            cost=draw(st.floats(allow_nan=False)),
+            cost=draw(st.floats(allow_nan=False, allow_infinity=False)),
             bound=draw(st.floats(allow_nan=False)),
             status=draw(st.sampled_from(["optimal", "stopped"])),
             weights=tuple(draw(st.lists(st.tuples(NAMES, st.floats(-9, 9)), max_size=3))),
