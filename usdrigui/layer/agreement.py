@@ -152,7 +152,6 @@ def disagreements(scope: Usd.Prim, layout: Layout, settings: ReadSettings) -> It
         yield from _at_rest(scene, each)
         for member, control in zip(each.element.manipulator.members, each.members, strict=True):
             yield from _alone(scene, each, member, int(control))
-    yield from _together(scene)
 
 
 # --- one element ----------------------------------------------------------------------------------
@@ -222,32 +221,6 @@ def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterat
         yield _astray(drawn.prim, f"its handle leaves its anchor by {away:.3g}, {steps}")
     if _worst(motion[:, drawn.track]) > _STILL * drawn.width:
         yield _astray(drawn.prim, f"its tracks move, {steps}")
-
-
-def _together(scene: _Scene) -> Iterator[Issue]:
-    """What does not follow the character while many controls are away from the base pose."""
-    told: set[int] = set()
-    board = np.unique(
-        np.concatenate(
-            [each.members for each in scene.drawn if each.element.anchor.on_board]
-            or [np.zeros(0, dtype=np.int64)]
-        )
-    )
-    for towards in ("maximum", "minimum"):
-        none = np.zeros(0, dtype=np.int64)
-        whole = posed(scene.rig, scene.halfway(towards, none))
-        still = posed(scene.rig, scene.halfway(towards, scene.with_carried(board)))
-        for index, each in enumerate(scene.drawn):
-            if index in told or each.element.look.adapt == "static":
-                continue
-            for what, off, slack in _departures(scene, each, towards, whole, still):
-                if off > _FOLLOWS * scene.size + slack:
-                    clause = f"its {what} leaves the character by {off:.3g}"
-                    yield _astray(
-                        each.prim, f"{clause} as all controls go half way to their {towards}"
-                    )
-                    told.add(index)
-                    break
 
 
 def _departures(
