@@ -5,7 +5,7 @@ The schema plug-in need not be registered.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 from typing import Any, get_args
 
@@ -59,9 +59,12 @@ def value_of(prim: Usd.Prim, api: str, name: str, instance: str = "") -> Any:
     return value
 
 
-def refuse_broken(prim: Usd.Prim, api: str, instance: str = "") -> None:
+def refuse_broken(
+    prim: Usd.Prim, api: str, instance: str = "", *, free: Collection[str] = ()
+) -> None:
     """Raise LAYOUT_INVALID for the first property of a schema on a prim that has another type, an
-    unknown word, or breaks a rule of its documentation (`usdrigui.layer.rules`)."""
+    unknown word, or breaks a rule of its documentation (`usdrigui.layer.rules`), unless its full
+    name is one of `free`."""
 
     def sibling(name: str) -> Any:
         if not known[name].type_name:
@@ -71,8 +74,9 @@ def refuse_broken(prim: Usd.Prim, api: str, instance: str = "") -> None:
     known = author.properties(api)
     for name, declared in known.items():
         value = sibling(name)
-        for clause in broken(declared.rules, value, sibling) if declared.rules else ():
-            where = declared.name.replace("__INSTANCE_NAME__", instance)
+        where = declared.name.replace("__INSTANCE_NAME__", instance)
+        held = declared.rules and where not in free
+        for clause in broken(declared.rules, value, sibling) if held else ():
             missing = not prim.GetAttribute(where).HasAuthoredValue()
             what = "is missing" if missing else clause
             raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.{where}", what)
@@ -196,6 +200,12 @@ def corrected(element: Element, prim: Usd.Prim) -> Element:
     both = found | set(own.pinned)
     ordered = tuple(each for each in get_args(Decision) if each in both)
     return replace(element, placement=replace(own, pinned=ordered, pinned_position=position))
+
+
+def chosen_point(prim: Usd.Prim) -> set[str]:
+    """The name of the point of an element's anchor where a stronger layer chooses it, which may be
+    beyond those of the mesh."""
+    return _authored_above(prim) & {author.properties(schema.ANCHOR)["pointIndex"].name}
 
 
 def _authored_above(prim: Usd.Prim) -> set[str]:

@@ -24,6 +24,7 @@ from usdrigui.layer.properties import (
     array_of,
     check_elements,
     checked_glyph,
+    chosen_point,
     control_instances,
     corrected,
     element_name,
@@ -63,18 +64,21 @@ _FLATTENED = "Flattened_Prototype_"
 """How USD calls what the instances of a flattened stage refer to."""
 
 
-def read_layout(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Layout, ...]:
+def read_layout(
+    source: Path | str | Sdf.Layer | Usd.Stage, *, carried: bool = False
+) -> tuple[Layout, ...]:
     """All layouts that a layer or stage holds, one per character, in stage order.
 
     What the layer leaves out takes the schema's fallback.  `LayoutCharacter.base_values` are in the
-    order in which the layer names the controls (`base_controls`).
+    order in which the layer names the controls (`base_controls`).  Of a layout to be `carried` to
+    the rig of today, a point that a stronger layer chooses may be none of its mesh: it is lost.
 
     Raises RigUIError FILE_NOT_FOUND, FILE_NOT_USD, LAYER_MISSING, LAYER_UNREADABLE, LAYOUT_MISSING
     (no prim has RigUILayoutAPI), LAYOUT_OFF (variant selections leave all of them out),
     LAYOUT_INVALID (a property contradicts another) and LAYOUT_VERSION.
     """
     stage, name = _stage(source)
-    layouts = tuple(layout_at(scope) for scope in layout_scopes(stage))
+    layouts = tuple(layout_at(scope, carried=carried) for scope in layout_scopes(stage))
     if not layouts:
         raise _without(stage, name)
     return layouts
@@ -244,7 +248,7 @@ def _stage(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Usd.Stage, str]:
 # --- records --------------------------------------------------------------------------------------
 
 
-def layout_at(scope: Usd.Prim) -> Layout:
+def layout_at(scope: Usd.Prim, *, carried: bool = False) -> Layout:
     """The layout of the prim with RigUILayoutAPI; raises as `read_layout`."""
     mark = next(filter(schema.is_layout, applied(scope)))
     if mark != schema.LAYOUT:
@@ -255,7 +259,7 @@ def layout_at(scope: Usd.Prim) -> Layout:
 
     refuse_broken(scope, schema.LAYOUT)
     proof, proofs, left_off, matches = _recorded(scope)
-    elements = tuple(_element(prim) for prim in element_prims(scope))
+    elements = tuple(_element(prim, carried=carried) for prim in element_prims(scope))
     check_elements(scope, elements)
     return Layout(
         character=LayoutCharacter(
@@ -325,13 +329,14 @@ def _recorded(
         raise refuse("LAYOUT_INVALID", str(scope.GetPath()), what) from None
 
 
-def _element(prim: Usd.Prim) -> Element:
+def _element(prim: Usd.Prim, *, carried: bool) -> Element:
     def get(name: str) -> Any:
         return value_of(prim, schema.ELEMENT, name)
 
     instances, name = control_instances(prim), element_name(prim)
+    free = chosen_point(prim) if carried else ()
     for api in (schema.ELEMENT, schema.ANCHOR, schema.HANDLE):
-        refuse_broken(prim, api)
+        refuse_broken(prim, api, free=free)
     return Element(
         name=name,
         manipulator=Manipulator(

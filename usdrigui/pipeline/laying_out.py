@@ -37,7 +37,7 @@ from usdrigui.pipeline.reference_layouts import (
     rigs_over,
 )
 from usdrigui.pipeline.stages import character_of, layout_of, part_problem, with_own_cost
-from usdrigui.pipeline.targets import check_replaceable, check_target, default_output
+from usdrigui.pipeline.targets import check_place, check_replaceable, check_target, default_output
 from usdrigui.pipeline.writing import check_base, stage_layer
 from usdrigui.reader.reader_process import read_rigs_isolated, read_variants_isolated
 from usdrigui.reader.reader_records import Opening, ReadResult
@@ -86,6 +86,8 @@ def process(
             _check_base(each, target)
         opening = Opening.of(settings.rig.read)
         check_replaceable(target, opening, asset if output is None else None)
+        if dry_run:
+            check_place(target)
     laid = _laid_out(readings, clock, stop)
     reports = [report for _, report in laid]
     outcome: Outcome = "dry run"

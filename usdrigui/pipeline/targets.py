@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from collections.abc import Iterable
 from pathlib import Path
@@ -93,6 +94,21 @@ def check_replaceable(target: Path, opening: Opening, asset: Path | None = None)
         raise refuse(
             "FILE_TARGET", str(target), f"is the layout of {source.name}, not of {asset.name}"
         )
+
+
+def check_place(target: Path) -> None:
+    """Refuse what could not be written, for a run that writes nothing; raises RigUIError with a
+    FILE_ code."""
+    try:
+        if target.exists() and not target.is_file():
+            raise IsADirectoryError(errno.EISDIR, "exists and is not a file")
+        folder = next(each for each in target.absolute().parents if os.path.lexists(each))
+        if not folder.is_dir():
+            raise NotADirectoryError(errno.ENOTDIR, f"{folder} is no folder")
+        if not os.access(target if target.exists() else folder, os.W_OK):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+    except OSError as error:
+        raise file_error(target, error) from error
 
 
 def make_folder(target: Path) -> None:

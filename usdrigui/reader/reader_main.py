@@ -88,13 +88,13 @@ def _layouts(path: Path, settings: Settings) -> Response:
         stage = open_stage(path, settings.rig.read.variants)
         if not stage.GetRootLayer().subLayerPaths:
             select_unselected(stage, layout_paths(stage.GetRootLayer()))
-        found = _layouts_in(asset)
+        found = _layouts_in(asset, carried=True)
         corrected = with_corrections(asset.stage, found.layouts)
         return Response(layouts=replace(found, layouts=corrected))
 
 
-def _layouts_in(asset: _Asset) -> LayoutsResult:
-    layouts, stage = read_layout(asset.path), asset.stage
+def _layouts_in(asset: _Asset, *, carried: bool = False) -> LayoutsResult:
+    layouts, stage = read_layout(asset.path, carried=carried), asset.stage
     sources = asset.sources()
     return LayoutsResult(
         layouts,
