@@ -220,6 +220,7 @@ FAULTS = {
     "shapes exchanged": (swap_tokens, DRAWN, SMILE),
     "a shape left out": (drop_shape, DRAWN, SMILE),
     "a shape of the board left out": (lambda each: drop_shape(each, SQUASH), DRAWN, SQUASH),
+    "skinned to another joint": (other_joint, DRAWN, SMILE),
     "half the weight": (mesh("primvars:skel:jointWeights", lambda old: 0.5 * np.array(old)), DRAWN, SMILE),
     "bound elsewhere": (
         mesh("primvars:skel:geomBindTransform", Gf.Matrix4d().SetTranslate((0, 1, 0))),

@@ -114,20 +114,25 @@ class _Scene(Record):
         maps = at.maps[mesh]
         return np.asarray(maps[local if len(maps) > 1 else 0])
 
-    def with_carried(self, controls: Indices) -> Indices:
-        """Some controls, and all that move joints which these carry: what ignores the ones hangs on
-        the joints above.  Where they turn joints, shapes too: what these do turns along the
-        track."""
+    def with_ignored(self, controls: Indices) -> Indices:
+        """Some controls, and all that what ignores these cannot follow: those that move joints
+        which they carry, as it hangs on the joints above; where they turn joints, those of shapes,
+        as what these do turns along the track; and those that share a weight with them, such as
+        poses, as a weight has one value (docs/decisions/051)."""
         drives = [control.drive for control in self.rig.controls]
         carried = np.zeros(len(self.rig.body.joints) + 1, dtype=bool)
+        weighed = np.zeros(len(self.rig.body.channels), dtype=bool)
         for control in controls:
             carried[drives[control].joints] = True
+            weighed[drives[control].channels] = True
         for index, joint in enumerate(self.rig.body.joints):
             carried[index] |= carried[joint.parent]
         others = [
             index
             for index, drive in enumerate(drives)
-            if carried[drive.joints].any() or (carried.any() and len(drive.channels))
+            if carried[drive.joints].any()
+            or weighed[drive.channels].any()
+            or (carried.any() and len(drive.channels))
         ]
         return np.union1d(controls, others).astype(np.int64)
 
@@ -152,6 +157,7 @@ def disagreements(scope: Usd.Prim, layout: Layout, settings: ReadSettings) -> It
         yield from _at_rest(scene, each)
         for member, control in zip(each.element.manipulator.members, each.members, strict=True):
             yield from _alone(scene, each, member, int(control))
+    yield from _together(scene)
 
 
 # --- one element ----------------------------------------------------------------------------------
@@ -223,6 +229,32 @@ def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterat
         yield _astray(drawn.prim, f"its tracks move, {steps}")
 
 
+def _together(scene: _Scene) -> Iterator[Issue]:
+    """What does not follow the character while many controls are away from the base pose."""
+    told: set[int] = set()
+    board = np.unique(
+        np.concatenate(
+            [each.members for each in scene.drawn if each.element.anchor.on_board]
+            or [np.zeros(0, dtype=np.int64)]
+        )
+    )
+    for towards in ("maximum", "minimum"):
+        none = np.zeros(0, dtype=np.int64)
+        whole = posed(scene.rig, scene.halfway(towards, none))
+        still = posed(scene.rig, scene.halfway(towards, scene.with_ignored(board)))
+        for index, each in enumerate(scene.drawn):
+            if index in told or each.element.look.adapt == "static":
+                continue
+            for what, off, slack in _departures(scene, each, towards, whole, still):
+                if off > _FOLLOWS * scene.size + slack:
+                    clause = f"its {what} leaves the character by {off:.3g}"
+                    yield _astray(
+                        each.prim, f"{clause} as all controls go half way to their {towards}"
+                    )
+                    told.add(index)
+                    break
+
+
 def _departures(
     scene: _Scene, drawn: _Drawn, towards: str, whole: Posed, still: Posed
 ) -> Iterator[tuple[str, float, float]]:
@@ -234,7 +266,7 @@ def _departures(
         return
     yield "handle", _off(scene, drawn, whole, drawn.handle[:1]), _EXACT * drawn.width
     yield "handle", _off(scene, drawn, whole, drawn.handle), loose
-    others = posed(scene.rig, scene.halfway(towards, scene.with_carried(drawn.members)))
+    others = posed(scene.rig, scene.halfway(towards, scene.with_ignored(drawn.members)))
     yield "track", _off(scene, drawn, others, drawn.track), loose
 
 
