@@ -40,6 +40,7 @@ from usdrigui.layer.properties import (
 )
 from usdrigui.layer.read_layout import base_controls, element_prims, points_by_role
 from usdrigui.model import Element, Layout, Member
+from usdrigui.overlap import segment_distances
 from usdrigui.reading.blend_shape import legible_tokens
 from usdrigui.reading.character import read_body
 from usdrigui.reading.mesh import drawable
@@ -177,7 +178,9 @@ def _at_rest(scene: _Scene, drawn: _Drawn) -> Iterator[Issue]:
     beside = _BESIDE * width + _LONG * max(map(length, tracks))
     ways = points[drawn.track]
     if len(ways):
-        away = float(np.min([_distances(ways, track) for track in tracks], axis=0).max())
+        pieces = ((track[:-1, :, None], track[1:, :, None]) for track in tracks)
+        apart = np.concatenate([segment_distances(ways.T[None], *each) for each in pieces])
+        away = float(apart.min(axis=0).max())
         if away > beside:
             yield _astray(drawn.prim, f"its tracks are drawn {away:.3g} from their trackPoints")
 
@@ -292,15 +295,6 @@ def _worst(vectors: Floats) -> float:
 def length(line: Floats) -> float:
     """Of a polyline (k, 3)."""
     return float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
-
-
-def _distances(points: Floats, line: Floats) -> Floats:
-    """(n,) of points from a polyline (k, 3)."""
-    steps = np.diff(line, axis=0)
-    squared = np.maximum((steps * steps).sum(axis=1), 1e-300)
-    away = points[:, None] - line[:-1]
-    shares = np.clip((away * steps).sum(axis=2) / squared, 0.0, 1.0)
-    return np.asarray(np.linalg.norm(away - shares[..., None] * steps, axis=2).min(axis=1))
 
 
 # --- the scene ------------------------------------------------------------------------------------
