@@ -115,7 +115,7 @@ def author_limits(root: Sdf.PrimSpec, rig: Rig) -> None:
     control of their own keep to 0 and 1.
     """
     inside = Sdf.Path(rig.skel_root.path)
-    for animation in {each.animation for each in rig.body.skeletons if each.animation}:
+    for animation in dict.fromkeys(each.animation for each in rig.body.skeletons if each.animation):
         ranges, path = _weight_ranges(rig, animation), Sdf.Path(animation)
         if len(ranges) and path.HasPrefix(inside) and hasattr(Usd, "AttributeLimits"):
             spec = Sdf.CreatePrimInLayer(root.layer, path.ReplacePrefix(inside, root.path))
