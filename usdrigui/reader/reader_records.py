@@ -13,7 +13,7 @@ from usdrigui.isolation.foreign_file import SourceFile
 from usdrigui.model import Correction, ExistingPrim, Layout
 from usdrigui.settings import ReadSettings, Settings
 
-Task = Literal["rigs", "layouts", "composed", "clips", "faults", "layer", "variants", "corrections"]
+Task = Literal["rigs", "layouts", "composed", "clips", "faults", "layer", "variants"]
 
 
 @dataclass(frozen=True, slots=True)
