@@ -1,8 +1,8 @@
 """Whatever the controls of a rig are called, they stand where they stand by their usual names.
 
-The sample is renamed once in every way, in three of them in the quick suite.  Two of its 43 controls on the face share
-a slider that costs nearly the same on the lip and below it; with names permuted another two do.  More rigs and draws by
-the environment::
+The sample is renamed once in every way, in three of them in the quick suite, and solved to a proof: variables are in
+the order of names, and where the search is cut short another order ends in another layout.  With names permuted,
+wrong names keep the ends of two sliders apart.  More rigs and draws by the environment::
 
     RENAMED_RIGS="$(echo heads/*.usdc)" RENAMED_DRAWS=25 pytest tests/laws/test_names_are_hints.py
 """
@@ -22,7 +22,7 @@ from usdrigui.solve import solve
 SAMPLE = Path(__file__).resolve().parents[2] / "sample_assets/char.usda"
 RIGS = [SAMPLE, *map(Path, os.environ.get("RENAMED_RIGS", "").split())]
 DRAWS = int(os.environ.get("RENAMED_DRAWS", "1"))
-SETTINGS = load({"read": {"joints": "none"}, "solve": {"work_limit": 200_000}})
+SETTINGS = load({"read": {"joints": "none"}, "solve": {"work_limit": 10_000_000}})
 QUICK = (namings.counted, namings.prefixed, namings.permuted)
 WAYS = [
     pytest.param(way, id=way.__name__, marks=() if way in QUICK else pytest.mark.slow)
@@ -52,5 +52,5 @@ def test_controls_stand_where_they_stand_by_their_usual_names(plain, naming, dra
     rig, before, size = plain
     after, _ = placed(namings.renamed(rig, naming, np.random.default_rng(draw)))
     lost = namings.lost(before, after, REACH * size)
-    least = 0.9 if naming is namings.permuted else 0.95
+    least = 0.9 if naming is namings.permuted else 0.97
     assert len(lost) <= (1.0 - least) * len(before), sorted(rig.controls[i].name for i in lost)
