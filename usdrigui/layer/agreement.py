@@ -31,6 +31,7 @@ from usdrigui.character import (
 from usdrigui.character.deform import Posed, posed, sweep, sweep_start
 from usdrigui.character.subset import subset
 from usdrigui.errors import Issue, issue
+from usdrigui.layer import author
 from usdrigui.layer.properties import (
     array_of,
     control_instances,
@@ -106,6 +107,11 @@ class _Scene(Record):
     """Diagonal of the box around the meshes that elements are anchored to."""
 
     @cached_property
+    def grain(self) -> float:
+        """How exactly the layer and UsdSkel tell places and ways: far from the origin, little."""
+        return _FOLLOWS * self.size + author.TOLD * float(np.abs(self.base.points).max(initial=0.0))
+
+    @cached_property
     def base(self) -> Posed:
         return posed(self.rig, self.base_values)
 
@@ -167,15 +173,15 @@ def disagreements(scope: Usd.Prim, layout: Layout, settings: ReadSettings) -> It
 def _at_rest(scene: _Scene, drawn: _Drawn) -> Iterator[Issue]:
     """What is wrong with an element in the base pose."""
     element, points, width = drawn.element, scene.base.points, drawn.width
-    position, near = element.anchor.position, _FOLLOWS * scene.size + _NEAR * width
+    position, near = element.anchor.position, scene.grain + _NEAR * width
     handle = points[drawn.handle]
     if element.look.glyph is None:
-        yield from _as_wide(drawn, handle)
+        yield from _as_wide(drawn, handle, scene.grain)
         away = float(np.linalg.norm(handle[0] - position)) if len(handle) else 0.0
         if away > near:
             yield _astray(drawn.prim, f"its handle is {away:.3g} from rigUI:anchor:position")
     tracks = [member.track for member in element.manipulator.members]
-    beside = _BESIDE * width + _LONG * max(map(length, tracks))
+    beside = scene.grain + _BESIDE * width + _LONG * max(map(length, tracks))
     ways = points[drawn.track]
     if len(ways):
         pieces = ((track[:-1, :, None], track[1:, :, None]) for track in tracks)
@@ -185,17 +191,17 @@ def _at_rest(scene: _Scene, drawn: _Drawn) -> Iterator[Issue]:
             yield _astray(drawn.prim, f"its tracks are drawn {away:.3g} from their trackPoints")
 
 
-def _as_wide(drawn: _Drawn, handle: Floats) -> Iterator[Issue]:
+def _as_wide(drawn: _Drawn, handle: Floats, grain: float) -> Iterator[Issue]:
     """Whether a handle (points, 3), its first point at the anchor, is as large as the layout says,
     and lifted as far."""
     if len(handle) < 2:
         return
     shell, width = handle[1:], drawn.width
     across = float(np.linalg.norm(np.ptp(shell, axis=0)))
-    if not width / _SIZES < across < width * _SIZES:
+    if not width / _SIZES - grain < across < width * _SIZES + grain:
         yield _astray(drawn.prim, f"its handle is {across:.3g} wide, the layout's {width:.3g}")
     middle = float(np.linalg.norm(shell.mean(axis=0) - handle[0]))
-    if abs(middle - value_of(drawn.prim, schema.HANDLE, "lift")) > width:
+    if abs(middle - value_of(drawn.prim, schema.HANDLE, "lift")) > width + grain:
         yield _astray(
             drawn.prim, f"its handle is {middle:.3g} from its anchor, not rigUI:handle:lift"
         )
@@ -213,7 +219,7 @@ def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterat
     drive = scene.rig.controls[control].drive
     anchor, steps = motion[:, drawn.anchor], f"as {member.control!r} goes along its track"
     handle = motion[:, drawn.handle]
-    tolerance = _FOLLOWS * scene.size + _EXACT * drawn.width
+    tolerance = scene.grain + _EXACT * drawn.width
     if drawn.slides:
         single = len(drive.channels) == 1 and not len(drive.joints)
         expected, slack = along if single else np.zeros_like(along), _NEAR * drawn.width + tolerance
@@ -222,13 +228,13 @@ def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterat
         return
     way = float(np.linalg.norm(anchor, axis=1).max())
     off = _worst(along / (member.magnification or 1.0) - anchor)
-    if off > _ALONG * drawn.width + _SHARE * way:
+    if off > scene.grain + _ALONG * drawn.width + _SHARE * way:
         clause = f"{off:.3g} from rigUI:control:*:trackPoints, {steps}"
         yield issue("LAYOUT_TRACK", str(drawn.prim.GetPath()), f"its anchor is up to {clause}")
     away = _worst(handle[:, :1] - anchor[:, None])
     if element.look.glyph is None and away > tolerance:
         yield _astray(drawn.prim, f"its handle leaves its anchor by {away:.3g}, {steps}")
-    if _worst(motion[:, drawn.track]) > _STILL * drawn.width:
+    if _worst(motion[:, drawn.track]) > scene.grain + _STILL * drawn.width:
         yield _astray(drawn.prim, f"its tracks move, {steps}")
 
 
@@ -249,7 +255,7 @@ def _together(scene: _Scene) -> Iterator[Issue]:
             if index in told or each.element.look.adapt == "static":
                 continue
             for what, off, slack in _departures(scene, each, towards, whole, still):
-                if off > _FOLLOWS * scene.size + slack:
+                if off > scene.grain + slack:
                     clause = f"its {what} leaves the character by {off:.3g}"
                     yield _astray(
                         each.prim, f"{clause} as all controls go half way to their {towards}"

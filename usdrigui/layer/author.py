@@ -37,6 +37,8 @@ _SCALARS: Mapping[str, Callable[[Any], Any]] = {
 }
 _DIGITS, _MATRIX_DIGITS = 7, 12
 """Significant digits authored of numbers: as many as a source in single precision has."""
+TOLD = 10.0 ** (1 - _DIGITS)
+"""Of the largest number of a value: so exactly a layer tells each of its numbers (`settled`)."""
 _RULE = re.compile(r"^(Range|Length|Order|Norm): (.+)$", re.MULTILINE)
 _NOT_PLAIN = re.compile(r"[^A-Za-z0-9_]")
 _LISTS = {"token[]": Vt.TokenArray, "string[]": Vt.StringArray}

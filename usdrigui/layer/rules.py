@@ -15,14 +15,13 @@ from typing import Any
 import numpy as np
 
 from usdrigui.character import Floats
+from usdrigui.layer import author
 
 Sibling = Callable[[str], Any]
 """The value of another property of the schema by its last name: a number, or a list of entries."""
 
 INTERVAL = re.compile(r"([\[(])(\S+), (\S+)([\])])")
 """The ends of a ``Range`` with what stands for whether they belong to it."""
-_ROUNDED = 1e-6
-"""Of the largest number: bounds and values are rounded each by itself when a layer is written."""
 _UNIT = 1e-3
 
 
@@ -40,7 +39,7 @@ def broken(rules: Mapping[str, str], value: Any, sibling: Sibling) -> Iterator[s
 
 def _in_range(said: str, numbers: Floats, sibling: Sibling) -> bool:
     opening, low, high, closing = INTERVAL.fullmatch(said).groups()  # type: ignore[union-attr]
-    slack = _ROUNDED * float(np.abs(numbers).max(initial=0.0))
+    slack = author.TOLD * float(np.abs(numbers).max(initial=0.0))
     least = _bound(low, sibling, -slack)
     most = _bound(high, sibling, slack)
     above = numbers > least if opening == "(" else numbers >= least
