@@ -159,9 +159,7 @@ def _of_manipulator(prim: Usd.Prim, element: Element) -> Iterator[Issue]:
 def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue]:
     """Whether an element on the character is on the side that it names."""
     plane, side = layout.frame.plane, element.look.side
-    if not plane.normal.any():
-        return
-    if element.anchor.on_board:
+    if element.anchor.on_board or not layout.frame.mirrors(element.placement.part):
         return
     away = float((element.anchor.position - plane.origin) @ plane.normal)
     width = _ASIDE * layout.frame.handle_width_of(element.placement.part)
@@ -184,7 +182,7 @@ def _of_mirror(
         yield invalid_at(prim, f"{where} has another number of controls")
         return
     reflect, on_face = _reflection(layout), not (element.anchor.on_board or other.anchor.on_board)
-    if not on_face or not layout.frame.plane.normal.any():
+    if not on_face or not layout.frame.mirrors(element.placement.part):
         return
     width = layout.frame.handle_width_of(element.placement.part)
     away = reflect(element.anchor.position) - other.anchor.position
@@ -195,8 +193,7 @@ def _of_mirror(
     for index, (one, twin) in enumerate(
         zip(element.manipulator.members, other.manipulator.members, strict=True)
     ):
-        origin = np.zeros(3)
-        mine = reflect(one.track[-1] - one.track[0]) - reflect(origin)
+        mine = reflect(one.track[-1]) - reflect(one.track[0])
         theirs = twin.track[-1] - twin.track[0]
         lengths = float(np.linalg.norm(mine) * np.linalg.norm(theirs))
         alike = float(mine @ theirs) / lengths if lengths else 0.0
@@ -209,13 +206,12 @@ def _of_mirror(
 
 def _unpaired(by_name: Mapping[str, tuple[Usd.Prim, Element]], layout: Layout) -> Iterator[Issue]:
     """Elements that are each other's mirror image, and do not say so."""
-    if not layout.frame.plane.normal.any():
-        return
     reflect = _reflection(layout)
     alone = [
         (prim, element)
         for prim, element in by_name.values()
         if not (element.manipulator.mirror or element.anchor.on_board)
+        and layout.frame.mirrors(element.placement.part)
     ]
     for prim, element in alone:
         width = layout.frame.handle_width_of(element.placement.part)

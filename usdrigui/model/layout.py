@@ -100,6 +100,14 @@ class LayoutFrame(Record):
     """Of a character in several parts; then `handle_width`, `view` and `plane` are those of its
     main part, and so are the weights of the proof; its costs are sums."""
 
+    def mirrors(self, part: str) -> bool:
+        """Whether `plane` is that of a part: the main one, which has the frame's width and view."""
+        return bool(self.plane.normal.any()) and all(
+            each.handle_width == self.handle_width and (each.view == self.view).all()
+            for each in self.parts
+            if each.name == part
+        )
+
     def handle_width_of(self, part: str) -> float:
         """Diameter of the handles of a part: of the main one where it has none of its own."""
         widths = {each.name: each.handle_width for each in self.parts}
