@@ -177,12 +177,14 @@ def _bent(member: Member, normal: Floats, width: float) -> Member:
     that cuts a corner would lie in the skin.
     """
     steps = np.diff(member.track, axis=0)
-    length = float(np.sqrt((steps * steps).sum(axis=1)).sum())
-    tolerance = max(_BEND * width, _LONG_BEND * length)
+    # By the way to it, as the samples at in-betweens are not at equal steps.
+    places = np.append(0.0, np.sqrt((steps * steps).sum(axis=1))).cumsum()
+    tolerance = max(_BEND * width, _LONG_BEND * float(places[-1]))
     shift = _to_the_middle(member.track, normal, tolerance)
-    places = np.arange(len(member.track))
-    kept = places[[0, -1]] if shift is not None else fewest_points(member.track, tolerance)
-    pieces = np.stack([np.interp(places, kept, column) for column in member.track[kept].T], axis=1)
+    ends = np.array([0, len(places) - 1])
+    kept = ends if shift is not None else fewest_points(member.track, tolerance)
+    columns = member.track[kept].T
+    pieces = np.stack([np.interp(places, places[kept], each) for each in columns], axis=1)
     above = ((member.track - pieces) * normal).sum(axis=1).max()
     moved = above * normal + (0.0 if shift is None else shift)
     return replace(member, track=member.track[kept] + moved, values=member.values[kept])
