@@ -125,18 +125,22 @@ def animation(folder: Path, target: Path) -> None:
 def glyphs(folder: Path, target: Path) -> None:
     """Handles of shapes of one's own."""
     (folder / "glyphs.usda").write_text(GLYPHS)
-    _configured(folder, WITH_GLYPHS, "glyphs.rigui.usda", (640, 640)).save(target, optimize=True)
+    settings = load(tomllib.loads(WITH_GLYPHS))
+    made = process(folder / "char.usda", settings, output=folder / "glyphs.rigui.usda")
+    (character, *_) = made.characters
+    picture = render(character.rig, character.layout, views=("front",), size=(640, 640))
+    picture.save(target, optimize=True)
 
 
 def levels(folder: Path, target: Path) -> None:
     """Two coarse elements, and one of them opened."""
-    _configured(folder, WITH_LEVELS, "levels.rigui.usda", (640, 640))
-    config = folder / "levels.toml"
+    config, layer = folder / "levels.toml", folder / "levels.rigui.usda"
     config.write_text(WITH_LEVELS)
+    _command("process", folder / "char.usda", "--config", config, "-o", layer)
     panels = []
     for opened in ((), ("--open", "smile")):
         drawn = folder / "level.png"
-        _command("picture", folder / "levels.rigui.usda", "-o", drawn, "--config", config, *opened)
+        _command("picture", layer, "-o", drawn, "--config", config, *opened)
         panels.append(Image.open(drawn).convert("RGB").crop((0, 0, 700, 942)))
     both = Image.new("RGB", (1400, 942))
     for index, panel in enumerate(panels):
@@ -153,13 +157,6 @@ def shot(folder: Path, target: Path) -> None:
     _command("process", folder / "shot.usda", "--base", folder / "char.rigui.usda", "-o", layer)
     (rig, made), *_ = load_layer(layer, Settings()).characters
     render(rig, made, views=("front",), size=(760, 740), title="shot").save(target, quality=QUALITY)
-
-
-def _configured(folder: Path, config: str, name: str, size: tuple[int, int]) -> Image.Image:
-    """The front of the sample's layout with a configuration."""
-    made = process(folder / "char.usda", load(tomllib.loads(config)), output=folder / name)
-    (character, *_) = made.characters
-    return render(character.rig, character.layout, views=("front",), size=size)
 
 
 # --- the page -------------------------------------------------------------------------------------

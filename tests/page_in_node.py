@@ -13,7 +13,7 @@ PLACED = Path(__file__).with_name("clients") / "placed.mjs"
 
 
 def placed_by_the_page(cases):
-    """What the page makes of cases {scene, times, poses}, as placed.mjs says; one process for all."""
+    """What the page makes of cases {scene, times}, as placed.mjs says; one process for all."""
     if shutil.which("node") is None:
         pytest.skip("Node.js is not installed")
     done = subprocess.run(

@@ -66,7 +66,7 @@ def test_every_element_of_the_layout_is_in_the_picture_of_its_part(shown):
     viewer, _, layout, _ = shown
     scrolled = {each.name for each in layout.elements if each.anchor.on_board}
     found = []
-    for part in range(max(1, viewer.page.evaluate("usdrigui.app.session.character.layout.sections.length"))):
+    for part in range(viewer.page.evaluate("usdrigui.app.session.character.layout.sections.length")):
         viewer.page.evaluate(f"usdrigui.app.session.show({part})")
         elements = viewer.page.evaluate("usdrigui.elements()")
         width, height = viewer.page.evaluate("[usdrigui.app.view.width, usdrigui.app.view.height]")

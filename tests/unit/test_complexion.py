@@ -1,8 +1,7 @@
-"""Colours of a face: as USD says them, and found by form where it says nothing."""
+"""Colours of a face: as USD says them, and found by layout and form where it says nothing."""
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +9,7 @@ import pytest
 from makers import changed
 from PIL import Image
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdShade, Vt
+from viewer_layouts import peak_layout
 
 from usdrigui.character import Topology
 from usdrigui.character.deform import deform
@@ -114,7 +114,7 @@ def test_a_small_texture_is_read_at_the_points(tmp_path, readable):
     assert (found.tolist() == [list(each) for each in HALVES]) if readable else found is None
 
 
-# --- found by form -----------------------------------------------------------------------------------
+# --- found by layout and form ------------------------------------------------------------------------
 
 
 @pytest.fixture(scope="module")
@@ -129,16 +129,8 @@ def bare(rig):
     return changed(rig, meshes=tuple(meshes))
 
 
-def layout_of(rig):
-    """Every control at the point that it moves furthest, as large as `process` draws it."""
-    from viewer_layouts import peak_layout
-
-    layout = peak_layout(rig)
-    return replace(layout, frame=replace(layout.frame, handle_width=0.28))
-
-
 def test_colours_of_the_asset_are_taken_as_they_are(sample):
-    found = complexion.complexion(sample, layout_of(sample))
+    found = complexion.complexion(sample, peak_layout(sample))
     assert np.array_equal(found.colours, np.concatenate([mesh.display.colours for mesh in sample.body.meshes]))
     assert not found.clear.any()
     assert (found.gaze > 2.0).all()
@@ -147,7 +139,7 @@ def test_colours_of_the_asset_are_taken_as_they_are(sample):
 def test_form_finds_the_pupils_and_the_lips_that_colours_say(sample):
     """On the sample without its colours: its own tell where the pupils, the whites and the lips are."""
     plain = bare(sample)
-    found = complexion.complexion(plain, layout_of(plain))
+    found = complexion.complexion(plain, peak_layout(plain))
     told = np.concatenate([mesh.display.colours for mesh in sample.body.meshes])
     names = np.repeat([mesh.path.rsplit("/", 1)[-1] for mesh in sample.body.meshes], np.diff(sample.body.starts))
     eyes, head = np.char.startswith(names, "Eye"), names == "Head"
@@ -182,7 +174,7 @@ def test_what_covers_the_pupil_is_clear_or_bears_it(sample, inner, before):
         shapes=(),
     )
     rig = changed(plain, meshes=(*plain.body.meshes, shell))
-    found = complexion.complexion(rig, layout_of(rig))
+    found = complexion.complexion(rig, peak_layout(rig))
     on_cap = slice(rig.body.starts[-2], None)
     assert (found.clear | (np.abs(found.gaze) <= 2.0).all(axis=1))[on_cap].any() == before
     assert not found.clear[: rig.body.starts[-2]].any()

@@ -1,4 +1,4 @@
-// The bar over the view: what is always in sight, and groups that go into a menu, the last first, where they do not fit.
+// The bar over the view: what is always in sight, and groups, those of most worth first, that go into a menu where they do not fit.
 
 import { make, segmented, toggle } from './dom.js';
 
@@ -20,7 +20,7 @@ export class Bar {
     app.session.on('options', () => this.pressed.forEach((button) => button.update()));
   }
 
-  /** Show the groups for which there is room, those of most worth first; the others go into the menu. */
+  /** Show each group for which those before it leave room; the others go into the menu. */
   fit() {
     const items = /** @type {HTMLElement} */ (this.menu.lastElementChild);
     this.row.replaceChildren();
@@ -63,8 +63,7 @@ export class Bar {
     const { scene, index } = this.app;
     if (scene.characters.length < 2) return null;
     const options = scene.characters.map(({ root }, i) => make('option', { value: i, selected: i === index }, root));
-    const chooser = make('select', { 'aria-label': 'Character', onchange: () => this.app.open(Number(chooser.value)) }, ...options);
-    return chooser;
+    return make('select', { 'aria-label': 'Character', onchange: ({ target }) => this.app.open(Number(target.value)) }, ...options);
   }
 
   /** One tab for each section of a character in several parts. */

@@ -25,6 +25,9 @@ export const DEFAULT_OPTIONS = {
 };
 
 export class Display {
+  /** @type {any} */ section;
+  /** @type {Set<string>} */ within; // names of its elements
+
   constructor(character) {
     this.character = character;
     this.controls = character.controls;
@@ -96,18 +99,16 @@ export class Display {
 
   /** Look at one of the character's sections: of a character in several parts, a part or one side of it. */
   show(index) {
-    const { sections } = this.character.layout;
-    this.section = sections[index] ?? null;
-    this.within = this.section && new Set(this.section.elements);
-    if (this.section) this.elements.width = this.section.handleWidth;
+    this.section = this.character.layout.sections[index];
+    this.within = new Set(this.section.elements);
+    this.elements.width = this.section.handleWidth;
     this.selection.clear();
     this.emit('section');
   }
 
   /** Whether an element is shown: in the section that is, not hidden by hand, and on the level that is open. */
   isShown(element) {
-    if (this.within && !this.within.has(element.name)) return false;
-    return !this.hidden.has(element.index) && this.levels.shows(element);
+    return this.within.has(element.name) && !this.hidden.has(element.index) && this.levels.shows(element);
   }
 
   /** Show the members of the coarse elements among `elements` in their place or, of members, the coarse ones again. */
@@ -124,8 +125,8 @@ export class Display {
 
   /** Select an element, and open a coarse one that it is a member of. */
   reveal(element, mode) {
-    const { sections } = this.character.layout;
-    if (this.within && !this.within.has(element.name)) this.show(sections.findIndex(({ elements }) => elements.includes(element.name)));
+    const section = this.character.layout.sections.findIndex(({ elements }) => elements.includes(element.name));
+    if (section >= 0 && !this.within.has(element.name)) this.show(section); // layers of other programs have elements of no part
     if (!this.levels.shows(element)) {
       this.levels.toggle(this.levels.coarseOf(element).slice(0, 1), !element.inner.length);
       this.emit('options');

@@ -20,8 +20,7 @@ export class Dock {
     this.most = 0; // that it can be scrolled
     this.cells = new Map(); // element -> {left, top, height, map, tracks}
     this.headings = [];
-    const { up, layout } = session.character;
-    this.front = new OrbitCamera(up, (session.section ?? layout).view);
+    this.front = new OrbitCamera(session.character.up, session.section.view);
   }
 
   get elements() {

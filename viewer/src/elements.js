@@ -7,10 +7,11 @@
 import * as matrix from './matrix.js';
 
 export class Elements {
+  /** @type {number} */ width; // of handles, in the section that is shown
+
   constructor(character, deformer) {
     this.deformer = deformer;
     this.rest = restValues(character);
-    this.width = character.layout.handleWidth;
     this.list = character.layout.elements.map((element, index) => ({ ...element, index }));
     this.byControl = new Map();
     for (const element of this.list) {

@@ -10,7 +10,7 @@ const FINER = 2;
 /** The present pose as a data URL. */
 export function portrait(session, stage) {
   const { character, section, elements } = session;
-  const camera = new OrbitCamera(character.up, (section ?? character.layout).view);
+  const camera = new OrbitCamera(character.up, section.view);
   const onFace = elements.list.filter((element) => session.isShown(element) && !element.onBoard);
   const around = onFace.map(({ restPoint }) => restPoint);
   camera.frame(around.length ? around : [...threes(stage.skin.points)], SIZE, SIZE, 1.35);

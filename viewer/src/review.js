@@ -69,7 +69,7 @@ export class Review {
     const { session } = this;
     const { frame, neutral, values, section } = session;
     const id = Array.from(crypto.getRandomValues(new Uint8Array(6)), (byte) => byte.toString(16).padStart(2, '0')).join('');
-    return { id, frame, neutral, text: '', done: false, values: saidPose(session, values), section: section?.title ?? '', look: this.look(), strokes: [], ...more };
+    return { id, frame, neutral, text: '', done: false, values: saidPose(session, values), section: section.title, look: this.look(), strokes: [], ...more };
   }
 
   look() {

@@ -24,7 +24,6 @@ export class Stage {
     this.eyes = onEyes(this.triangles, gaze);
     this.tints = tints(character.eye);
     this.skin = makeSkin(points, colours);
-    sumNormals(points, this.triangles, this.welded, this.skin.normals);
     this.target = null;
     this.size = [1, 1, 1];
     this.open(how);

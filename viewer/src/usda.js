@@ -60,7 +60,7 @@ function statements(text) {
 
 function wordsOf(line) {
   const words = line.match(/"(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*'|[^\s,:()[\]"']+|\S/g) ?? [];
-  return words.map((word) => (/^["']./.test(word) ? unquoted(word) : word !== '' && Number.isFinite(Number(word)) ? Number(word) : word));
+  return words.map((word) => (/^["']./.test(word) ? unquoted(word) : Number.isFinite(Number(word)) ? Number(word) : word));
 }
 
 const alike = (a, b, digits) => a === b || (typeof a === 'number' && Math.abs(a - b) <= digits * Math.max(1, Math.abs(a)));

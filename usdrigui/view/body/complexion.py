@@ -49,8 +49,8 @@ _NAMED = (
 )
 """Colours of meshes by a word of their name; numbers are linear light."""
 _CARDS = {"brow": _BROWS, "eye": _HAIR, "gaze": _HAIR}
-"""Colours of what lies on the skin, by the region that its controls move; of the mouth and below it
-is of the lips' colour."""
+"""Colours of what lies on the skin, by the region that its controls move; of any other region it is
+of the lips' colour."""
 _LASH = re.compile(r"lash", re.IGNORECASE)
 """Lashes are cards that a texture cuts out: without one they are bands around the eyes, and left
 out."""
@@ -94,8 +94,7 @@ class _Face(Record):
     sheets: Indices
     """(n,) as `pieces`, but of points that share triangles, whatever else lies where they lie."""
     free: Flags
-    """(n,) visible points whose mesh has no colour, neither by values nor by its
-    name."""
+    """(n,) visible points whose mesh has no colour, neither by values nor by its name."""
     anchors: Indices
     """(k,) points of the elements on the face."""
     regions: tuple[str, ...]

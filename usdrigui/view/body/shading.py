@@ -147,11 +147,12 @@ def openness(subject: Subject) -> Floats:
     """(n,) share of the light of the sky that reaches each point, by rays to all around."""
     seen, light = np.zeros(len(subject.points)), np.full(len(subject.points), 1e-12)
     length = np.maximum(np.linalg.norm(subject.normals, axis=1), 1e-30)
+    # Directions of a Fibonacci lattice on the sphere.
     height = 1.0 - (2.0 * np.arange(_SKIES) + 1.0) / _SKIES
     angle = np.arange(_SKIES) * np.pi * (3.0 - np.sqrt(5.0))
     across = np.sqrt(1.0 - height**2)
     skies = np.stack([across * np.cos(angle), height, across * np.sin(angle)], axis=1)
-    for sky in skies:  # a Fibonacci lattice on the sphere
+    for sky in skies:
         share = subject.normals @ sky / length
         lit = np.flatnonzero(share > 0.05)
         starts = subject.points[lit] + _SLACK * subject.caster.size * sky

@@ -273,7 +273,6 @@ def _layout(rig: Rig, layout: Layout) -> Json:
     controls = {control.name: index for index, control in enumerate(rig.controls)}
     meshes = {mesh.path: index for index, mesh in enumerate(rig.body.meshes)}
     return {
-        **_fields(layout.frame, "handle_width view"),
         "planeOrigin": _list(layout.frame.plane.origin),
         "planeNormal": _list(layout.frame.plane.normal),
         "baseValues": _list(layout.character.base_values),
