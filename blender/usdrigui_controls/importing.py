@@ -33,9 +33,9 @@ def add_controls(stage, objects=None, fresh=False):
         )
     else:
         found = Match(objects, names_of(stage, layouts, objects))
-    added = inbetweens.build(stage, found)
     built = []
     for layout in layouts:
+        added = inbetweens.build(stage, layout, found)
         holder = bind(layout, found)
         holder[SOURCE] = stage.GetRootLayer().realPath
         if fresh:

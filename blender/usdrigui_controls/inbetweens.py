@@ -15,21 +15,20 @@ _KNOTS = "usdrigui_inbetweens"
 """Custom property of the Key: per token, the weights and names of the keys added."""
 
 
-def build(stage, match):
-    """Add the in-betweens of every mesh of a `matching.Match`; returns how many keys were added.
+def build(stage, layout, match):
+    """Add the in-betweens of the meshes of a layout that a `matching.Match` has; returns how many
+    keys were added.
 
     Meshes that have their in-betweens already keep them.
     """
     from pxr import UsdSkel
 
     added = 0
-    for path, mesh in match.objects.items():
-        if mesh.type != "MESH":
-            continue
-        names = match.names.get(path, {})
+    for path in (each.path for each in layout.meshes if each.path in match.objects):
+        mesh, names = match.objects[path], match.names.get(path, {})
         prim = stage.GetPrimAtPath(path)
         block = mesh.data.shape_keys
-        if not prim or block is None or _KNOTS in block:
+        if block is None or _KNOTS in block:
             continue
         binding = UsdSkel.BindingAPI(prim)
         tokens = list(binding.GetBlendShapesAttr().Get() or ())
