@@ -58,10 +58,15 @@ def has_usd():
     return True
 
 
-def open_stage(path):
-    """A USD stage.  Raises LayoutError without USD, or for a file that is none."""
+def need_usd():
+    """Raise LayoutError unless Python can import USD."""
     if not has_usd():
         raise LayoutError("this Blender comes without USD's Python modules")
+
+
+def open_stage(path):
+    """A USD stage.  Raises LayoutError without USD, or for a file that is none."""
+    need_usd()
     from pxr import Tf, Usd
 
     try:

@@ -16,7 +16,7 @@ import numpy as np
 from bpy_extras.io_utils import ExportHelper
 
 from .character import SOURCE, Character, holders
-from .importing import has_usd
+from .importing import need_usd
 from .layout import LayoutError
 from .matching import OBJECT, scene_of
 
@@ -70,8 +70,7 @@ def save_animation(context, target, steps=1):
     LayoutError without characters, where a source is gone, or the file cannot be written.
     """
     scene = context.scene
-    if not has_usd():
-        raise LayoutError("this Blender comes without USD's Python modules")
+    need_usd()
     from pxr import Sdf, Tf, Usd
 
     if not holders(scene):
