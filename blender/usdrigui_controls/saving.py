@@ -6,7 +6,6 @@ animation of other tools included, and hold only what differs from the source at
 
 from __future__ import annotations
 
-import math
 import os
 from pathlib import Path
 
@@ -15,7 +14,7 @@ import mathutils
 import numpy as np
 from bpy_extras.io_utils import ExportHelper
 
-from .character import SOURCE, Character, holders
+from .character import SOURCE, Character, at_frames, holders
 from .importing import need_usd
 from .layout import LayoutError
 from .matching import OBJECT, scene_of
@@ -55,7 +54,7 @@ class SaveAnimation(bpy.types.Operator, ExportHelper):
     def execute(self, context):
         """Play the scene once and write the layer."""
         try:
-            size = save_animation(context, Path(bpy.path.abspath(self.filepath)), self.steps)
+            size = save_animation(context.scene, Path(bpy.path.abspath(self.filepath)), self.steps)
         except LayoutError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
@@ -63,13 +62,12 @@ class SaveAnimation(bpy.types.Operator, ExportHelper):
         return {"FINISHED"}
 
 
-def save_animation(context, target, steps=1):
+def save_animation(scene, target, steps=1):
     """Write the layer; returns its size in bytes.
 
     It sublayers the layer of each character's layout, which sublayers the character.  Raises
     LayoutError without characters, where a source is gone, or the file cannot be written.
     """
-    scene = context.scene
     need_usd()
     from pxr import Sdf, Tf, Usd
 
@@ -90,11 +88,11 @@ def save_animation(context, target, steps=1):
             layer.pseudoRoot.SetInfo(name, first.pseudoRoot.GetInfo(name))
     layer.framesPerSecond = layer.timeCodesPerSecond = scene.render.fps / scene.render.fps_base
     stage = Usd.Stage.Open(layer)
-    takes = [_Take(Character(each), stage) for each in holders(scene)]
+    parts = [part for each in holders(scene) for part in _parts_of(Character(each), stage)]
     frames = _frames(scene, steps)
-    _play(context, takes, frames)
-    for take in takes:
-        take.write(frames)
+    at_frames(scene, frames, lambda: [part.look() for part in parts])
+    for part in parts:
+        part.write(frames)
     stage.SetStartTimeCode(frames[0])
     stage.SetEndTimeCode(frames[-1])
     written = Sdf.Layer.CreateAnonymous(target.suffix)
@@ -120,37 +118,13 @@ def _frames(scene, steps):
     return [scene.frame_start + i / steps for i in range(count + 1)]
 
 
-def _play(context, takes, frames):
-    """Let every take look at every frame; the scene is then at the frame where it was."""
-    scene = context.scene
-    before = scene.frame_current_final
-    try:
-        for frame in frames:
-            scene.frame_set(math.floor(frame), subframe=frame % 1.0)
-            for take in takes:
-                take.look()
-    finally:
-        scene.frame_set(math.floor(before), subframe=before % 1.0)
-
-
-class _Take:
-    """One character while the scene is played."""
-
-    def __init__(self, character, stage):
-        self.parts = [
-            *(_Skeleton(character, stage, *each) for each in _skeletons(character, stage).items()),
-            *(_Place(stage, *each) for each in sorted(_places(character, stage).items())),
-        ]
-
-    def look(self):
-        """Note the state of the scene."""
-        for part in self.parts:
-            part.look()
-
-    def write(self, frames):
-        """Write what was seen, parents before children."""
-        for part in self.parts:
-            part.write(frames)
+def _parts_of(character, stage):
+    """What looks at one character at every frame and writes what it saw, parents before
+    children."""
+    return [
+        *(_Skeleton(character, stage, *each) for each in _skeletons(character, stage).items()),
+        *(_Place(stage, *each) for each in sorted(_places(character, stage).items())),
+    ]
 
 
 def _skeletons(character, stage):
