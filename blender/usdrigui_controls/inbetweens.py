@@ -21,23 +21,16 @@ def build(stage, layout, match):
 
     Meshes that have their in-betweens already keep them.
     """
-    from pxr import UsdSkel
-
     added = 0
     for path in (each.path for each in layout.meshes if each.path in match.objects):
         mesh, names = match.objects[path], match.names.get(path, {})
-        prim = stage.GetPrimAtPath(path)
         block = mesh.data.shape_keys
         if block is None or _KNOTS in block:
             continue
-        binding = UsdSkel.BindingAPI(prim)
-        tokens = list(binding.GetBlendShapesAttr().Get() or ())
-        targets = binding.GetBlendShapeTargetsRel().GetTargets()
         found = {}
-        for token, target in zip(tokens, targets, strict=False):
-            shape = UsdSkel.BlendShape(stage.GetPrimAtPath(target))
-            key = block.key_blocks.get(names.get(str(token), str(token)))
-            if shape and key is not None:
+        for token, shape in blend_shapes(stage.GetPrimAtPath(path)):
+            key = block.key_blocks.get(names.get(token, token))
+            if key is not None:
                 keys = _add(mesh, key, shape)
                 if keys:
                     found[key.name] = keys
@@ -45,6 +38,24 @@ def build(stage, layout, match):
         if found:
             block[_KNOTS] = json.dumps(found)
     return added
+
+
+def tokens_of(prim):
+    """The blend-shape tokens of a mesh prim."""
+    from pxr import UsdSkel
+
+    return [str(token) for token in UsdSkel.BindingAPI(prim).GetBlendShapesAttr().Get() or ()]
+
+
+def blend_shapes(prim):
+    """(token, `UsdSkel.BlendShape`) of each shape of a mesh prim."""
+    from pxr import UsdSkel
+
+    targets = UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets()
+    for token, target in zip(tokens_of(prim), targets, strict=False):
+        shape = UsdSkel.BlendShape(prim.GetStage().GetPrimAtPath(target))
+        if shape:
+            yield token, shape
 
 
 def offsets_at(mesh, key, point):

@@ -16,6 +16,7 @@ from bpy_extras.io_utils import ExportHelper
 
 from .character import SOURCE, Character, at_frames, holders
 from .importing import need_usd
+from .inbetweens import tokens_of
 from .layout import LayoutError
 from .matching import OBJECT, scene_of
 
@@ -179,17 +180,15 @@ class _Skeleton:
 
     def _keys(self, character):
         """Each token with the shape key that has its weight."""
-        from pxr import UsdSkel
-
         found = {}
         for path, mesh in character.meshes.items():
             prim = self.stage.GetPrimAtPath(path)
             if not self._deforms(prim):
                 continue
-            for token in UsdSkel.BindingAPI(prim).GetBlendShapesAttr().Get() or ():
-                key = character.shape_key(path, str(token))
+            for token in tokens_of(prim):
+                key = character.shape_key(path, token)
                 if key is not None:
-                    found.setdefault(str(token), (mesh, key.name))
+                    found.setdefault(token, (mesh, key.name))
         return found
 
     def _bones(self, character):
