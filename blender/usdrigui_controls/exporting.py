@@ -229,9 +229,9 @@ def _write_shapes(stage, prim, mesh):
     keys = list(mesh.data.shape_keys.key_blocks)[1:]
     taken, targets, ranges = set(), [], {}
     for key in keys:
-        name = stem = identifier(key.name)
+        name, number = identifier(key.name), len(taken)
         while name in taken:
-            name = f"{stem}_{len(taken)}"
+            name, number = f"{identifier(key.name)}_{number}", number + 1
         taken.add(name)
         shape = UsdSkel.BlendShape.Define(stage, prim.GetPath().AppendChild(name))
         offsets = key_offsets(mesh, key).astype(np.float32)
