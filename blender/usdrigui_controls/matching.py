@@ -14,8 +14,6 @@ import numpy as np
 
 from .inbetweens import blend_shapes, coordinates, key_offsets, tokens_of
 
-OBJECT = "userProperties:blender:object_name"
-"""Where Blender's exporter writes down the name of the object that a prim was."""
 _CLOSE = 1e-4
 """Of the size of a mesh or of a move: points so near are the same."""
 
@@ -103,8 +101,8 @@ def _like_mesh(stage, record, thing, found):
 
 def _like_names(prim, thing):
     """How many names of a prim and of an object agree: its own, the data's, the parents'."""
-    own = [_said(prim, "object_name"), _said(prim.GetParent(), "object_name")]
-    names = [*own, _said(prim, "data_name"), prim.GetName(), prim.GetParent().GetName()]
+    own = [blender_name(prim), blender_name(prim.GetParent())]
+    names = [*own, blender_name(prim, "data"), prim.GetName(), prim.GetParent().GetName()]
     names = {_plain(name) for name in names if name}
     above = {_plain(each.GetName()) for each in _ancestors(prim)}
     parent = thing.parent is not None and _plain(thing.parent.name) in above
@@ -231,9 +229,10 @@ def _last(path):
     return path.rpartition("/")[2]
 
 
-def _said(prim, name):
-    """What Blender's exporter wrote down of its own names."""
-    attribute = prim.GetAttribute(f"userProperties:blender:{name}")
+def blender_name(prim, kind="object"):
+    """The name that the object, or its data, had when Blender exported it as a prim; empty if it
+    did not."""
+    attribute = prim.GetAttribute(f"userProperties:blender:{kind}_name")
     return str(attribute.Get() or "") if attribute else ""
 
 

@@ -18,7 +18,7 @@ from .character import SOURCE, Character, at_frames, holders
 from .importing import need_usd
 from .inbetweens import tokens_of
 from .layout import LayoutError
-from .matching import OBJECT, scene_of
+from .matching import blender_name, scene_of
 
 _SAME = 1e-7
 """Weights, and parts of transforms in proportion to their size, that are no further apart are the
@@ -149,11 +149,11 @@ def _places(character, stage):
     for path, thing in {**character.meshes, **character.armatures}.items():
         prim = stage.GetPrimAtPath(path)
         above = prim.GetParent()
-        if not above.HasAttribute(OBJECT):
+        if not blender_name(above):
             skinned = UsdGeom.PrimvarsAPI(prim).FindPrimvarWithInheritance("skel:jointIndices")
             if not skinned.HasAuthoredValue():
                 found[path] = thing
-        while thing is not None and above.HasAttribute(OBJECT):
+        while thing is not None and blender_name(above):
             found[str(above.GetPath())] = thing
             above, thing = above.GetParent(), thing.parent
     return found
