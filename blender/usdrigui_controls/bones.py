@@ -17,6 +17,7 @@ import numpy as np
 
 from .anchors import Anchors
 from .character import BONES, Character, at_frames, holders
+from .inbetweens import drive
 
 _PALETTES = {"right": "THEME01", "left": "THEME04"}
 
@@ -261,14 +262,10 @@ def _drive(character, made, handle):
             bone = made.pose.bones[handle.name]
             slope = sign * (control.maximum - control.base) / bone.bone.length
             for key in character.shape_keys(control.shapes[0].token):
-                driver = key.driver_add("value").driver
-                variable = driver.variables.new()
-                variable.name = "w"
-                variable.targets[0].id = made
-                variable.targets[0].data_path = f"{bone.path_from_id('location')}[{component}]"
-                driver.expression = (
-                    f"min(max({control.base:.9g}+({slope:.9g})*w,{low:.9g}),{control.maximum:.9g})"
-                )
+                path = f"{bone.path_from_id('location')}[{component}]"
+                value = f"{control.base:.9g}+({slope:.9g})*w"
+                expression = f"min(max({value},{low:.9g}),{control.maximum:.9g})"
+                drive(key, ("OBJECT", made), path, expression)
 
 
 def _circle():

@@ -133,20 +133,22 @@ def _add(mesh, key, shape):
             "co", (rest + offsets - weight * (full - rest)).ravel().astype(np.float32)
         )
         added.slider_min, added.slider_max = -10.0, 10.0
-        _drive(added, key, hat(knots, knots.index(weight)))
+        path = key.path_from_id("value")
+        drive(added, ("KEY", key.id_data), path, hat(knots, knots.index(weight)))
         names.append((weight, added.name))
     return names
 
 
-def _drive(added, key, expression):
-    driver = added.driver_add("value").driver
+def drive(key, source, path, expression):
+    """Set the value of a shape key by an ``expression`` of ``w``, the property at ``path`` of a
+    ``source``: (type, datablock)."""
+    driver = key.driver_add("value").driver
     driver.type = "SCRIPTED"
     variable = driver.variables.new()
     variable.name = "w"
     target = variable.targets[0]
-    target.id_type = "KEY"
-    target.id = key.id_data
-    target.data_path = key.path_from_id("value")
+    target.id_type, target.id = source
+    target.data_path = path
     driver.expression = expression
 
 
