@@ -1,5 +1,5 @@
-"""From an imported stage to controls: by Blender's USD hook, or by hand on what was imported
-before."""
+"""From a stage to controls: by Blender's USD hook on what was imported, or on what is in the scene
+already."""
 
 from __future__ import annotations
 

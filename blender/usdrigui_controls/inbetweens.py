@@ -12,7 +12,7 @@ import json
 import numpy as np
 
 _KNOTS = "usdrigui_inbetweens"
-"""Custom property of the Key: per token, the weights and names of the keys added."""
+"""Custom property of the Key: per name of a key, the weights and names of the keys added."""
 
 
 def build(stage, layout, match):
