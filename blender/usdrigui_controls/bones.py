@@ -16,7 +16,8 @@ import mathutils
 import numpy as np
 
 from .anchors import Anchors
-from .character import BONES, Character, holders
+from .character import BONES, Character, at_frames, holders
+from .inbetweens import drive
 
 _PALETTES = {"right": "THEME01", "left": "THEME04"}
 
@@ -112,7 +113,8 @@ def remove_bones(context, holder):
     """Take the armature away; the shape keys have its values, and the keys that they lack."""
     character, made = Character(holder), holder[BONES]
     driven = [c for each in handles_of(character.layout) for axis in each.axes for c, _ in axis]
-    seen = {frame: _seen(context, character, frame) for frame in _frames(curves_of(made))}
+    frames = _frames(curves_of(made))
+    seen = at_frames(context.scene, frames, character.values)
     now = character.values()
     for control in driven:
         for key in character.shape_keys(control.shapes[0].token):
@@ -123,7 +125,7 @@ def remove_bones(context, holder):
     discard(made)
     del holder[BONES]
     tracks = _curves(character)
-    for frame, values in seen.items():
+    for frame, values in zip(frames, seen, strict=True):
         for name in (control.name for control in driven):
             had = tracks[name].evaluate(frame) if name in tracks else now[name]
             if abs(had - values[name]) > 1e-5:
@@ -143,14 +145,6 @@ def discard(made):
 
 def _frames(curves):
     return sorted({point.co.x for curve in curves for point in curve.keyframe_points})
-
-
-def _seen(context, character, frame):
-    before = context.scene.frame_current
-    context.scene.frame_set(int(frame), subframe=frame % 1.0)
-    values = character.values()
-    context.scene.frame_set(before)
-    return values
 
 
 def curves_of(block):
@@ -268,14 +262,10 @@ def _drive(character, made, handle):
             bone = made.pose.bones[handle.name]
             slope = sign * (control.maximum - control.base) / bone.bone.length
             for key in character.shape_keys(control.shapes[0].token):
-                driver = key.driver_add("value").driver
-                variable = driver.variables.new()
-                variable.name = "w"
-                variable.targets[0].id = made
-                variable.targets[0].data_path = f"{bone.path_from_id('location')}[{component}]"
-                driver.expression = (
-                    f"min(max({control.base:.9g}+({slope:.9g})*w,{low:.9g}),{control.maximum:.9g})"
-                )
+                path = f"{bone.path_from_id('location')}[{component}]"
+                value = f"{control.base:.9g}+({slope:.9g})*w"
+                expression = f"min(max({value},{low:.9g}),{control.maximum:.9g})"
+                drive(key, ("OBJECT", made), path, expression)
 
 
 def _circle():

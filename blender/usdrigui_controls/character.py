@@ -9,6 +9,7 @@ joints have no such place; theirs is a custom property of the holder.
 from __future__ import annotations
 
 import json
+import math
 
 import bpy
 import mathutils
@@ -89,6 +90,23 @@ def unbind(holder):
 def holders(scene):
     """The objects of a scene that hold a layout."""
     return [each for each in scene.objects if LAYOUT in each]
+
+
+def at_frames(scene, frames, look):
+    """What ``look()`` gives at each frame; the scene is then at the frame where it was."""
+
+    def go_to(frame):
+        scene.frame_set(math.floor(frame), subframe=frame % 1.0)
+
+    before, seen = scene.frame_current_final, []
+    try:
+        for frame in frames:
+            go_to(frame)
+            seen.append(look())
+    finally:
+        if scene.frame_current_final != before:
+            go_to(before)
+    return seen
 
 
 def _check(layout, meshes):

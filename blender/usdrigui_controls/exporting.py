@@ -17,7 +17,7 @@ import numpy as np
 
 from .inbetweens import key_offsets
 from .layout import LayoutError
-from .matching import armatures_of, identifier
+from .matching import armatures_of, blender_name, identifier
 
 _REFINING = {"SUBSURF", "MULTIRES", "SOLIDIFY", "ARRAY"}
 """Modifiers that add vertices behind those of the mesh."""
@@ -207,8 +207,7 @@ def _finish(face, target):
         elif prim.IsA(UsdSkel.Skeleton):
             UsdSkel.BindingAPI(prim).GetAnimationSourceRel().ClearTargets(removeSpec=True)
         elif prim.IsA(UsdGeom.Mesh):
-            said = prim.GetParent().GetAttribute("userProperties:blender:object_name")
-            mesh = meshes.get(said.Get() if said else "")
+            mesh = meshes.get(blender_name(prim.GetParent()))
             if mesh is not None and _shape_count(mesh):
                 ranges.update(_write_shapes(stage, prim, mesh))
             if mesh is not None and any(each.type == "SUBSURF" for each in mesh.modifiers):
@@ -229,9 +228,9 @@ def _write_shapes(stage, prim, mesh):
     keys = list(mesh.data.shape_keys.key_blocks)[1:]
     taken, targets, ranges = set(), [], {}
     for key in keys:
-        name = stem = identifier(key.name)
+        name, number = identifier(key.name), len(taken)
         while name in taken:
-            name = f"{stem}_{len(taken)}"
+            name, number = f"{identifier(key.name)}_{number}", number + 1
         taken.add(name)
         shape = UsdSkel.BlendShape.Define(stage, prim.GetPath().AppendChild(name))
         offsets = key_offsets(mesh, key).astype(np.float32)

@@ -1,5 +1,5 @@
-"""From an imported stage to controls: by Blender's USD hook, or by hand on what was imported
-before."""
+"""From a stage to controls: by Blender's USD hook on what was imported, or on what is in the scene
+already."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ def add_controls(stage, objects=None, fresh=False):
         )
     else:
         found = Match(objects, names_of(stage, layouts, objects))
-    added = inbetweens.build(stage, found)
     built = []
     for layout in layouts:
+        added = inbetweens.build(stage, layout, found)
         holder = bind(layout, found)
         holder[SOURCE] = stage.GetRootLayer().realPath
         if fresh:
@@ -58,10 +58,15 @@ def has_usd():
     return True
 
 
-def open_stage(path):
-    """A USD stage.  Raises LayoutError without USD, or for a file that is none."""
+def need_usd():
+    """Raise LayoutError unless Python can import USD."""
     if not has_usd():
         raise LayoutError("this Blender comes without USD's Python modules")
+
+
+def open_stage(path):
+    """A USD stage.  Raises LayoutError without USD, or for a file that is none."""
+    need_usd()
     from pxr import Tf, Usd
 
     try:

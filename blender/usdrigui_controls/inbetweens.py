@@ -12,33 +12,25 @@ import json
 import numpy as np
 
 _KNOTS = "usdrigui_inbetweens"
-"""Custom property of the Key: per token, the weights and names of the keys added."""
+"""Custom property of the Key: per name of a key, the weights and names of the keys added."""
 
 
-def build(stage, match):
-    """Add the in-betweens of every mesh of a `matching.Match`; returns how many keys were added.
+def build(stage, layout, match):
+    """Add the in-betweens of the meshes of a layout that a `matching.Match` has; returns how many
+    keys were added.
 
     Meshes that have their in-betweens already keep them.
     """
-    from pxr import UsdSkel
-
     added = 0
-    for path, mesh in match.objects.items():
-        if mesh.type != "MESH":
-            continue
-        names = match.names.get(path, {})
-        prim = stage.GetPrimAtPath(path)
+    for path in (each.path for each in layout.meshes if each.path in match.objects):
+        mesh, names = match.objects[path], match.names.get(path, {})
         block = mesh.data.shape_keys
-        if not prim or block is None or _KNOTS in block:
+        if block is None or _KNOTS in block:
             continue
-        binding = UsdSkel.BindingAPI(prim)
-        tokens = list(binding.GetBlendShapesAttr().Get() or ())
-        targets = binding.GetBlendShapeTargetsRel().GetTargets()
         found = {}
-        for token, target in zip(tokens, targets, strict=False):
-            shape = UsdSkel.BlendShape(stage.GetPrimAtPath(target))
-            key = block.key_blocks.get(names.get(str(token), str(token)))
-            if shape and key is not None:
+        for token, shape in blend_shapes(stage.GetPrimAtPath(path)):
+            key = block.key_blocks.get(names.get(token, token))
+            if key is not None:
                 keys = _add(mesh, key, shape)
                 if keys:
                     found[key.name] = keys
@@ -46,6 +38,24 @@ def build(stage, match):
         if found:
             block[_KNOTS] = json.dumps(found)
     return added
+
+
+def tokens_of(prim):
+    """The blend-shape tokens of a mesh prim."""
+    from pxr import UsdSkel
+
+    return [str(token) for token in UsdSkel.BindingAPI(prim).GetBlendShapesAttr().Get() or ()]
+
+
+def blend_shapes(prim):
+    """(token, `UsdSkel.BlendShape`) of each shape of a mesh prim."""
+    from pxr import UsdSkel
+
+    targets = UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets()
+    for token, target in zip(tokens_of(prim), targets, strict=False):
+        shape = UsdSkel.BlendShape(prim.GetStage().GetPrimAtPath(target))
+        if shape:
+            yield token, shape
 
 
 def offsets_at(mesh, key, point):
@@ -123,20 +133,22 @@ def _add(mesh, key, shape):
             "co", (rest + offsets - weight * (full - rest)).ravel().astype(np.float32)
         )
         added.slider_min, added.slider_max = -10.0, 10.0
-        _drive(added, key, hat(knots, knots.index(weight)))
+        path = key.path_from_id("value")
+        drive(added, ("KEY", key.id_data), path, hat(knots, knots.index(weight)))
         names.append((weight, added.name))
     return names
 
 
-def _drive(added, key, expression):
-    driver = added.driver_add("value").driver
+def drive(key, source, path, expression):
+    """Set the value of a shape key by an ``expression`` of ``w``, the property at ``path`` of a
+    ``source``: (type, datablock)."""
+    driver = key.driver_add("value").driver
     driver.type = "SCRIPTED"
     variable = driver.variables.new()
     variable.name = "w"
     target = variable.targets[0]
-    target.id_type = "KEY"
-    target.id = key.id_data
-    target.data_path = key.path_from_id("value")
+    target.id_type, target.id = source
+    target.data_path = path
     driver.expression = expression
 
 

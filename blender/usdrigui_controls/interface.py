@@ -46,7 +46,7 @@ class Settings(bpy.types.PropertyGroup):
 
 
 class LoadLayout(bpy.types.Operator):
-    """Build the controls of a character that was imported from USD before."""
+    """Build the controls of a character that is in the scene from its layout."""
 
     bl_idname = "usdrigui.load_layout"
     bl_label = "Load Rig UI Layout"
@@ -61,7 +61,7 @@ class LoadLayout(bpy.types.Operator):
         return {"RUNNING_MODAL"}
 
     def execute(self, context):
-        """Read the layer and bind it to the objects of the same names."""
+        """Read the layer and bind it to the objects that it means."""
         try:
             built = add_controls(open_stage(bpy.path.abspath(self.filepath)))
         except LayoutError as error:

@@ -13,7 +13,7 @@ from . import visibility
 from .character import BONES, EXPORTED, SOURCE, Character, holder_of
 from .environment import Background, Job, usdrigui
 from .exporting import selected_face, write_character
-from .importing import add_controls, has_usd, open_stage
+from .importing import add_controls, need_usd, open_stage
 from .layout import LayoutError
 
 ROOM = 0.2e9
@@ -29,8 +29,7 @@ class LayOutFace(Background, bpy.types.Operator):
 
     def prepare(self, context):
         """Write the face, and the program that lays it out."""
-        if not has_usd():
-            raise LayoutError("this Blender comes without USD's Python modules")
+        need_usd()
         face = selected_face(context)
         held = holder_of([*face.meshes, *face.armatures])
         if held is not None and EXPORTED not in held:

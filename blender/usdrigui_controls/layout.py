@@ -97,10 +97,10 @@ class Element:
     inner: tuple[str, ...]
     """For a coarse element, the names of those that are shown in its place when it is opened."""
     reason: str
-    axes: tuple[tuple[int, ...], ...] = ()
+    axes: tuple[tuple[int, ...], ...]
     """Positions of the members of each axis: one control, or the negative and the positive end of a
-    signed axis. Files saved before this was kept have none: there each member is an axis."""
-    width: float = 0.0
+    signed axis."""
+    width: float
     """Of its handle, as its part has it; 0 where it is `Layout.handle_width`."""
 
 

@@ -12,10 +12,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from .inbetweens import coordinates, key_offsets
+from .inbetweens import blend_shapes, coordinates, key_offsets, tokens_of
 
-OBJECT = "userProperties:blender:object_name"
-"""Where Blender's exporter writes down the name of the object that a prim was."""
 _CLOSE = 1e-4
 """Of the size of a mesh or of a move: points so near are the same."""
 
@@ -81,17 +79,17 @@ def _like_armature(stage, skeleton, thing, _found):
 def _like_mesh(stage, record, thing, found):
     from pxr import UsdGeom
 
+    from .properties import points_of
+
     prim = stage.GetPrimAtPath(record.path)
     if len(thing.data.vertices) != record.points:
         return 0.0
-    mesh = UsdGeom.Mesh(prim)
-    points = mesh.GetPointsAttr()
-    points = np.array(points.Get() or points.Get(0.0) or (), dtype=np.float64).reshape(-1, 3)
-    counts = list(mesh.GetFaceVertexCountsAttr().Get() or ())
+    points = np.array(points_of(prim), dtype=np.float64).reshape(-1, 3)
+    counts = list(UsdGeom.Mesh(prim).GetFaceVertexCountsAttr().Get() or ())
     same = counts == [len(face.vertices) for face in thing.data.polygons]
     rest = rest_points(thing)
     near = len(points) == len(rest) and np.abs(points - rest).max() <= _CLOSE * np.ptp(rest)
-    tokens = [_plain(token) for token in _tokens(prim)]
+    tokens = [_plain(token) for token in tokens_of(prim)]
     block = thing.data.shape_keys
     keys = {_plain(key.name) for key in block.key_blocks} if block else set()
     share = sum(token in keys for token in tokens) / len(tokens) if tokens else 0.0
@@ -103,8 +101,8 @@ def _like_mesh(stage, record, thing, found):
 
 def _like_names(prim, thing):
     """How many names of a prim and of an object agree: its own, the data's, the parents'."""
-    own = [_said(prim, "object_name"), _said(prim.GetParent(), "object_name")]
-    names = [*own, _said(prim, "data_name"), prim.GetName(), prim.GetParent().GetName()]
+    own = [blender_name(prim), blender_name(prim.GetParent())]
+    names = [*own, blender_name(prim, "data"), prim.GetName(), prim.GetParent().GetName()]
     names = {_plain(name) for name in names if name}
     above = {_plain(each.GetName()) for each in _ancestors(prim)}
     parent = thing.parent is not None and _plain(thing.parent.name) in above
@@ -174,13 +172,13 @@ def _key_names(prim, mesh):
     if block is None:
         return {}
     keys = {key.name: key for key in block.key_blocks if key != block.reference_key}
-    named, tokens, left = _paired(_tokens(prim), list(keys))
-    moves = {token: offsets for token, offsets in shape_offsets(prim) if token in tokens}
-    for token, offsets in moves.items():
-        alike = [name for name in left if _is_same(offsets, key_offsets(mesh, keys[name]))]
-        if alike:
-            named[token] = alike[0]
-            left.remove(alike[0])
+    named, tokens, left = _paired(tokens_of(prim), list(keys))
+    offered = {name: key_offsets(mesh, keys[name]) for name in left if tokens}
+    for token, offsets in _shape_offsets(prim, tokens if left else ()):
+        alike = next((name for name in offered if _is_same(offsets, offered[name])), None)
+        if alike is not None:
+            named[token] = alike
+            del offered[alike]
     return {token: name for token, name in named.items() if token != name}
 
 
@@ -231,9 +229,10 @@ def _last(path):
     return path.rpartition("/")[2]
 
 
-def _said(prim, name):
-    """What Blender's exporter wrote down of its own names."""
-    attribute = prim.GetAttribute(f"userProperties:blender:{name}")
+def blender_name(prim, kind="object"):
+    """The name that the object, or its data, had when Blender exported it as a prim; empty if it
+    did not."""
+    attribute = prim.GetAttribute(f"userProperties:blender:{kind}_name")
     return str(attribute.Get() or "") if attribute else ""
 
 
@@ -251,21 +250,13 @@ def rest_points(mesh):
     return coordinates(block.reference_key.data if block else mesh.data.vertices)
 
 
-def _tokens(prim):
-    from pxr import UsdSkel
+def _shape_offsets(prim, tokens):
+    """(token, (n, 3) offsets) of the blend shapes of a mesh prim that have these tokens."""
+    from .properties import points_of
 
-    return [str(token) for token in UsdSkel.BindingAPI(prim).GetBlendShapesAttr().Get() or ()]
-
-
-def shape_offsets(prim):
-    """(token, (n, 3) offsets) of each blend shape of a mesh prim."""
-    from pxr import UsdGeom, UsdSkel
-
-    count = len(UsdGeom.Mesh(prim).GetPointsAttr().Get() or ())
-    targets = UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets()
-    for token, target in zip(_tokens(prim), targets, strict=False):
-        shape = UsdSkel.BlendShape(prim.GetStage().GetPrimAtPath(target))
-        if shape:
+    count = len(points_of(prim))
+    for token, shape in blend_shapes(prim):
+        if token in tokens:
             offsets = np.zeros((count, 3))
             indices = np.array(shape.GetPointIndicesAttr().Get() or (), dtype=np.int64)
             said = np.array(shape.GetOffsetsAttr().Get() or (), dtype=np.float64).reshape(-1, 3)

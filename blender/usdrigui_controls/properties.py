@@ -3,7 +3,7 @@ their points."""
 
 from __future__ import annotations
 
-from pxr import UsdGeom
+from pxr import Usd, UsdGeom
 
 from .layout import LayoutError
 
@@ -35,6 +35,12 @@ def targets(prim, name):
 def floats(values):
     """Numbers as a tuple of Python floats."""
     return tuple(float(value) for value in values)
+
+
+def points_of(prim):
+    """Points of a mesh prim, at the earliest time where they have no default."""
+    points = UsdGeom.Mesh(prim).GetPointsAttr()
+    return points.Get() or points.Get(Usd.TimeCode.EarliestTime()) or ()
 
 
 def carriers_of(prim, point):

@@ -21,7 +21,7 @@ from .layout import (
     ShapeDrive,
     SkeletonRest,
 )
-from .properties import agree, applied, floats, get, targets
+from .properties import agree, applied, floats, get, points_of, targets
 
 LAYOUT = "RigUILayoutAPI_1"
 """The mark of a layout, with the version of it that is understood."""
@@ -222,11 +222,8 @@ def _meshes(root, scope):
     found = []
     for prim in Usd.PrimRange(root, Usd.TraverseInstanceProxies(Usd.PrimDefaultPredicate)):
         if prim.IsA(UsdGeom.Mesh) and not prim.GetPath().HasPrefix(scope.GetPath()):
-            points = UsdGeom.Mesh(prim).GetPointsAttr()
-            value = points.Get() or points.Get(Usd.TimeCode.EarliestTime()) or ()
-            found.append(
-                MeshRest(str(prim.GetPath()), len(value), _rows(_to_root(prim, root, cache)))
-            )
+            to_root = _rows(_to_root(prim, root, cache))
+            found.append(MeshRest(str(prim.GetPath()), len(points_of(prim)), to_root))
     return tuple(found)
 
 

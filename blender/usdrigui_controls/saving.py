@@ -6,7 +6,6 @@ animation of other tools included, and hold only what differs from the source at
 
 from __future__ import annotations
 
-import math
 import os
 from pathlib import Path
 
@@ -15,10 +14,11 @@ import mathutils
 import numpy as np
 from bpy_extras.io_utils import ExportHelper
 
-from .character import SOURCE, Character, holders
-from .importing import has_usd
+from .character import SOURCE, Character, at_frames, holders
+from .importing import need_usd
+from .inbetweens import tokens_of
 from .layout import LayoutError
-from .matching import OBJECT, scene_of
+from .matching import blender_name, scene_of
 
 _SAME = 1e-7
 """Weights, and parts of transforms in proportion to their size, that are no further apart are the
@@ -55,7 +55,7 @@ class SaveAnimation(bpy.types.Operator, ExportHelper):
     def execute(self, context):
         """Play the scene once and write the layer."""
         try:
-            size = save_animation(context, Path(bpy.path.abspath(self.filepath)), self.steps)
+            size = save_animation(context.scene, Path(bpy.path.abspath(self.filepath)), self.steps)
         except LayoutError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
@@ -63,15 +63,13 @@ class SaveAnimation(bpy.types.Operator, ExportHelper):
         return {"FINISHED"}
 
 
-def save_animation(context, target, steps=1):
+def save_animation(scene, target, steps=1):
     """Write the layer; returns its size in bytes.
 
     It sublayers the layer of each character's layout, which sublayers the character.  Raises
     LayoutError without characters, where a source is gone, or the file cannot be written.
     """
-    scene = context.scene
-    if not has_usd():
-        raise LayoutError("this Blender comes without USD's Python modules")
+    need_usd()
     from pxr import Sdf, Tf, Usd
 
     if not holders(scene):
@@ -91,11 +89,11 @@ def save_animation(context, target, steps=1):
             layer.pseudoRoot.SetInfo(name, first.pseudoRoot.GetInfo(name))
     layer.framesPerSecond = layer.timeCodesPerSecond = scene.render.fps / scene.render.fps_base
     stage = Usd.Stage.Open(layer)
-    takes = [_Take(Character(each), stage) for each in holders(scene)]
+    parts = [part for each in holders(scene) for part in _parts_of(Character(each), stage)]
     frames = _frames(scene, steps)
-    _play(context, takes, frames)
-    for take in takes:
-        take.write(frames)
+    at_frames(scene, frames, lambda: [part.look() for part in parts])
+    for part in parts:
+        part.write(frames)
     stage.SetStartTimeCode(frames[0])
     stage.SetEndTimeCode(frames[-1])
     written = Sdf.Layer.CreateAnonymous(target.suffix)
@@ -121,37 +119,13 @@ def _frames(scene, steps):
     return [scene.frame_start + i / steps for i in range(count + 1)]
 
 
-def _play(context, takes, frames):
-    """Let every take look at every frame; the scene is then at the frame where it was."""
-    scene = context.scene
-    before = scene.frame_current_final
-    try:
-        for frame in frames:
-            scene.frame_set(math.floor(frame), subframe=frame % 1.0)
-            for take in takes:
-                take.look()
-    finally:
-        scene.frame_set(math.floor(before), subframe=before % 1.0)
-
-
-class _Take:
-    """One character while the scene is played."""
-
-    def __init__(self, character, stage):
-        self.parts = [
-            *(_Skeleton(character, stage, *each) for each in _skeletons(character, stage).items()),
-            *(_Place(stage, *each) for each in sorted(_places(character, stage).items())),
-        ]
-
-    def look(self):
-        """Note the state of the scene."""
-        for part in self.parts:
-            part.look()
-
-    def write(self, frames):
-        """Write what was seen, parents before children."""
-        for part in self.parts:
-            part.write(frames)
+def _parts_of(character, stage):
+    """What looks at one character at every frame and writes what it saw, parents before
+    children."""
+    return [
+        *(_Skeleton(character, stage, *each) for each in _skeletons(character, stage).items()),
+        *(_Place(stage, *each) for each in sorted(_places(character, stage).items())),
+    ]
 
 
 def _skeletons(character, stage):
@@ -175,11 +149,11 @@ def _places(character, stage):
     for path, thing in {**character.meshes, **character.armatures}.items():
         prim = stage.GetPrimAtPath(path)
         above = prim.GetParent()
-        if not above.HasAttribute(OBJECT):
+        if not blender_name(above):
             skinned = UsdGeom.PrimvarsAPI(prim).FindPrimvarWithInheritance("skel:jointIndices")
             if not skinned.HasAuthoredValue():
                 found[path] = thing
-        while thing is not None and above.HasAttribute(OBJECT):
+        while thing is not None and blender_name(above):
             found[str(above.GetPath())] = thing
             above, thing = above.GetParent(), thing.parent
     return found
@@ -206,17 +180,15 @@ class _Skeleton:
 
     def _keys(self, character):
         """Each token with the shape key that has its weight."""
-        from pxr import UsdSkel
-
         found = {}
         for path, mesh in character.meshes.items():
             prim = self.stage.GetPrimAtPath(path)
             if not self._deforms(prim):
                 continue
-            for token in UsdSkel.BindingAPI(prim).GetBlendShapesAttr().Get() or ():
-                key = character.shape_key(path, str(token))
+            for token in tokens_of(prim):
+                key = character.shape_key(path, token)
                 if key is not None:
-                    found.setdefault(str(token), (mesh, key.name))
+                    found.setdefault(token, (mesh, key.name))
         return found
 
     def _bones(self, character):

@@ -85,7 +85,7 @@ def drawing_of(element, controls):
         enlarged=any(abs(member.magnification - 1.0) > 1e-6 for member in element.members),
         base=np.array([control.base for control in mine]),
         ranges=np.array([(control.minimum, control.default, control.maximum) for control in mine]),
-        axes=element.axes or tuple((i,) for i in range(len(mine))),
+        axes=element.axes,
     )
 
 

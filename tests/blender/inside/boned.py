@@ -8,7 +8,7 @@ from scene import enabled, job, world_points
 task = job()
 meshes = native.build(task["source"], task["scene"])
 enabled(task["python"])
-from usdrigui_controls.bones import curves_of, handles_of  # noqa: E402
+from usdrigui_controls.bones import handles_of  # noqa: E402
 from usdrigui_controls.character import BONES, Character, holders  # noqa: E402
 
 native.choose(max(meshes, key=lambda each: len(each.data.shape_keys.key_blocks) if each.data.shape_keys else 0))
@@ -19,7 +19,7 @@ before = native.fingerprint(), len(bpy.data.objects), len(bpy.data.meshes), len(
 assert bpy.ops.usdrigui.switch_bones() == {"FINISHED"}
 character = Character(holder)
 bones = holder[BONES].pose.bones
-found = {"bones": len(bones), "controls": len(character.controls), "worst": 0.0, "clamped": 0.0, "points": 0.0}
+found = {"worst": 0.0, "points": 0.0}
 plain = [each for each in character.controls.values() if each.plain]
 found["driven"] = len({c.name for each in handles_of(character.layout) for axis in each.axes for c, _ in axis})
 
@@ -54,13 +54,10 @@ character.set_values({each.name: each.base for each in plain})
 for frame, pose in zip((1, 11), poses, strict=False):
     character.set_values(pose)
     character.insert_keys(list(pose), frame)
-found["curves"] = len(curves_of(holder[BONES]))
 bpy.context.scene.frame_set(11)
 keyed = Character(holder).values()
 found["keyed"] = max(abs(keyed[name] - value) for name, value in poses[1].items())
 found["renders"] = bool(bones[0].custom_shape.users_scene)
-if task.get("picture"):
-    bpy.ops.wm.save_as_mainfile(filepath=task["picture"])
 assert bpy.ops.usdrigui.switch_bones() == {"FINISHED"}
 bpy.context.scene.frame_set(1)
 back = Character(holder).values()

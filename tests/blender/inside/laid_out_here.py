@@ -1,6 +1,4 @@
-"""Press *Lay Out This Face* on native characters, drag, press it again; and load an existing layout onto them."""
-
-import time
+"""Press *Lay Out This Face* on native characters, drag, press it again."""
 
 import bpy
 import native
@@ -16,17 +14,8 @@ found = {}
 bpy.ops.wm.save_as_mainfile(filepath=task["result"] + ".blend")
 face = max(meshes, key=lambda each: len(each.data.shape_keys.key_blocks) if each.data.shape_keys else 0)
 native.choose(face)
-if task.get("layer"):
-    before = native.fingerprint()
-    assert bpy.ops.usdrigui.load_layout(filepath=task["layer"]) == {"FINISHED"}
-    (holder,) = holders(bpy.context.scene)
-    found["loaded_missing"] = Character(holder).missing()
-    found["loaded_unchanged"] = native.fingerprint() == before
-    bpy.ops.usdrigui.remove_layout()
 before = native.fingerprint()
-start = time.process_time()
 assert bpy.ops.usdrigui.lay_out() == {"FINISHED"}
-found["seconds"] = time.process_time() - start
 (holder,) = holders(bpy.context.scene)
 character = Character(holder)
 found["controls"], found["missing"] = len(character.controls), character.missing()

@@ -11,7 +11,6 @@ from scene import enabled, job
 
 task = job()
 enabled(task["python"])
-preferences = bpy.context.preferences.addons["usdrigui_controls"].preferences
 said = {}
 
 
@@ -24,10 +23,15 @@ def refused(name, operator=None, **options):
         said[name] = str(error).removeprefix("Error: ").strip()
 
 
-def head(**shapes):
-    """A scene with one cube, selected, with shape keys."""
+def emptied():
+    """A scene with nothing in it but the extension."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.preferences.addon_enable(module="usdrigui_controls")
+
+
+def head(*shapes):
+    """A scene with one cube, selected, with shape keys."""
+    emptied()
     bpy.ops.mesh.primitive_cube_add()
     cube = bpy.context.object
     for name in ("Basis", *shapes):
@@ -35,14 +39,12 @@ def head(**shapes):
     return cube
 
 
-bpy.ops.wm.read_factory_settings(use_empty=True)
-bpy.ops.preferences.addon_enable(module="usdrigui_controls")
-preferences = bpy.context.preferences.addons["usdrigui_controls"].preferences
+emptied()
 refused("nothing")
 refused("no controls", bpy.ops.usdrigui.save_animation, filepath=task["result"] + ".usda")
 cube = head()
 refused("no keys")
-cube = head(jaw=1)
+cube = head("jaw")
 bpy.ops.object.mode_set(mode="EDIT")
 refused("edit mode")
 bpy.ops.object.mode_set(mode="OBJECT")
@@ -61,8 +63,7 @@ refused("no room for the environment", bpy.ops.usdrigui.make_environment)
 shutil.disk_usage = whole
 refused("no network", bpy.ops.usdrigui.make_environment)
 bpy.ops.wm.save_as_mainfile(filepath=task["result"] + ".blend")
-bpy.ops.wm.read_factory_settings(use_empty=True)
-bpy.ops.preferences.addon_enable(module="usdrigui_controls")
+emptied()
 with bpy.data.libraries.load(task["result"] + ".blend", link=True) as (there, here):
     here.objects = there.objects
 bpy.context.scene.collection.objects.link(here.objects[0])

@@ -39,7 +39,7 @@ assert scene.frame_current == before
 for mesh in meshes:
     for modifier in mesh.modifiers:
         modifier.show_viewport = modifier.type == "ARMATURE"
-saved = {"paths": np.array(list(character.meshes), dtype=str), "layer": holder["usdrigui_source"]}
+saved = {"paths": np.array(list(character.meshes), dtype=str)}
 for frame in range(1, 25):
     scene.frame_set(frame)
     for i, mesh in enumerate(Character(holder).meshes.values()):
