@@ -136,7 +136,7 @@ def _of_subset(prim: Usd.Prim) -> Iterator[Issue]:
         what = f"no face has the role 'handle': see primvars:{schema.ROLE} of its mesh"
         yield invalid_at(prim, what)
     if UsdGeom.Subset(prim).GetFamilyNameAttr().Get() != _FAMILY:
-        yield replace(invalid_at(prim, f"familyName is not {_FAMILY!r}"), severity="warning")
+        yield _doubtful_at(prim, f"familyName is not {_FAMILY!r}")
 
 
 def _of_manipulator(prim: Usd.Prim, element: Element) -> Iterator[Issue]:
@@ -171,13 +171,14 @@ def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue
 def _of_mirror(
     prim: Usd.Prim, element: Element, other_prim: Usd.Prim, other: Element, layout: Layout
 ) -> Iterator[Issue]:
-    """Whether the element on the other side is one."""
+    """Whether the element on the other side is one.  Where it lies is a warning: a person may
+    call controls twins whose places on a lopsided character mirror nothing."""
     where = f"rigUI:element:mirror {other_prim.GetPath()}"
     if other.manipulator.mirror != element.name:
         yield invalid_at(prim, f"{where} does not mirror it back")
         return
     if _OPPOSITE.get(element.look.side) != other.look.side:
-        yield invalid_at(prim, f"{where} is on the side {other.look.side}")
+        yield _doubtful_at(prim, f"{where} is on the side {other.look.side}")
     if len(other.manipulator.members) != len(element.manipulator.members):
         yield invalid_at(prim, f"{where} has another number of controls")
         return
@@ -187,7 +188,7 @@ def _of_mirror(
     width = layout.frame.handle_width_of(element.placement.part)
     away = reflect(element.anchor.position) - other.anchor.position
     if np.linalg.norm(away) > 3.0 * width:
-        yield invalid_at(prim, f"{where} is {np.linalg.norm(away):.3g} from its mirror image")
+        yield _doubtful_at(prim, f"{where} is {np.linalg.norm(away):.3g} from its mirror image")
     if element.manipulator.kind == "fan":
         return
     for index, (one, twin) in enumerate(
@@ -238,3 +239,8 @@ def _reflection(layout: Layout) -> Reflection:
         return position - 2.0 * float((position - plane.origin) @ plane.normal) * plane.normal
 
     return reflect
+
+
+def _doubtful_at(prim: Usd.Prim, message: str) -> Issue:
+    """The contradiction at a prim, as a warning."""
+    return replace(invalid_at(prim, message), severity="warning")
