@@ -126,6 +126,8 @@ def measured(
         width = drawn_width(requests.existing, part.name) or handle_width(
             found, views, placed, axes, settings.objective
         )
+        # Anchors that are fixed were apart by a width of the layout that they come from.
+        width = min(width, drawn_width(character.references.fixed, part.name) or width)
         if settings.objective.distinctive_weight > 0.0:
             found = with_common_motion(found, alike, placed, views.anywhere)
     face = replace(face, trajectories=found, handle_width=width, flat=flat)
