@@ -22,6 +22,7 @@ from usdrigui.character import (
     Control,
     Drive,
     Findings,
+    Flags,
     Floats,
     Indices,
     Record,
@@ -121,11 +122,12 @@ class _Scene(Record):
         maps = at.maps[mesh]
         return np.asarray(maps[local if len(maps) > 1 else 0])
 
-    def with_ignored(self, controls: Indices) -> Indices:
+    def with_ignored(self, controls: Indices, anchors: Indices) -> Indices:
         """Some controls, and all that what ignores these cannot follow: those that move joints
-        which they carry, as it hangs on the joints above; where they turn joints, those of shapes,
-        as what these do turns along the track; and those that share a weight with them, such as
-        poses, as a weight has one value (docs/decisions/051)."""
+        which they carry, as it hangs on the joints above, or joints above some influences of the
+        `anchors` and not above all; where they turn joints, those of shapes, as what these do turns
+        along the track; and those that share a weight with them, such as poses, as a weight has one
+        value (docs/decisions/051)."""
         drives = [control.drive for control in self.rig.controls]
         carried = np.zeros(len(self.rig.body.joints) + 1, dtype=bool)
         weighed = np.zeros(len(self.rig.body.channels), dtype=bool)
@@ -134,6 +136,9 @@ class _Scene(Record):
             weighed[drives[control].channels] = True
         for index, joint in enumerate(self.rig.body.joints):
             carried[index] |= carried[joint.parent]
+        if carried.any():
+            above = [self._above(int(anchor)) & ~carried for anchor in anchors]
+            carried |= np.any([one.any(axis=0) & ~one.all(axis=0) for one in above], axis=0)
         others = [
             index
             for index, drive in enumerate(drives)
@@ -142,6 +147,19 @@ class _Scene(Record):
             or (carried.any() and len(drive.channels))
         ]
         return np.union1d(controls, others).astype(np.int64)
+
+    def _above(self, point: int) -> Flags:
+        """(influences of a point, joints + 1) which joints move each of them: itself, and those
+        above it."""
+        mesh, local = self.rig.body.mesh_of(point)
+        skin, joints = self.rig.body.meshes[mesh].binding.skin, self.rig.body.joints
+        bound = [] if skin is None else skin.joints[local][skin.weights[local] != 0.0].tolist()
+        above = np.zeros((len(bound), len(joints) + 1), dtype=bool)
+        for row, joint in zip(above, bound, strict=True):
+            while joint >= 0:
+                row[joint] = True
+                joint = joints[joint].parent
+        return above
 
     def halfway(self, towards: str, but: Indices) -> Floats:
         """Values (controls,) of a pose: every control half way from the base pose to its
@@ -250,7 +268,7 @@ def _together(scene: _Scene) -> Iterator[Issue]:
     for towards in ("maximum", "minimum"):
         none = np.zeros(0, dtype=np.int64)
         whole = posed(scene.rig, scene.halfway(towards, none))
-        still = posed(scene.rig, scene.halfway(towards, scene.with_ignored(board)))
+        still = posed(scene.rig, scene.halfway(towards, scene.with_ignored(board, none)))
         for index, each in enumerate(scene.drawn):
             if index in told or each.element.look.adapt == "static":
                 continue
@@ -275,7 +293,8 @@ def _departures(
         return
     yield "handle", _off(scene, drawn, whole, drawn.handle[:1]), _EXACT * drawn.width
     yield "handle", _off(scene, drawn, whole, drawn.handle), loose
-    others = posed(scene.rig, scene.halfway(towards, scene.with_ignored(drawn.members)))
+    ignored = scene.with_ignored(drawn.members, np.array([drawn.anchor]))
+    others = posed(scene.rig, scene.halfway(towards, ignored))
     yield "track", _off(scene, drawn, others, drawn.track), loose
 
 
