@@ -46,11 +46,17 @@ class End:
 
 def seeds(folder: Path) -> dict[str, bytes]:
     """Small sound characters that have all that a character can have, as text and as crate."""
-    sys.path.append(str(Path(__file__).parents[1]))
+    sys.path += [str(Path(__file__).parents[1] / each) for each in ("", "valid")]
     import skel_stages
     import skinned_stages
+    from written_rigs import write_rig
 
-    makers = {"all": skel_stages.character, "head": skel_stages.head, "face": skinned_stages.character}
+    makers = {
+        "all": skel_stages.character,
+        "head": skel_stages.head,
+        "face": skinned_stages.character,
+        "written": lambda path: write_rig(6, path.parent).rename(path),
+    }
     found = {}
     for name, make in makers.items():
         path = make(folder / f"{name}.usda")

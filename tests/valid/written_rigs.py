@@ -1,6 +1,6 @@
 """Valid characters as plain USDA text, from a seed, by nothing but the standard library: what else may be written.
 
-Everything is drawn anew and in another structure than by valid/valid_rigs.py: bindings that are inherited, animations
+Everything is drawn anew and in another structure than by valid_rigs.py: bindings that are inherited, animations
 bound above the Skeleton, rest and bind poses apart, joint orders of a mesh's own, BlendShapes in a Scope that meshes
 share, layers that are sublayers, references, payloads, variants, classes or instances of others, shapes in any order,
 blocked samples, tubes, fans, star-shaped faces, meshes of one point or of a line, meshes far from all else, units from
