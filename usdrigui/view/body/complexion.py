@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -19,10 +20,10 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import KDTree
 
-from usdrigui.character import Control, Flags, Floats, Indices, Record, Rig, RigMesh
+from usdrigui.character import Flags, Floats, Indices, Record, Rig, RigMesh
 from usdrigui.character.deform import Posed, posed, sweep
 from usdrigui.character.surface import components, mesh_triangles, vertex_normals, weld
-from usdrigui.conventions import Meaning, meanings
+from usdrigui.conventions import Action, meanings
 from usdrigui.model import Element, Layout
 from usdrigui.view.body.shading import (
     EYE,
@@ -61,13 +62,13 @@ _TURNED = 0.5
 """Share of a piece that the gaze moves more than half as far as anything."""
 _ABOUT = 0.65
 """How far the elements of an eye are from its middle at most, in its width and height."""
-_MAX_PART = 0.5
-"""Width of an eye, or of what lies on the skin, in the extent of all elements."""
+_MAX_EYE = 0.5
+"""Width of an eye at most, in the extent of all elements."""
 _MOUTH = ("mouth", "mouthCorner", "upperLip", "lowerLip")
 _FLAT = 3.0
 """Radius by which an eye is a card, in half widths of it: its iris fills it."""
-_SHELL = (0.6, 1.6)
-"""What lies so many radii from an eye's centre lies over the eye: tears, corneas, shadows of
+_SHELL = 1.6
+"""What lies within so many radii of an eye's centre lies over the eye: tears, corneas, shadows of
 lids."""
 _LIP_STEP = 0.028
 """Half of the gap between lips that touch, at most, in the extent of all elements."""
@@ -108,20 +109,11 @@ class _Face(Record):
         return float(np.ptp(self.at[self.anchors, :2], axis=0).max())
 
     def pierced(self, at: Floats) -> set[int]:
-        """Pieces whose front the line of sight through a place (3,) meets not far behind it."""
+        """Pieces that the line of sight through a place (3,) meets not far behind it."""
         depth = self.at[self.corners, 2].mean(axis=1)
-        near = (depth < at[2]) & (depth > at[2] - _BEFORE * self.extent)
-        met = _crossed(self.at[self.corners[near], :2] - at[:2])
-        corners = self.corners[near][met]
-        front = self.normals[corners, 2].mean(axis=1) > 0.0
-        return set(self.pieces[corners[front, 0]].tolist())
-
-    def is_small(self, at: Floats) -> bool:
-        """Whether places (k, 3) are a small part of the box of the elements, or near it."""
-        box, room = self.at[self.anchors, :2], _BEFORE * self.extent
-        middle = at[:, :2].mean(axis=0)
-        inside = ((middle > box.min(axis=0) - room) & (middle < box.max(axis=0) + room)).all()
-        return bool(inside and np.ptp(at[:, :2], axis=0).max() < _MAX_PART * self.extent)
+        near = self.corners[(depth < at[2]) & (depth > at[2] - _BEFORE * self.extent)]
+        met = _crossed(self.at[near, :2] - at[:2])
+        return set(self.pieces[near[met, 0]].tolist())
 
     def eye(self, piece: int) -> _Eye:
         """The ball that fits a piece in the least-squares sense; of a flat one its middle, and a
@@ -149,19 +141,20 @@ def _coloured(rig: Rig, layout: Layout, start: Posed) -> Complexion:
     """The colours, without shade."""
     colours, clear = _of_meshes(rig.body.meshes)
     gaze, everywhere = np.full((len(colours), 2), 9.0), np.ones(len(colours))
-    face = _face(rig, layout, start)
+    actions = _actions(rig)
+    face = _face(rig, layout, start, actions)
     if face is None:
         return Complexion(colours, gaze, clear, everywhere)
-    turned = _turned(rig, layout, start, face)
+    turned = _turned(rig, layout, start, face, actions)
     main = _main_piece(face, turned)
-    eyes = _eyes_of(face, turned) if turned else _eyes_by_region(face, main)
+    eyes = [face.eye(piece) for piece in sorted(turned)] or _eyes_by_region(face, main)
     cards, bearing = _cards(face, main, turned | {eye.piece for eye in eyes})
     skin = face.free & np.isin(face.pieces, list(bearing))
     colours[face.free & ~skin] = _TRIM
     for piece, colour in cards.items():
         colours[face.free & (face.pieces == piece)] = colour
     for eye in eyes:
-        on, over = _on_eye(face, eye, skin)
+        on, over = _on_eye(face, eye)
         gaze[on], clear[over] = _directions(face.at[on] - eye.centre, eye.radius), True
         colours[on] = EYE["white"]
     line = _mouth_line(face, skin)
@@ -196,15 +189,11 @@ def _usual(mesh: RigMesh) -> tuple[float, float, float] | None:
     return next((colour for word, colour in _NAMED if word.search(_name(mesh))), None)
 
 
-def _face(rig: Rig, layout: Layout, start: Posed) -> _Face | None:
+def _face(rig: Rig, layout: Layout, start: Posed, actions: Mapping[str, Action]) -> _Face | None:
     """None where no point is left to be coloured."""
     body, elements = rig.body, _on_face(layout)
     plain = [mesh.display.colours is None and _usual(mesh) is None for mesh in body.meshes]
-    spans = [
-        np.full(len(mesh.points), mesh.display.visible and bare)
-        for mesh, bare in zip(body.meshes, plain, strict=True)
-    ]
-    free = np.concatenate([np.zeros(0, dtype=bool), *spans])
+    free = np.repeat(np.array(plain, dtype=bool), np.diff(body.starts))
     corners = mesh_triangles(body.meshes, visible_only=True)
     starts = {mesh.path: int(first) for mesh, first in zip(body.meshes, body.starts, strict=False)}
     anchors = [starts[each.anchor.mesh] + each.anchor.point for each in elements]
@@ -214,8 +203,7 @@ def _face(rig: Rig, layout: Layout, start: Posed) -> _Face | None:
     points = np.where(np.isfinite(start.points), start.points, 0.0)
     places = weld(points)
     used = np.isin(np.arange(len(points)), corners)
-    words = _meanings(rig)
-    acts = [words.get(element.manipulator.members[0].control) for element in elements]
+    acts = [actions.get(element.manipulator.members[0].control) for element in elements]
     return _Face(
         at=points @ rows.T,
         normals=vertex_normals(points, corners, places) @ rows.T,
@@ -224,7 +212,7 @@ def _face(rig: Rig, layout: Layout, start: Posed) -> _Face | None:
         sheets=np.where(used, components(corners, np.arange(len(points))), -1),
         free=free & used,
         anchors=np.array(anchors),
-        regions=tuple("" if act is None else act.action.region for act in acts),
+        regions=tuple("" if act is None else act.region for act in acts),
         middle=float(layout.frame.plane.origin @ rows[0]),
     )
 
@@ -240,9 +228,11 @@ def _on_face(layout: Layout) -> list[Element]:
     ]
 
 
-def _meanings(rig: Rig) -> dict[str, Meaning | None]:
+def _actions(rig: Rig) -> Mapping[str, Action]:
+    """What controls do by their names, as far as these have a known meaning."""
     names = [control.name for control in rig.controls]
-    return dict(zip(names, meanings(names), strict=True))
+    read = zip(names, meanings(names), strict=True)
+    return {name: meaning.action for name, meaning in read if meaning is not None}
 
 
 # --- skin and what lies on it ---------------------------------------------------------------------
@@ -269,14 +259,14 @@ def _crossed(flat: Floats) -> Flags:
 def _cards(
     face: _Face, main: int, eyes: set[int]
 ) -> tuple[dict[int, tuple[float, float, float]], set[int]]:
-    """The colour of each small piece before the main one, and the pieces of skin: the main one and
+    """The colour of each piece before the main one, and the pieces of skin: the main one and
     what else bears elements."""
     cards, skin = {}, {main}
     own = face.pieces[face.anchors]
     for piece in set(face.pieces[face.free].tolist()) - eyes - {main}:
         on, at = np.flatnonzero(own == piece), face.at[face.pieces == piece]
         places = at.mean(axis=0)[None] if not len(on) else face.at[face.anchors[on]]
-        if face.is_small(at) and all(main in face.pierced(place) for place in places):
+        if all(main in face.pierced(place) for place in places):
             region = Counter(face.regions[i] for i in on).most_common(1)
             cards[piece] = _CARDS.get(region[0][0], _LIPS) if region else _BLUSH
         elif len(on):
@@ -287,43 +277,25 @@ def _cards(
 # --- eyes -----------------------------------------------------------------------------------------
 
 
-def _turned(rig: Rig, layout: Layout, start: Posed, face: _Face) -> set[int]:
+def _turned(
+    rig: Rig, layout: Layout, start: Posed, face: _Face, actions: Mapping[str, Action]
+) -> set[int]:
     """Pieces that the controls of a gaze turn as wholes."""
-    words, index = _meanings(rig), {each.name: i for i, each in enumerate(rig.controls)}
+    gazing = {name for name, action in actions.items() if action.axis.startswith("gaze")}
+    index = {each.name: i for i, each in enumerate(rig.controls) if each.name in gazing}
     sizes = np.bincount(face.pieces[face.free], minlength=int(face.pieces.max()) + 1)
-    found: set[int] = set()
+    turned: set[int] = set()
     for element in layout.elements:
-        controls = [rig.controls[index[name]] for name in element.manipulator.controls]
-        gazes = [each for each in controls if _is_gaze(each, words[each.name])]
+        gazes = [index[name] for name in element.manipulator.controls if name in index]
         share = np.zeros(len(sizes))
         for control in gazes:
-            points, offsets = sweep(
-                rig, start, index[control.name], [control.minimum, control.maximum]
-            )
+            ends = [rig.controls[control].minimum, rig.controls[control].maximum]
+            points, offsets = sweep(rig, start, control, ends)
             moved = np.linalg.norm(offsets, axis=2).max(axis=0)
             far = points[(moved > 0.5 * moved.max(initial=0.0)) & face.free[points]]
             share += np.bincount(face.pieces[far], minlength=len(sizes)) / len(gazes)
-        found.update(np.flatnonzero(share > _TURNED * np.maximum(sizes, 1)).tolist())
-    return found
-
-
-def _eyes_of(face: _Face, pieces: set[int]) -> list[_Eye]:
-    """The pieces as eyes, the one of most points of those about one centre."""
-    eyes: list[_Eye] = []
-    counts = np.bincount(face.pieces[face.free])
-    for piece in sorted(pieces, key=lambda piece: (-counts[piece], piece)):
-        eye = face.eye(piece)
-        if all(np.linalg.norm(eye.centre - more.centre) > 0.5 * more.radius for more in eyes):
-            eyes.append(eye)
-    return eyes
-
-
-def _is_gaze(control: Control, meaning: Meaning | None) -> bool:
-    """Whether a control turns an eye by its name: a joint that is called an eye does."""
-    return meaning is not None and (
-        meaning.action.axis.startswith("gaze")
-        or (control.kind == "joint" and meaning.action.name == "eye")
-    )
+        turned.update(np.flatnonzero(share > _TURNED * np.maximum(sizes, 1)).tolist())
+    return turned
 
 
 def _eyes_by_region(face: _Face, main: int) -> list[_Eye]:
@@ -338,19 +310,19 @@ def _eyes_by_region(face: _Face, main: int) -> list[_Eye]:
             at = face.at[face.pieces == piece]
             low, high = at[:, :2].min(axis=0), at[:, :2].max(axis=0)
             off = abs(place - 0.5 * (low + high)) / np.maximum(high - low, 1e-12)
-            if (off < _ABOUT).all() and face.is_small(at):
+            if (off < _ABOUT).all() and float((high - low).max()) < _MAX_EYE * face.extent:
                 sizes[piece] = float((high - low).min())
         if sizes:
             eyes.append(face.eye(max(sizes, key=lambda piece: sizes[piece])))
     return eyes
 
 
-def _on_eye(face: _Face, eye: _Eye, skin: Flags) -> tuple[Flags, Flags]:
+def _on_eye(face: _Face, eye: _Eye) -> tuple[Flags, Flags]:
     """(n,) points of the eyeball and of other balls about its centre, and of the shells that lie
     over its pupil."""
     away = np.linalg.norm(face.at - eye.centre, axis=1) / eye.radius
-    within = face.free & (away > _SHELL[0]) & (away < _SHELL[1])
-    balls = [piece for piece in _whole(face.pieces, within & ~skin) if _is_about(face, piece, eye)]
+    within = face.free & (away < _SHELL)
+    balls = [piece for piece in _whole(face.pieces, within) if _is_about(face, piece, eye)]
     on = np.isin(face.pieces, [*balls, eye.piece])
     crossed = _crossed(face.at[face.corners, :2] - eye.centre[:2])
     before = crossed & (face.at[face.corners, 2] > eye.centre[2]).all(axis=1)
@@ -359,10 +331,9 @@ def _on_eye(face: _Face, eye: _Eye, skin: Flags) -> tuple[Flags, Flags]:
 
 
 def _is_about(face: _Face, piece: int, eye: _Eye) -> bool:
-    """Whether a piece is a ball about the centre of an eye, and no lid."""
+    """Whether a piece is as large as an eye, and no lid."""
     spans = np.ptp(face.at[face.pieces == piece], axis=0)
-    apart = float(np.linalg.norm(face.eye(piece).centre - eye.centre))
-    return apart < 0.5 * eye.radius and bool((spans[:2] > 1.5 * eye.radius).all())
+    return bool((spans[:2] > 1.5 * eye.radius).all())
 
 
 def _whole(labels: Indices, flags: Flags) -> list[int]:
@@ -409,12 +380,11 @@ def _mouth_line(face: _Face, skin: Flags) -> Floats | None:
     near = np.flatnonzero(skin & ((face.at[:, :2] > low) & (face.at[:, :2] < high)).all(axis=1))
     step = _LIP_STEP * face.extent
     facing = near[_faces_itself(face.at[near], face.normals[near], 2.0 * step)]
-    widest, best = 3.0 * step, None
+    widest, best = 0.0, None
     for stretch in _stretches(face.at[facing], 1.5 * step):
         line = _front_line(face.at[facing[stretch]], step)
-        right, left = face.middle - line[0, 0], line[-1, 0] - face.middle
-        if min(right, left) > 0.6 * max(right, left) and right + left > widest:
-            widest, best = right + left, line
+        if line[0, 0] < face.middle < line[-1, 0] and np.ptp(line[:, 0]) > widest:
+            widest, best = float(np.ptp(line[:, 0])), line
     return best
 
 
