@@ -150,7 +150,7 @@ def _at(drive: Drive, values: Floats) -> tuple[Floats, Floats]:
 
     def between(table: Floats) -> Floats:
         shares = share.reshape(-1, *(1,) * (table.ndim - 1))
-        return np.asarray((1.0 - shares) * table[i] + shares * table[i + 1])
+        return (1.0 - shares) * table[i] + shares * table[i + 1]
 
     moves = np.stack([drive.rotations, drive.translations, drive.scales], axis=1)
     return between(drive.weights), between(moves)

@@ -130,7 +130,7 @@ class Tree:
     @cached_property
     def places(self) -> Floats:
         """(joints, 3)"""
-        return np.asarray(self.world[:, 3, :3])
+        return self.world[:, 3, :3]
 
     @cached_property
     def size(self) -> float:
@@ -387,7 +387,7 @@ def fans(tree: Tree) -> list[Fan]:
 
 def unit(vector: Floats) -> Floats:
     """(3,) the vector at length 1; zero stays zero."""
-    return np.asarray(vector / max(float(np.linalg.norm(vector)), 1e-30))
+    return vector / max(float(np.linalg.norm(vector)), 1e-30)
 
 
 # --- flat skeletons -------------------------------------------------------------------------------

@@ -81,7 +81,7 @@ def visible_from(caster: Caster, points: Floats, normals: Floats, toward: Floats
 def blocked(caster: Caster, origins: Floats, direction: Floats) -> Flags:
     """(n,) whether anything lies on the rays from exactly ``origins`` (n, 3) along ``direction``
     (3,)."""
-    return np.asarray(caster.first_hits(origins, direction).triangle >= 0)
+    return caster.first_hits(origins, direction).triangle >= 0
 
 
 def hidden_share(caster: Caster, polylines: Floats, normals: Floats, toward: Floats) -> Floats:
@@ -153,7 +153,7 @@ def _distances(corners: Floats, starts: Floats) -> Floats:
 
 def _crossed(first: Floats, second: Floats) -> Floats:
     """(n,) how far vectors (n, 3) turn from `first` to `second`, seen along z."""
-    return np.asarray(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0])
+    return first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]
 
 
 class EmbreeCaster:
@@ -183,7 +183,7 @@ class EmbreeCaster:
 
 
 def _lifted(caster: Caster, points: Floats, normals: Floats, direction: Floats) -> Floats:
-    return np.asarray(points + (OFFSET * caster.size) * (normals + direction), dtype=np.float64)
+    return points + (OFFSET * caster.size) * (normals + direction)
 
 
 def _frame(direction: Floats) -> Floats:
@@ -193,7 +193,7 @@ def _frame(direction: Floats) -> Floats:
 
 
 def _unit(vector: Floats) -> Floats:
-    return np.asarray(vector / np.linalg.norm(vector), dtype=np.float64)
+    return vector / np.linalg.norm(vector)
 
 
 def diagonal(points: Floats) -> float:

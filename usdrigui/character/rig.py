@@ -31,6 +31,11 @@ class Rig(Record):
         """The names of all controls."""
         return frozenset(control.name for control in self.controls)
 
+    @cached_property
+    def control_indices(self) -> Mapping[str, int]:
+        """The place of every control in `controls`, by its name."""
+        return {control.name: i for i, control in enumerate(self.controls)}
+
 
 @dataclass(frozen=True, eq=False)
 class SkelRoot(Record):

@@ -56,7 +56,7 @@ def rotation_part(local: Floats) -> Floats:
         u, _, vt = np.linalg.svd(matrices[skewed])
         rows[skewed] = u @ vt
     volume = (rows[..., 0, :] * np.cross(rows[..., 1, :], rows[..., 2, :])).sum(axis=-1)
-    return np.asarray(rows * np.where(volume < 0.0, -1.0, 1.0)[..., None, None], dtype=np.float64)
+    return rows * np.where(volume < 0.0, -1.0, 1.0)[..., None, None]
 
 
 def quaternions(frames: Floats) -> Floats:

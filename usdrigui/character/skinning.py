@@ -31,7 +31,7 @@ def skinning_matrices(joints: tuple[Joint, ...], local: Floats) -> Floats:
     """(..., joints, 4, 4) inverse bind times pose, in skeleton space, for local transforms of that
     shape."""
     bind = np.array([joint.bind for joint in joints], dtype=np.float64).reshape(-1, 4, 4)
-    return np.asarray(np.linalg.inv(bind) @ in_skeleton_space(joints, local), dtype=np.float64)
+    return np.linalg.inv(bind) @ in_skeleton_space(joints, local)
 
 
 def in_skeleton_space(joints: Sequence[Joint], local: Floats) -> Floats:
@@ -133,7 +133,7 @@ def _shared_or_own_maps(skin: Skin, rows: Indices | slice, skinning: Floats, siz
     deviation = np.abs(skinning[used, :, :3] - skinning[used[0], :, :3]) / scale
     unit = np.abs(weights.sum(axis=1) - 1.0).max() <= 1e-6
     if unit and deviation.max() <= SAME:
-        return np.asarray(skinning[used[:1], :, :3], dtype=np.float64)
+        return skinning[used[:1], :, :3]
     if skin.method == "dualQuaternion":
         return _dual_quaternion_maps(joints, weights, skinning)
     return _weighted(weights, joints, skinning[:, :, :3])
@@ -152,7 +152,7 @@ def _composed(first: Floats, second: Floats) -> Floats:
     """Affine maps (p, 4, 3) that apply `first`, then `second`; either may be a single one."""
     linear = first @ second[:, :3]
     linear[:, 3] += second[:, 3]
-    return np.asarray(linear, dtype=np.float64)
+    return linear
 
 
 def _dual_quaternion_maps(joints: Indices, weights: Floats, skinning: Floats) -> Floats:

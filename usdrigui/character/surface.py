@@ -113,7 +113,7 @@ def weld(points: Floats, extra: Floats | None = None, resolution: float = 1e-9) 
         scale = float(np.abs(extra).max()) or 1.0
         cells = np.concatenate([cells, np.round(extra / (scale * 1e-4)).astype(np.int64)], axis=1)
     _, first, inverse = np.unique(cells, axis=0, return_index=True, return_inverse=True)
-    return np.asarray(first[inverse.reshape(-1)], dtype=np.int64)
+    return first[inverse.reshape(-1)]
 
 
 def edges(corners: Indices) -> Indices:
@@ -211,7 +211,7 @@ def _is_ear(polygon: Floats, left: list[int], at: int, normal: Floats) -> bool:
 def _doubled_normals(points: Floats, corners: Indices) -> Floats:
     """(t, 3) normals of twice the triangles' area."""
     a, b, c = points[corners[:, 0]], points[corners[:, 1]], points[corners[:, 2]]
-    return np.asarray(np.cross(b - a, c - a), dtype=np.float64)
+    return np.cross(b - a, c - a)
 
 
 def _cells(points: Floats, resolution: float) -> Indices:

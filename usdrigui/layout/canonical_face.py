@@ -63,7 +63,7 @@ class Expectation(Record):
         """(p,) which of points (p, 3) in root space lie near the place, and which in the region
         around it."""
         apart = self.distance(points)
-        return np.asarray(apart <= _NEAR * self.radius), np.asarray(apart <= self.radius)
+        return apart <= _NEAR * self.radius, apart <= self.radius
 
     def distance(self, points: Floats) -> Floats:
         """(p,) of points (p, 3) in root space from the expected place, in distances of the
@@ -262,7 +262,7 @@ def _middle_of_names(
         return symmetry
     apart = np.array([left - right for left, right in pairs])
     across = apart / np.maximum(np.linalg.norm(apart, axis=1, keepdims=True), 1e-300)
-    mean = np.asarray(across.mean(axis=0))
+    mean = across.mean(axis=0)
     if np.linalg.norm(mean) < ACROSS:
         return symmetry
     origin = np.median([0.5 * (left + right) for left, right in pairs], axis=0)
@@ -284,4 +284,4 @@ def _weights(areas: Floats, visible: Flags, motion: Motion) -> Floats:
     """(p,) of the points of a motion for its middle; their sum is 1."""
     seen = visible[motion.points]
     weight = areas[motion.points] * np.square(motion.arc_length) * np.where(seen, 1.0, 1e-6)
-    return np.asarray(weight / max(float(weight.sum()), 1e-300))
+    return weight / max(float(weight.sum()), 1e-300)

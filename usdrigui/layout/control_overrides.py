@@ -31,7 +31,7 @@ def with_anchors_of_groups(
     """(controls,) the overrides with one anchor for all controls of each group: one element has
     one, so that fixing a member fixes the group."""
     found = list(overrides)
-    index = {control.name: i for i, control in enumerate(rig.controls)}
+    index = rig.control_indices
     for names in groups.values():
         members = [index[name] for name in names if name in index]
         anchors = {found[i].anchor for i in members} - {""}
@@ -45,7 +45,7 @@ def with_anchors_of_groups(
 def control_index(rig: Rig, controls: Mapping[str, ControlSettings]) -> dict[str, int]:
     """Index of every control by its name, and by the name that `controls`, of the configuration,
     replaced."""
-    index = {control.name: i for i, control in enumerate(rig.controls)}
+    index = dict(rig.control_indices)
     for old, override in controls.items():
         if override.rename in index:
             index.setdefault(old, index[override.rename])

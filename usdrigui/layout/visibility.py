@@ -38,11 +38,11 @@ class FaceFrame(Record):
 
     def points(self, positions: Floats) -> Floats:
         """(..., 3) positions in the frame."""
-        return np.asarray((positions - self.origin) @ self.axes.T / self.unit, dtype=np.float64)
+        return (positions - self.origin) @ self.axes.T / self.unit
 
     def directions(self, vectors: Floats) -> Floats:
         """(..., 3) unit vectors in the frame."""
-        return np.asarray(vectors @ self.axes.T, dtype=np.float64)
+        return vectors @ self.axes.T
 
 
 @dataclass(frozen=True, eq=False)
@@ -197,7 +197,7 @@ def _directions(viewpoint: Viewpoint, ahead: Floats, up: Floats) -> Floats:
         return left[None]
     if view.startswith("/"):
         assert camera is not None
-        return np.asarray(camera / np.linalg.norm(camera))[None]
+        return (camera / np.linalg.norm(camera))[None]
     azimuth, elevation = np.radians(view_angles(view))
     level = np.cos(azimuth) * ahead + np.sin(azimuth) * left
     return np.asarray(np.cos(elevation) * level + np.sin(elevation) * up)[None]

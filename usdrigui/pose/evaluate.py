@@ -84,7 +84,7 @@ def prepare(rig: Rig, layout: Layout) -> Poser:
         dtype=np.int64,
     )
     anchors, rows = subset(rig, points)
-    names = {control.name: index for index, control in enumerate(rig.controls)}
+    names = rig.control_indices
     owned = tuple(_controls(names, element) for element in layout.elements)
     if len(layout.character.base_values) != len(rig.controls):
         raise refuse(
@@ -145,7 +145,7 @@ def values_of(rig: Rig, pose: Mapping[str, float], base: ArrayLike | None = None
     values = np.array(
         [control.default for control in rig.controls] if base is None else base, dtype=np.float64
     )
-    names = {control.name: index for index, control in enumerate(rig.controls)}
+    names = rig.control_indices
     for name, value in pose.items():
         if name not in names:
             what = f"the character has no control of this name{meant(str(name), names)}"

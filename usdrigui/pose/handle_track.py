@@ -19,14 +19,14 @@ Floats = NDArray[np.float64]
 def carried(points: Floats, position: Floats, anchor: Floats, carry: Floats) -> Floats:
     """(k, 3) `points` drawn about a `position` (3,), about the `anchor` (3,) where it is now;
     `carry` (3, 3) is the map of offsets of the skin there."""
-    return np.asarray(anchor + (points - position) @ carry)
+    return anchor + (points - position) @ carry
 
 
 def facing(normal: Floats, carry: Floats) -> Floats:
     """(3,) unit: a normal under the map of offsets `carry` (3, 3)."""
     turned = normal @ np.linalg.pinv(carry).T
     length = float(np.linalg.norm(turned))
-    return np.asarray(turned / length if length else turned)
+    return turned / length if length else turned
 
 
 def slid(
@@ -42,7 +42,7 @@ def slid(
         along(at, track, value) - home
         for at, track, value, home in zip(values, tracks, now, homes, strict=True)
     ]
-    return homes[0], np.asarray(homes[0] + sum(moves))
+    return homes[0], homes[0] + sum(moves)
 
 
 def along(values: Floats, track: Floats, value: float) -> Floats:

@@ -66,7 +66,7 @@ def _beyond_the_best(share: Floats, length: Floats, visible: Flags) -> Floats:
     seen = length * (visible if visible.any() else 1.0)
     own = np.where(seen >= _NOTABLE * seen.max(initial=0.0), seen * (1.0 - share), -1.0)
     least = max(float(share[first_largest(own)]), _HALF)
-    return np.asarray(np.maximum(share - least, 0.0) / (1.0 - _HALF))
+    return np.maximum(share - least, 0.0) / (1.0 - _HALF)
 
 
 def _shares(similarity: Similarity, index: int, on_face: Flags, at: Indices) -> Floats:
@@ -87,6 +87,6 @@ def _sum_of_others(similarity: Similarity, index: int, on_face: Flags) -> tuple[
         return parts, np.zeros(0)
     most = _RANGE * norm[parts] / norm[index]
     answer = lsq_linear(matrix, wanted, bounds=(0.0, most), method="bvls")
-    weights = np.asarray(answer.x) * norm[index] / norm[parts]
+    weights = answer.x * norm[index] / norm[parts]
     used = weights > 0.0
     return parts[used], weights[used]

@@ -114,7 +114,7 @@ def _costs(
                 costs[i] += 1.0
             else:
                 costs[i] = -action.importance
-    return np.asarray(np.round(costs, 6))
+    return np.round(costs, 6)
 
 
 def _twins(motions: tuple[Motion, ...], twins: Indices) -> Indices:

@@ -37,7 +37,7 @@ def _shrunk(base: Floats, motion: Motion, parts: Indices, count: int) -> Flags:
     points."""
     before = base[motion.points]
     after = before + motion.polylines.offsets[-1]
-    return np.asarray(_extents(parts, after, count) < _COLLAPSED * _extents(parts, before, count))
+    return _extents(parts, after, count) < _COLLAPSED * _extents(parts, before, count)
 
 
 def _extents(parts: Indices, positions: Floats, count: int) -> Floats:
@@ -49,4 +49,4 @@ def _extents(parts: Indices, positions: Floats, count: int) -> Floats:
         square += (
             np.bincount(parts, weights=np.square(axis - mean[parts]), minlength=count) / number
         )
-    return np.asarray(np.sqrt(square), dtype=np.float64)
+    return np.sqrt(square)

@@ -178,7 +178,7 @@ def _on_face(known: Measured, group: Group, choice: Choice, label: int) -> list[
 
 
 def _reversed(face: Face, members: tuple[Member, ...]) -> tuple[int, ...]:
-    names = {control.name: i for i, control in enumerate(face.rig.controls)}
+    names = face.rig.control_indices
     return tuple(
         m for m, member in enumerate(members) if face.symmetry.reversed[names[member.control]]
     )

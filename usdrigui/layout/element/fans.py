@@ -27,6 +27,4 @@ def _angles(tangents: Floats, normal: Floats) -> Floats:
     direction."""
     across = np.cross(normal, axis_across(normal))
     across = across / max(float(np.linalg.norm(across)), 1e-300)
-    return np.asarray(
-        np.arctan2(tangents @ np.cross(normal, across), tangents @ across), dtype=np.float64
-    )
+    return np.arctan2(tangents @ np.cross(normal, across), tangents @ across)

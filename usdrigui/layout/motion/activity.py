@@ -138,7 +138,7 @@ def _turned(joints: tuple[Joint, ...], control: Control, clip: Performance) -> F
     column = same[0]
     turns = rotation_vectors(clip.rotations[:, column] @ rotation_part(joint.base).T)
     axis = int(np.argmax(np.abs(control.drive.rotations).max(axis=(0, 1))))
-    return np.asarray(np.degrees(turns[:, axis]), dtype=np.float64)
+    return np.degrees(turns[:, axis])
 
 
 def _moving_tokens(clip: Performance) -> list[str]:

@@ -43,9 +43,7 @@ def shares_of_face(motions: Sequence[Motion], areas: Floats) -> Floats:
     local = size <= _MANY_TIMES * float(np.median(size)) if len(size) else np.zeros(0, dtype=bool)
     face = np.where(flags[local].any(axis=0), areas, 0.0)
     total = float(face.sum())
-    return np.asarray(
-        flags @ face / total if total > 0.0 else np.zeros(len(motions)), dtype=np.float64
-    )
+    return flags @ face / total if total > 0.0 else np.zeros(len(motions))
 
 
 def coverage_of_smaller(motions: Sequence[Motion], areas: Floats) -> Floats:

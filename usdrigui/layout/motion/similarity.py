@@ -69,10 +69,9 @@ class Similarity(Record):
     def direction(self) -> Floats:
         """Displacement-weighted cosine of the directions where both act; 0 where they share
         nothing."""
-        ratio = np.divide(
+        return np.divide(
             self.cosine, self.shared, out=np.zeros_like(self.cosine), where=self.shared > 1e-6
         )
-        return np.asarray(ratio, dtype=np.float64)
 
 
 def displacement_fields(trajectories: Trajectories) -> DisplacementFields:

@@ -19,7 +19,7 @@ def paths(motion: Motion, points: Indices) -> Floats:
     rows = np.minimum(rows, len(motion.points) - 1)
     found = motion.points[rows] == points
     offsets = motion.polylines.offsets[:, rows].astype(np.float64).transpose(1, 0, 2)
-    return np.asarray(np.where(found[:, None, None], offsets, 0.0), dtype=np.float64)
+    return np.where(found[:, None, None], offsets, 0.0)
 
 
 def arc_lengths(motion: Motion, points: Indices) -> Floats:

@@ -75,7 +75,7 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
         names |= dict.fromkeys(_inside_mouth(rig, found, names), INTERIOR)
     if not settings.character.parts.divide:
         names = dict.fromkeys(names, main_part(names.values()))
-    index = {control.name: i for i, control in enumerate(rig.controls)}
+    index = rig.control_indices
     names |= {
         index[name]: part
         for name, part in settings.character.parts.controls.items()

@@ -274,8 +274,8 @@ def _pruned(
         # A corner of the mouth that is drawn back runs into the cheek: its handle stands there
         # nevertheless.
         if arc[kept].max(initial=0.0) >= _MOST * peak:
-            return np.asarray(motion.points[kept])
-    return np.asarray(motion.points[seen & moving])
+            return motion.points[kept]
+    return motion.points[seen & moving]
 
 
 def _unseen(motion: Motion, some: Flags, prune_at: float, peak_share: float) -> Indices:
@@ -287,14 +287,13 @@ def _unseen(motion: Motion, some: Flags, prune_at: float, peak_share: float) -> 
     arc = motion.arc_length
     peak = float(arc[some].max())
     least = max(prune_at * float(arc[some].mean()), peak_share * peak)
-    return np.asarray(motion.points[some & (arc >= min(least, peak))])
+    return motion.points[some & (arc >= min(least, peak))]
 
 
 def _seen(face: Face, points: Indices, space: str) -> Flags:
     """Which points can be seen from where the layout is judged: its own view alone, where that is
     asked for."""
-    seen = face.views.visible[0, points] if space == "view" else face.views.anywhere[points]
-    return np.asarray(seen)
+    return face.views.visible[0, points] if space == "view" else face.views.anywhere[points]
 
 
 def _without_occluded(face: Face, motion: Motion, kept: Flags, samples: int) -> Flags:

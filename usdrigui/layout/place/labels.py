@@ -111,9 +111,7 @@ def _drawn_track(
     motion = face.trajectories.motion_of(control)
     offsets = resampled(paths(motion, sources), samples)
     factor = drawn_magnification(face, motion, sources, least)
-    return np.asarray(
-        face.trajectories.surface.points[anchors][:, None] + factor[:, None, None] * offsets
-    )
+    return face.trajectories.surface.points[anchors][:, None] + factor[:, None, None] * offsets
 
 
 def drawn_magnification(face: Face, motion: Motion, sources: Indices, least: float) -> Floats:

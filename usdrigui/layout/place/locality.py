@@ -77,7 +77,7 @@ def _distances(face: Face, where: str, near: str) -> Floats:
         base,
         mesh_triangles(face.rig.body.meshes),
         surface.places,
-        np.asarray(sources),
+        sources,
     )
     return np.where(np.isfinite(along), along, straight)
 
@@ -114,9 +114,7 @@ def _joint_position(rig: Rig, where: str, name: str) -> Floats:
             while at >= 0:
                 matrix = matrix @ body.joints[at].base
                 at = body.joints[at].parent
-            return np.asarray(
-                (matrix @ body.skeletons[joint.skeleton].to_root)[3, :3], dtype=np.float64
-            )
+            return (matrix @ body.skeletons[joint.skeleton].to_root)[3, :3]
     names = _joint_names(body.joints)
     like = meant(name, names) or (f"; its joints are {listed(names)}" if names else "")
     raise refuse("CONFIG_VALUE", where, f"{rig.skel_root.path} has no joint {name!r}{like}")

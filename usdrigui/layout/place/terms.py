@@ -95,9 +95,7 @@ def common(face: Face, motion: Motion, points: Indices, terms: LinearTerms) -> F
         return np.zeros(len(points))
     rows = np.searchsorted(motion.points, points)
     unit = displacement_unit(motion.peak, face.trajectories.typical_length, terms)
-    return np.asarray(
-        terms.distinctive_weight * motion.shares.common[rows] * motion.arc_length[rows] / unit
-    )
+    return terms.distinctive_weight * motion.shares.common[rows] * motion.arc_length[rows] / unit
 
 
 def displacement_unit(peak: float, typical: float, terms: LinearTerms) -> float:
@@ -121,7 +119,7 @@ def off_plane(face: Face, points: Indices, weight: float, *, of_joint: bool = Fa
     cost = weight * np.abs(apart) + np.where(apart < -_MIDDLE, _TIE, 0.0)
     if of_joint and weight:
         cost += _BESIDE * (np.abs(apart) > ON_PLANE)
-    return np.asarray(cost - cost.min(initial=np.inf) if len(cost) else cost)
+    return cost - cost.min(initial=np.inf) if len(cost) else cost
 
 
 def _base_knot(offsets: Singles) -> int:

@@ -17,7 +17,7 @@ from usdrigui.model.levels import outer_first
 def with_decisions(layout: Layout, rig: Rig, rest: Floats, requests: Requests) -> Layout:
     """The layout with the decisions of a person in it: those of the configuration, and those
     carried.  `rest` (n, 3) are the points at rest."""
-    index = {control.name: i for i, control in enumerate(rig.controls)}
+    index = rig.control_indices
     decided = {element.name: _configured(element, index, requests) for element in layout.elements}
     before: dict[str, tuple[float, float, float]] = {}
     held: set[str] = set()

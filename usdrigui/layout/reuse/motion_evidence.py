@@ -126,7 +126,7 @@ def at_anchors(
     layout."""
     held = _held(elements)
     points = _anchor_points(held, trajectories)
-    index = {control.name: number for number, control in enumerate(rig.controls)}
+    index = rig.control_indices
     columns = np.array([index[name] for name in new], dtype=np.int64)
     found = np.zeros((len(left), len(new)))
     for row, name in enumerate(left):
@@ -147,7 +147,7 @@ def _at_one_point(one: Floats, other: Floats) -> Floats:
     sizes = np.maximum(np.linalg.norm(other, axis=1), np.linalg.norm(one))
     off = np.linalg.norm(other - one, axis=1) / np.maximum(sizes, 1e-300)
     evidence += np.where(off < _CLOSE, _CLOSE_WEIGHT * np.log(_CLOSE / (off + _EXACT)), 0.0)
-    return np.asarray(np.where(np.any(one) & np.any(other), np.maximum(evidence, _LEAST), 0.0))
+    return np.where(np.any(one) & np.any(other), np.maximum(evidence, _LEAST), 0.0)
 
 
 # --- fields ---------------------------------------------------------------------------------------

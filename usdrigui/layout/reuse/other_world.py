@@ -30,7 +30,7 @@ def up_of(layout: Layout) -> Floats | None:
         return None
     axis = int(np.abs(up).argmax())
     straight = np.sign(up[axis]) * np.eye(3)[axis]
-    return np.asarray(straight if abs(up[axis]) > _LYING * length else up / length)
+    return straight if abs(up[axis]) > _LYING * length else up / length
 
 
 def other_up(layout: Layout, up: Floats) -> Floats | None:

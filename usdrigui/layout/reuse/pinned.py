@@ -206,7 +206,7 @@ def with_pins(
 ) -> tuple[ControlSettings, ...]:
     """(controls,) the `overrides` with what the pins fix; what the configuration says itself is
     stronger."""
-    index = {control.name: i for i, control in enumerate(rig.controls)}
+    index = rig.control_indices
     found = list(overrides)
     for pin in pins.pins:
         for control in (index[name] for name in pin.controls):

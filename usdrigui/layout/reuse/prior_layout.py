@@ -118,7 +118,7 @@ def of_parts(priors: Sequence[tuple[frozenset[int], PriorLayout]]) -> PriorLayou
 def kept_groups(elements: tuple[Element, ...], rig: Rig) -> tuple[KeptGroup, ...]:
     """The groups of a layout, without the controls that `rig` no longer has; each control in one
     only."""
-    index = {control.name: number for number, control in enumerate(rig.controls)}
+    index = rig.control_indices
     groups: list[KeptGroup] = []
     taken: set[int] = set()
     of_mirror = {element.name: element.manipulator.controls for element in elements}
@@ -187,7 +187,7 @@ def _penalty_share(
 def _places(layout: Layout, today: Today) -> tuple[dict[int, Place], dict[int, Place]]:
     """The places of the controls, and those of the sliders that some have besides under a coarse
     element."""
-    index = {control.name: number for number, control in enumerate(today.rig.controls)}
+    index = today.rig.control_indices
     places: dict[int, Place] = {}
     axis_places: dict[int, Place] = {}
     inner = inner_names(layout.elements)

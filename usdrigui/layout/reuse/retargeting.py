@@ -54,7 +54,7 @@ class _Similarity:
     offset: Floats
 
     def __call__(self, points: Floats) -> Floats:
-        return np.asarray(self.scale * points @ self.rotation.T + self.offset, dtype=np.float64)
+        return self.scale * points @ self.rotation.T + self.offset
 
 
 def of_another(
@@ -72,7 +72,7 @@ def of_another(
     renamed = with_names(layout, names)
     positions = np.array([element.anchor.position for element in layout.elements])
     places = face_map(theirs, ours, names).points(positions)
-    index = {control.name: number for number, control in enumerate(ours[0].controls)}
+    index = ours[0].control_indices
     found: dict[int, Place] = {}
     inner = inner_names(renamed.elements)
     by_level = sorted(
@@ -112,9 +112,7 @@ class FaceMap:
 
     def vectors(self, vectors: Floats) -> Floats:
         """(..., 3) displacements as the other face has them, without the warp."""
-        return np.asarray(
-            self.similarity.scale * vectors @ self.similarity.rotation.T, dtype=np.float64
-        )
+        return self.similarity.scale * vectors @ self.similarity.rotation.T
 
 
 def face_map(

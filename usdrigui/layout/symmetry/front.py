@@ -27,9 +27,9 @@ def front(up: Floats, trajectories: Trajectories, plane_normal: Floats) -> Float
     level = outward - (outward @ up) * up
     length = float(np.linalg.norm(level))
     if length > 1e-9:
-        return np.asarray(level / length)
+        return level / length
     side = np.cross(up, axis_across(up))
-    return np.asarray(side / np.linalg.norm(side))
+    return side / np.linalg.norm(side)
 
 
 def front_of(up: Floats, trajectories: Trajectories, plane_normal: Floats) -> Floats:
@@ -37,7 +37,7 @@ def front_of(up: Floats, trajectories: Trajectories, plane_normal: Floats) -> Fl
     left."""
     ahead = np.cross(plane_normal, up)
     length = float(np.linalg.norm(ahead))
-    return np.asarray(ahead / length) if length > 1e-6 else front(up, trajectories, plane_normal)
+    return ahead / length if length > 1e-6 else front(up, trajectories, plane_normal)
 
 
 def three_quarter(ahead: Floats, up: Floats) -> tuple[Floats, Floats]:

@@ -68,4 +68,4 @@ def in_the_middle(
     if not (own and symmetry.plane.normal.any()):
         return np.zeros(len(motion.points), dtype=bool)
     apart = np.abs(symmetry.plane.distance(surface.points[motion.points]))
-    return np.asarray(apart <= ON_PLANE * handle_width)
+    return apart <= ON_PLANE * handle_width

@@ -168,7 +168,7 @@ class _Search:
         """Candidate planes in all directions about the up axis and along the principal axes:
         through the moving region, and through the middle of the whole character, where a
         mesh modelled symmetric has it."""
-        (region, weights), every = self.region, np.asarray(self.tree.data)
+        (region, weights), every = self.region, self.tree.data
         for normal in (*_level(up), *_principal(region, weights)):
             along = region @ normal
             order = np.argsort(rounded(along), kind="stable")

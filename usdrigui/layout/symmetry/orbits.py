@@ -90,16 +90,16 @@ def _axis(surface: BaseSurface, orbit: Sequence[Motion], up: Floats) -> tuple[Fl
         apart = middles[1] - middles[0]
         apart = apart / max(float(np.linalg.norm(apart)), 1e-300)
         axis = up - (up @ apart) * apart
-        return centre, np.asarray(axis / max(float(np.linalg.norm(axis)), 1e-300))
+        return centre, axis / max(float(np.linalg.norm(axis)), 1e-300)
     axis = np.linalg.svd(middles - centre)[2][2]
     turn = np.cross(middles[0] - centre, middles[1] - centre) @ axis
     # With three members 120 degrees apart either sense may be listed; the list decides.
-    return centre, np.asarray(axis if turn >= 0.0 else -axis)
+    return centre, (axis if turn >= 0.0 else -axis)
 
 
 def _middle(surface: BaseSurface, motion: Motion) -> Floats:
     weights = motion.arc_length * np.maximum(surface.areas[motion.points], 1e-300)
-    return np.asarray(np.average(surface.points[motion.points], axis=0, weights=weights))
+    return np.average(surface.points[motion.points], axis=0, weights=weights)
 
 
 def _turned(points: Floats, centre: Floats, axis: Floats, angle: float) -> Floats:
