@@ -8,7 +8,6 @@ and the next one.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -38,7 +37,7 @@ def owned_skin(body: Body, hanging: Hanging, control: Control, points: Floats) -
     controls and where no skin hangs on them.
 
     `points` (n, 3) are all points in root space.  A joint without skin has what lies by its bone of
-    the skin below it; without a bone, the skin of the joints next below it.
+    the skin below it.
     """
     driven = set(control.drive.joints.tolist())
     joints = {i for i in driven if body.joints[i].path == control.source} or driven
@@ -46,19 +45,13 @@ def owned_skin(body: Body, hanging: Hanging, control: Control, points: Floats) -
         return None
     below, bones = _below(body, joints), _bones(body.skeletons, body.joints, hanging)
     has_bone = any(b.joint in joints and b.next in below for b in bones)
-    for holders in (joints, *((joints | below,) if has_bone else _levels(body, joints))):
+    for holders in (joints, *((joints | below,) if has_bone else ())):
         weights = _weights(body, holders)
         if weights.max(initial=0.0) > _NOTHING:
             firm = np.minimum(weights / (_FIRM * weights.max()), 1.0)
             of = joints if has_bone else holders
             return np.asarray(firm * _by_own_bone(body, bones, of, points, weights > _NOTHING))
     return None
-
-
-def _levels(body: Body, joints: set[int]) -> Iterator[set[int]]:
-    """The joints next below, those next below these, and so on."""
-    while joints := {i for i, joint in enumerate(body.joints) if joint.parent in joints}:
-        yield joints
 
 
 def _below(body: Body, joints: set[int]) -> set[int]:
