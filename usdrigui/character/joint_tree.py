@@ -343,16 +343,6 @@ class Tree:
         axis, middle = self.mirror
         return abs(float(self.places[joint, axis]) - middle) < _ON_PLANE * self.size
 
-    def one_sided(self, joint: int) -> bool:
-        """Whether a joint beside the plane that mirrors the joints has no counterpart."""
-        if self.mirror is None or self.on_plane(joint):
-            return False
-        axis, middle = self.mirror
-        image = self.places[joint].copy()
-        image[axis] = 2.0 * middle - image[axis]
-        apart = np.linalg.norm(self.places - image, axis=1).min()
-        return bool(apart > _ON_PLANE * self.size)
-
 
 @dataclass(frozen=True, eq=False)
 class Fan:

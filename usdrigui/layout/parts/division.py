@@ -26,7 +26,6 @@ from usdrigui.layout.parts.joint_regions import (
     HANDS,
     HEAD,
     INTERIOR,
-    PROPS,
     JointRegions,
     joint_regions,
     owner_of_points,
@@ -36,7 +35,7 @@ from usdrigui.model import Motion, Trajectories
 from usdrigui.settings import Settings
 from usdrigui.ties import first_largest
 
-ORDER = (FACE, INTERIOR, EYES, HEAD, HANDS, FEET, PROPS)
+ORDER = (FACE, INTERIOR, EYES, HEAD, HANDS, FEET)
 """Parts that are laid out first, in this order; the body comes last, for its handles are the
 widest."""
 _NEAR = 0.5
@@ -49,8 +48,8 @@ class Part(Record):
     """One part of a character."""
 
     name: str
-    """``face``, ``interior`` (of the mouth), ``eyes``, ``head``, ``hands``, ``feet``, ``props``,
-    ``body``, or as the configuration calls it."""
+    """``face``, ``interior`` (of the mouth), ``eyes``, ``head``, ``hands``, ``feet``, ``body``, or
+    as the configuration calls it."""
     controls: frozenset[int]
     """Indices of its controls."""
     excluded: frozenset[int] = frozenset()
@@ -59,16 +58,15 @@ class Part(Record):
 
 def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...]:
     """The parts of a character in the order in which they are laid out: face, inside of the mouth,
-    eyes, head, hands, feet, props, others, body.
+    eyes, head, hands, feet, others, body.
 
     Every control that moves something is in one part.  Without ``parts.divide`` all are in one, and
     so they are where the skeleton has no parts; controls that the configuration groups or pairs
     stay together.
     """
     regions = joint_regions(rig, found)
-    whole = settings.layout.candidates.global_coverage
     # Where the skeleton has no parts all is the face.
-    tell = (lambda *_: FACE) if regions is None else _Names(rig, found, regions, whole).of
+    tell = (lambda *_: FACE) if regions is None else _Names(rig, found, regions).of
     names = {each.control: tell(rig.controls[each.control], each) for each in found.motions}
     names |= _beside_the_face(rig.controls, names)
     if settings.layout.candidates.conventions:
@@ -164,8 +162,8 @@ def _together(names: dict[int, str], bound: list[list[int]]) -> dict[int, str]:
 class _Names:
     """Tells the part of each control by the regions of the joints."""
 
-    def __init__(self, rig: Rig, found: Trajectories, regions: JointRegions, whole: float) -> None:
-        self.rig, self.found, self.regions, self.whole = rig, found, regions, whole
+    def __init__(self, rig: Rig, found: Trajectories, regions: JointRegions) -> None:
+        self.rig, self.found, self.regions = rig, found, regions
         self.known = sorted(set(regions.of_skin) | set(regions.of_joint), key=_rank)
         self.skin = self._skin(owner_of_points(rig.body.meshes))
         self.near_face = (
@@ -181,39 +179,18 @@ class _Names:
             )
             return self.regions.of_joint[own]
         mass = self.found.surface.areas[motion.points] * motion.arc_length
-        total = float(mass.sum())
         masses = np.bincount(self.skin[motion.points], mass, len(self.known)).astype(np.float64)
         most = self.known[first_largest(masses)]
-        prop = most == PROPS and float(masses.max()) >= NEARLY_ALL * total
-        if prop and self._all_props(motion):
-            # It hides or carries them: among controls of props alone it would have no place.
-            prop, most = False, BODY if BODY in self.known else main_part(self.known)
-        near = (
-            not prop
-            and self.near_face is not None
-            and float(mass[self.near_face[motion.points]].sum()) >= NEARLY_ALL * total
-        )
+        near = self.near_face is not None and float(
+            mass[self.near_face[motion.points]].sum()
+        ) >= NEARLY_ALL * float(mass.sum())
         # One direction of a gaze moves the lids, another one does not: they stay together.
         return FACE if near or most == EYES else most
 
-    def _all_props(self, motion: Motion) -> bool:
-        """Whether a motion takes along what the props are made of."""
-        areas, props = self.found.surface.areas, self.skin == self.known.index(PROPS)
-        moved = motion.points[props[motion.points]]
-        return float(areas[moved].sum()) >= self.whole * float(areas[props].sum())
-
     def _skin(self, owners: Indices) -> Indices:
-        """(n,) index into `known` of the part of each point; that of the nearest skin where nothing
-        holds it."""
+        """(n,) index into `known` of the part of each point, the first where nothing holds it."""
         own = np.array([self.known.index(name) for name in self.regions.of_skin])
-        held = owners >= 0
-        found = np.where(held, own[np.maximum(owners, 0)], 0)
-        if not held.all():
-            _, nearest = cKDTree(self.found.surface.points[held]).query(
-                self.found.surface.points[~held]
-            )
-            found[~held] = found[held][nearest]
-        return found
+        return np.where(owners >= 0, own[np.maximum(owners, 0)], 0)
 
     def _near(self, face: Flags) -> Flags:
         """(n,) the points no further from the face than half of the head's extent."""

@@ -1,26 +1,23 @@
-"""Eyes and props: joints that hold pieces of surface of their own.
+"""Eyes: joints that hold pieces of surface of their own.
 
-An eyeball is a piece around its joint, all at one distance from it: it turns on the spot.  A prop
-is what hangs beside the chains of a skinned character: a sword, a hat, a bag.
+An eyeball is a piece around its joint, all at one distance from it: it turns on the spot.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Set as AbstractSet
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.character import Body, Flags, Floats, Indices
+from usdrigui.character import Body, Floats, Indices
 from usdrigui.character.joint_tree import Tree
 from usdrigui.character.skinning import bound_points
 from usdrigui.character.surface import components, mesh_triangles
 
 NEARLY_ALL = 0.9
-"""Share from which skin, votes or motions count as all: of the weights of a piece, by which it is
-held as a whole."""
-_TOUCHED = 0.05
-"""Share of the weights of a piece, or of a joint, from which the joint holds that piece, too."""
+"""Share from which skin or motions count as all: of the weights of a piece, by which it is held as
+a whole."""
 _ROUND = 0.15
 """Deviation of an eyeball's distances from its joint, as a share of their mean, at most."""
 _AROUND = 0.85
@@ -28,8 +25,6 @@ _AROUND = 0.85
 ball still is around it."""
 _BALL = 12
 """Points of an eyeball, at least."""
-_JOINTED = 2
-"""Joints with skin in the longest chain of a prop, at most: hair and tails have more."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,29 +38,14 @@ class Pieces:
     """(n, 3) points in the bind pose, in the space of the Skeleton."""
     held: Floats
     """(joints, pieces) share of the weights of each piece."""
-    holds: Flags
-    """(joints, pieces) whether it is no trifle, of the piece or of the joint."""
-    owners: Indices
-    """(n,) the joint that holds each point most firmly, -1 where none does."""
 
-    def whole(self, joints: Iterable[int]) -> Indices:
-        """The pieces that some joints hold alone, as good as."""
-        return np.flatnonzero(self.held[list(joints)].sum(axis=0) >= NEARLY_ALL)
-
-    def touched(self, joints: Iterable[int]) -> Indices:
-        """The pieces that some joints hold, alone or with others."""
-        return np.flatnonzero(self.holds[list(joints)].any(axis=0))
-
-    def points(self, pieces: Indices) -> Floats:
-        """(p, 3) the points of some pieces, bound."""
-        return self.bound[np.isin(self.of_point, pieces)]
+    def whole(self, joint: int) -> Floats:
+        """(p, 3) the points, bound, of the pieces that a joint holds alone, as good as."""
+        return self.bound[np.isin(self.of_point, np.flatnonzero(self.held[joint] >= NEARLY_ALL))]
 
 
-def pieces_of(body: Body, tree: Tree, places: Indices, owners: Indices) -> Pieces:
-    """The pieces of a rig whose points at the same position are one place, `places` (n,).
-
-    `owners` (n,) is as of `Pieces`.
-    """
+def pieces_of(body: Body, tree: Tree, places: Indices) -> Pieces:
+    """The pieces of a rig whose points at the same position are one place, `places` (n,)."""
     of_point = components(mesh_triangles(body.meshes), places)
     bound = np.zeros((len(of_point), 3))
     held = np.zeros((len(body.joints), int(of_point.max(initial=-1)) + 1))
@@ -76,11 +56,7 @@ def pieces_of(body: Body, tree: Tree, places: Indices, owners: Indices) -> Piece
         bound[start : start + len(mesh.points)] = bound_points(mesh.points, skin)[:, :3]
         acting = skin.by_joint.tocoo()
         np.add.at(held, (acting.col, of_point[start + acting.row]), acting.data)
-    of_piece, of_joint = (
-        held / np.maximum(held.sum(axis=axis, keepdims=True), 1e-30) for axis in (0, 1)
-    )
-    holds = np.maximum(of_piece, of_joint) >= _TOUCHED
-    return Pieces(tree, of_point, bound, of_piece, holds, owners)
+    return Pieces(tree, of_point, bound, held / np.maximum(held.sum(axis=0), 1e-30))
 
 
 def eyes(pieces: Pieces, below_heads: Iterable[int]) -> set[int]:
@@ -89,7 +65,7 @@ def eyes(pieces: Pieces, below_heads: Iterable[int]) -> set[int]:
 
 
 def _is_eye(pieces: Pieces, joint: int) -> bool:
-    points = pieces.points(pieces.whole((joint,)))
+    points = pieces.whole(joint)
     ways = points - pieces.tree.joints[joint].bind[3, :3]
     if len(ways) < _BALL:
         return False
@@ -97,46 +73,3 @@ def _is_eye(pieces: Pieces, joint: int) -> bool:
     radius = float(distances.mean())
     off = float(np.linalg.norm(ways.mean(axis=0)))
     return float(distances.std()) <= _ROUND * radius and off <= _AROUND * radius
-
-
-def props(pieces: Pieces, heads: AbstractSet[int], eyes: AbstractSet[int]) -> set[int]:
-    """The joints from which props hang; none hangs on a head, for hats are set with the face."""
-    tree = pieces.tree
-    below_heads, found = tree.below(heads), set[int]()
-    for joint in tree.from_the_ends()[::-1]:
-        branch = tree.below((joint,))
-        if (
-            joint not in below_heads
-            and not found & set(tree.above(joint))
-            and not branch & (heads | eyes)
-            and 0 < tree.depth[joint] <= _JOINTED
-            and _beside(tree, joint)
-            and _apart(pieces, branch)
-            and _on_skin(pieces, joint, branch)
-        ):
-            found.add(joint)
-    return found
-
-
-def _beside(tree: Tree, joint: int) -> bool:
-    """Whether the chain goes on without a joint: another one carries it on, or the joint of the
-    other side has no such joint (an axe in one hand)."""
-    parent = tree.parents[joint]
-    if parent < 0:
-        return False
-    return tree.next(parent) != joint or tree.one_sided(joint)
-
-
-def _apart(pieces: Pieces, branch: set[int]) -> bool:
-    """Whether joints hold nothing but pieces that no other joint holds."""
-    touched = pieces.touched(branch)
-    return bool(len(touched)) and bool(np.isin(touched, pieces.whole(branch)).all())
-
-
-def _on_skin(pieces: Pieces, joint: int, branch: set[int]) -> bool:
-    """Whether it hangs on skin that several joints share: the limbs of a robot are no props."""
-    above = next((k for k in pieces.tree.above(joint) if k in pieces.tree.owners), None)
-    if above is None:
-        return False
-    others = [k for k in range(len(pieces.held)) if k != above and k not in branch]
-    return bool(np.isin(pieces.touched((above,)), pieces.touched(others)).any())

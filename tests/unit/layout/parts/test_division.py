@@ -65,8 +65,8 @@ def test_joints_of_a_face_that_shapes_move_are_a_part_of_their_own():
 
 @pytest.mark.parametrize(
     "rig",
-    [BODY, limbs.whole_body("Head"), posed(BODY), limbs.with_default_controls(limbs.flattened(limbs.hand_rig()))],
-    ids=["no name", "head named", "posed", "hand alone"],
+    [BODY, posed(BODY), limbs.with_default_controls(limbs.flattened(limbs.hand_rig()))],
+    ids=["body", "posed", "hand alone"],
 )
 def test_joints_are_told_apart_into_face_hands_and_body(rig):
     found = named(rig)
@@ -93,55 +93,32 @@ def tube(points):
     ]
 
 
-def equipped(shared, chain_of_sword=1, holder="h/s/t/a0/a1/a2", place=(1.45, 0.9, 0.1)):
-    """The body with two eyeballs and a sword of their own meshes; its own skin `shared` between neighbours or of rigid
-    parts.  So many joints in a chain hold the sword, which hangs on the `holder` at a place."""
+def with_eyes():
+    """The body with two eyeballs of their own meshes; its own skin is shared between neighbours."""
     at = {joint.path: joint.bind[3, :3] for joint in BODY.body.joints}
-    hung = {"h/s/t/n/e/b": (0.03, 1.6, 0.1), "h/s/t/n/e/c": (-0.03, 1.6, 0.1), f"{holder}/w": place}
+    hung = {"h/s/t/n/Head/b": (0.03, 1.6, 0.1), "h/s/t/n/Head/c": (-0.03, 1.6, 0.1)}
     names = [*at, *hung]
-    chained = [f"{holder}/w" + "/v" * more for more in range(1, chain_of_sword)]
-    names += chained
-    places = np.array([*at.values(), *hung.values(), *([hung[f"{holder}/w"]] * len(chained))])
+    places = np.array([*at.values(), *hung.values()])
     joints = limbs.skeleton_rig(names, places, list(range(len(names)))).body.joints
     own = BODY.body.meshes[0].binding.skin.joints
     above = np.maximum([joint.parent for joint in joints], 0)
     skin = replace(
         BODY.body.meshes[0].binding.skin,
         joints=np.concatenate([own, above[own]], axis=1),
-        weights=np.tile([0.7, 0.3] if shared else [1.0, 0.0], (len(own), 1)),
+        weights=np.tile([0.7, 0.3], (len(own), 1)),
     )
     meshes = [makers.changed(BODY.body.meshes[0], skin=skin)]
     ball = np.concatenate([np.c_[np.sin(t) * RING, np.full(6, np.cos(t))] for t in np.linspace(0.3, 2.8, 5)])
-    stick = np.concatenate([np.c_[0.01 * RING[:, 0], np.full(6, y), 0.01 * RING[:, 1]] for y in np.linspace(0, 0.6, 7)])
-    for name, shape in zip(hung, (0.02 * ball, 0.02 * ball, stick), strict=True):
-        holding = [name, *(each for each in chained if each.startswith(name))]
-        by = np.array([names.index(holding[at * len(holding) // len(shape)]) for at in range(len(shape))])
-        held = replace(skin, joints=by[:, None], weights=np.ones((len(shape), 1)))
-        meshes.append(makers.mesh(shape + hung[name], tube(shape), path=f"/Root/{name[-1]}", skin=held))
+    for name, place in hung.items():
+        held = replace(skin, joints=np.full((len(ball), 1), names.index(name)), weights=np.ones((len(ball), 1)))
+        meshes.append(makers.mesh(0.02 * ball + place, tube(ball), path=f"/Root/{name[-1]}", skin=held))
     return limbs.with_default_controls(makers.changed(BODY, joints=joints, meshes=tuple(meshes)))
 
 
-@pytest.mark.parametrize(
-    ("shared", "parts"),
-    [(True, ["face", "eyes", "hands", "props", "body"]), (False, ["face", "eyes", "hands", "body"])],
-)
-def test_eyeballs_and_props_are_parts_but_no_limb_of_a_robot_is(shared, parts):
-    found = named(equipped(shared))
-    assert list(found) == parts
+def test_eyeballs_are_a_part():
+    found = named(with_eyes())
+    assert list(found) == ["face", "eyes", "hands", "body"]
     assert {name.partition(":")[0] for name in found["eyes"]} == {"b", "c"}
-    assert {name.partition(":")[0] for name in found.get("props", ("w:",))} == {"w"}
-
-
-@pytest.mark.parametrize(("joints", "prop"), [(2, True), (3, False)])
-def test_a_chain_of_three_joints_with_skin_is_hair_or_a_tail_and_no_prop(joints, prop):
-    assert ("props" in named(equipped(True, joints))) is prop
-
-
-@pytest.mark.parametrize(("holder", "part"), [("h/s/t/n", "props"), ("h/s/t/n/e", "face")])
-def test_what_hangs_on_a_head_is_set_with_the_face(holder, part):
-    """A feather as long as an arm, on the neck or on the head."""
-    found = named(equipped(True, holder=holder, place=(0.0, 1.6, 0.05)))
-    assert [name for name, controls in found.items() if "w:rx" in controls] == [part]
 
 
 @pytest.mark.parametrize(("points", "eye"), [(12, True), (11, False)])
@@ -150,37 +127,19 @@ def test_an_eyeball_has_twelve_points_at_least(points, eye):
     golden = (1.0 + 5.0**0.5) / 2.0
     corners = [np.roll((0.0, a, b), by) for a in (-1.0, 1.0) for b in (-golden, golden) for by in range(3)]
     tree = SimpleNamespace(joints=[SimpleNamespace(bind=np.eye(4))])
-    ball = SimpleNamespace(tree=tree, whole=tuple, points=lambda _: np.array(corners[:points]))
+    ball = SimpleNamespace(tree=tree, whole=lambda _: np.array(corners[:points]))
     assert _is_eye(ball, 0) is eye
 
 
 def test_a_head_without_a_body_keeps_its_eyes():
-    rig = equipped(shared=True)
+    rig = with_eyes()
     limb = [
         i for i, joint in enumerate(rig.body.joints) if "/a" in joint.path or "/b0" in joint.path or "l0" in joint.path
     ]
     own = rig.body.meshes[0].binding.skin
     trunk = replace(own, joints=np.where(np.isin(own.joints, limb), 0, own.joints))
-    bust = makers.changed(rig, meshes=(makers.changed(rig.body.meshes[0], skin=trunk), *rig.body.meshes[1:3]))
+    bust = makers.changed(rig, meshes=(makers.changed(rig.body.meshes[0], skin=trunk), *rig.body.meshes[1:]))
     assert list(named(limbs.with_default_controls(bust))) == ["face"]
-
-
-@pytest.mark.parametrize(("moved", "part"), [(0.5, "props"), (1.0, "body")])
-def test_a_shape_of_an_eye_stays_with_the_face_and_one_of_a_prop_with_the_prop(moved, part):
-    """What takes all props along, as one that hides them, is no control of theirs."""
-    rig = equipped(shared=True)
-    _, _, ball, stick = rig.body.meshes
-    offsets = [np.tile([0.0, 0.0, 0.01], (len(mesh.points), 1)) for mesh in (ball, stick)]
-    offsets[1][int(moved * len(stick.points)) :] = 0.0
-    shapes = [makers.shape(i, each) for i, each in enumerate(offsets)]
-    meshes = (
-        *rig.body.meshes[:2],
-        makers.changed(ball, shapes=(shapes[0],)),
-        makers.changed(stick, shapes=(shapes[1],)),
-    )
-    named_shapes = makers.rig_of_meshes(meshes, ["look", "glow"])
-    made = makers.changed(named_shapes, joints=rig.body.joints, skeletons=rig.body.skeletons)
-    assert named(made) == {"face": {"look"}, part: {"glow"}}
 
 
 def test_a_body_does_not_change_the_scale_of_its_face():
@@ -235,7 +194,7 @@ def test_a_whole_of_proved_parts_names_the_solver_that_one_took_and_the_size_of_
 def test_blend_shapes_are_of_the_part_whose_skin_they_move_and_a_neck_is_of_the_face():
     points, owners = BODY.body.meshes[0].points, BODY.body.meshes[0].binding.skin.joints[:, 0]
     paths = [joint.path for joint in BODY.body.joints]
-    on = {"smile": "h/s/t/n/e/k0", "swallow": "h/s/t/n", "biceps": "h/s/t/a0/a1", "nail": "h/s/t/a0/a1/a2/af00/af01"}
+    on = {"smile": "h/s/t/n/Head/k0", "swallow": "h/s/t/n", "biceps": "h/s/t/a0/a1", "nail": "h/s/t/a0/a1/a2/af00/af01"}
     shapes = [0.01 * (owners == paths.index(path))[:, None] * np.array([0.0, 0.0, 1.0]) for path in on.values()]
     mesh = makers.changed(BODY.body.meshes[0], shapes=tuple(makers.shape(i, each) for i, each in enumerate(shapes)))
     made = makers.changed(
