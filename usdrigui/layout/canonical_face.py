@@ -11,21 +11,19 @@ expected, and a name on the wrong side is overruled by the motion.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from usdrigui.character import Flags, Floats, Record
 from usdrigui.conventions import Action, Meaning
 from usdrigui.layout.symmetry.lobes import ASIDE
-from usdrigui.layout.symmetry.sides_of_joints import ACROSS
 from usdrigui.layout.visibility import Views
 from usdrigui.model import BaseSurface, MirrorPlane, Motion, Symmetry, Trajectories
 from usdrigui.ties import first_largest
 
 _LEAST = 4
-"""Different places that it takes to lay the canonical face over a character, and actions on both
-sides to find the middle of one without a mirror plane."""
+"""Different places that it takes to lay the canonical face over a character."""
 _SPAN = 0.5
 """Least spread of their heights, in distances of the pupils: controls of the mouth alone fix
 nothing of the brows."""
@@ -84,25 +82,17 @@ def believed(
     only where most of them act where these do.  What mostly moves what is seen is not inside the
     mouth, whatever it is called.
     """
-    surface = trajectories.surface
-    doubtful = set[int]()
-    for motion in trajectories.motions:
-        meaning = meanings[motion.control]
-        weight = surface.areas[motion.points] * motion.arc_length
-        visible = weight[views.anywhere[motion.points]].sum() > 0.5 * weight.sum()
-        if meaning is not None and meaning.action.category == "interior" and visible:
-            doubtful.add(motion.control)
-    found = tuple(None if i in doubtful else meaning for i, meaning in enumerate(meanings))
-    expected = expectations(trajectories, symmetry, views, found)
+    expected = expectations(trajectories, symmetry, views, meanings)
     numbered = [
         motion
         for motion in trajectories.motions
-        if (meaning := found[motion.control]) is not None and meaning.numbered
+        if (meaning := meanings[motion.control]) is not None and meaning.numbered
     ]
+    surface = trajectories.surface
     right = sum(_is_there(surface, views, motion, expected[motion.control]) for motion in numbered)
     if 2 * right > len(numbered) or not numbered:
-        return found, expected
-    unnumbered = tuple(None if meaning and meaning.numbered else meaning for meaning in found)
+        return tuple(meanings), expected
+    unnumbered = tuple(None if meaning and meaning.numbered else meaning for meaning in meanings)
     return unnumbered, expectations(trajectories, symmetry, views, unnumbered)
 
 
@@ -123,8 +113,6 @@ def expectations(
     """(controls,) where each control is expected; None where its name has no meaning or too few
     names have one."""
     surface, named = trajectories.surface, _informative(trajectories, meanings)
-    if not symmetry.plane.normal.any():
-        symmetry = _middle_of_names(surface, symmetry, views.anywhere, named)
     clues = [
         _Clue(motion, meaning.action, _middle(surface, symmetry.plane, views, motion), tells)
         for motion, meaning, tells in named
@@ -238,35 +226,6 @@ def _line_through(x: Floats, y: Floats) -> tuple[float, float]:
     later, earlier = np.nonzero(x[:, None] > x)
     slope = float(np.median((y[later] - y[earlier]) / (x[later] - x[earlier])))
     return slope, float(np.median(y) - slope * np.median(x))
-
-
-def _middle_of_names(
-    surface: BaseSurface,
-    symmetry: Symmetry,
-    visible: Flags,
-    placed: Sequence[Named],
-) -> Symmetry:
-    """The symmetry with a plane halfway between the sides by names, for a face that is not
-    its own mirror image (a scan); unchanged where there are too few names."""
-    sides: dict[tuple[str, str], Floats] = {}
-    for motion, each, tells in placed:
-        if tells and each.side:
-            weight = _weights(surface.areas, visible, motion)
-            sides[each.action.name, each.side] = weight @ surface.points[motion.points]
-    pairs = [
-        (left, sides[action, "right"])
-        for (action, side), left in sorted(sides.items())
-        if side == "left" and (action, "right") in sides
-    ]
-    if len(pairs) < _LEAST:
-        return symmetry
-    apart = np.array([left - right for left, right in pairs])
-    across = apart / np.maximum(np.linalg.norm(apart, axis=1, keepdims=True), 1e-300)
-    mean = across.mean(axis=0)
-    if np.linalg.norm(mean) < ACROSS:
-        return symmetry
-    origin = np.median([0.5 * (left + right) for left, right in pairs], axis=0)
-    return replace(symmetry, plane=MirrorPlane(origin, mean / np.linalg.norm(mean)))
 
 
 def _middle(surface: BaseSurface, plane: MirrorPlane, views: Views, motion: Motion) -> Floats:

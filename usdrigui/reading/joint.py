@@ -103,10 +103,6 @@ def _fingers(tree: Tree, fan: Fan) -> list[_Finger]:
     across = np.linalg.svd(row - np.outer(row @ middle, middle))[2][0]
     bends = np.array([tree.bend(end) for end in ends])
     evidence = float((bends[~thumb] @ across).sum())
-    palm = np.cross(across, middle)
-    if abs(evidence) < _BENT and thumb.any():
-        tip = chains[int(np.argmax(thumb))][-1]
-        evidence = float((tree.places[tip] - tree.places[fan.joint]) @ palm)
     across = across if evidence >= 0.0 else -across
     palm = np.cross(across, middle)
     fingers = []

@@ -45,17 +45,6 @@ def test_controls_are_expected_where_they_act_on_whichever_side_their_names_put_
         assert found[face.control_name(motion.control)].distance(peak)[0] < 0.2
 
 
-def test_names_tell_the_middle_of_a_face_that_is_not_its_own_mirror_image():
-    face, found = expected(shapes(), symmetry={"enabled": False})
-    assert not face.symmetry.plane.normal.any()
-    for motion in face.trajectories.motions:
-        peak = face.trajectories.surface.points[[motion.points[np.argmax(motion.arc_length)]]]
-        assert found[face.control_name(motion.control)].distance(peak)[0] < 0.2
-    sides_at_random = {name.replace("_L", "_X").replace("_R", "_L").replace("_X", "_R") if "y" in name else name: each
-                       for name, each in shapes().items()}  # fmt: skip
-    assert not any(expected(sides_at_random, symmetry={"enabled": False})[1].values())
-
-
 UNITS = {"eyeBlink": 43, "browOuterUp": 2, "mouthSmile": 12, "noseSneer": 9, "cheekSquint": 6, "jawOpen": 26}
 
 
