@@ -107,7 +107,7 @@ def test_names_of_another_character_are_all_told_at_once(layer, capsys):
         ("check", "-o", "its result is printed: --json > FILE keeps it"),
         ("view", "--dry-run", "that is an option of process"),
         ("check", "--jobs", "that is an option of batch"),
-        ("diff", "--config", "that is an option of process, inspect, check, pin, unpin, pins, view, picture"),
+        ("diff", "--config", "that is an option of process, inspect, check, pin, unpin, pins, view, bake, picture"),
     ],
 )
 def test_an_unknown_option_is_answered_with_its_commands_usage_and_what_was_meant(capsys, command, option, hint):

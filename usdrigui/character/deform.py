@@ -67,8 +67,8 @@ def deform(rig: Rig, values: ArrayLike | None = None) -> Floats:
 def posed(rig: Rig, values: ArrayLike | None = None) -> Posed:
     """The rig held at control `values` (controls,), or at the defaults: the starting point of
     `sweep`."""
-    weights, moves = _driven(rig, values)
-    skinning = skinning_matrices(rig.body.joints, _moved(rig.body.joints, moves[None])[0])
+    weights, moves = driven(rig, values)
+    skinning = skinning_matrices(rig.body.joints, moved_locals(rig.body.joints, moves[None])[0])
     blended = [_blended(mesh, weights) for mesh in rig.body.meshes]
     maps = tuple(point_maps(rig.body, mesh, skinning) for mesh in rig.body.meshes)
     points = [applied(shape, to_root) for shape, to_root in zip(blended, maps, strict=True)]
@@ -82,8 +82,8 @@ def channel_state(rig: Rig, values: ArrayLike | None = None) -> tuple[Floats, Fl
     Where several controls drive one joint, their rotation vectors, translations and logarithms of
     scales are added before they are applied, so that the order of the controls does not matter.
     """
-    weights, moves = _driven(rig, values)
-    return weights, _moved(rig.body.joints, moves[None])[0]
+    weights, moves = driven(rig, values)
+    return weights, moved_locals(rig.body.joints, moves[None])[0]
 
 
 def sweep(rig: Rig, base: Posed, control: int, values: ArrayLike) -> tuple[Indices, Singles]:
@@ -128,7 +128,7 @@ def knots(rig: Rig, control: int) -> Floats:
 # --- drives ---------------------------------------------------------------------------------------
 
 
-def _driven(rig: Rig, values: ArrayLike | None) -> tuple[Floats, Floats]:
+def driven(rig: Rig, values: ArrayLike | None) -> tuple[Floats, Floats]:
     """Weights (channels,) and joint moves (3, joints, 3) at control values (controls,)."""
     weights = rig.body.base_weights.copy()
     moves = np.zeros((3, len(rig.body.joints), 3))
@@ -156,7 +156,7 @@ def _at(drive: Drive, values: Floats) -> tuple[Floats, Floats]:
     return between(drive.weights), between(moves)
 
 
-def _moved(joints: tuple[Joint, ...], moves: Floats) -> Floats:
+def moved_locals(joints: tuple[Joint, ...], moves: Floats) -> Floats:
     """Local transforms (m, joints, 4, 4) after `moves` (m, 3, joints, 3).
 
     With ``base = S R`` and translation t, the result is ``exp(scales) S exp(rotations) R`` and t
@@ -276,7 +276,7 @@ class Sweep:
             moves = np.repeat(self._base.moves[None], 1 + len(values), axis=0)
             moves[1:, :, self._drive.joints] += turned
             joints = self._body.joints
-            skinning = skinning_matrices(joints, _moved(joints, moves))
+            skinning = skinning_matrices(joints, moved_locals(joints, moves))
         nothing = np.zeros((len(values), 0, 3), dtype=np.float32)
         parts = [self._of(part, weights, skinning) for part in self._parts]
         return parts[0] if len(parts) == 1 else np.concatenate([nothing, *parts], axis=1)

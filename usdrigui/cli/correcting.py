@@ -1,4 +1,5 @@
-"""`pin`, `unpin` and `pins`: a person's decisions about the controls of a layout."""
+"""`pin`, `unpin` and `pins`: a person's decisions about the controls of a layout; and
+`bake`: the samples that their keys make."""
 
 from __future__ import annotations
 
@@ -33,6 +34,21 @@ def _pinned(arguments: argparse.Namespace, decisions: dict[str, str], reason: st
     state = pipeline.pin(layer, decisions, output, settings_of(arguments), reason)
     screen_of(arguments).show(
         lambda: document("pin", layer=str(layer), output=str(output), outcome=state),
+        (),
+        f"usdrigui: {state} {output}",
+    )
+    return Exit.OK
+
+
+def bake(arguments: argparse.Namespace) -> Exit:
+    """Write samples from the values that are keyed on the controls of a shot."""
+    from usdrigui import pipeline
+    from usdrigui.report.documents import document
+
+    shot = arguments.layer
+    state, output = pipeline.bake(shot, settings_of(arguments), arguments.output)
+    screen_of(arguments).show(
+        lambda: document("bake", layer=str(shot), output=str(output), outcome=state),
         (),
         f"usdrigui: {state} {output}",
     )

@@ -11,16 +11,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from pxr import Usd, UsdGeom
 
 from usdrigui.character import (
-    Body,
     Configured,
-    Control,
-    Drive,
     Findings,
     Flags,
     Floats,
@@ -34,18 +30,13 @@ from usdrigui.character.subset import subset
 from usdrigui.errors import Issue, issue
 from usdrigui.layer import author
 from usdrigui.layer.properties import (
-    array_of,
-    control_instances,
-    strings,
-    targets,
     value_of,
 )
+from usdrigui.layer.read_controls import invalid_at, read_controls
 from usdrigui.layer.read_layout import base_controls, element_prims, points_by_role
 from usdrigui.model import Element, Layout, Member
 from usdrigui.overlap import segment_distances
-from usdrigui.reading.blend_shape import legible_tokens
-from usdrigui.reading.character import read_body
-from usdrigui.reading.mesh import drawable
+from usdrigui.reading.character import read_animated
 from usdrigui.settings import ReadSettings
 from usdrigui.stages import schema
 
@@ -63,9 +54,6 @@ together."""
 _ALONG, _SHARE = 0.05, 0.08
 """Of a handle's width, and of the way that a control takes its anchor: tracks differ from the
 anchor's way by less than both together."""
-_TURN = 0.05
-"""Degrees by which one of a control turns a joint at least, and as many of it one degree: radians
-are others."""
 _SIZES = 4.0
 """Times as wide or narrow as the layout says may be what draws a handle."""
 _HALF = 0.5
@@ -333,7 +321,7 @@ def _scene(
     drawings = [mesh for mesh in scope.GetAllChildren() if mesh.IsA(UsdGeom.Mesh)]
     anchored = dict.fromkeys(each.anchor.mesh for each in layout.elements if each.anchor.mesh)
     meshes = [each for each in map(stage.GetPrimAtPath, anchored) if each and each.IsActive()]
-    body = read_body(root, settings, [*meshes, *drawings])
+    body = read_animated(root, settings, [*meshes, *drawings]).body
     starts = dict(zip((mesh.path for mesh in body.meshes), body.starts.tolist(), strict=False))
     topologies = {mesh.path: (mesh.topology.hash, len(mesh.points)) for mesh in body.meshes}
     found += [
@@ -341,7 +329,7 @@ def _scene(
         for mesh in drawings
         if str(mesh.GetPath()) not in starts
     ]
-    controls, weights = _controls(scope, prims, body, found)
+    controls, weights = read_controls(scope, prims, body, found)
     names, drawn = list(controls), []
     for prim, element in zip(prims, layout.elements, strict=True):
         members = [member.control for member in element.manipulator.members]
@@ -397,143 +385,3 @@ def _rows(
         if str(mesh.GetPath()) in starts and part and part.IsA(UsdGeom.Subset):
             found.append(starts[str(mesh.GetPath())] + points_by_role(part, role))
     return np.concatenate(found)
-
-
-# --- controls as the layer has them ---------------------------------------------------------------
-
-
-def _controls(
-    scope: Usd.Prim, prims: tuple[Usd.Prim, ...], body: Body, found: list[Issue]
-) -> tuple[dict[str, Control], Floats]:
-    """By name, those that the character has, and the weights (channels,) where all are at their
-    defaults; `found` takes what it lacks, and controls that two elements have in two ways."""
-    controls: dict[str, Control] = {}
-    authored: dict[str, list[str]] = {}
-    weights, shaped = body.base_weights.copy(), set[str]()
-    for mesh in drawable(scope.GetParent()):
-        shaped.update(legible_tokens(mesh))
-    tokens = shaped | {channel.token for channel in body.channels}
-    for prim in prims:
-        for instance in control_instances(prim):
-            read = _Reader(prim, instance, body)
-            faults = list(read.faults(tokens))
-            found += faults
-            control = read.control(weights)
-            if not faults and read.complete(control.drive, shaped):
-                controls[control.name] = control
-            said = [str(read.get(name)) for name in _DRIVEN]
-            if authored.setdefault(control.name, said) != said:
-                what = f"its control {control.name!r} is another one in another element"
-                found.append(invalid_at(prim, what))
-    return controls, weights
-
-
-@dataclass(frozen=True)
-class _Reader:
-    """One control of an element, held against the character."""
-
-    prim: Usd.Prim
-    instance: str
-    body: Body
-
-    def get(self, name: str) -> Any:
-        return value_of(self.prim, schema.CONTROL, name, self.instance)
-
-    def targets(self, name: str) -> list[str]:
-        return [str(path) for path in targets(self.prim, schema.CONTROL, name, self.instance)]
-
-    def faults(self, tokens: set[str]) -> Iterator[Issue]:
-        """What keeps it from driving anything; `tokens` are the shapes of the character."""
-        for what in self._contradictions(tokens):
-            yield invalid_at(self.prim, f"rigUI:control:{self.instance}:{what}")
-
-    def _contradictions(self, tokens: set[str]) -> Iterator[str]:
-        shapes, joints = {*strings(self.get("blendShapes"))}, {*strings(self.get("joints"))}
-        if not shapes and not joints:
-            yield "blendShapes and joints are missing: the control drives nothing"
-        elif not len(self.get("keys")) and (len(shapes) != 1 or joints):
-            yield "keys are missing: without, it is one blend shape"
-        # Of its own shape the rig shows that it is gone.
-        own = {self.instance, str(self.get("name")), str(self.get("source"))}
-        for token in sorted(shapes - tokens - own):
-            yield f"blendShapes names {token!r}, which no mesh has"
-        there = {joint.path for joint in self.body.joints}
-        for token in sorted(joints - there) if there else ():
-            yield f"joints names {token!r}, which its Skeleton lacks"
-        if joints and not self.targets("skeleton"):
-            yield "skeleton is missing: it moves joints"
-        degrees = self.get("unit") == "degrees"
-        if degrees != (self.get("kind") == "joint"):
-            yield "unit is not that of its kind"
-        turns = np.abs(array_of(self.get("jointRotationVectors")))
-        span = float(self.get("maximum") - self.get("minimum"))
-        if degrees and turns.any() and not _TURN < turns.max() / span < 1.0 / _TURN:
-            yield f"jointRotationVectors turn by {turns.max():.3g} over {span:.3g}"
-
-    def complete(self, drive: Drive, shaped: set[str]) -> bool:
-        """Whether the character has all joints that it drives and one of the shapes, `shaped` being
-        those of its meshes; what it lacks, a check of the rig says."""
-        moved = len(drive.joints) > 0 or not shaped.isdisjoint(self.get("blendShapes"))
-        return moved and len(drive.joints) == len(self.get("joints"))
-
-    def control(self, weights: Floats) -> Control:
-        """The control as far as the character has what it drives; `weights` (channels,) take that
-        of its default."""
-        keys, ends = array_of(self.get("keys")), [float(self.get(each)) for each in _ENDS]
-        body = self.body
-        columns, channels = self._places(
-            "blendShapes", "animation", [(each.token, each.animation) for each in body.channels]
-        )
-        moved, joints = self._places(
-            "joints",
-            "skeleton",
-            [(each.path, body.skeletons[each.skeleton].path) for each in body.joints],
-        )
-        if len(keys):
-            table = array_of(self.get("blendShapeWeights")).reshape(len(keys), -1)[:, columns]
-        else:
-            keys = np.array([ends[0], ends[2]])
-            table = np.repeat((keys - ends[1])[:, None], len(channels), axis=1)
-            weights[channels] = ends[1]
-
-        def moves(name: str, still: float) -> Floats:
-            rows = array_of(self.get(name)).reshape(len(keys), -1, 3)
-            return rows[:, moved] if rows.size else np.full((len(keys), len(joints), 3), still)
-
-        drive = Drive(
-            keys,
-            channels,
-            table,
-            joints,
-            np.radians(moves("jointRotationVectors", 0.0)),
-            moves("jointTranslations", 0.0),
-            np.log(moves("jointScaleFactors", 1.0)),
-        )
-        name, (low, rest, high) = str(self.get("name")) or self.instance, ends
-        return Control(name, "", self.get("kind"), "", low, rest, high, "limits", drive)
-
-    def _places(
-        self, tokens: str, owners: str, known: list[tuple[str, str]]
-    ) -> tuple[Indices, Indices]:
-        """(n,) columns of the tokens that the character has, and the place of each in what is
-        `known` by token and owner; of a token without a named owner, all places."""
-        targets, which = self.targets(owners), self.get(f"{tokens[:-1]}{owners.title()}s")
-        table = [
-            (column, place)
-            for column, token in enumerate(self.get(tokens))
-            for place, (name, owner) in enumerate(known)
-            if name == token
-            and (not targets or owner == targets[which[column] if len(which) else 0])
-        ]
-        columns, places = np.array(table, dtype=np.int64).reshape(-1, 2).T
-        return columns, places
-
-
-_ENDS = ("minimum", "default", "maximum")
-_DRIVEN = (*_ENDS, "keys", "blendShapes", "blendShapeWeights", "joints", "jointRotationVectors")
-"""Of a control with several elements, alike in all."""
-
-
-def invalid_at(prim: Usd.Prim, message: str) -> Issue:
-    """LAYOUT_INVALID of a prim."""
-    return issue("LAYOUT_INVALID", str(prim.GetPath()), message)

@@ -16,7 +16,8 @@ from pxr import Usd, UsdGeom, UsdSkel
 from usdrigui.character import Floats
 from usdrigui.errors import Issue, RigUIError
 from usdrigui.layer import author
-from usdrigui.layer.agreement import disagreements, invalid_at, length
+from usdrigui.layer.agreement import disagreements, length
+from usdrigui.layer.baking import apart
 from usdrigui.layer.properties import (
     applied,
     control_instances,
@@ -24,6 +25,7 @@ from usdrigui.layer.properties import (
     integers_of,
     targets,
 )
+from usdrigui.layer.read_controls import invalid_at
 from usdrigui.layer.read_layout import (
     base_controls,
     element_prims,
@@ -49,8 +51,8 @@ _CLEAR = 0.5
 
 
 def contradictions(stage: Usd.Stage, settings: ReadSettings) -> tuple[Issue, ...]:
-    """LAYOUT_INVALID, LAYOUT_TRACK and LAYOUT_DRAWN for each element of the layouts of today's
-    format, up to a property or a character that cannot be read; `stage` has layouts that
+    """LAYOUT_INVALID, LAYOUT_TRACK, LAYOUT_DRAWN and LAYOUT_VALUE for each element of the layouts
+    of today's format, up to a property or a character that cannot be read; `stage` has layouts that
     `read_layout` reads."""
     issues: list[Issue] = []
     for scope in layout_scopes(stage):
@@ -60,6 +62,7 @@ def contradictions(stage: Usd.Stage, settings: ReadSettings) -> tuple[Issue, ...
                 layout = layout_at(scope)
                 found.extend(_of_layout(scope, layout))
                 found.extend(disagreements(scope, layout, settings))
+                found.extend(apart(scope, settings))
         except RigUIError as error:
             found.append(error.issue)
         issues += (replace(each, character=str(scope.GetPath().GetParentPath())) for each in found)

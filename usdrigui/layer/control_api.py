@@ -39,6 +39,8 @@ def author_control_api(
         },
         instance,
     )
+    # Without a value: it is there for hosts that do not know the schema.
+    Sdf.AttributeSpec(xform, f"rigUI:control:{instance}:value", Sdf.ValueTypeNames.Double)
 
 
 def _driven_weights(body: Body, drive: Drive) -> dict[str, Any]:

@@ -48,8 +48,8 @@ def value_of(prim: Usd.Prim, api: str, name: str, instance: str = "") -> Any:
     if value is None:
         return declared.fallback
     # A crate may hold a value that is not of the type named beside it.
-    named = attribute.GetTypeName() == Sdf.ValueTypeNames.Find(declared.type_name)
-    if not named or not isinstance(value, type(declared.fallback)):
+    kind = Sdf.ValueTypeNames.Find(declared.type_name)
+    if attribute.GetTypeName() != kind or not isinstance(value, type(kind.defaultValue)):
         raise invalid(attribute, f"is {attribute.GetTypeName()}, not {declared.type_name}")
     if declared.allowed:
         words = [value] if isinstance(value, str) else value
@@ -75,7 +75,7 @@ def refuse_broken(
     for name, declared in known.items():
         value = sibling(name)
         where = declared.name.replace("__INSTANCE_NAME__", instance)
-        held = declared.rules and where not in free
+        held = declared.rules and value is not None and where not in free
         for clause in broken(declared.rules, value, sibling) if held else ():
             missing = not prim.GetAttribute(where).HasAuthoredValue()
             what = "is missing" if missing else clause

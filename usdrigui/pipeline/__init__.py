@@ -14,6 +14,7 @@ from usdrigui.pipeline.configuration import (
     with_faults_of_asset as with_faults_of_asset,
 )
 from usdrigui.pipeline.correcting import (
+    bake as bake,
     pin as pin,
     pins as pins,
 )

@@ -1,5 +1,5 @@
 """pin() and pins(): a person's decisions about the controls of a layout, as a layer of
-corrections."""
+corrections; bake(): what an animator keyed on them, as samples."""
 
 from __future__ import annotations
 
@@ -13,10 +13,12 @@ import numpy as np
 from usdrigui.character import Rig
 from usdrigui.character.deform import posed
 from usdrigui.errors import meant, refuse
+from usdrigui.isolation.foreign_file import whole_content
 from usdrigui.layout.reuse.partial_layout import anchored_point
 from usdrigui.model import CorrectedPlace, Correction, Element, Layout
 from usdrigui.pipeline.targets import make_folder
 from usdrigui.reader.reader_process import (
+    read_baked_isolated,
     read_composed_isolated,
     read_layer_isolated,
     read_layouts_isolated,
@@ -63,6 +65,28 @@ def pins(layer: Path, settings: Settings) -> tuple[Correction, ...]:
     recorded = (each for layout in found.layouts for each in _recorded(layout))
     told = {(each.root, each.control): each for each in (*recorded, *found.corrections)}
     return tuple(told.values())
+
+
+def bake(shot: Path, settings: Settings, output: Path | None = None) -> tuple[State, Path]:
+    """Write what `usdrigui.layer.baking.bake` makes of a shot, by default to ``SHOT.baked.usda``
+    beside it; what became of that file, and which it is.
+
+    Raises FILE_TARGET for an output that is something else, VALUES_MISSING, and as
+    `read_rigs_isolated`.
+    """
+    from usdrigui.layer.baking import BAKED
+
+    target = output or shot.with_name(f"{shot.stem}.baked.usda")
+    if target.suffix != ".usda":
+        raise refuse("FILE_TARGET", str(target), "what is baked is USD text and ends in .usda")
+    if target.is_file() and BAKED.encode() not in whole_content(target, 256):
+        raise refuse("FILE_TARGET", str(target), "exists and is not what `usdrigui bake` wrote")
+    content = read_baked_isolated(shot, settings)
+    make_folder(target)
+    with Transaction([shot]) as files:
+        state = files.stage(content.encode(), target)
+        files.commit()
+    return state, target
 
 
 def _recorded(layout: Layout) -> list[Correction]:

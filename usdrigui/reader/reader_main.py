@@ -16,6 +16,7 @@ from pxr import Ar, Gf, Sdf, Usd, UsdGeom
 from usdrigui.character import Floats, Rig
 from usdrigui.errors import Issue, RigUIError, issue, raised_at, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_unchanged, hashed
+from usdrigui.layer.baking import bake
 from usdrigui.layer.contradictions import contradictions
 from usdrigui.layer.corrections import own_corrections, read_corrections
 from usdrigui.layer.ignored_opinions import ignored_opinions
@@ -128,6 +129,11 @@ def _variants(path: Path, settings: Settings) -> Response:
     return Response(variants=variant_sets(open_stage(path, settings.rig.read.variants)))
 
 
+def _bake(path: Path, settings: Settings) -> Response:
+    stage = open_stage(path, settings.rig.read.variants)
+    return Response(baked=bake(stage, settings.rig.read).ExportToString())
+
+
 def _faults(path: Path, settings: Settings) -> Response:
     stage = open_stage(path, settings.rig.read.variants)
     is_empty = not stage.GetPseudoRoot().GetAllChildren()
@@ -163,6 +169,7 @@ _TASKS: Mapping[Task, Callable[[Path, Settings], Response]] = {
     "layouts": _layouts,
     "composed": _composed,
     "clips": _performances,
+    "bake": _bake,
     "faults": _faults,
     "layer": _layer,
     "variants": _variants,

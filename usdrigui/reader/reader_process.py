@@ -103,6 +103,13 @@ def read_variants_isolated(path: Path, opening: Opening) -> Mapping[str, tuple[s
     return _understood(_asked("variants", path, opening).variants, path)
 
 
+def read_baked_isolated(path: Path, settings: Settings) -> str:
+    """As `usdrigui.layer.baking.bake`, as text, in a reader; raises as `read_rigs_isolated`."""
+    limits = Limits.of(settings.rig.read)
+    check_source(path, limits.size)
+    return _understood(_response("bake", path, settings, limits).baked, path)
+
+
 def _understood(part: _Part | None, path: Path) -> _Part:
     """The part of a response that was asked for, which a sound response has."""
     if part is None:

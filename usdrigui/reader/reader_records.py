@@ -13,7 +13,7 @@ from usdrigui.isolation.foreign_file import SourceFile
 from usdrigui.model import Correction, ExistingPrim, Layout
 from usdrigui.settings import ReadSettings, Settings
 
-Task = Literal["rigs", "layouts", "composed", "clips", "faults", "layer", "variants"]
+Task = Literal["rigs", "layouts", "composed", "clips", "faults", "layer", "variants", "bake"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,6 +159,8 @@ class Response:
     layer: LayerResult | None = None
     variants: Mapping[str, tuple[str, ...]] | None = None
     """By the name of the set."""
+    baked: str | None = None
+    """Text of a layer, as `usdrigui.layer.baking.bake` makes it."""
     refusal: Issue | None = None
     exit_code: int = 0
     others: tuple[Issue, ...] = ()

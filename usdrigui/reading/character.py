@@ -203,10 +203,10 @@ def _read(root: Usd.Prim, settings: RigSettings, faults: Faults, *, instances: b
     return Reading(rig, frozenset(known), scene.bound_in_vain, tuple(found.faults))
 
 
-def read_body(root: Usd.Prim, settings: ReadSettings, meshes: Sequence[Usd.Prim]) -> Body:
+def read_animated(root: Usd.Prim, settings: ReadSettings, meshes: Sequence[Usd.Prim]) -> Animated:
     """Some of the meshes below a SkelRoot, those that draw a layout too, and what moves them;
     meshes whose arrays contradict each other are left off."""
-    return _bound(root, settings, meshes).animated.body
+    return _bound(root, settings, meshes).animated
 
 
 def _scene(root: Usd.Prim, settings: ReadSettings, *, instances: bool) -> _Scene:

@@ -176,23 +176,28 @@ def _animated_by(
 
 def pose_drive(pose: NamedPose, base: State) -> Drive:
     """What a pose adds to the base pose, on the joints and channels that it changes."""
-    local = pose.states.locals
-    frame, base_frame = rotation_part(local), rotation_part(base.locals)
-    turns = rotation_vectors(frame @ np.swapaxes(base_frame, -1, -2))
-    scales = _log_scales(local, frame) - _log_scales(base.locals, base_frame)
+    turns, shifts, scales = moves_from(base.locals, pose.states.locals)
     # What is nearly still is the difference of numbers about one, whose last bits differ between
     # processors.
     turns, scales = (np.round(each, _DECIMALS) + 0.0 for each in (turns, scales))
-    shifts = local[..., 3, :3] - base.locals[..., 3, :3]
     size = max(float(np.abs(base.locals[..., 3, :3]).max(initial=0.0)), 1e-30)
     tables = (unwrapped(turns), shifts, scales)
-    moving = np.zeros(local.shape[1], dtype=bool)
+    moving = np.zeros(turns.shape[1], dtype=bool)
     for table, unit in zip(tables, (1.0, size, 1.0), strict=True):
         moving |= (np.abs(table) > _STILL * unit).any(axis=(0, 2))
     weights = pose.states.weights - base.weights
     channels = np.flatnonzero((np.abs(weights) > _STILL).any(axis=0))
     moves = (table[:, moving] for table in tables)
     return Drive(pose.values, channels, weights[:, channels], np.flatnonzero(moving), *moves)
+
+
+def moves_from(base: Floats, local: Floats) -> tuple[Floats, Floats, Floats]:
+    """Rotation vectors, translations and logarithms of scales (..., joints, 3) from local
+    transforms `base` (joints, 4, 4) to `local`."""
+    frame, base_frame = rotation_part(local), rotation_part(base)
+    turns = rotation_vectors(frame @ np.swapaxes(base_frame, -1, -2))
+    scales = _log_scales(local, frame) - _log_scales(base, base_frame)
+    return turns, local[..., 3, :3] - base[..., 3, :3], scales
 
 
 def unwrapped(vectors: Floats) -> Floats:

@@ -1,0 +1,360 @@
+"""From values keyed on the controls to samples of the SkelAnimations that they drive.
+
+A control whose `rigUI:control:*:value` is authored is what that says, whatever the animation has.
+In the directions in which such controls move a joint, and in every weight that one of them sets,
+the samples are what these controls give together; in all others they are those of the animation.
+So baking what is baked changes nothing (schemas/CONTRACT.md, docs/decisions/152).
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from pxr import Gf, Sdf, Usd, UsdSkel, Vt
+
+from usdrigui.character import (
+    Configured,
+    Findings,
+    Flags,
+    Floats,
+    Record,
+    Rig,
+    Skeleton,
+    SkelRoot,
+)
+from usdrigui.character.deform import driven, moved_locals
+from usdrigui.errors import Issue, issue, refuse
+from usdrigui.layer import author
+from usdrigui.layer.properties import control_instances, value_of
+from usdrigui.layer.read_controls import read_controls
+from usdrigui.layer.read_layout import element_prims, layout_scopes
+from usdrigui.reading.character import read_animated
+from usdrigui.reading.clips import Animated
+from usdrigui.reading.mesh import drawable
+from usdrigui.reading.pose import moves_from
+from usdrigui.settings import ReadSettings
+from usdrigui.stages import schema
+
+_WEIGHTS_APART, _MOVES_APART = 1e-4, (1e-3, 1e-4, 2e-3)
+"""By how much an animation may differ from the values: in weights; in radians, shares of the
+longest translation, and logarithms of scales, which UsdSkel holds in half precision."""
+_SAME = 1e-9
+"""Directions that differ by less, in proportion, are one."""
+_MADE = "usdrigui_animation"
+"""Of a Skeleton without a SkelAnimation."""
+BAKED = "Written by `usdrigui bake`; what it holds is made again from the controls of the shot."
+_METADATA = ("timeCodesPerSecond", "framesPerSecond", "startTimeCode", "endTimeCode")
+
+
+def bake(stage: Usd.Stage, settings: ReadSettings) -> Sdf.Layer:
+    """A layer for the sublayers of a shot, in which its SkelAnimations do what the authored values
+    of the controls say: overs with samples of what these drive, and of nothing else.
+
+    Raises VALUES_MISSING where no value is authored, INSTANCE for an animation inside an instance,
+    NOT_FINITE, and as `read_layout` and `usdrigui.reading.character.read_rigs`.
+    """
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    layer.comment = BAKED
+    read = (_valued(scope, settings) for scope in layout_scopes(stage))
+    found = [each for each in read if each is not None]
+    if not found:
+        what = "no rigUI:control:*:value of a layout has a value"
+        raise refuse("VALUES_MISSING", stage.GetRootLayer().GetDisplayName(), what)
+    source = stage.GetRootLayer().pseudoRoot
+    for name in (*_METADATA, "defaultPrim"):
+        if source.HasInfo(name):
+            layer.pseudoRoot.SetInfo(name, source.GetInfo(name))
+    for each in found:
+        _author(layer, stage, each)
+    return layer
+
+
+def apart(scope: Usd.Prim, settings: ReadSettings) -> Iterator[Issue]:
+    """LAYOUT_VALUE for each control of a layout whose authored value the animation does not
+    show."""
+    found = _valued(scope, settings)
+    if found is None:
+        return
+    told: set[int] = set()
+    for time in found.times:
+        state = found.state(time)
+        for index in found.authored(time):
+            if index not in told and found.differs(index, state):
+                told.add(index)
+                attribute = found.values[found.rig.controls[index].name]
+                what = f"is {attribute.Get(time):g} at time {time:g}, the SkelAnimation has another"
+                yield issue("LAYOUT_VALUE", str(attribute.GetPath()), what)
+
+
+# --- the values -----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class _State(Record):
+    """What the values make of the animation at a time."""
+
+    weights: Floats
+    """(channels,)."""
+    locals: Floats
+    """(joints, 4, 4)."""
+    weighed: Floats
+    """(channels,) what the weights gain."""
+    moved: Floats
+    """(3, joints, 3) rotation vectors, translations and logarithms of scales that joints gain."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Valued(Record):
+    """A character, and the controls of its layout, some of which have a value."""
+
+    animated: Animated
+    rig: Rig
+    values: Mapping[str, Usd.Attribute]
+    """By the name of a control, the authored ones."""
+    times: tuple[float, ...]
+    moving: bool
+    """Whether anything changes in time."""
+
+    def authored(self, time: float) -> list[int]:
+        """The controls that have a value at a time, as indices into `Rig.controls`."""
+        return [
+            index
+            for index, control in enumerate(self.rig.controls)
+            if control.name in self.values and _read(self.values[control.name], time) is not None
+        ]
+
+    def state(self, time: float) -> _State:
+        """What the values make of the animation; raises NOT_FINITE."""
+        now, authored = self.animated.state(time), self.authored(time)
+        values = np.array([control.default for control in self.rig.controls])
+        for index in authored:
+            values[index] = _read(self.values[self.rig.controls[index].name], time)
+        given, moved = driven(self.rig, values)
+        weights = now.weights.copy()
+        for index in authored:
+            channels = self.rig.controls[index].drive.channels
+            weights[channels] = given[channels]
+        moves = np.stack(moves_from(self.animated.base.locals, now.locals))
+        gained = _within(self.along(authored), moved - moves)
+        locals_ = moved_locals(self.rig.body.joints, (moves + gained)[None])[0]
+        kept = ~gained.any(axis=(0, 2))
+        locals_[kept] = now.locals[kept]
+        return _State(weights, locals_, weights - now.weights, gained)
+
+    def along(self, controls: Sequence[int]) -> Floats:
+        """(3, joints, 3, 3) projections onto the directions in which some controls move each
+        joint."""
+        drives = [self.rig.controls[index].drive for index in controls]
+        found = np.zeros((3, len(self.rig.body.joints), 3, 3))
+        for joint in {joint for drive in drives for joint in drive.joints.tolist()}:
+            for part, name in enumerate(("rotations", "translations", "scales")):
+                moves = [getattr(each, name)[:, each.joints == joint] for each in drives]
+                rows = np.concatenate([each.reshape(-1, 3) for each in moves])
+                found[part, joint] = _projection(rows)
+        return found
+
+    def differs(self, index: int, state: _State) -> bool:
+        """Whether the animation shows another value of a control than the layout has."""
+        turned = _within(self.along([index]), state.moved)
+        lengths = [float(np.abs(each.base[3, :3]).max()) for each in self.rig.body.joints]
+        far = np.abs(turned).max(axis=(1, 2), initial=0.0)
+        far[1] /= max(lengths, default=0.0) or 1.0
+        shaped = np.abs(state.weighed[self.rig.controls[index].drive.channels]).max(initial=0.0)
+        return bool(shaped > _WEIGHTS_APART or (far > _MOVES_APART).any())
+
+
+def _within(projections: Floats, vectors: Floats) -> Floats:
+    return np.asarray((projections @ vectors[..., None])[..., 0])
+
+
+def _projection(rows: Floats) -> Floats:
+    """(3, 3) onto the span of rows (n, 3)."""
+    _, sizes, axes = np.linalg.svd(rows, full_matrices=False)
+    spanning = axes[sizes > _SAME * max(float(sizes[0]), _SAME)]
+    return np.asarray(spanning.T @ spanning)
+
+
+def _valued(scope: Usd.Prim, settings: ReadSettings) -> _Valued | None:
+    """None where no control of a layout has a value."""
+    values: dict[str, Usd.Attribute] = {}
+    prims = element_prims(scope)
+    for prim in prims:
+        for instance in control_instances(prim):
+            attribute = prim.GetAttribute(f"rigUI:control:{instance}:value")
+            if attribute and attribute.HasAuthoredValue():
+                name = str(value_of(prim, schema.CONTROL, "name", instance)) or instance
+                values.setdefault(name, attribute)
+    if not values:
+        return None
+    root = scope.GetParent()
+    animated = read_animated(root, settings, drawable(root))
+    controls, weights = read_controls(scope, prims, animated.body, [])
+    rig = Rig(
+        SkelRoot(str(root.GetPath()), "", np.zeros(3), 1.0, None),
+        replace(animated.body, base_weights=weights),
+        tuple(controls.values()),
+        Findings((), ()),
+        Configured(),
+    )
+    known = {time for each in animated.armatures for time in each.times}
+    known.update(time for each in values.values() for time in _times_of(each))
+    return _Valued(animated, rig, values, _times(scope.GetStage(), rig, values, known), bool(known))
+
+
+def _read(attribute: Usd.Attribute, time: float) -> float | None:
+    """None where it has no value.  Raises NOT_FINITE for what is no number."""
+    value = attribute.Get(time)
+    if value is not None and not (isinstance(value, float) and math.isfinite(value)):
+        raise refuse("NOT_FINITE", str(attribute.GetPath()), f"is {value!r} at time {time:g}")
+    return value
+
+
+def _times_of(attribute: Usd.Attribute) -> list[float]:
+    """Time samples, or the knots of a spline."""
+    if hasattr(attribute, "HasSpline") and attribute.HasSpline():
+        return [float(time) for time in attribute.GetSpline().GetKnots().keys()]  # noqa: SIM118
+    return list(attribute.GetTimeSamples())
+
+
+def _times(
+    stage: Usd.Stage, rig: Rig, values: Mapping[str, Usd.Attribute], known: set[float]
+) -> tuple[float, ...]:
+    """Times between which what is baked is linear, joints nearly: each that is `known`, each whole
+    frame, and where a value passes a key of its control."""
+    if not known:
+        return (0.0,)
+    if stage.HasAuthoredTimeCodeRange():
+        known = known | {stage.GetStartTimeCode(), stage.GetEndTimeCode()}
+    frames = range(math.floor(min(known)), math.ceil(max(known)) + 1)
+    times = sorted({*known, *map(float, frames)})
+    found = set(times)
+    for control in rig.controls:
+        keys = control.drive.values[1:-1].tolist()
+        if keys and control.name in values:
+            read = [(time, _read(values[control.name], time)) for time in times]
+            for (start, low), (end, high) in itertools.pairwise(read):
+                if low is None or high is None or low == high:
+                    continue
+                shares = ((key - low) / (high - low) for key in keys)
+                found.update(start + each * (end - start) for each in shares if 0.0 < each < 1.0)
+    return tuple(sorted(found))
+
+
+# --- the layer ------------------------------------------------------------------------------------
+
+
+def _author(layer: Sdf.Layer, stage: Usd.Stage, valued: _Valued) -> None:
+    """Samples of every SkelAnimation that a value reaches."""
+    body = valued.rig.body
+    named = enumerate(each.name for each in valued.rig.controls)
+    reached = [index for index, name in named if name in valued.values]
+    drives = [valued.rig.controls[index].drive for index in reached]
+    set_ = {channel for drive in drives for channel in drive.channels.tolist()}
+    along: Flags = np.asarray(valued.along(reached).any(axis=(2, 3)))
+    states = [valued.state(time) for time in valued.times]
+    for path in dict.fromkeys(map(_animation_of, body.skeletons)):
+        own = [i for i, each in enumerate(body.skeletons) if _animation_of(each) == path]
+        channels = {
+            each.token: index
+            for index, each in enumerate(body.channels)
+            if each.animation in ("", path)
+        }
+        every = [i for i, each in enumerate(body.joints) if each.skeleton in own]
+        moved = [i for i in every if along[:, i].any()]
+        shaped = not set_.isdisjoint(channels.values())
+        if not (shaped or moved):
+            continue
+        prim = stage.GetPrimAtPath(path)
+        if prim and prim.IsInstanceProxy():
+            raise refuse("INSTANCE", path, "lies inside an instance: no layer can override it")
+        spec = Sdf.CreatePrimInLayer(layer, path)
+        if not prim:
+            _bind(spec, [body.skeletons[index].path for index in own])
+        times = valued.times if valued.moving else (None,)
+        animation = UsdSkel.Animation(prim)
+        if shaped:
+            kept = {each: index for each, index in channels.items() if index in set_}
+            listed = _listed(spec, "blendShapes", animation.GetBlendShapesAttr, kept)
+            rows = [[float(state.weights[channels[token]]) for token in listed] for state in states]
+            _sample(spec, "float[] blendShapeWeights", times, map(Vt.FloatArray, rows))
+        if moved:
+            joints = {body.joints[i].path: i for i in (*every, *moved)}
+            parts, locals_ = (
+                np.asarray(along[:, moved].any(axis=1)),
+                [state.locals for state in states],
+            )
+            _joints(spec, animation, joints, moved, parts, locals_, times)
+
+
+def _animation_of(skeleton: Skeleton) -> str:
+    return skeleton.animation or f"{skeleton.path}/{_MADE}"
+
+
+def _bind(spec: Sdf.PrimSpec, skeletons: Sequence[str]) -> None:
+    """Define an animation for Skeletons without one."""
+    spec.specifier, spec.typeName = Sdf.SpecifierDef, "SkelAnimation"
+    for path in skeletons:
+        skeleton = Sdf.CreatePrimInLayer(spec.layer, path)
+        author.apply(skeleton, ["SkelBindingAPI"])
+        author.link(skeleton, "skel:animationSource", [spec.path])
+
+
+def _listed(
+    spec: Sdf.PrimSpec, name: str, read: Callable[[], Usd.Attribute], wanted: Iterable[str]
+) -> list[str]:
+    """The tokens of an animation, those that it lacks among the `wanted` added in the layer."""
+    attribute = read() if spec.specifier == Sdf.SpecifierOver else None
+    listed = list(map(str, attribute.Get() or ())) if attribute else []
+    missing = [each for each in wanted if each not in listed]
+    if missing:
+        author.put(spec, name, "token[]", [*listed, *missing], uniform=True)
+    return [*listed, *missing]
+
+
+def _joints(
+    spec: Sdf.PrimSpec,
+    animation: UsdSkel.Animation,
+    joints: Mapping[str, int],
+    moved: Collection[int],
+    parts: Flags,
+    locals_: Sequence[Floats],
+    times: Sequence[float | None],
+) -> None:
+    """Those of the three `parts` that the `moved` among the `joints`, by token, have from their
+    transforms at each time; all three where the animation lists other joints now, or lacks
+    one."""
+    wanted = [token for token, joint in joints.items() if joint in moved]
+    listed = _listed(spec, "joints", animation.GetJointsAttr, wanted)
+    names = ("quatf[] rotations", "float3[] translations", "half3[] scales")
+    has = [animation.GetPrim().GetAttribute(name.split()[1]) for name in names if animation]
+    whole = "joints" in spec.properties or not all(map(Usd.Attribute.HasAuthoredValue, has))
+    still = np.eye(4)  # of joints that no Skeleton has
+    rows = [
+        [
+            Gf.Matrix4d((each[joints[token]] if token in joints else still).tolist())
+            for token in listed
+        ]
+        for each in locals_
+    ]
+    made = [UsdSkel.DecomposeTransforms(Vt.Matrix4dArray(each)) for each in rows]
+    for part, column in enumerate((1, 0, 2)):
+        if whole or parts[part]:
+            _sample(spec, names[part], times, [each[column] for each in made])
+
+
+def _sample(
+    spec: Sdf.PrimSpec, name: str, times: Sequence[float | None], values: Iterable[Any]
+) -> None:
+    """One value at each time, or the default where the only time is none."""
+    kind, _, attribute = name.partition(" ")
+    found = Sdf.AttributeSpec(spec, attribute, Sdf.ValueTypeNames.Find(kind))
+    for time, value in zip(times, values, strict=True):
+        if time is None:
+            found.default = value
+        else:
+            spec.layer.SetTimeSample(found.path, time, value)
