@@ -192,6 +192,7 @@ def _of_mirror(
     away = reflect(element.anchor.position) - other.anchor.position
     if np.linalg.norm(away) > 3.0 * width:
         yield _doubtful_at(prim, f"{where} is {np.linalg.norm(away):.3g} from its mirror image")
+        return
     if element.manipulator.kind == "fan":
         return
     for index, (one, twin) in enumerate(
