@@ -39,24 +39,6 @@ def test_at_the_base_pose_everything_is_as_laid_out(rig, layout):
         assert at.normal == pytest.approx(laid.anchor.normal, abs=1e-12)
 
 
-def test_handles_lie_on_their_deformed_anchors(rig, layout):
-    values = laid_out.random_values(rig, np.random.default_rng(2))
-    posed = evaluate(prepare(rig, layout), values)
-    for laid, at in zip(layout.elements, posed.elements, strict=True):
-        assert at.handle == pytest.approx(posed.points[laid.anchor.point], abs=1e-6)
-
-
-def test_a_track_ignores_its_own_control_and_follows_the_others(rig, layout):
-    poser = prepare(rig, layout)
-    smile = element(layout, "smile_L")
-    own, other = (values_of(rig, {name: 1.0}) for name in ("smile_L", "pucker"))
-    laid = layout.elements[smile].manipulator.members[0].track
-    assert evaluate(poser, own).elements[smile].tracks[0] == pytest.approx(laid, abs=1e-7)
-    anchor = layout.elements[smile].anchor.point
-    moved = deform(rig, other)[anchor] - deform(rig)[anchor]
-    assert evaluate(poser, other).elements[smile].tracks[0] == pytest.approx(laid + moved, abs=1e-6)
-
-
 def test_enlarged_tracks_leave_the_handle_on_the_skin(rig, layout):
     smile = element(layout, "smile_L")
     one = layout.elements[smile]
@@ -68,25 +50,6 @@ def test_enlarged_tracks_leave_the_handle_on_the_skin(rig, layout):
     posed = evaluate(prepare(rig, changed), values_of(rig, {"smile_L": 0.5}))
     assert posed.elements[0].handle == pytest.approx(posed.points[one.anchor.point], abs=1e-12)
     assert posed.elements[0].tracks[0] == pytest.approx(large.track, abs=1e-6)
-
-
-@pytest.mark.parametrize("given", [{"beside": ("smile_L",)}, {"adapt": "static"}])
-def test_beside_the_face_and_static_nothing_follows_shapes_but_the_value_shows(rig, given):
-    layout = laid_out.layout_of(rig, seed=1, only=["smile_L"], **given)
-    at = evaluate(prepare(rig, layout), values_of(rig, {"smile_L": 0.5, "pucker": 1.0, "sneer_L": 1.0})).elements[0]
-    member = layout.elements[0].manipulator.members[0]
-    assert at.tracks[0] == pytest.approx(member.track, abs=1e-7)
-    assert at.handle == pytest.approx(member.track.mean(axis=0), abs=1e-6)
-
-
-def test_members_of_one_element_add_up(rig):
-    layout = laid_out.layout_of(rig, groups=[("smile_L", "sneer_L")])
-    at = evaluate(prepare(rig, layout), values_of(rig, {"smile_L": 0.5, "sneer_L": 1.0})).elements[0]
-    moves = [member.track - layout.elements[0].anchor.position for member in layout.elements[0].manipulator.members]
-    expected = layout.elements[0].anchor.position + 0.5 * moves[0][-1] + moves[1][-1]
-    assert at.handle == pytest.approx(expected, abs=1e-6)
-    assert at.rest == pytest.approx(layout.elements[0].anchor.position, abs=1e-6)
-    assert at.tracks[0] == pytest.approx(layout.elements[0].manipulator.members[0].track, abs=1e-7)
 
 
 def test_a_subset_of_points_deforms_as_the_whole_does(rig):

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import zlib
 from dataclasses import replace
 
 import chain
@@ -20,9 +18,8 @@ from usdrigui.character.deform import deform
 from usdrigui.errors import Exit, RigUIError
 from usdrigui.layer.read_layout import read_layout
 from usdrigui.layer.write_layout import layer_for, stage_metadata
-from usdrigui.layout import glyph_fitting as fitting
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare
-from usdrigui.reader.reader_process import read_layouts_isolated, read_rigs_isolated
+from usdrigui.reader.reader_process import read_layouts_isolated
 from usdrigui.reader.reader_records import Opening
 from usdrigui.reading import glyph as glyphs
 from usdrigui.reading.character import read_rigs
@@ -31,7 +28,6 @@ from usdrigui.view.body import shading
 from usdrigui.view.flat import marks
 from usdrigui.view.flat.pillow import painted
 from usdrigui.view.flat.scene import Page, Panel
-from usdrigui.view.web.packing import pack
 
 ARROW = """
 def Mesh "Arrow" {
@@ -206,15 +202,6 @@ def test_glyphs_that_cannot_be_drawn_are_refused(tmp_path, text, setting, code):
         assert caught.value.exit_code == Exit.USAGE
 
 
-def test_a_glyphs_file_is_a_source_like_any_other(tmp_path):
-    (tmp_path / "glyphs.usda").write_text("#usda 1.0\n" + ARROW)
-    source = skinned_stages.character(tmp_path / "char.usda")
-    found = read_rigs_isolated(source, load({"controls": {"chin": {"glyph": "glyphs.usda</Arrow>"}}}))
-    assert [each.path.rpartition("/")[2] for each in found.sources] == ["char.usda", "glyphs.usda"]
-    assert found.rigs[0].configured.glyphs["glyphs.usda</Arrow>"].points.shape == (3, 3)
-    assert found.metadata["upAxis"] == Usd.Stage.Open(str(source)).GetMetadata("upAxis")
-
-
 # --- fitting -----------------------------------------------------------------------------------------
 
 FLAG = Glyph("flag", "mesh", np.array([[0.0, 1, 0], [-0.6, 0, 0], [0.8, -0.6, 0]]), np.array([3]), np.array([0, 1, 2]))
@@ -364,32 +351,3 @@ def test_pictures_show_the_glyph_where_it_is():
         x, y = (0.9 * tip + 0.1 * centre).astype(int)
         assert drawn[y - 2 : y + 3, x - 2 : x + 3].any()
         assert np.linalg.norm(tip - centre) > 20.0
-
-
-def test_the_page_has_the_glyph():
-    rig = makers.face()
-    layout = with_glyphs(laid_out.layout_of(rig, only=["chin", "smile_L", "brow_L"]))
-    content = zlib.decompress(pack([(rig, layout)], ""))
-    header = json.loads(content[4 : 4 + int.from_bytes(content[:4], "little")])
-    first, second, _ = header["characters"][0]["layout"]["elements"]
-    assert first["glyph"]["parts"] == [[0, 1, 2]]
-    assert first["glyph"]["closed"]
-    assert second["glyph"]["parts"] == [[0, 1, 2], [3, 4]]
-    assert not second["glyph"]["closed"]
-    assert np.allclose(second["glyph"]["points"], layout.elements[1].look.glyph.points)
-
-
-@pytest.mark.parametrize("normal", [(0, 0, 1), (0, 1, 0), (0, -1, 0), (0, 0.6, 0.8), (0.6, 0, 0.8), (0.48, 0.6, 0.64)])
-@pytest.mark.parametrize("toward", [(0, 0, 1), (0, 1, 0)])
-def test_a_glyph_keeps_its_size_and_stands_upright_however_its_element_faces(normal, toward):
-    """Across, up and out are a right-handed frame; up is as near to the character's as it can be."""
-    right, up, out = fitting._frame(
-        np.array(normal, dtype=float), np.array([0.0, 1.0, 0.0]), np.array(toward, dtype=float)
-    )
-    assert np.stack([right, up, out]) @ np.stack([right, up, out]).T == pytest.approx(np.eye(3))
-    assert out == pytest.approx(normal)
-    assert np.cross(right, up) == pytest.approx(out)
-    if normal[1] < 1.0:
-        assert up[1] == pytest.approx(np.sqrt(1.0 - normal[1] ** 2), abs=1e-9)
-    if abs(normal[1]) == 1.0 and toward[2]:
-        assert up == pytest.approx((0, 0, -normal[1])), "as on a table"
