@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import zipfile
-
 import numpy as np
 import pytest
 from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel, Vt
@@ -55,18 +53,6 @@ def test_not_usd(tmp_path, capfd, name, content):
     assert error.issue.path == str(path)
     assert error.exit_code == Exit.REFUSED
     assert capfd.readouterr() == ("", "")
-
-
-def test_damaged_archive(tmp_path):
-    """USD does not look at the checksums of a usdz."""
-    source = head(tmp_path / "char.usda")
-    path = tmp_path / "char.usdz"
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_STORED) as archive:
-        archive.write(source, "char.usda")
-    content = bytearray(path.read_bytes())
-    content[content.index(b"smile")] ^= 1
-    path.write_bytes(content)
-    assert refused(path).issue.code == "FILE_CORRUPT"
 
 
 @pytest.mark.parametrize("arc", ["subLayers", "reference", "payload"])
@@ -126,12 +112,6 @@ class _silent:  # noqa: N801 - reads as a statement
 
 
 # --- the stage ---------------------------------------------------------------------------------------
-
-
-def test_another_skelroot_is_wanted(tmp_path):
-    error = refused(head(tmp_path / "char.usda"), {"read": {"skel_root": "/Other"}})
-    assert (error.issue.code, error.issue.path, error.exit_code) == ("SKELROOT_UNKNOWN", "/Other", Exit.USAGE)
-    assert "/Char" in error.issue.message
 
 
 def test_blend_shapes_without_a_skeleton_are_counted(tmp_path):
@@ -265,19 +245,6 @@ def test_a_mesh_that_nothing_is_bound_to_has_no_other_cause(tmp_path):
     assert "no Skeleton is bound to /Char/Face" in message.issue.message
 
 
-# --- places that cannot be inverted --------------------------------------------------------------------
-
-
-def _flattened(path):
-    return lambda stage: UsdGeom.Xformable(stage.GetPrimAtPath(path)).AddScaleOp().Set(Gf.Vec3f(1, 0, 1))
-
-
-@pytest.mark.parametrize("path", ["/Char", "/Char/Skel"])
-def test_a_skeleton_in_a_place_that_cannot_be_inverted(tmp_path, path):
-    error = spoilt(tmp_path, _flattened(path))
-    assert (error.issue.code, error.issue.path) == ("SKELETON_INVALID", "/Char/Skel")
-
-
 # --- arrays ------------------------------------------------------------------------------------------
 
 
@@ -293,10 +260,6 @@ def _more_names(stage):
     UsdSkel.BindingAPI(_face(stage)).GetBlendShapesAttr().Set(["smile", "frown", "more"])
 
 
-def _more_targets(stage):
-    UsdSkel.BindingAPI(_face(stage)).GetBlendShapeTargetsRel().AddTarget("/Char/Face/s_smile_2")
-
-
 def _no_names(stage):
     UsdSkel.BindingAPI(_face(stage)).GetBlendShapesAttr().Block()
 
@@ -306,18 +269,8 @@ def _index_too_large(stage):
     _smile(stage).CreatePointIndicesAttr().Set([0, SIDE**2])
 
 
-def _index_negative(stage):
-    _smile(stage).CreateOffsetsAttr().Set(Vt.Vec3fArray(2))
-    _smile(stage).CreatePointIndicesAttr().Set([-1, 3])
-
-
 def _offsets_short(stage):
     _smile(stage).CreateOffsetsAttr().Set(Vt.Vec3fArray(3))
-
-
-def _offsets_and_indices(stage):
-    _smile(stage).CreateOffsetsAttr().Set(Vt.Vec3fArray(3))
-    _smile(stage).CreatePointIndicesAttr().Set([0, 1])
 
 
 def _inbetween_short(stage):
@@ -338,33 +291,6 @@ def _point_infinite(stage):
     _face(stage).GetPointsAttr().Set(Vt.Vec3fArray.FromNumpy(points))
 
 
-def _weight_nan(stage):
-    UsdSkel.Animation(stage.GetPrimAtPath("/Char/Anim")).GetBlendShapeWeightsAttr().Set([float("nan"), 0.0])
-
-
-def _weights_short(stage):
-    UsdSkel.Animation(stage.GetPrimAtPath("/Char/Anim")).GetBlendShapeWeightsAttr().Set([0.0])
-
-
-def _sampled_weights_short(stage):
-    weights = UsdSkel.Animation(stage.GetPrimAtPath("/Char/Anim")).GetBlendShapeWeightsAttr()
-    weights.Set([0.0, 1.0], 1.0)
-    weights.Set([0.0], 2.0)
-
-
-def _offsets_of_text(stage):
-    prim = _smile(stage).GetPrim()
-    prim.RemoveProperty("offsets")
-    spec = stage.GetRootLayer().GetPrimAtPath(prim.GetPath())
-    Sdf.AttributeSpec(spec, "offsets", Sdf.ValueTypeNames.StringArray).default = ["a", "b"]
-
-
-def _indices_of_floats(stage):
-    prim = _smile(stage).GetPrim()
-    spec = stage.GetRootLayer().GetPrimAtPath(prim.GetPath())
-    Sdf.AttributeSpec(spec, "pointIndices", Sdf.ValueTypeNames.FloatArray).default = [0.5] * SIDE**2
-
-
 def _face_index(stage):
     _face(stage).GetFaceVertexIndicesAttr().Set([0, 1, 2, 999] + [0] * (4 * (SIDE - 1) ** 2 - 4))
 
@@ -374,32 +300,12 @@ def _face_counts(stage):
 
 
 @pytest.mark.parametrize(
-    ("edit", "code", "path"),
-    [
-        (_weight_nan, "NOT_FINITE", "/Char/Anim"),
-        (_weights_short, "ANIMATION_LENGTH", "/Char/Anim"),
-        (_sampled_weights_short, "ANIMATION_LENGTH", "/Char/Anim"),
-    ],
-)
-def test_animations_that_contradict(tmp_path, capfd, edit, code, path):
-    error = spoilt(tmp_path, edit)
-    assert (error.issue.code, error.issue.path) == (code, path)
-    assert error.issue.repair
-    assert error.exit_code == Exit.REFUSED
-    assert capfd.readouterr() == ("", "")
-
-
-@pytest.mark.parametrize(
     ("edit", "code"),
     [
         (_index_too_large, "INDEX_RANGE"),
-        (_index_negative, "INDEX_RANGE"),
         (_offsets_short, "OFFSETS_LENGTH"),
-        (_offsets_and_indices, "OFFSETS_LENGTH"),
         (_inbetween_short, "OFFSETS_LENGTH"),
         (_offset_nan, "NOT_FINITE"),
-        (_offsets_of_text, "ARRAY_TYPE"),
-        (_indices_of_floats, "ARRAY_TYPE"),
     ],
 )
 def test_a_shape_that_contradicts_costs_its_control_alone(tmp_path, capfd, edit, code):
@@ -420,7 +326,6 @@ def test_a_shape_that_contradicts_costs_its_control_alone(tmp_path, capfd, edit,
     ("edit", "code"),
     [
         (_more_names, "TARGETS_LENGTH"),
-        (_more_targets, "TARGETS_LENGTH"),
         (_no_names, "TARGETS_LENGTH"),
         (_point_infinite, "NOT_FINITE"),
         (_face_index, "INDEX_RANGE"),
@@ -440,10 +345,6 @@ def test_a_mesh_that_contradicts_costs_what_it_alone_has(tmp_path, capfd, edit, 
     alone = spoilt(tmp_path, edit)
     assert (alone.issue.code, alone.issue.path) == (code, "/Char/Face"), "nothing is left"
     assert capfd.readouterr() == ("", "")
-
-
-def test_the_message_names_the_place(tmp_path):
-    assert "offsets[6]" in spoilt(tmp_path, _offset_nan, ("smile",)).issue.message
 
 
 # --- skeletons ---------------------------------------------------------------------------------------
@@ -484,21 +385,11 @@ def _binding(stage):
         ),
         (lambda stage: _skeleton(stage).GetJointsAttr().Set(["a/b", "a"]), "SKELETON_INVALID", "/Char/Skel"),
         (
-            lambda stage: _skeleton(stage).GetRestTransformsAttr().Set([Gf.Matrix4d(float("nan"))] * 2),
-            "NOT_FINITE",
-            "/Char/Skel",
-        ),
-        (
             lambda stage: _binding(stage).GetJointIndicesPrimvar().Set([7] * (2 * SIDE**2)),
             "INDEX_RANGE",
             "/Char/Face",
         ),
         (lambda stage: _binding(stage).GetJointWeightsPrimvar().Set([1.0]), "INFLUENCES_LENGTH", "/Char/Face"),
-        (
-            lambda stage: _binding(stage).GetJointWeightsPrimvar().Set([float("nan")] * (2 * SIDE**2)),
-            "NOT_FINITE",
-            "/Char/Face",
-        ),
         (lambda stage: _binding(stage).CreateJointsAttr(["a", "c"]), "JOINT_UNKNOWN", "/Char/Face"),
     ],
 )
