@@ -9,7 +9,7 @@ from types import MappingProxyType
 import numpy as np
 
 from usdrigui.character import Floats, Indices, Rig, RigMesh, Shape
-from usdrigui.layout.place.handle_width import KEPT, around, fitting_width
+from usdrigui.layout.place.handle_width import KEPT, fitting_width
 from usdrigui.model import LayoutProblem, MeanOverlap, Variable
 from usdrigui.overlap import own_costs
 from usdrigui.settings import ObjectiveSettings
@@ -97,23 +97,6 @@ def _problem(positions: Floats, motions: list[tuple[Floats, bool]]) -> LayoutPro
         for at, (offsets, mirrored) in enumerate(motions)
     )
     return LayoutProblem(variables, overlap, width, settings.displacement_weight)
-
-
-def crowding(problem: LayoutProblem, face: float) -> float:
-    """Share of the other controls that want a place around one: within 8 % of `face`, the face's
-    height.
-
-    A control wants the places where it keeps 85 % of its peak (as in decision 045), and is spread
-    over them evenly.
-    """
-    places, weights = [], []
-    for variable in problem.variables:
-        wanted = variable.handles[variable.displacement >= KEPT * variable.displacement.max()]
-        places.append(wanted.reshape(-1, 3))
-        weights.append(np.full(len(places[-1]), 1.0 / len(wanted)))
-    weight = np.concatenate(weights)
-    count = around(np.concatenate(places), weight, np.array([NEAR * face]))[0]
-    return float((count - 1.0) / (weight.sum() - 1.0))
 
 
 def _head(points: int) -> tuple[Floats, Floats]:

@@ -85,13 +85,3 @@ def test_the_assets_own_animation_will_do(tmp_path, capsys):
 
 
 # --- refusals ----------------------------------------------------------------------------------------
-
-
-def test_a_missing_file_is_refused(folder, capsys):
-    told = run(capsys, "inspect", folder / "char.usda", "--animation", folder / "nothing.usda", expected=3)
-    assert told["issues"][0]["code"] == "FILE_NOT_FOUND"
-
-
-def test_an_importance_below_zero_is_refused(folder, capsys):
-    told = run(capsys, "inspect", folder / "char.usda", "--set", "controls.chin={importance=-1}", expected=2)
-    assert told["issues"][0]["code"] == "CONFIG_VALUE"

@@ -346,13 +346,6 @@ def test_a_slip_of_a_letter_is_no_other_control(name, known, wanted):
     assert meant(name, known) == f"; did you mean {wanted!r}?"
 
 
-def test_a_name_like_no_other_suggests_none(folder, capsys):
-    (folder / "char.rigui.toml").write_text("[read.pose]\nxyzzy = 1.0\n")
-    told = run(capsys, "process", folder / "char.usda", expected=2)
-    assert told["issues"][0]["code"] == "CONFIG_UNKNOWN_CONTROL"
-    assert "did you mean" not in told["issues"][0]["message"]
-
-
 @pytest.mark.parametrize(
     ("configuration", "options", "code"),
     [

@@ -99,21 +99,6 @@ def test_report_and_preview_are_written(character, tmp_path):
     assert picture.read_bytes().startswith(b"\x89PNG")
 
 
-def test_a_missing_file_is_one_error_with_code_and_repair(tmp_path, capsys):
-    assert main(["process", str(tmp_path / "none.usda")]) == 3
-    printed = capsys.readouterr()
-    assert "FILE_NOT_FOUND" in printed.err
-    assert "repair:" in printed.err
-    assert printed.err.splitlines()[-1].endswith("nothing was written")
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_the_configuration_beside_the_asset_is_read(character, capsys):
-    character.with_suffix(".rigui.toml").write_text("[solve]\nnonsense = 1\n")
-    assert main(["process", str(character)]) == 2
-    assert "solve.nonsense" in capsys.readouterr().err
-
-
 def test_inspect_lists_every_control_and_writes_nothing(character, tmp_path, capsys):
     files = sorted(tmp_path.iterdir())
     assert main(["inspect", str(character), "--json"]) == 0

@@ -70,12 +70,6 @@ def lose_a_face(source):
     stage.GetRootLayer().Save()
 
 
-def test_a_missing_source_is_refused(layer, tmp_path, capsys):
-    layer.with_name("char.usda").unlink()
-    assert main(["view", str(layer), "--html", str(tmp_path / "page.html")]) != 0
-    assert "char.usda" in capsys.readouterr().err
-
-
 def test_the_study_is_offered_when_asked_for(layer, tmp_path):
     for options, offered in (([], False), (["--study"], True)):
         assert main(["view", str(layer), "--html", str(tmp_path / "page.html"), *options]) == 0

@@ -132,7 +132,7 @@ def test_the_notebook_of_the_documents_runs(tmp_path, monkeypatch, capsys):
     for name in ("char.usda", "char_geometry.usda"):
         shutil.copy(ROOT / "sample_assets" / name, tmp_path)
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("USDRIGUI_SOLVE_GAP", "5e-2")
+    monkeypatch.setenv("USDRIGUI_SOLVE_WORK_LIMIT", "2000")
     names = {}
     for cell in json.loads((ROOT / "docs" / "python.ipynb").read_text())["cells"]:
         if cell["cell_type"] == "code":

@@ -6,22 +6,16 @@ import numpy as np
 import pytest
 import scripts
 
-from usdrigui.settings import ObjectiveSettings, SolveSettings
+from usdrigui.settings import SolveSettings
 from usdrigui.solve import solve
 
 SCRIPT = Path(__file__).resolve().parents[2] / "benchmarks" / "instances.py"
-FACE = 2.0
 
 
 @pytest.fixture(scope="module")
 def instances():
     with scripts.loaded(SCRIPT) as module:
         yield module
-
-
-def share(problem):
-    """Handle width in face sizes."""
-    return problem.separation / FACE
 
 
 def test_controls_are_variables_or_mirrored_pairs(instances):
@@ -35,32 +29,6 @@ def test_a_seed_makes_one_problem(instances):
     one, same, other = (instances.face_like(1186, 26, seed) for seed in (3, 3, 4))
     assert all(np.array_equal(a.cost, b.cost) for a, b in zip(one.variables, same.variables, strict=True))
     assert not all(np.array_equal(a.cost, b.cost) for a, b in zip(one.variables, other.variables, strict=True))
-
-
-def test_a_face_of_few_controls_has_handles_of_the_size_asked_for(instances):
-    assert share(instances.face_like(4002, 22)) == ObjectiveSettings().handle_size
-
-
-def test_handles_shrink_with_the_crowd_until_they_have_room(instances):
-    """As many controls as anybody has are placed with handles above the least."""
-    widths = [share(instances.face_like(4002, controls)) for controls in (22, 140, 300, 500)]
-    assert np.all(np.diff(widths) < 0.0)
-    assert widths[-1] > 1.2 * ObjectiveSettings().handle_size_min
-
-
-@pytest.mark.parametrize(("points", "controls"), [(1186, 26), (4002, 22), (5064, 47), (5064, 142)])
-def test_controls_crowd_as_on_the_most_crowded_of_real_rigs(instances, points, controls):
-    """On rigs of 30 to 88 controls a share of 0.053 to 0.088 of the others stands around one (decision 034)."""
-    assert 0.065 < instances.crowding(instances.face_like(points, controls), FACE) < 0.095
-    crowded = instances.face_like(points, controls, scatter=instances.CROWDED)
-    assert instances.crowding(crowded, FACE) > 0.12
-
-
-def test_overlap_counts_in_handle_widths(instances):
-    settings = ObjectiveSettings()
-    for controls in (22, 80):
-        problem = instances.face_like(4002, controls)
-        assert problem.overlap.radius == pytest.approx(settings.overlap_radius * problem.separation)
 
 
 def test_toulbar2_proves_the_same_of_a_whole_face(instances):
