@@ -5,6 +5,7 @@ from __future__ import annotations
 import makers
 import numpy as np
 
+from usdrigui.character import Clip
 from usdrigui.character.deform import deform, knots, posed, sweep
 from usdrigui.model import (
     Anchor,
@@ -22,6 +23,15 @@ from usdrigui.model import (
 
 MIRRORS = {f"{name}_{a}": f"{name}_{b}" for name in makers.LEFT_BUMPS for a, b in (("L", "R"), ("R", "L"))}
 """The twins among the controls of `makers.face`."""
+
+
+def animated(rig, frames=(1.0, 11.0), **weights):
+    """The rig with a clip of a value at each of the frames for some channels, in the order of its channels' tokens."""
+    tokens = [channel.token for channel in rig.body.channels]
+    table = np.zeros((len(frames), len(tokens)))
+    for token, values in weights.items():
+        table[:, tokens.index(token)] = values
+    return makers.changed(rig, clip=Clip(np.array(frames), table, np.zeros((len(frames), 0, 4, 4)), 24.0))
 
 
 def peak_layout(rig, view=(0.0, 0.0, 1.0), mirrors=None, groups=(), beside=()):

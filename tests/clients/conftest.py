@@ -3,8 +3,12 @@
 A module at a time: while Playwright runs, its event loop counts as running for everything else in the process.
 """
 
+import makers
 import pytest
 from browser_pages import Viewer, chromium, started
+from viewer_layouts import peak_layout
+
+from usdrigui.view.web.page import page_html
 
 
 @pytest.fixture(scope="module")
@@ -19,6 +23,16 @@ def browser(playwright):
     made = chromium(playwright)
     yield made
     made.close()
+
+
+@pytest.fixture(scope="module")
+def page_path(request, tmp_path_factory):
+    """The page of a module's `characters`, of the mask where it has none."""
+    rig = makers.face()
+    made = getattr(request.module, "characters", lambda: [(rig, peak_layout(rig))])
+    path = tmp_path_factory.mktemp("viewer") / "page.html"
+    path.write_text(page_html(made(), "face"))
+    return path
 
 
 @pytest.fixture

@@ -4,22 +4,9 @@ from __future__ import annotations
 
 import time
 
-import makers
 import pytest
 from browser_pages import Viewer, chromium
 from firefox_pages import Firefox
-from viewer_layouts import peak_layout
-
-from usdrigui.view.web.page import page_html
-
-
-@pytest.fixture(scope="module")
-def page_path(tmp_path_factory):
-    rig = makers.face()
-    path = tmp_path_factory.mktemp("browsers") / "face.html"
-    path.write_text(page_html([(rig, peak_layout(rig))], "face"))
-    return path
-
 
 PICTURE = """(() => {
   const { stage } = page.usdrigui.app.view;

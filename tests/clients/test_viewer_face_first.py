@@ -17,12 +17,9 @@ SIZES = {"desk": (1366, 768), "tablet": (820, 1180), "phone": (390, 844)}
 BOARD = ("chin", "jawLeft")
 
 
-@pytest.fixture(scope="module")
-def page_path(tmp_path_factory):
+def characters():
     rig = makers.face()
-    path = tmp_path_factory.mktemp("viewer") / "face.html"
-    path.write_text(page_html([(rig, peak_layout(rig, beside=BOARD))], "face"))
-    return path
+    return [(rig, peak_layout(rig, beside=BOARD))]
 
 
 @pytest.fixture

@@ -16,13 +16,9 @@ from usdrigui.view.web.page import page_html
 JAW = ("jaw", "slider", ("jawLeft", "jawRight"), ((0, 1),))
 
 
-@pytest.fixture(scope="module")
-def page_path(tmp_path_factory):
+def characters():
     rig = makers.face()
-    layout = peak_layout(rig, mirrors=MIRRORS, groups=(JAW,), beside=("chin",))
-    path = tmp_path_factory.mktemp("viewer") / "face.html"
-    path.write_text(page_html([(rig, layout)], "face"))
-    return path
+    return [(rig, peak_layout(rig, mirrors=MIRRORS, groups=(JAW,), beside=("chin",)))]
 
 
 def on_track(track, share):

@@ -8,15 +8,10 @@ import makers
 import pytest
 from viewer_layouts import MIRRORS, peak_layout
 
-from usdrigui.view.web.page import page_html
 
-
-@pytest.fixture(scope="module")
-def page_path(tmp_path_factory):
+def characters():
     rig = makers.face()
-    path = tmp_path_factory.mktemp("viewer") / "face.html"
-    path.write_text(page_html([(rig, peak_layout(rig, mirrors=MIRRORS))], "face"))
-    return path
+    return [(rig, peak_layout(rig, mirrors=MIRRORS))]
 
 
 def keyed(viewer):

@@ -8,19 +8,14 @@ import makers
 import pytest
 from viewer_layouts import MIRRORS, peak_layout
 
-from usdrigui.view.web.page import page_html
-
 INNER = {"smile_L": ("sneer_L",), "smile_R": ("sneer_R",), "pucker": ("chin",)}
 
 
-@pytest.fixture(scope="module")
-def page_path(tmp_path_factory):
+def characters():
     rig = makers.face()
     layout = peak_layout(rig, mirrors=MIRRORS)
     elements = tuple(replace(each, look=replace(each.look, inner=INNER.get(each.name, ()))) for each in layout.elements)
-    path = tmp_path_factory.mktemp("viewer") / "face.html"
-    path.write_text(page_html([(rig, replace(layout, elements=elements))], "face"))
-    return path
+    return [(rig, replace(layout, elements=elements))]
 
 
 def shown(viewer):

@@ -5,13 +5,11 @@ from __future__ import annotations
 from itertools import pairwise
 
 import makers
-import numpy as np
 import pytest
 from browser_pages import Viewer
 from pxr import Gf, Usd, UsdGeom
-from viewer_layouts import peak_layout
+from viewer_layouts import animated, peak_layout
 
-from usdrigui.character import Clip
 from usdrigui.view.web.page import page_html, read_review
 
 ARROW = [[0.0, 0.0], [60.0, -10.0], [45.0, 12.0]]
@@ -19,18 +17,11 @@ SKIN = 0.02
 """Of the face's height: how far a stroke may be drawn from the place of the skin that it was drawn over."""
 
 
-def animated(rig):
-    """The mask, its pucker rising from 0 to 1 between frames 1 and 11."""
-    weights = np.zeros((2, len(rig.body.channels)))
-    weights[1, next(i for i, each in enumerate(rig.body.channels) if each.token == "pucker")] = 1.0
-    return makers.changed(rig, clip=Clip(np.array([1.0, 11.0]), weights, np.zeros((2, 0, 4, 4)), 24.0))
-
-
 @pytest.fixture(scope="module")
 def pages(tmp_path_factory):
     """Write the page with reviews, and give its path."""
     folder = tmp_path_factory.mktemp("review")
-    rig = animated(makers.face())
+    rig = animated(makers.face(), pucker=(0.0, 1.0))
 
     def written(*reviews):
         path = folder / f"face{len(reviews)}.html"

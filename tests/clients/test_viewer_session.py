@@ -9,36 +9,24 @@ import makers
 import numpy as np
 import pytest
 from browser_pages import Viewer
-from viewer_layouts import peak_layout
+from viewer_layouts import animated, peak_layout
 
-from usdrigui.character import Clip
 from usdrigui.character.deform import deform
-from usdrigui.view.web.page import page_html
 
 FAN = ("mouth", "fan", ("chin", "jawLeft", "jawRight"), ())
 LONG = "mouthLowerDownwardsOuterCornerLeft"
 
 
-def animated(rig):
+def characters():
     """The mask with an animation: pucker rises to 1 at frame 11, brow_L to 0.5 at frame 21."""
-    weights = np.zeros((3, len(rig.body.channels)))
-    weights[1:, rig.body.channels.index(next(each for each in rig.body.channels if each.token == "pucker"))] = 1.0, 0.25
-    weights[2, rig.body.channels.index(next(each for each in rig.body.channels if each.token == "brow_L"))] = 0.5
-    return makers.changed(rig, clip=Clip(np.array([1.0, 11.0, 21.0]), weights, np.zeros((3, 0, 4, 4)), 24.0))
-
-
-@pytest.fixture(scope="module")
-def page_path(tmp_path_factory):
-    rig = animated(makers.face())
+    rig = animated(makers.face(), (1.0, 11.0, 21.0), pucker=(0.0, 1.0, 0.25), brow_L=(0.0, 0.0, 0.5))
     layout = peak_layout(rig, groups=(FAN,), beside=("sneer_R",))
     named = tuple(
         replace(each, look=replace(each.look, label=LONG)) if each.name == "sneer_L" else each
         for each in layout.elements
     )
-    path = tmp_path_factory.mktemp("session") / "face.html"
     controls = tuple(replace(each, label=LONG) if each.name == "sneer_L" else each for each in rig.controls)
-    path.write_text(page_html([(replace(rig, controls=controls), replace(layout, elements=named))], "face"))
-    return path
+    return [(replace(rig, controls=controls), replace(layout, elements=named))]
 
 
 @pytest.fixture(scope="module")

@@ -8,29 +8,19 @@ import numpy as np
 import pytest
 from browser_pages import Viewer
 from skel_stages import character
-from viewer_layouts import peak_layout
+from viewer_layouts import animated, peak_layout
 
-from usdrigui.character import Clip
 from usdrigui.character.deform import deform
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
 from usdrigui.view.web.page import page_html
 
 
-def animated(rig, root):
-    """The mask, its pucker rising from 0 to 1 between frames 1 and 11."""
-    weights = np.zeros((2, len(rig.body.channels)))
-    weights[1, next(i for i, each in enumerate(rig.body.channels) if each.token == "pucker")] = 1.0
-    return makers.changed(rig, path=root, clip=Clip(np.array([1.0, 11.0]), weights, np.zeros((2, 0, 4, 4)), 24.0))
-
-
-@pytest.fixture(scope="module")
-def page_path(tmp_path_factory):
-    """Two characters on one page."""
-    rigs = [animated(makers.face(), "/One"), animated(makers.face(), "/Two")]
-    path = tmp_path_factory.mktemp("work") / "two.html"
-    path.write_text(page_html([(rig, peak_layout(rig)) for rig in rigs], "two"))
-    return path
+def characters():
+    """Two masks on one page, the pucker rising from 0 to 1 between frames 1 and 11."""
+    moving = animated(makers.face(), pucker=(0.0, 1.0))
+    rigs = [makers.changed(moving, path=root) for root in ("/One", "/Two")]
+    return [(rig, peak_layout(rig)) for rig in rigs]
 
 
 def choose(viewer, root):
