@@ -7,7 +7,6 @@ influences and blend shapes, as far as UsdSkel can express it (docs/decisions/15
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import compress
 
 import numpy as np
@@ -16,7 +15,6 @@ from usdrigui.character import Flags, Indices, Record, Rig
 from usdrigui.character.skinning import carrying_joint
 
 
-@dataclass(frozen=True, eq=False)
 class Following(Record):
     """How one element goes with the character."""
 
@@ -30,7 +28,6 @@ class Following(Record):
     """Index into `Body.joints` of the one that alone carries it, or -1: those of its anchor do."""
 
 
-@dataclass(frozen=True, eq=False)
 class Shared(Record):
     """What all elements of a layout have in common in how they go with the character."""
 

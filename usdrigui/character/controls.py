@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 from usdrigui.character.record import Floats, Indices, Record
@@ -10,7 +9,6 @@ from usdrigui.character.record import Floats, Indices, Record
 ControlKind = Literal["blendShape", "joint", "pose"]
 
 
-@dataclass(frozen=True, eq=False)
 class Control(Record):
     """One rig parameter (paper: c_j)."""
 
@@ -29,7 +27,6 @@ class Control(Record):
     drive: Drive
 
 
-@dataclass(frozen=True, eq=False)
 class Drive(Record):
     """What a control sets, as a piecewise linear function of its value.
 
@@ -57,7 +54,6 @@ class Drive(Record):
     """(k, j, 3) logarithms of scale factors along the joint's local axes."""
 
 
-@dataclass(frozen=True, eq=False)
 class Channel(Record):
     """One blend-shape weight of one SkelAnimation."""
 
@@ -68,7 +64,6 @@ class Channel(Record):
     """Position in `SkelAnimation.blendShapes`, or -1."""
 
 
-@dataclass(frozen=True, eq=False)
 class Joint(Record):
     """One joint of one skeleton; parents come before children in `Body.joints`."""
 
@@ -92,7 +87,6 @@ class Joint(Record):
         return self.path.rsplit("/", 1)[-1]
 
 
-@dataclass(frozen=True, eq=False)
 class Skeleton(Record):
     """One Skeleton bound under the SkelRoot."""
 

@@ -10,7 +10,6 @@ scipy only.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -42,7 +41,6 @@ from usdrigui.character.skinning import (
 )
 
 
-@dataclass(frozen=True, eq=False)
 class Posed(Record):
     """A rig held at one pose."""
 
@@ -303,8 +301,7 @@ class Sweep:
         return offsets
 
 
-@dataclass(frozen=True, eq=False)
-class _Reached:
+class _Reached(Record):
     """What a control can move of one mesh."""
 
     index: int

@@ -7,13 +7,12 @@ A tree is built from the positions of the joints and the skin on them, never fro
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
 
-from usdrigui.character import Floats, Joint, RigMesh
+from usdrigui.character import Floats, Joint, Record, RigMesh
 from usdrigui.character.rotation import rotation_part
 from usdrigui.character.skinning import base_locals, bound_points, in_skeleton_space
 
@@ -44,8 +43,7 @@ _STRAIGHT = 8
 than near."""
 
 
-@dataclass(frozen=True, eq=False)
-class Hanging:
+class Hanging(Record):
     """The joints below each joint, by the skin."""
 
     parents: tuple[int, ...]
@@ -115,8 +113,7 @@ def _bound_skin(meshes: Sequence[RigMesh]) -> Iterator[tuple[int, Floats, Floats
                 yield joint, bound[table.indices[start:end]], table.data[start:end]
 
 
-@dataclass(frozen=True, eq=False)
-class Tree:
+class Tree(Record):
     """Joints as they hang together, at the base pose in the space of their Skeleton."""
 
     joints: tuple[Joint, ...]
@@ -344,8 +341,7 @@ class Tree:
         return abs(float(self.places[joint, axis]) - middle) < _ON_PLANE * self.size
 
 
-@dataclass(frozen=True, eq=False)
-class Fan:
+class Fan(Record):
     """Chains that run side by side from one joint: the fingers of a hand, toes, strands of hair."""
 
     joint: int

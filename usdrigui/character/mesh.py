@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
@@ -12,7 +11,6 @@ from scipy.sparse import csc_array
 from usdrigui.character.record import Floats, Indices, Record, Singles
 
 
-@dataclass(frozen=True, eq=False)
 class RigMesh(Record):
     """One mesh under the SkelRoot, as authored."""
 
@@ -24,7 +22,6 @@ class RigMesh(Record):
     display: MeshDisplay
 
 
-@dataclass(frozen=True, eq=False)
 class Topology(Record):
     """The faces of a mesh."""
 
@@ -41,7 +38,6 @@ class Topology(Record):
     """GeomSubsets, for locality."""
 
 
-@dataclass(frozen=True, eq=False)
 class MeshBinding(Record):
     """How a mesh follows joints and weights: what SkelBindingAPI holds, and its transform."""
 
@@ -51,7 +47,6 @@ class MeshBinding(Record):
     shapes: tuple[Shape, ...] = ()
 
 
-@dataclass(frozen=True, eq=False)
 class MeshDisplay(Record):
     """How a mesh is drawn."""
 
@@ -62,7 +57,6 @@ class MeshDisplay(Record):
     displayColor has."""
 
 
-@dataclass(frozen=True, eq=False)
 class Subset(Record):
     """A GeomSubset: a named part of a mesh."""
 
@@ -71,7 +65,6 @@ class Subset(Record):
     """Local points, ascending: those of its faces, for a subset of faces."""
 
 
-@dataclass(frozen=True, eq=False)
 class Shape(Record):
     """What one blend-shape token does to one mesh.
 
@@ -92,7 +85,6 @@ class Shape(Record):
     """(k, p, 3) offsets in the mesh's own space."""
 
 
-@dataclass(frozen=True, eq=False)
 class Skin(Record):
     """Joint influences of one mesh."""
 

@@ -11,7 +11,6 @@ twenty times slower.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from importlib.util import find_spec
 from itertools import chain
 from typing import Protocol
@@ -30,7 +29,6 @@ _PAIRS = 200_000
 """Ray and triangle pairs that `TreeCaster` tests at a time, about."""
 
 
-@dataclass(frozen=True, eq=False)
 class Hits(Record):
     """First triangle on each ray."""
 
@@ -100,7 +98,6 @@ def hidden_share(caster: Caster, polylines: Floats, normals: Floats, toward: Flo
     return shares
 
 
-@dataclass(frozen=True, eq=False)
 class TreeCaster(Record):
     """Exact ray casting without Embree: a k-d tree of the rays, seen along them, gives those that
     pass by each triangle."""

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
+from dataclasses import dataclass, field, fields
 from functools import cache
-from typing import Any
+from typing import Any, dataclass_transform
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,10 +23,15 @@ ARRAY_TYPES: dict[Any, type[np.generic]] = {
 numpy."""
 
 
+@dataclass_transform(eq_default=False, frozen_default=True, field_specifiers=(field,))
 class Record:
-    """Base of the frozen records: makes every numpy array field read-only after construction."""
+    """Base of the records: makes each class below it a frozen dataclass, compared by identity, and
+    every numpy array in its fields read-only after construction."""
 
     __slots__ = ()
+
+    def __init_subclass__(cls) -> None:
+        dataclass(frozen=True, eq=False)(cls)
 
     def __post_init__(self) -> None:
         kind: Any = type(self)
@@ -36,7 +41,7 @@ class Record:
 
 @cache
 def _names(record: Any) -> tuple[str, ...]:
-    return tuple(field.name for field in fields(record))
+    return tuple(each.name for each in fields(record))
 
 
 def freeze(value: Any) -> Any:

@@ -15,7 +15,6 @@ from usdrigui.character.record import Floats, Indices, Record
 from usdrigui.errors import Issue
 
 
-@dataclass(frozen=True, eq=False)
 class Rig(Record):
     """A character under one SkelRoot: everything the layout needs, and no USD object."""
 
@@ -37,7 +36,6 @@ class Rig(Record):
         return {control.name: i for i, control in enumerate(self.controls)}
 
 
-@dataclass(frozen=True, eq=False)
 class SkelRoot(Record):
     """The SkelRoot of a character on its stage."""
 
@@ -60,7 +58,6 @@ class SkelRoot(Record):
         return self.variant_path or self.path
 
 
-@dataclass(frozen=True, eq=False)
 class Body(Record):
     """What UsdSkel poses under one SkelRoot: meshes by joints and by blend-shape weights."""
 
@@ -97,7 +94,6 @@ class Body(Record):
         return mesh, int(point - starts[mesh])
 
 
-@dataclass(frozen=True, eq=False)
 class Configured(Record):
     """What the configuration adds to a rig."""
 
@@ -107,7 +103,6 @@ class Configured(Record):
     """Shapes that it wants drawn as handles, by the name that it gives them."""
 
 
-@dataclass(frozen=True, eq=False)
 class Glyph(Record):
     """A curve or mesh that is drawn as an element's handle instead of the usual shape."""
 
@@ -144,7 +139,6 @@ class Findings:
     issues: tuple[Issue, ...]
 
 
-@dataclass(frozen=True, eq=False)
 class Clip(Record):
     """What USD evaluates of the animation, one frame where nothing moves; empty arrays where
     nothing is authored."""
@@ -158,7 +152,6 @@ class Clip(Record):
     frames_per_second: float
 
 
-@dataclass(frozen=True, eq=False)
 class Performance(Record):
     """One SkelAnimation, sampled frame by frame, whatever character it is of."""
 

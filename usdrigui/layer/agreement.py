@@ -60,7 +60,6 @@ _HALF = 0.5
 """Of its range: so far every control is from the base pose where all are."""
 
 
-@dataclass(frozen=True, eq=False)
 class _Drawn(Record):
     """An element with the points that count, as rows of `_Scene.rig`."""
 
@@ -85,7 +84,6 @@ class _Drawn(Record):
         return self.element.anchor.on_board or self.element.look.adapt == "static"
 
 
-@dataclass(frozen=True, eq=False)
 class _Scene(Record):
     """The points of a character and of a layout that count, ready to be posed."""
 

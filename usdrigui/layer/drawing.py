@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -27,7 +26,6 @@ _AREA_OPACITY = 0.4
 _FAMILY = "rigUI"
 
 
-@dataclass(frozen=True, eq=False)
 class DrawnElement(Record):
     """An element with all that is drawn of it, the handle first."""
 
@@ -37,7 +35,6 @@ class DrawnElement(Record):
     parts: tuple[Drawn, ...]
 
 
-@dataclass(frozen=True, eq=False)
 class Drawing(Record):
     """What one Mesh draws: parts of elements that hang on one skeleton in one way, in one part of
     the character."""

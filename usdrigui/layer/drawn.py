@@ -10,7 +10,7 @@ numpy only.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -61,7 +61,6 @@ _BEHIND = -0.5
 """Skin that looks away from the viewer by more than this is seen from another side."""
 
 
-@dataclass(frozen=True, eq=False)
 class Faces(Record):
     """Polygons of some points."""
 
@@ -80,7 +79,6 @@ Form = tuple[Floats, Faces]
 """Points (q, 3) around a place, and the faces between them."""
 
 
-@dataclass(frozen=True, eq=False)
 class Drawn(Record):
     """One thing that is drawn of an element."""
 

@@ -9,7 +9,7 @@ every mesh.  numpy only.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -40,7 +40,6 @@ _NO_OFFSET = 1e-9
 """Offsets below this share of the rig's size are noise of the file."""
 
 
-@dataclass(frozen=True, eq=False)
 class JointBinding(Record):
     """How a drawn part hangs on the character's joints."""
 
@@ -66,7 +65,6 @@ class JointBinding(Record):
         return np.asarray(np.linalg.pinv(self.base[:3], rcond=1e-9), dtype=np.float64)
 
 
-@dataclass(frozen=True, eq=False)
 class PointShape(Record):
     """What one blend-shape weight does to one point, or to each of several points."""
 
@@ -87,7 +85,6 @@ class PointShape(Record):
         return np.asarray((1.0 - share) * rows[i] + share * rows[i + 1], dtype=np.float64)
 
 
-@dataclass(frozen=True, eq=False)
 class AnchorBinding(Record):
     """Everything that the drawn parts of one element need to know about the character."""
 

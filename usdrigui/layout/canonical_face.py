@@ -11,7 +11,6 @@ expected, and a name on the wrong side is overruled by the motion.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -40,7 +39,6 @@ Named = tuple[Motion, Meaning, bool]
 """A motion, how the name of its control is read, and whether it locates its action."""
 
 
-@dataclass(frozen=True, eq=False)
 class Expectation(Record):
     """Where one control is expected, in the plane of the face's front."""
 
@@ -157,7 +155,6 @@ def _informative(trajectories: Trajectories, meanings: Sequence[Meaning | None])
     ]
 
 
-@dataclass(frozen=True, eq=False)
 class _Clue(Record):
     """A motion whose name has a place on the canonical face."""
 
@@ -174,7 +171,6 @@ class _Clue(Record):
         return self.action.place or (0.0, 0.0)
 
 
-@dataclass(frozen=True, eq=False)
 class _Fit(Record):
     """The canonical face laid over a character."""
 

@@ -3,18 +3,16 @@ packages too."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
-from usdrigui.character import Flags, Floats, Rig
+from usdrigui.character import Flags, Floats, Record, Rig
 from usdrigui.conventions import Meaning
 from usdrigui.layout.canonical_face import Expectation
 from usdrigui.layout.visibility import Views, clear_handles
 from usdrigui.model import Symmetry, Trajectories
 
 
-@dataclass(frozen=True, eq=False)
-class Face:
+class Face(Record):
     """What the stages before placing found out about a character at its base pose."""
 
     rig: Rig

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from usdrigui.character import Record
 from usdrigui.layout.classify.classification import Classification
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.similarity import Similarity
@@ -11,8 +10,7 @@ from usdrigui.layout.reuse.requests import Requests
 from usdrigui.settings import Settings
 
 
-@dataclass(frozen=True, eq=False)
-class Measured:
+class Measured(Record):
     """What the stages of grouping and placing read."""
 
     face: Face

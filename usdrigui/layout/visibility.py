@@ -22,7 +22,6 @@ _EDGE_ON = 0.17
 _RIM_SEEN = 3
 
 
-@dataclass(frozen=True, eq=False)
 class FaceFrame(Record):
     """The face's own frame: what is cast in it does not depend on where and how large the character
     is.
@@ -45,7 +44,6 @@ class FaceFrame(Record):
         return vectors @ self.axes.T
 
 
-@dataclass(frozen=True, eq=False)
 class Views(Record):
     """The directions from which a layout is judged, and the points seen from each at the base
     pose."""

@@ -22,7 +22,6 @@ PROGRAM = ("labels", "pairs", "columns", "rows", "nodes", "cutoff")
 """Figures of a solver's steps that tell of its program."""
 
 
-@dataclass(frozen=True, eq=False)
 class Assignment(Record):
     """A solution of a `LayoutProblem` with its proof."""
 

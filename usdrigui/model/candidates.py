@@ -26,7 +26,6 @@ hidden in all views, repeats others, stays with its family, or is sent there by 
 empty for a control of the face."""
 
 
-@dataclass(frozen=True, eq=False)
 class Candidates(Record):
     """The candidates of every control that has any (paper section 4.2, pruning)."""
 
@@ -34,7 +33,6 @@ class Candidates(Record):
     left_off: tuple[LeftOff, ...]
 
 
-@dataclass(frozen=True, eq=False)
 class CandidateSet(Record):
     """Where one control may be anchored."""
 

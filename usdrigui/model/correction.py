@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, Literal
 
 from usdrigui.character.record import Record
@@ -11,7 +11,6 @@ from usdrigui.character.record import Record
 CorrectedPlace = Literal["", "point", "face", "board", "free"]
 
 
-@dataclass(frozen=True, eq=False)
 class Correction(Record):
     """A decision about one control (RigUICorrectionAPI of the schema); what it leaves empty is not
     decided."""

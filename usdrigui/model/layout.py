@@ -21,7 +21,6 @@ Decision = Literal["anchor", "place", "grouping"]
 controls share it."""
 
 
-@dataclass(frozen=True, eq=False)
 class Layout(Record):
     """All elements of one character (paper: L), what was left off, and the proof."""
 
@@ -66,7 +65,6 @@ class Match:
         return f"{math.floor(100.0 * self.confidence + 1e-6)}% sure"
 
 
-@dataclass(frozen=True, eq=False)
 class LayoutCharacter(Record):
     """The character for which a layout was made, in the pose in which its elements are stored."""
 
@@ -86,7 +84,6 @@ class LayoutCharacter(Record):
         return self.variant_path or self.root
 
 
-@dataclass(frozen=True, eq=False)
 class LayoutFrame(Record):
     """From where a layout is seen, what it mirrors about, and how large it is drawn."""
 
@@ -119,7 +116,6 @@ class LayoutFrame(Record):
         return views.get(part, self.view)
 
 
-@dataclass(frozen=True, eq=False)
 class Proof(Record):
     """What the solver proved of a layout's cost; nothing of one that is made by hand."""
 
@@ -136,7 +132,6 @@ class Proof(Record):
     """How large the solver's program was and how far it came, as `Assignment.figures`."""
 
 
-@dataclass(frozen=True, eq=False)
 class LayoutPart(Record):
     """One part of a character with a scale, a front and a proof of its own."""
 
@@ -149,7 +144,6 @@ class LayoutPart(Record):
     bound: float
 
 
-@dataclass(frozen=True, eq=False)
 class Element(Record):
     """What the animator sees and grabs (paper: E_j)."""
 
@@ -161,7 +155,6 @@ class Element(Record):
     placement: Placement
 
 
-@dataclass(frozen=True, eq=False)
 class Manipulator(Record):
     """The controls that an element moves, and how."""
 
@@ -207,7 +200,6 @@ class Legibility:
         return Legibility(self.elements + other.elements, self.unclear + other.unclear)
 
 
-@dataclass(frozen=True, eq=False)
 class Look(Record):
     """How an element is shown."""
 
@@ -222,7 +214,6 @@ class Look(Record):
     unless it is coarse."""
 
 
-@dataclass(frozen=True, eq=False)
 class Placement(Record):
     """Where an element belongs, and who or what decided it."""
 
@@ -241,7 +232,6 @@ class Placement(Record):
     without ``anchor``."""
 
 
-@dataclass(frozen=True, eq=False)
 class Member(Record):
     """One control of an element, with its drawn track."""
 
@@ -257,7 +247,6 @@ class Member(Record):
     """Drawn length over true length: 1 unless the trajectory is too small to be used."""
 
 
-@dataclass(frozen=True, eq=False)
 class Anchor(Record):
     """Where an element holds on to the character."""
 
@@ -295,7 +284,6 @@ class Anchor(Record):
         return f"{self.mesh} has other points or faces{counts if known else ''}"
 
 
-@dataclass(frozen=True, eq=False)
 class ExistingSpan(Record):
     """Points that draw one element of a layout that exists."""
 
@@ -307,7 +295,6 @@ class ExistingSpan(Record):
     """(n,) ascending, into the points of the prim."""
 
 
-@dataclass(frozen=True, eq=False)
 class ExistingPrim(Record):
     """One drawn prim of a layout that exists."""
 

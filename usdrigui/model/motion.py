@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -15,7 +15,6 @@ _OWN = 0.3
 """What a joint owns by this share of the most that it owns anywhere is its own skin."""
 
 
-@dataclass(frozen=True, eq=False)
 class BaseSurface(Record):
     """The surface of all meshes in the base pose."""
 
@@ -33,7 +32,6 @@ class BaseSurface(Record):
     sizes."""
 
 
-@dataclass(frozen=True, eq=False)
 class Trajectories(Record):
     """Trajectories of every point under every control, at the base pose."""
 
@@ -54,7 +52,6 @@ class Trajectories(Record):
         return next(each for each in self.motions if each.control == control)
 
 
-@dataclass(frozen=True, eq=False)
 class Motion(Record):
     """The trajectories of all points that one control moves (paper: d_j)."""
 
@@ -118,7 +115,6 @@ class Motion(Record):
         )
 
 
-@dataclass(frozen=True, eq=False)
 class Polylines(Record):
     """Where a control takes points, at knots of its value."""
 
@@ -128,7 +124,6 @@ class Polylines(Record):
     """(k, p, 3) position minus base position, in root space; zero at the default."""
 
 
-@dataclass(frozen=True, eq=False)
 class Shares(Record):
     """How much of each point that a control moves is its own."""
 
@@ -140,7 +135,6 @@ class Shares(Record):
     all of it as well); None where that does not count."""
 
 
-@dataclass(frozen=True, eq=False)
 class MirrorPlane(Record):
     """The plane of symmetry."""
 
@@ -163,7 +157,6 @@ class MirrorPlane(Record):
         return np.asarray(points - self.distance(points)[..., None] * self.normal)
 
 
-@dataclass(frozen=True, eq=False)
 class Symmetry(Record):
     """The mirror plane of the character and what it maps to what."""
 

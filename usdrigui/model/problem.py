@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -10,7 +9,6 @@ import numpy as np
 from usdrigui.character.record import Flags, Floats, Indices, Record
 
 
-@dataclass(frozen=True, eq=False)
 class LayoutProblem(Record):
     """Choose one label per variable so that the total cost is least (paper eq. 2-5).
 
@@ -40,7 +38,6 @@ class LayoutProblem(Record):
         return found.reshape(len(states), len(states))
 
 
-@dataclass(frozen=True, eq=False)
 class Variable(Record):
     """One element to place: its candidates are the labels 0..R-1; label -1 is the board.
 
@@ -68,7 +65,6 @@ class Variable(Record):
     not interact."""
 
 
-@dataclass(frozen=True, eq=False)
 class Overlap(Record):
     """What two elements cost that are in each other's way as they are drawn (`usdrigui.overlap`).
 
@@ -108,7 +104,6 @@ class Overlap(Record):
         return max(self.near_radius, room_radius, self.track_radius, self.along_radius)
 
 
-@dataclass(frozen=True, eq=False)
 class MeanOverlap(Record):
     """Constants of the paper's overlap cost (eq. 1, with the sign corrected).
 
@@ -140,7 +135,6 @@ class MeanOverlap(Record):
 AnyOverlap = Overlap | MeanOverlap
 
 
-@dataclass(frozen=True, eq=False)
 class ExtraPairs(Record):
     """Explicit pair costs between the candidates of two variables (a < b), added to the
     overlap's."""
@@ -153,7 +147,6 @@ class ExtraPairs(Record):
     """(q,) >= 0; each (label, label) pair at most once."""
 
 
-@dataclass(frozen=True, eq=False)
 class Choice(Record):
     """What the labels of one variable mean: anchors and drawn points of every copy of the
     element."""

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
-from usdrigui.character import Control
+from usdrigui.character import Control, Record
 from usdrigui.errors import Issue, of_character
 from usdrigui.layout.group.grouping import suggested_groups
 from usdrigui.layout.reuse.identity import names_draft
@@ -62,8 +62,7 @@ def inspect(
     return Inspection(str(asset), tuple(characters), tuple(issues), clock.seconds)
 
 
-@dataclass(frozen=True, eq=False)
-class _Found:
+class _Found(Record):
     """The remarks of the stages on the controls of one part, by control."""
 
     part: ProblemInputs

@@ -10,11 +10,11 @@ from __future__ import annotations
 import functools
 import os
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from usdrigui.character import Rig
+from usdrigui.character import Record, Rig
 from usdrigui.errors import Issue, issue, of_character, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_unchanged
 from usdrigui.layout.element.elements import proof_of
@@ -156,8 +156,7 @@ def process_stage(
 # --- what is read ---------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, eq=False)
-class AssetReading:
+class AssetReading(Record):
     """An asset and the layouts to use, with the variants that the settings select."""
 
     settings: Settings

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
-from usdrigui.character import Floats, LeftOff, Rig
+from usdrigui.character import Floats, LeftOff, Record, Rig
 from usdrigui.errors import Issue, of_character
 from usdrigui.layout.face import Face
 from usdrigui.layout.measured import Measured
@@ -18,8 +18,7 @@ from usdrigui.pipeline.reference_layouts import OwnReferences, ReferenceLayouts
 from usdrigui.settings import Settings
 
 
-@dataclass(frozen=True, eq=False)
-class Task:
+class Task(Record):
     """What is asked of the characters of a stage."""
 
     settings: Settings
@@ -28,8 +27,7 @@ class Task:
     """By SkelRoot, the direction to the viewer of the camera that ``candidates.view`` names."""
 
 
-@dataclass(frozen=True, eq=False)
-class CharacterPart:
+class CharacterPart(Record):
     """One part of a character, with what is found out about it by itself."""
 
     name: str
@@ -42,8 +40,7 @@ class CharacterPart:
         return frozenset(motion.control for motion in self.trajectories.motions)
 
 
-@dataclass(frozen=True, eq=False)
-class Character:
+class Character(Record):
     """A character with its parts, ready to be laid out one part after the other."""
 
     rig: Rig
@@ -60,8 +57,7 @@ class Character:
     requests: Requests
 
 
-@dataclass(frozen=True, eq=False)
-class ProblemInputs:
+class ProblemInputs(Record):
     """The layout problem of one part of a character, and what it was built from."""
 
     character: Character
@@ -127,8 +123,7 @@ class ProblemInputs:
         }
 
 
-@dataclass(frozen=True, eq=False)
-class LaidPart:
+class LaidPart(Record):
     """One part of a character, laid out."""
 
     inputs: ProblemInputs

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from usdrigui.character import Performance, Rig
+from usdrigui.character import Performance, Record, Rig
 from usdrigui.errors import Faults, Issue, RigUIError, issue, meant, of_character, refuse
 from usdrigui.isolation.foreign_file import SourceFile
 from usdrigui.layout.reuse.existing_layout import layout_of, moved_path
@@ -50,8 +50,7 @@ class ReferenceLayers:
     """Layers of corrections that hold, besides those of the asset and of the layouts to succeed."""
 
 
-@dataclass(frozen=True, eq=False)
-class ReferenceLayouts:
+class ReferenceLayouts(Record):
     """What those layers hold, by SkelRoot."""
 
     fixed: Mapping[str, Layout] = field(default_factory=dict)
@@ -238,8 +237,7 @@ def _shares_controls(controls: frozenset[str], rig: Rig) -> bool:
     return not rig.control_names.isdisjoint(controls)
 
 
-@dataclass(frozen=True, eq=False)
-class OwnReferences:
+class OwnReferences(Record):
     """What the references hold for one character, by its own names for its controls."""
 
     fixed: Layout | None = None

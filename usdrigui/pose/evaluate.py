@@ -10,7 +10,7 @@ only.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -24,7 +24,6 @@ from usdrigui.model import Element, Layout
 from usdrigui.pose.handle_track import carried, facing, slid
 
 
-@dataclass(frozen=True, eq=False)
 class PosedElement(Record):
     """One element at a pose; positions in root space."""
 
@@ -42,7 +41,6 @@ class PosedElement(Record):
     """(q, 3) points of the handle's glyph; none for the usual shape."""
 
 
-@dataclass(frozen=True, eq=False)
 class PosedLayout(Record):
     """A character and its elements at a pose."""
 
@@ -52,7 +50,6 @@ class PosedLayout(Record):
     """In the order of `Layout.elements`."""
 
 
-@dataclass(frozen=True, eq=False)
 class Poser(Record):
     """A rig and its layout, prepared by `prepare` for evaluation at many poses."""
 

@@ -47,7 +47,6 @@ class Opening:
         return cls(settings.variants, Limits.of(settings))
 
 
-@dataclass(frozen=True, eq=False)
 class ReadResult(Record):
     """What an asset holds."""
 
@@ -91,7 +90,6 @@ class ReadResult(Record):
         return "has its layout in the variant rigUI" if root in self.switched_off else ""
 
 
-@dataclass(frozen=True, eq=False)
 class LayoutsResult(Record):
     """What a layout layer holds."""
 
@@ -110,7 +108,6 @@ class LayoutsResult(Record):
     """Meters of a unit of the stage; 0 where unknown."""
 
 
-@dataclass(frozen=True, eq=False)
 class FaultsResult(Record):
     """What is wrong with an asset's blend shapes and animation, all of it."""
 
@@ -119,7 +116,6 @@ class FaultsResult(Record):
     """Whether the stage has no prim at all."""
 
 
-@dataclass(frozen=True, eq=False)
 class LayerResult(Record):
     """A layer as its file has it, before anything is composed."""
 
@@ -137,8 +133,7 @@ class LayerResult(Record):
     """Those that it holds itself."""
 
 
-@dataclass(frozen=True, eq=False)
-class Request:
+class Request(Record):
     """What the reader is asked."""
 
     task: Task
@@ -147,8 +142,7 @@ class Request:
     limits: Limits
 
 
-@dataclass(frozen=True, eq=False)
-class Response:
+class Response(Record):
     """What the reader answers: one of the results, two of a composed stage, or a refusal with its
     exit code."""
 

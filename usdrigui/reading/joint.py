@@ -8,11 +8,10 @@ from names.
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.character import Floats
+from usdrigui.character import Floats, Record
 from usdrigui.character.joint_tree import FINGERS, Fan, Tree, fans, unit
 from usdrigui.character.rotation import rotation_part, rotations
 
@@ -39,8 +38,7 @@ SPREAD = (-20.0, 20.0)
 """Ranges in degrees."""
 
 
-@dataclass(frozen=True, eq=False)
-class Turn:
+class Turn(Record):
     """One degree of freedom: joints that turn alike."""
 
     name: str
@@ -70,8 +68,7 @@ def default_turns(tree: Tree) -> tuple[Turn, ...]:
 # --- hands ----------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, eq=False)
-class _Finger:
+class _Finger(Record):
     chain: tuple[int, ...]
     """Every joint with skin, the metacarpal included."""
     curled: tuple[int, ...]

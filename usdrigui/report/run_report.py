@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
-from usdrigui.character import Floats, LeftOff, Rig
+from usdrigui.character import Floats, LeftOff, Record, Rig
 from usdrigui.errors import Issue
 from usdrigui.model import Assignment, Layout, Legibility
 from usdrigui.model.levels import outer_first
@@ -46,8 +46,7 @@ class ControlRow:
         return self.part or self.place if self.place == "face" else self.place
 
 
-@dataclass(frozen=True, eq=False)
-class PartRow:
+class PartRow(Record):
     """One part of a character and the proof of its layout."""
 
     name: str
@@ -60,8 +59,7 @@ class PartRow:
     assignment: Assignment
 
 
-@dataclass(frozen=True, eq=False)
-class CharacterReport:
+class CharacterReport(Record):
     """One SkelRoot."""
 
     root: str
@@ -116,8 +114,7 @@ class SourceRow:
     """Hex digest of what was read."""
 
 
-@dataclass(frozen=True, eq=False)
-class Report:
+class Report(Record):
     """One run of `usdrigui.process`."""
 
     asset: str

@@ -9,7 +9,6 @@ through the same code.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -24,7 +23,6 @@ SEVERAL = -2
 """Stands for the candidate of a block of several."""
 
 
-@dataclass(frozen=True, eq=False)
 class LabelGeometry(Record):
     """One copy of the elements of labels (or blocks) that have the same number of samples.
 
@@ -73,7 +71,6 @@ class LabelGeometry(Record):
         return place
 
 
-@dataclass(frozen=True, eq=False)
 class LabelSet(Record):
     """Labels or blocks of all variables; those on the board have no geometry."""
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from scipy.sparse import coo_array, csr_array
@@ -19,7 +18,6 @@ from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import CHUNK, LabelSet, meeting, pair_bounds
 
 
-@dataclass(frozen=True, eq=False)
 class NearPairs(Record):
     """Pairs of blocks of two sets of geometries that may interact."""
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from usdrigui.character import Flags, Floats, Indices, Record
@@ -22,7 +20,6 @@ BYTES_PER_ENTRY = 20
 """Of a table: its cost before and after labels go, and what is worked out of a part of it."""
 
 
-@dataclass(frozen=True, eq=False)
 class Blocks(Record):
     """A partition of some labels into blocks."""
 

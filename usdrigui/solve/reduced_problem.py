@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
@@ -19,7 +18,7 @@ import numpy as np
 from scipy.sparse import csr_array
 from scipy.spatial.distance import cdist
 
-from usdrigui.character import Flags, Floats, Indices, Singles
+from usdrigui.character import Flags, Floats, Indices, Record, Singles
 
 EPSILON = 1e-11
 """A cost that is not above is none."""
@@ -31,8 +30,7 @@ DEAREST = 64.0
 Triplet = tuple[int, int, int]
 
 
-@dataclass(frozen=True, eq=False)
-class PlainProblem:
+class PlainProblem(Record):
     """What solvers of a rest get: labels of variables with the problem's own costs, and no
     messages."""
 
@@ -72,8 +70,7 @@ class PlainProblem:
         return int(((self.pairs > EPSILON) & (self.pairs < np.inf)).sum()) // 2
 
 
-@dataclass(frozen=True, eq=False)
-class Solution:
+class Solution(Record):
     """What a solver proved of a reduced problem, and found."""
 
     bound: float

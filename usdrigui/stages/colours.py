@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import io
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from pxr import Ar, Usd, UsdGeom, UsdShade
 
-from usdrigui.character import Floats, Indices, Topology
+from usdrigui.character import Floats, Indices, Record, Topology
 from usdrigui.stages.arrays import value_at
 
 _BASE_COLOURS = ("diffuseColor", "base_color", "baseColor", "diffuse_color_constant")
@@ -19,8 +18,7 @@ _MOST_PIXELS = 2048 * 2048
 """Of a texture that is read; larger ones take longer than all other reading."""
 
 
-@dataclass(frozen=True, eq=False)
-class _Corners:
+class _Corners(Record):
     """The corners of the faces of a mesh, at which colours are looked up."""
 
     prim: Usd.Prim

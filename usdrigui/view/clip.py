@@ -3,8 +3,6 @@ motion."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from usdrigui.character import Body, Clip, Control, Floats, Record, Rig
@@ -33,7 +31,6 @@ def clip_values(rig: Rig, count: int = 0) -> Floats:
     return np.asarray(values[steps], dtype=np.float64)
 
 
-@dataclass(frozen=True, eq=False)
 class ClipReading(Record):
     """Where the value of a control is read in a clip, for films and for pages: in the weight of the
     first of `rises`, else in the rotation of a joint."""

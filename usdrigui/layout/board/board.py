@@ -14,7 +14,7 @@ from typing import Literal
 
 import numpy as np
 
-from usdrigui.character import Control, Floats
+from usdrigui.character import Control, Floats, Record
 from usdrigui.layout.board.board_place import anchor_point, face_middle, silhouette
 from usdrigui.layout.face import Face
 from usdrigui.layout.glyph_fitting import fitted_glyph
@@ -168,8 +168,7 @@ def _lines(row: tuple[BoardEntry, ...]) -> int:
     return 3 if any(each.group.kind != "slider" for each in row) else 1
 
 
-@dataclass(frozen=True, eq=False)
-class _Drawing:
+class _Drawing(Record):
     """What all elements of a board are drawn with."""
 
     face: Face

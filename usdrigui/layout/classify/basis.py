@@ -10,8 +10,6 @@ go can.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from scipy.optimize import nnls
 
@@ -31,7 +29,6 @@ _RIDGE = 1e-4
 """Keeps the products of nearly parallel motions invertible."""
 
 
-@dataclass(frozen=True, eq=False)
 class Explanation(Record):
     """A control as a sum of atoms."""
 
@@ -43,7 +40,6 @@ class Explanation(Record):
     """Of the control's energy that the sum explains."""
 
 
-@dataclass(frozen=True, eq=False)
 class Basis(Record):
     """The atoms of a rig, and what the others consist of."""
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.character import Control, Flags, Floats
+from usdrigui.character import Control, Flags, Floats, Record
 from usdrigui.conventions import Meaning
 from usdrigui.errors import Issue, explained
 from usdrigui.layout.classify.composites import Composite, composites, explanation
@@ -36,8 +36,7 @@ class Classification:
     """Motions of which that of a composite is the sum, and how far each of them goes."""
 
 
-@dataclass(frozen=True, eq=False)
-class _Evidence:
+class _Evidence(Record):
     """What speaks for one control leaving the face."""
 
     coverage_of_smaller: float

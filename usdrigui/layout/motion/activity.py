@@ -7,7 +7,7 @@ go, from 0 to 1.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -22,7 +22,6 @@ _MOST = 3.0
 """Use beyond this many times the mean counts no more."""
 
 
-@dataclass(frozen=True, eq=False)
 class Activity(Record):
     """What some animations make a character do."""
 

@@ -8,11 +8,10 @@ and the next one.
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.character import Body, Control, Flags, Floats, Joint, Skeleton
+from usdrigui.character import Body, Control, Flags, Floats, Joint, Record, Skeleton
 from usdrigui.character.joint_tree import Hanging
 from usdrigui.character.skinning import base_locals, in_skeleton_space, with_descendants
 
@@ -93,8 +92,7 @@ def _by_own_bone(
     return factor
 
 
-@dataclass(frozen=True, eq=False)
-class _Bone:
+class _Bone(Record):
     joint: int
     next: int
     """The joint at its end, -1 at the end of a chain."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -19,7 +18,6 @@ _DENSE = 0.25
 """Share of entries that are not zero from which rows are multiplied as dense ones."""
 
 
-@dataclass(frozen=True, eq=False)
 class DisplacementFields(Record):
     """What every control does at the places that any control moves, as one vector each."""
 
@@ -52,7 +50,6 @@ class DisplacementFields(Record):
         return np.asarray(squared, dtype=np.float64)
 
 
-@dataclass(frozen=True, eq=False)
 class Similarity(Record):
     """Comparisons of all motions with each other; symmetric matrices (motions, motions)."""
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -43,7 +42,6 @@ _NEAR = 0.5
 the face."""
 
 
-@dataclass(frozen=True, eq=False)
 class Part(Record):
     """One part of a character."""
 

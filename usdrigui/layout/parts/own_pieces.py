@@ -6,11 +6,10 @@ An eyeball is a piece around its joint, all at one distance from it: it turns on
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.character import Body, Floats, Indices
+from usdrigui.character import Body, Floats, Indices, Record
 from usdrigui.character.joint_tree import Tree
 from usdrigui.character.skinning import bound_points
 from usdrigui.character.surface import components, mesh_triangles
@@ -27,8 +26,7 @@ _BALL = 12
 """Points of an eyeball, at least."""
 
 
-@dataclass(frozen=True, eq=False)
-class Pieces:
+class Pieces(Record):
     """The connected pieces of a character's surface and the joints that hold them."""
 
     tree: Tree

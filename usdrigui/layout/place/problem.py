@@ -9,11 +9,11 @@ instead.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
-from usdrigui.character import Floats, Indices
+from usdrigui.character import Floats, Indices, Record
 from usdrigui.character.surface import mean_edge_length, mesh_triangles
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.layout.face import Face
@@ -48,8 +48,7 @@ _SAME = 1e-6
 """Widths that differ by a smaller share are the same."""
 
 
-@dataclass(frozen=True, eq=False)
-class PlacementProblem:
+class PlacementProblem(Record):
     """The problem whose solution is the layout of all groups that may stand on the face."""
 
     groups: tuple[Group, ...]
@@ -170,8 +169,7 @@ def _constants(face: Face, settings: ObjectiveSettings) -> tuple[AnyOverlap, flo
     return mean, separation
 
 
-@dataclass(frozen=True, eq=False)
-class _Costs:
+class _Costs(Record):
     """What every variable is costed with."""
 
     face: Face

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.character import Floats, Indices, Rig
+from usdrigui.character import Floats, Indices, Record, Rig
 from usdrigui.model import Anchor, Correction, Trajectories
 from usdrigui.ties import first_smallest
 
@@ -17,8 +16,7 @@ MOVES = 0.05
 """Share of its peak by which a control moves a point to which it may be carried."""
 
 
-@dataclass(frozen=True, eq=False)
-class Today:
+class Today(Record):
     """A rig, its points and its motions."""
 
     rig: Rig

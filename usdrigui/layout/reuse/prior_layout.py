@@ -34,7 +34,6 @@ class KeptGroup:
     """Whether it had a handle on either side of the middle."""
 
 
-@dataclass(frozen=True, eq=False)
 class Place(Record):
     """The earlier place of a control."""
 
@@ -50,7 +49,6 @@ class Place(Record):
     """The same in words."""
 
 
-@dataclass(frozen=True, eq=False)
 class PriorLayout(Record):
     """What an earlier layout asks of the new one."""
 

@@ -4,9 +4,9 @@ out, by control."""
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
-from usdrigui.character import Control
+from usdrigui.character import Control, Record
 from usdrigui.layout.control_overrides import Named, controls_named
 from usdrigui.layout.reuse.pinned import Pins
 from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout
@@ -14,8 +14,7 @@ from usdrigui.model import Element, Layout
 from usdrigui.settings import ControlSettings
 
 
-@dataclass(frozen=True, eq=False)
-class Requests:
+class Requests(Record):
     """What the rigger and earlier layouts ask for; made once for a character."""
 
     configured: tuple[ControlSettings, ...]

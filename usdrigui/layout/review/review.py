@@ -8,8 +8,8 @@ that would place it (paper section 1: layouts also validate manual design choice
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from usdrigui.character import Record
 from usdrigui.errors import Issue, issue
 from usdrigui.layout.measured import Measured
 from usdrigui.layout.review.layout_faults import crowded, hidden, stale, unplaced
@@ -24,8 +24,7 @@ _WORTH = 0.05
 is worth."""
 
 
-@dataclass(frozen=True, eq=False)
-class Review:
+class Review(Record):
     """What `review` found."""
 
     issues: tuple[Issue, ...]
@@ -35,8 +34,7 @@ class Review:
     legibility: Legibility
 
 
-@dataclass(frozen=True, eq=False)
-class Whole:
+class Whole(Record):
     """The layout of the character, of which a part is reviewed."""
 
     layout: Layout

@@ -8,12 +8,12 @@ reflection to pairs of nearest points, and the far pairs (hair, clothes) are tri
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from scipy.spatial import cKDTree
 
-from usdrigui.character import Flags, Floats, Indices, Rig
+from usdrigui.character import Flags, Floats, Indices, Record, Rig
 from usdrigui.layout.motion.similarity import DisplacementFields
 from usdrigui.layout.motion.trajectory import total_motion
 from usdrigui.layout.symmetry.front import front
@@ -127,8 +127,7 @@ def _moving_region(trajectories: Trajectories) -> tuple[Floats, Floats]:
     return surface.points[chosen], weights[chosen]
 
 
-@dataclass(frozen=True, eq=False)
-class _Search:
+class _Search(Record):
     """Candidate planes, compared on a sample of what the rig moves."""
 
     trajectories: Trajectories

@@ -81,7 +81,6 @@ class _Eye:
     piece: int
 
 
-@dataclass(frozen=True, eq=False)
 class _Face(Record):
     """The character at rest in its layout's view: x to the right, y up, z toward the viewer."""
 

@@ -7,8 +7,6 @@ an outline passes through it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from scipy.ndimage import maximum_filter, minimum_filter
 
@@ -37,7 +35,6 @@ folds, not of pores."""
 _SUBPIXELS = np.array([[-0.125, -0.375], [0.375, -0.125], [0.125, 0.375], [-0.375, 0.125]])
 
 
-@dataclass(frozen=True, eq=False)
 class Camera(Record):
     """An orthographic view of a rectangle."""
 
@@ -67,7 +64,6 @@ class Camera(Record):
         )
 
 
-@dataclass(frozen=True, eq=False)
 class Complexion(Record):
     """How the points of a rig look, in the numbering of `Rig`."""
 
@@ -92,7 +88,6 @@ class Complexion(Record):
         return np.asarray(self.colours * light[:, None] ** _FADING)
 
 
-@dataclass(frozen=True, eq=False)
 class Subject(Record):
     """The visible surface of a character at one pose, ready for ray casting."""
 
@@ -108,7 +103,6 @@ class Subject(Record):
     caster: Caster
 
 
-@dataclass(frozen=True, eq=False)
 class Shaded(Record):
     """A picture of the body alone."""
 

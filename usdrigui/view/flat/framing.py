@@ -7,7 +7,7 @@ The page's cameras turn; they hold the `corners` of the same.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -31,7 +31,6 @@ _NAME = 15.0
 """Height of a row of names that is read with ease, pixels."""
 
 
-@dataclass(frozen=True, eq=False)
 class Frame(Record):
     """A rectangle of a view, and what it shows."""
 
@@ -49,7 +48,6 @@ class Frame(Record):
     """Pixels kept free on either side for the names."""
 
 
-@dataclass(frozen=True, eq=False)
 class View(Record):
     """A frame on a page."""
 

@@ -18,7 +18,6 @@ PAPER, GROUND = (250, 250, 251), (236, 238, 241)
 """Behind the panels, and in those that show something."""
 
 
-@dataclass(frozen=True, eq=False)
 class Mark(Record):
     """One element, or the example of a legend."""
 
@@ -79,7 +78,6 @@ class Label:
     ink: Colour = INK
 
 
-@dataclass(frozen=True, eq=False)
 class Panel(Record):
     """A rectangle of a page."""
 
@@ -95,7 +93,6 @@ class Panel(Record):
     """Whether it has a ground of its own; titles and captions stand on the paper."""
 
 
-@dataclass(frozen=True, eq=False)
 class Page(Record):
     """Panels on one sheet."""
 
