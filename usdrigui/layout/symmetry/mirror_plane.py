@@ -17,7 +17,7 @@ from usdrigui.character import Flags, Floats, Indices, Record, Rig
 from usdrigui.layout.motion.similarity import DisplacementFields
 from usdrigui.layout.motion.trajectory import total_motion
 from usdrigui.layout.symmetry.front import front
-from usdrigui.layout.symmetry.sides_of_joints import ACROSS, plane_of_names
+from usdrigui.layout.symmetry.sides_of_joints import ACROSS, ahead_of_head, plane_of_names
 from usdrigui.layout.symmetry.twins import agreements, pairable, paired
 from usdrigui.model import MirrorPlane, Symmetry, Trajectories
 from usdrigui.settings import Settings
@@ -270,13 +270,17 @@ def _towards_left(
     """The plane with its normal to the character's left.
 
     What controls of skin move faces ahead.  The skin that a joint turns lies all around it: where
-    joints alone are controls, the names of the joints decide.
+    joints alone are controls, the names of the joints decide, and then the face on the head, which
+    hair hangs behind and a muzzle reaches beyond.
     """
-    joints_alone = all(rig.controls[each.control].kind == "joint" for each in trajectories.motions)
-    if joints_alone and named is not None and _agree(named, plane):
-        return replace(plane, normal=towards(plane.normal, named.normal))
-    ahead = front(rig.skel_root.up, trajectories, plane.normal)
-    return replace(plane, normal=towards(plane.normal, np.cross(rig.skel_root.up, ahead)))
+    up, ahead = rig.skel_root.up, None
+    if all(rig.controls[motion.control].kind == "joint" for motion in trajectories.motions):
+        if named is not None and _agree(named, plane):
+            return replace(plane, normal=towards(plane.normal, named.normal))
+        ahead = ahead_of_head(rig, trajectories)
+    if ahead is None:
+        ahead = front(up, trajectories, plane.normal)
+    return replace(plane, normal=towards(plane.normal, np.cross(up, ahead)))
 
 
 # --- points ---------------------------------------------------------------------------------------
