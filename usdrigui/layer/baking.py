@@ -11,7 +11,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -94,7 +94,6 @@ def apart(scope: Usd.Prim, settings: ReadSettings) -> Iterator[Issue]:
 # --- the values -----------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, eq=False)
 class _State(Record):
     """What the values make of the animation at a time."""
 
@@ -108,7 +107,6 @@ class _State(Record):
     """(3, joints, 3) rotation vectors, translations and logarithms of scales that joints gain."""
 
 
-@dataclass(frozen=True, eq=False)
 class _Valued(Record):
     """A character, and the controls of its layout, some of which have a value."""
 
