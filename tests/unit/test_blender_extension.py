@@ -7,10 +7,9 @@ import re
 import subprocess
 import sys
 import zipfile
-from dataclasses import fields, replace
+from dataclasses import replace
 from pathlib import Path
 
-import drag_vectors
 import laid_out
 import numpy as np
 import pytest
@@ -24,12 +23,10 @@ from usdrigui.layer import drawn
 from usdrigui.layer.read_layout import read_layout
 from usdrigui.layer.write_layout import stage_metadata, write_layout
 from usdrigui.model import LayoutPart
-from usdrigui.pose.evaluate import elements_at, prepare
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, Settings
 
 ROOMS = ("layout", "reading", "screen", "tracking", "joints")
-VECTORS = drag_vectors.vectors()
 
 
 @pytest.fixture(scope="module")
@@ -110,44 +107,6 @@ def test_importing_it_needs_neither_blender_nor_usdrigui(tmp_path):
 
 
 # --- mathematics --------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("name", VECTORS)
-def test_drags_on_the_vectors_that_all_clients_run(extension, name):
-    vector, pixels = VECTORS[name], pixel_screen(extension)
-    element, controls = records(extension, vector)
-    drawing = extension["tracking"].drawing_of(element, controls)
-    tracks = tuple(np.array(member.track) for member in element.members)
-    where = extension["tracking"].Placed(tracks, (), np.zeros(3), np.zeros(3), 1.0)
-    for path in vector["drags"]:
-        grab = extension["screen"].Grab(pixels, drawing, where, path["start"], (5.0, 7.0))
-        for step in path["steps"]:
-            drag_vectors.check(vector, step, grab.to(np.add((5.0, 7.0), step["to"])).tolist())
-
-
-def pixel_screen(extension):
-    """A view in which world x and y are pixels."""
-    matrix = np.array([[1.0, 0, 0, -1], [0, -1, 0, 1], [0, 0, 1, 0], [0, 0, 0, 1]])
-    return extension["screen"].Screen(matrix, 2.0, 2.0, np.array([0.0, 0.0, 1.0]), False)
-
-
-def records(extension, vector):
-    """The extension's own records of an element and its controls, as they are after JSON."""
-    layout = extension["layout"]
-    ranges = zip(*(vector[name] for name in ("minimum", "default", "maximum", "base")), strict=True)
-    controls = tuple(layout.Control(str(i), "", *each, keys=(), shapes=(), joints=()) for i, each in enumerate(ranges))
-    tracks = [tuple((x, y, 0.0) for x, y in track) for track in vector["tracks"]]
-    members = tuple(
-        layout.Member(str(i), tuple(values), track, 1.0)
-        for i, (values, track) in enumerate(zip(vector["values"], tracks, strict=True))
-    )
-    given = {each.name: {"str": "", "int": 0, "bool": False}.get(each.type, ()) for each in fields(layout.Element)}
-    axes = tuple(map(tuple, vector["axes"]))
-    element = layout.Element(
-        **{**given, "members": members, "position": (0.0,) * 3, "normal": (0.0,) * 3, "axes": axes}
-    )
-    found = layout.from_json(layout.to_json(layout.Layout("/Char", 1.0, controls, (element,), (), ())))
-    return found.elements[0], {control.name: control for control in found.controls}
 
 
 def front(extension, width=400.0, height=300.0):
@@ -342,19 +301,3 @@ def test_areas_span_the_ends_that_the_layer_draws_them_between(extension, tmp_pa
             assert np.abs(np.array(ends) - corner).max(axis=1).min() < 1e-4
         spanned += len(corners)
     assert spanned
-
-
-def test_placing_agrees_with_our_own_evaluation_at_the_base_pose(extension, laid):
-    rig, layout, layer = laid
-    (found,) = extension["reading"].read_layouts(Usd.Stage.Open(str(layer)))
-    controls = {control.name: control for control in found.controls}
-    expected = elements_at(prepare(rig, layout), layout.character.base_values)
-    for element, ours_at in zip(found.elements, expected, strict=True):
-        drawing = extension["tracking"].drawing_of(element, controls)
-        still = np.eye(4)
-        point = np.array(element.position) if element.follows else None
-        site = extension["tracking"].AnchorFrame(point, np.zeros(3), still, still, still)
-        where = extension["tracking"].place(drawing, site, drawing.base)
-        assert where.handle == pytest.approx(ours_at.handle, abs=1e-4)
-        for mine, theirs in zip(where.tracks, ours_at.tracks, strict=True):
-            assert mine == pytest.approx(theirs, abs=1e-4)

@@ -1,9 +1,10 @@
-"""`sample`, and what other programs are given of us: `schema-path`, `config-schema` and
+"""`sample`, and what other programs are given of us: `schema-path`, `conform`, `config-schema` and
 `blender-extension`."""
 
 from __future__ import annotations
 
 import argparse
+import shlex
 from importlib.resources import files
 from pathlib import Path
 
@@ -36,6 +37,23 @@ def schema_path(_: argparse.Namespace) -> Exit:
 
     print(schema_path())
     return Exit.OK
+
+
+def conform(arguments: argparse.Namespace) -> Exit:
+    """Ask a reader of layouts the questions of the conformance suite."""
+    from usdrigui.cli.outcomes import screen_of
+    from usdrigui.clients import conforming
+    from usdrigui.report.documents import document
+
+    found = tuple(conforming.conform(shlex.split(arguments.reader)))
+    wrong = sum(len(each.wrong) for each in found)
+    count, left = (sum(getattr(each, name) for each in found) for name in ("count", "unanswered"))
+    screen_of(arguments).show(
+        lambda: document("conform", reader=arguments.reader, layers=found),
+        [f"wrong: {each.case}: {what}" for each in found for what in each.wrong],
+        f"usdrigui: {wrong} wrong, {left} unanswered of {count} answers about {len(found)} layers",
+    )
+    return Exit.REFUSED if wrong else Exit.OK
 
 
 def config_schema(_: argparse.Namespace) -> Exit:

@@ -20,7 +20,7 @@ has moved.
   value.
 
 numpy only, and nothing of the package: this very file is part of the Blender extension.
-viewer/src/drag.js is the same in JavaScript; tests/drag_vectors.json holds both to the same
+viewer/src/drag.js is the same in JavaScript; schemas/conformance/drags.json holds both to the same
 answers.
 """
 

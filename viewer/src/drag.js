@@ -1,5 +1,5 @@
 // From a drag in the plane of the screen to the values of an element's controls; usdrigui/pose/drag.py says the
-// rule, and tests/drag_vectors.json holds both to the same answers.
+// rule, and schemas/conformance/drags.json holds both to the same answers.
 //
 // An axis of the element is one control, with coordinates from 0 at its minimum to 1 at its maximum, or two
 // opposed ones, the ends -1 and 1 of one signed axis: of these one at most is away from its default.

@@ -6,7 +6,8 @@ import { boundedLeastSquares, fitPull, oneEndOfEach } from '../src/direct.js';
 import { oppositesOf, twinsOf } from '../src/posing.js';
 import { random, scene } from '../../tests/pulled_scenes.mjs';
 
-const VECTORS = JSON.parse(readFileSync(new URL('../../tests/drag_vectors.json', import.meta.url)));
+const { questions } = JSON.parse(readFileSync(new URL('../../schemas/conformance/drags.json', import.meta.url)));
+const VECTORS = Object.fromEntries(questions.map((each) => [each.element, each]));
 
 function pulled(made, start, now, target, towards = null) {
   const targets = [...target, ...made.positions(start).slice(3)];

@@ -1,18 +1,15 @@
-"""Test vectors of drags, which the rule in Python, the viewer's in JavaScript and the Blender extension all run.
+"""Makes drags.json, the questions about drags: ``python schemas/conformance/drags.py``.
 
-    python tests/drag_vectors.py FOLDER
-
-writes drag_vectors.json anew from layout layers of the real rigs in FOLDER (NAME.rigui.usda) and from made elements.
-A vector is an element on the screen, in pixels, and drags of its handle.  What is expected never comes from the rule
-under test: coordinates are chosen on the element's axes, and the tracks say where the pointer must be for them.
-Steps without an expected answer lie out of the handle's reach: there the laws alone hold.
+An element on the screen, in pixels, and drags of its handle.  What is expected never comes from a rule of drags:
+coordinates are chosen on the element's axes, and the tracks say where the pointer must be for them.  Steps without an
+expected answer lie out of the handle's reach: there the laws alone hold.  The elements of real rigs, seen from the
+front of their face and from its side, are kept in the file itself.
 """
 
 from __future__ import annotations
 
 import itertools
 import json
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -20,42 +17,6 @@ import numpy as np
 FILE = Path(__file__).with_suffix(".json")
 FIFTH = 0.2
 """Pixels between pointer and handle."""
-REAL = {
-    "ict_face57": (
-        "jawRight_jawLeft_jawOpen",
-        "mouthRight_mouthLeft",
-        "eyeLookIn_L_eyeLookOut_L_eyeLookDown_L_eyeLookUp_L",
-        "eyeBlink_R_eyeWide_R",
-        "mouthSmile_L",
-    ),
-    "facecap_blender": ("mouthPucker_mouthRight_mouthLeft",),
-    "godette": ("look_right_look_left_look_up",),
-    "mh_poseunits": ("ChinRight_ChinLeft_JawDrop_ChinForward", "LeftUpperLidClosed_LeftUpperLidOpen"),
-    "vitruvian": ("Mouth_Closed_Move_Right_Mouth_Closed_Move_Left_Lips_Push_Dn_Lips_Push_Up",),
-}
-HANDLE = 16.0
-"""Pixels of a real rig's handle."""
-
-
-# --- what the runners share --------------------------------------------------------------------------
-
-
-def vectors():
-    """The elements of the file by name."""
-    return json.loads(FILE.read_text(encoding="utf-8"))
-
-
-def check(element, step, values):
-    """The laws of a drag, and what one step expects of member values."""
-    for member, value in enumerate(values):
-        assert element["minimum"][member] <= value <= element["maximum"][member]
-    for pair in (axis for axis in element["axes"] if len(axis) == 2):
-        assert any(values[end] == element["default"][end] for end in pair), f"both ends: {values}"
-    if "values" in step:
-        away = np.abs(np.subtract(values, step["values"]))
-        assert (away <= step["within"]).all(), f"{values}, not {step['values']}, at {step['to']}"
-
-
 # --- forward: from coordinates to values to pixels -----------------------------------------------------
 
 
@@ -340,70 +301,35 @@ def answered(element, *drags):
     }
 
 
-# --- elements of real rigs ---------------------------------------------------------------------------
+# --- the file ----------------------------------------------------------------------------------------
 
 
-def real_elements(folder):
-    """By name, the elements of `REAL`, seen from the front of their face and from its side."""
-    from pxr import Usd
-
-    found = {}
-    for rig, names in REAL.items():
-        stage = Usd.Stage.Open(str(folder / f"{rig}.rigui.usda"))
-        for name in names:
-            for turn in (0.0, 35.0):
-                element = _seen(stage, name, np.radians(turn))
-                found[f"{rig} {name}, turned by {turn:.0f} degrees"] = described(element, ways(element))
-    return found
-
-
-def _seen(stage, name, turn):
-    from pxr import UsdGeom
-
-    from usdrigui.layer.properties import value_of
-    from usdrigui.layer.read_layout import element_prims, layout_scopes, read_layout
-    from usdrigui.stages import schema
-
-    (layout,), (scope,) = read_layout(stage), layout_scopes(stage)
-    element = next(each for each in layout.elements if each.name == name)
-    prim = next(each for each in element_prims(scope) if each.GetName() == name)
-    up = np.eye(3)["XYZ".index(UsdGeom.GetStageUpAxis(stage))]
-    right = np.cross(up, layout.frame.view)
-    across = np.cos(turn) * right + np.sin(turn) * layout.frame.view
-    frame = HANDLE / layout.frame.handle_width * np.stack([across / np.linalg.norm(across), -up])
-    ranges = {
-        limit: [float(value_of(prim, schema.CONTROL, limit, member.control)) for member in element.manipulator.members]
-        for limit in ("minimum", "default", "maximum")
-    }
-    names = list(value_of(scope, schema.LAYOUT, "baseControls"))
-    return {
-        "axes": [list(axis) for axis in element.manipulator.axes],
-        "tracks": [
-            ((member.track - element.anchor.position) @ frame.T).round(3).tolist()
-            for member in element.manipulator.members
-        ],
-        "values": [member.values.round(6).tolist() for member in element.manipulator.members],
-        **ranges,
-        "base": [
-            float(layout.character.base_values[names.index(member.control)]) for member in element.manipulator.members
-        ],
-    }
-
-
-def written(elements):
-    """The file: a line per field and per step."""
-    text = json.dumps({name: _lines(element) for name, element in elements.items()}, indent=1, ensure_ascii=False)
-    return text.replace('"<', "").replace('>"', "").replace('\\"', '"') + "\n"
-
-
-def _lines(element):
-    fields = {name: f"<{json.dumps(value)}>" for name, value in element.items() if name != "drags"}
-    drags = [
-        {"start": f"<{json.dumps(drag['start'])}>", "steps": [f"<{json.dumps(step)}>" for step in drag["steps"]]}
+def questions():
+    """All elements, the made ones and those of real rigs that the file has, each with its drags."""
+    kept = {each["element"]: each for each in json.loads(FILE.read_text(encoding="utf-8"))["questions"]}
+    fields = ("axes", "tracks", "values", "minimum", "default", "maximum", "base")
+    real = {name: {key: each[key] for key in fields} for name, each in kept.items() if "turned by" in name}
+    elements = {**made_elements(), **{name: described(each, ways(each)) for name, each in real.items()}}
+    return [
+        {
+            "ask": "drag",
+            "element": name,
+            **{key: element[key] for key in fields},
+            "start": drag["start"],
+            "moves": [step["to"] for step in drag["steps"]],
+            "answer": [step.get("values") for step in drag["steps"]],
+            "within": [step.get("within") for step in drag["steps"]],
+        }
+        for name, element in elements.items()
         for drag in element["drags"]
     ]
-    return {**fields, "drags": drags}
+
+
+def written():
+    """The text of the file, a question a line."""
+    lines = ",\n".join(json.dumps(each, ensure_ascii=False) for each in questions())
+    return f'{{"layer": "slider.usda", "questions": [\n{lines}\n]}}\n'
 
 
 if __name__ == "__main__":
-    FILE.write_text(written({**made_elements(), **real_elements(Path(sys.argv[1]))}), encoding="utf-8")
+    FILE.write_text(written(), encoding="utf-8")
