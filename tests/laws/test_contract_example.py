@@ -81,8 +81,6 @@ def test_values_of_the_base_pose_are_those_of_the_names_beside_them(layer):
             "error",
             "its anchor is up to 2.45 from",
         ),
-        (r".*anchor:pointIndex.*\n", "", "error", "pointIndex is missing"),
-        (r".*trackPoints.*\n", "", "error", "is missing"),
         (r".*control:jawOpen:blendShapes.*\n", "", "error", "the control drives nothing"),
         (re.escape(SHAPES), SHAPES.replace("jawOpen", "nosuch").replace(":nosuch:", ":jawOpen:"), "error", "'nosuch'"),
         (re.escape(SHAPES), f'{SHAPES}\n{JOINTS} = ["Head"]', "error", "keys are missing"),

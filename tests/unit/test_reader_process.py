@@ -25,8 +25,8 @@ from usdrigui.errors import Exit, RigUIError
 from usdrigui.isolation import record_stream
 from usdrigui.isolation.foreign_file import check_unchanged
 from usdrigui.reader import reader_main
-from usdrigui.reader.reader_process import read_layouts_isolated, read_rigs_isolated
-from usdrigui.reader.reader_records import Limits, Opening, Request
+from usdrigui.reader.reader_process import read_rigs_isolated
+from usdrigui.reader.reader_records import Limits, Request
 from usdrigui.reading.character import read_characters, read_rigs
 from usdrigui.settings import Settings, load
 
@@ -62,14 +62,6 @@ def test_a_rig_is_the_same_to_the_bit(tmp_path):
     ]
 
 
-def test_the_settings_reach_the_reader(tmp_path):
-    path = head(tmp_path / "char.usda")
-    every = {control.name for control in read_rigs_isolated(path, Settings()).rigs[0].controls}
-    one = min(every)
-    told = load({"controls": {one: {"exclude": True}}})
-    assert {control.name for control in read_rigs_isolated(path, told).rigs[0].controls} == every - {one}
-
-
 def test_metadata_is_that_of_the_root_layer(tmp_path):
     path = tmp_path / "char.usda"
     head(tmp_path / "geo.usda")
@@ -100,21 +92,6 @@ def test_a_camera_is_a_direction_in_the_space_of_the_root(tmp_path):
     (direction,) = found.cameras.values()
     np.testing.assert_allclose(direction, [1, 0, 0], atol=1e-12)
     assert read_rigs_isolated(path, load({"candidates": {"view": "/none"}})).cameras == {}
-
-
-def test_a_layout_comes_back_too(tmp_path):
-    from usdrigui.cli import main
-    from usdrigui.layer.read_layout import read_layout
-
-    path = head(tmp_path / "char.usda")
-    assert main(["process", str(path), "--quiet"]) == 0
-    layer = tmp_path / "char.rigui.usda"
-    found = read_layouts_isolated(layer, Opening())
-    here = read_layout(layer)
-    assert [b"".join(record_stream.encode(each)) for each in found.layouts] == [
-        b"".join(record_stream.encode(each)) for each in here
-    ]
-    assert Path(found.source) == path
 
 
 # --- what may become of the reader -------------------------------------------------------------------
@@ -350,11 +327,6 @@ def test_what_usd_raises_blames_the_asset(error, code, tmp_path, monkeypatch):
 
 
 # --- what is let in ----------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("name", ["none.usda", "a" * 300 + ".usda", "nul\0.usda"])
-def test_a_file_that_is_not_there(name, tmp_path):
-    assert refused(tmp_path / name).issue.code == "FILE_NOT_FOUND"
 
 
 # --- sources -----------------------------------------------------------------------------------------

@@ -377,31 +377,6 @@ with Transaction(()) as files:
     assert {each.name for each in tmp_path.iterdir()} == {"char.rigui.usda", "report.json"}
 
 
-def _named(folder, kind):
-    """Another name of ``char.usda``."""
-    asset, other = folder / "char.usda", folder / "report.json"
-    if kind == "itself":
-        return asset
-    if kind == "folder":
-        (folder / "alias").symlink_to(folder)
-        return folder / "alias" / asset.name
-    if kind == "link of link":
-        (folder / "middle").symlink_to(asset)
-    other.hardlink_to(asset) if kind == "hard link" else other.symlink_to("middle" if "of" in kind else asset.name)
-    return other
-
-
-@pytest.mark.parametrize("kind", ["itself", "link", "link of link", "hard link", "folder"])
-def test_what_a_run_has_read_is_never_replaced_by_whatever_name(tmp_path, kind):
-    asset = tmp_path / "char.usda"
-    asset.write_bytes(OLD)
-    target = _named(tmp_path, kind)
-    with pytest.raises(RigUIError, match=f"FILE_TARGET.*{asset}"):
-        commit(NEW, target, read=[tmp_path / "gone.toml", asset])
-    assert asset.read_bytes() == OLD
-    assert commit(NEW, tmp_path / "new.json", read=[asset]) == "written"
-
-
 @pytest.mark.skipif(not hasattr(os, "setxattr"), reason="there are no extended attributes")
 def test_access_lists_and_other_attributes_are_kept(target):
     folder_list = bytes.fromhex("0200000001000700ffffffff04000700ffffffff20000500ffffffff")
