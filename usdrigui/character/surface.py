@@ -16,6 +16,8 @@ from scipy.sparse.csgraph import connected_components, dijkstra
 
 from usdrigui.character import Floats, Indices, RigMesh
 
+_GRID = 1e-9
+"""Of the largest extent: points of one cell are at one position."""
 _TURNED = 1e-3
 """Share of a face by which a triangle must be turned against it: folded slivers are no concave
 faces."""
@@ -99,16 +101,16 @@ def point_areas(points: Floats, corners: Indices, places: Indices) -> Floats:
     return np.asarray(summed, dtype=np.float64)
 
 
-def weld(points: Floats, extra: Floats | None = None, resolution: float = 1e-9) -> Indices:
+def weld(points: Floats, extra: Floats | None = None) -> Indices:
     """``(n,)`` index of the first point at the same position: the point's *place*.
 
-    Positions are compared on a grid of `resolution` times the largest extent, above the rounding of
+    Positions are compared on a grid of `_GRID` times the largest extent, above the rounding of
     transforms and below any distance that was modelled: points that nearly touch stay apart,
     whichever way the character is turned.  `extra` ``(n, k)`` further values must agree too
     (relative to their own largest magnitude): lips that touch at rest but move apart are two
     places.
     """
-    cells = _cells(points, resolution)
+    cells = _cells(points)
     if extra is not None and extra.size:
         scale = float(np.abs(extra).max()) or 1.0
         cells = np.concatenate([cells, np.round(extra / (scale * 1e-4)).astype(np.int64)], axis=1)
@@ -214,14 +216,14 @@ def _doubled_normals(points: Floats, corners: Indices) -> Floats:
     return np.cross(b - a, c - a)
 
 
-def _cells(points: Floats, resolution: float) -> Indices:
+def _cells(points: Floats) -> Indices:
     """(n, 3) cells of a grid laid at the lowest corner, cell centres on it so that noise there is
     harmless."""
     if not len(points):
         return np.zeros((0, 3), dtype=np.int64)
     low = points.min(axis=0)
     extent = float((points.max(axis=0) - low).max()) or 1.0
-    return np.asarray(np.round((points - low) / (extent * resolution)), dtype=np.int64)
+    return np.asarray(np.round((points - low) / (extent * _GRID)), dtype=np.int64)
 
 
 def _graph(pairs: Indices, count: int, lengths: Floats | None = None) -> csr_array:

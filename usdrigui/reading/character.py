@@ -63,11 +63,9 @@ from usdrigui.stages.variant_paths import with_sets
 from usdrigui.stages.variants import variant_path
 
 
-def read_rigs(
-    source: Path | Usd.Stage, settings: Settings, laid_out: Collection[str] | None = None
-) -> tuple[Rig, ...]:
+def read_rigs(source: Path | Usd.Stage, settings: Settings) -> tuple[Rig, ...]:
     """As `read_characters`; raises, all at once, what the configuration has wrong, too."""
-    found = read_characters(source, settings.rig, laid_out)
+    found = read_characters(source, settings.rig)
     found.faults.raise_all()
     return found.rigs
 
