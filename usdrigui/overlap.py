@@ -168,23 +168,29 @@ def _seen_costs(
     if overlap.room:
         cost += overlap.room * _hinge(between + slack, overlap.room_radius)
         near |= between - slack < overlap.room_radius
-    for track, handle in ((one, other), (other, one)):
+    loose = slack + one.apart.max(axis=0) + other.apart.max(axis=0)
+    radius = max(overlap.track_radius, overlap.along_radius)
+    met = np.flatnonzero(_boxes_meet(one, other, radius + loose))
+    first, second = one.of(met), other.of(met)
+    for track, handle in ((first, second), (second, first)):
         starts, ends = _segments(track.samples, overlap.samples)
         gap = segment_distances(handle.handle[None], starts, ends).min(axis=0)
         room = track.apart.max(axis=0) + handle.handle_apart
-        cost += overlap.on_track * _hinge(gap + room, overlap.track_radius)
-        near |= gap - room < overlap.track_radius
+        cost[met] += overlap.on_track * _hinge(gap + room, overlap.track_radius)
+        near[met] |= gap - room < overlap.track_radius
     if len(one.handle) == 2:
-        single = (slack == 0.0) & ~one.apart.any(axis=0) & ~other.apart.any(axis=0)
-        met = np.flatnonzero(single & _boxes_meet(one, other, overlap.along_radius))
-        met_costs = _track_costs(one.samples[..., met], other.samples[..., met], overlap)
+        single = loose[met] == 0.0
+        near[met] |= ~single
+        met, of_single = met[single], np.flatnonzero(single)
+        met_costs = _track_costs(
+            first.samples[..., of_single], second.samples[..., of_single], overlap
+        )
         cost[met] += met_costs
-        near |= ~single
         near[met] |= met_costs > 0.0
     return cost, near
 
 
-def _boxes_meet(one: Drawn, other: Drawn, margin: float) -> Flags:
+def _boxes_meet(one: Drawn, other: Drawn, margin: float | Floats) -> Flags:
     """(q,) whether the boxes around what is drawn of two elements come within the margin."""
     (low, high), (other_low, other_high) = (
         (
@@ -218,9 +224,18 @@ def _segments(samples: Floats, each: int) -> tuple[Floats, Floats]:
 def segment_distances(points: Floats, starts: Floats, ends: Floats) -> Floats:
     """(segments, q) distances of points (1, d, q) from segments (segments, d, q), broadcast."""
     steps = ends - starts
-    length = np.maximum(np.square(steps).sum(axis=1), 1e-300)
-    share = np.clip(((points - starts) * steps).sum(axis=1) / length, 0.0, 1.0)
-    return np.asarray(np.sqrt(np.square(points - starts - share[:, None] * steps).sum(axis=1)))
+    from_start = points - starts
+    share = np.clip(_dot(from_start, steps) / np.maximum(_dot(steps, steps), 1e-300), 0.0, 1.0)
+    aside = from_start - share[:, None] * steps
+    return np.asarray(np.sqrt(_dot(aside, aside)))
+
+
+def _dot(first: Floats, second: Floats) -> Floats:
+    """(n, q) inner products of vectors (n, d, q): numpy sums over a short axis slowly."""
+    total = first[:, 0] * second[:, 0]
+    for axis in range(1, first.shape[1]):
+        total += first[:, axis] * second[:, axis]
+    return np.asarray(total)
 
 
 def segments_cross(a: Floats, b: Floats, c: Floats, d: Floats) -> Flags:
@@ -242,11 +257,11 @@ def _along(
 ) -> Floats:
     """(q,) share of the segments whose middles lie near a track that runs the same way there."""
     steps, other_steps = ends - starts, other_ends - other_starts
-    lengths, other_lengths = (np.sqrt(np.square(each).sum(axis=1)) for each in (steps, other_steps))
+    lengths, other_lengths = (np.sqrt(_dot(each, each)) for each in (steps, other_steps))
     share = np.zeros(starts.shape[-1])
     for middle, step, length in zip(0.5 * (starts + ends), steps, lengths, strict=True):
         gaps = segment_distances(middle[None], other_starts, other_ends)
-        alike = np.abs((step * other_steps).sum(axis=1)) >= SAME_WAY * length * other_lengths
+        alike = np.abs(_dot(step[None], other_steps)) >= SAME_WAY * length * other_lengths
         share += _hinge(np.where(alike, gaps, np.inf).min(axis=0), radius)
     return share / len(steps)
 

@@ -21,8 +21,9 @@ DEARER = 0.18
 """The first layout is one of labels that cost no more than this above their variable's cheapest."""
 TRIES = 4
 """Of local search per variable, and again as long as they help."""
-CROWD = 16, 0.1
-"""First tries where labels are few, and how much worse they may get: a crowd has many traps."""
+CROWD = 16, 0.2
+"""First tries where pair costs are at hand, and how much worse they may get: a crowd has many
+traps."""
 FIRST_TURN = 0.05
 """Share of the work that is left for HiGHS before triplets."""
 FEW_PAIRS = 6000
@@ -105,9 +106,10 @@ def _first_layout(
     incumbent = search_among(labels, rows)
     if first is None:
         incumbent.construct()
-        incumbent.search(*CROWD)
     else:
         incumbent.improve_from(first)
+    if near is not None:
+        incumbent.search(*CROWD)
     incumbent.search(TRIES, most=budget.settings.work_limit / 2)
     return labels, near, incumbent
 

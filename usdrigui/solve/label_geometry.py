@@ -213,7 +213,7 @@ def pair_bounds(
     """
     costs, near = np.empty(len(j)), np.empty(len(j), dtype=bool)
     first = np.broadcast_to(i, j.shape)
-    at_once = max(1, CHUNK // max(1, len(one.samples) * len(other.samples)))
+    at_once = max(1, CHUNK // max(1, len(one.samples), len(other.samples)))
     for low in range(0, len(j), at_once):
         part = slice(low, low + at_once)
         costs[part], near[part] = least_costs(

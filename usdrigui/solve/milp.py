@@ -4,12 +4,13 @@ highspy.
 HiGHS takes no integer quadratic problems, so pair costs are linearised.  The problem's own costs
 are used, which few pairs of labels have: bounds spread them over many.  One binary x_r stands for
 each label, one row for each variable, one for each clique of labels that exclude each other.  What
-label r costs with the labels s of a variable b that is near is a column of its own,
+variables a and b cost together is one column, with a row for each label r of a that costs anything,
 
-    w_rb >= sum_s c_rs x_s - max_s c_rs (1 - x_r),
+    w_ab >= sum_s c_rs x_s - sum_q d_rq x_q,  d_rq = max_s (c_rs - c_qs)+,
 
-the rows c_rs (x_r + x_s - 1) <= y_rs (G. P. McCormick, 1976) of all s added up: some label of b is
-chosen, so none of them is weaker.  It takes a fourth of the rows and, on given rigs, of the time.
+q over the labels of a, s over those of b that q does not exclude: what any q costs less than r.
+These are the rows c_rs (x_r + x_s - 1) <= y_rs (G. P. McCormick, 1976) of all s, added up and
+lifted: labels r and q that cost much the same cost it where each is chosen by half.
 """
 
 from __future__ import annotations
@@ -94,24 +95,27 @@ def program(problem: PlainProblem) -> list[Row]:
     rows = [Row(labels, np.ones(len(labels)), 1.0, 1.0) for labels in names]
     rows += [Row(labels, np.ones(len(labels)), -np.inf, 1.0) for labels in _cliques(problem)]
     column = len(problem.linear)
-    for label, others in _costly(problem):
-        costs = problem.pairs[label, others]
-        values = np.concatenate([[-costs.max()], -costs, [1.0]])
-        rows.append(Row(np.r_[label, others, column], values, -costs.max(), np.inf))
-        column += 1
+    for one, other in itertools.combinations(problem.slices, 2):
+        found = list(_lifted(problem, one, other, column))
+        column += bool(found)
+        rows += found
     return rows
 
 
-def _costly(problem: PlainProblem) -> Iterator[tuple[int, Indices]]:
-    """Labels, and those of another variable with which they cost anything: of two variables, those
-    of the one that has fewer such labels."""
-    costs = np.isfinite(problem.pairs) & (problem.pairs > EPSILON)
-    for one, other in itertools.combinations(problem.slices, 2):
-        table = costs[one, other]
-        rows, columns = table.any(axis=1).sum(), table.any(axis=0).sum()
-        mine, others, table = (other, one, table.T) if columns < rows else (one, other, table)
-        for place in np.flatnonzero(table.any(axis=1)):
-            yield mine.start + int(place), others.start + np.flatnonzero(table[place])
+def _lifted(problem: PlainProblem, one: slice, other: slice, column: int) -> Iterator[Row]:
+    """The rows of what two variables cost together, which is the column: for the labels of the one
+    that has fewer that cost anything."""
+    costs = problem.pairs[one, other]
+    costly = np.isfinite(costs) & (costs > EPSILON)
+    if costly.any(axis=0).sum() < costly.any(axis=1).sum():
+        one, other, costs, costly = other, one, costs.T, costly.T
+    for label in np.flatnonzero(costly.any(axis=1)):
+        of_label = np.where(costly[label], costs[label], 0.0)
+        less = np.where(np.isfinite(costs), of_label - costs, 0.0).max(axis=1)
+        less[less <= EPSILON] = 0.0
+        values = np.concatenate([less, -of_label, [1.0]])
+        used = np.flatnonzero(values)
+        yield Row(np.r_[one, other, column][used], values[used], 0.0, np.inf)
 
 
 def _loaded(problem: PlainProblem, rows: list[Row], seed: int) -> highspy.Highs:

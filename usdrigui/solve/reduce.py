@@ -233,6 +233,8 @@ class Reduction:
             if self.exact and labels > LARGEST_TESTED and now > bound and not stopped:
                 continue  # The solvers of what is left could do nothing with so many.
             few_gone = labels > (1.0 - SLOW) * before
+            if self.exact and few_gone:
+                self._frustrated()  # A better layout of few labels excludes more.
             if stopped or (few_gone and now - bound <= SLOW * (self._budget.cost - now)):
                 return True
 
