@@ -6,7 +6,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Mapping
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import fields, is_dataclass, replace
 from typing import Any, Literal
 
 import makers
@@ -20,14 +20,12 @@ from usdrigui.isolation.record_stream import RecordStreamError, decode, encode
 from usdrigui.settings import Settings, load
 
 
-@dataclass(frozen=True, eq=False)
 class Leaf(Record):
     name: str
     numbers: Floats
     which: Literal["a", "b"]
 
 
-@dataclass(frozen=True, eq=False)
 class Tree(Record):
     leaves: tuple[Leaf, ...]
     pair: tuple[int, float]
