@@ -1,9 +1,10 @@
 """Make generatedSchema.usda and plugInfo.json from schema.usda: ``python schemas/generate.py
 [FOLDER]``.
 
-Runs the `usdGenSchema` of usd-core (needs jinja2; 26.11 made the files kept here), names the resource
-plug-in, puts the full documentation back, of which it keeps the first sentences only, and writes the
-ranges of the documentation as `limits`.  FOLDER is the output; by default that of schema.usda.
+Runs the `usdGenSchema` of usd-core (needs jinja2; 26.11 made the files kept here), names the
+resource plug-in, puts the full documentation back, of which it keeps the first sentences only, and
+writes the ranges of the documentation as `limits`.  FOLDER is the output; by default that of
+schema.usda.
 """
 
 from __future__ import annotations
