@@ -80,17 +80,25 @@ def believed(
     only where most of them act where these do.  What mostly moves what is seen is not inside the
     mouth, whatever it is called.
     """
-    expected = expectations(trajectories, symmetry, views, meanings)
+    surface = trajectories.surface
+    doubtful = set[int]()
+    for motion in trajectories.motions:
+        meaning = meanings[motion.control]
+        weight = surface.areas[motion.points] * motion.arc_length
+        visible = weight[views.anywhere[motion.points]].sum() > 0.5 * weight.sum()
+        if meaning is not None and meaning.action.category == "interior" and visible:
+            doubtful.add(motion.control)
+    found = tuple(None if i in doubtful else meaning for i, meaning in enumerate(meanings))
+    expected = expectations(trajectories, symmetry, views, found)
     numbered = [
         motion
         for motion in trajectories.motions
-        if (meaning := meanings[motion.control]) is not None and meaning.numbered
+        if (meaning := found[motion.control]) is not None and meaning.numbered
     ]
-    surface = trajectories.surface
     right = sum(_is_there(surface, views, motion, expected[motion.control]) for motion in numbered)
     if 2 * right > len(numbered) or not numbered:
-        return tuple(meanings), expected
-    unnumbered = tuple(None if meaning and meaning.numbered else meaning for meaning in meanings)
+        return found, expected
+    unnumbered = tuple(None if meaning and meaning.numbered else meaning for meaning in found)
     return unnumbered, expectations(trajectories, symmetry, views, unnumbered)
 
 
