@@ -238,6 +238,7 @@ def test_what_moves_the_skin_is_not_inside_the_mouth_whatever_it_is_called():
     called = tuple(replace(control, name=name) for control, name in zip(rig.controls, sorted(tongues), strict=False))
     rig = replace(rig, controls=called + rig.controls[len(called) :])
     assert list(named(rig)) == ["face"]
+    assert all(chain.chosen(rig)(name).category != "interior" for name in tongues)
 
 
 def test_a_part_without_height_is_as_large_as_what_it_moves():
