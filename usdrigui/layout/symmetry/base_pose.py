@@ -12,7 +12,7 @@ from usdrigui.character.joint_tree import unit
 from usdrigui.layout.motion.similarity import DisplacementFields, displacement_fields
 from usdrigui.layout.motion.trajectory import of_controls, trajectories as find_trajectories
 from usdrigui.layout.parts.joint_regions import FACE
-from usdrigui.layout.symmetry.mirror_plane import find_symmetry
+from usdrigui.layout.symmetry.mirror_plane import LEAST_SHARE, find_symmetry
 from usdrigui.layout.symmetry.twins import paired
 from usdrigui.model import BaseSurface, MirrorPlane, Symmetry, Trajectories
 from usdrigui.settings import Settings, TrajectorySettings
@@ -30,7 +30,8 @@ def symmetry_at_pose(
     """
     pose = settings.rig.read.pose
     if all(pose.get(each.name, each.default) == each.default for each in rig.controls):
-        return find_symmetry(rig, trajectories, fields, settings)
+        found = find_symmetry(rig, trajectories, fields, settings)
+        return _or_at_bind_pose(rig, trajectories, found, settings)
     neutral = _same_controls(rig, trajectories, settings.character.trajectories)
     symmetry = find_symmetry(rig, neutral, displacement_fields(neutral), settings)
     if not symmetry.plane.normal.any():
@@ -51,6 +52,41 @@ def symmetry_of_part(
     return paired(rig, trajectories.motions, (fields, whole.plane, whole.partner), settings)
 
 
+def _or_at_bind_pose(
+    rig: Rig, trajectories: Trajectories, found: Symmetry, settings: Settings
+) -> Symmetry:
+    """What was found, or what the skeleton's bind pose shows where the base pose mirrors few
+    points: a character may rest in a pose of its own."""
+    bound, enabled = _bound(rig), settings.character.symmetry.enabled
+    if bound is None or not enabled or float((found.partner >= 0).mean()) >= LEAST_SHARE:
+        return found
+    neutral = _same_controls(bound, trajectories, settings.character.trajectories)
+    symmetry = find_symmetry(bound, neutral, displacement_fields(neutral), settings)
+    if (symmetry.partner >= 0).sum() <= (found.partner >= 0).sum():
+        return found
+    return _at_pose(symmetry, neutral.surface, trajectories.surface.points)
+
+
+def _bound(rig: Rig) -> Rig | None:
+    """The rig in its bind pose; None where that is its base pose, or has no inverse."""
+    joints = rig.body.joints
+    try:
+        local = [
+            (
+                joint.bind @ np.linalg.inv(joints[joint.parent].bind)
+                if joint.parent >= 0
+                else joint.bind
+            )
+            for joint in joints
+        ]
+    except np.linalg.LinAlgError:
+        return None
+    if all(np.allclose(at, joint.base, atol=1e-4) for at, joint in zip(local, joints, strict=True)):
+        return None
+    turned = tuple(replace(joint, base=at) for at, joint in zip(local, joints, strict=True))
+    return replace(rig, body=replace(rig.body, joints=turned))
+
+
 def _same_controls(
     rig: Rig, trajectories: Trajectories, sampling: TrajectorySettings
 ) -> Trajectories:
@@ -69,7 +105,9 @@ def _at_pose(symmetry: Symmetry, surface: BaseSurface, base: Floats) -> Symmetry
     """The same partners with the plane where most pairs now have it: what one side does must not
     tilt it."""
     side = symmetry.plane.distance(surface.points)
-    left = np.flatnonzero((symmetry.partner >= 0) & (side > 0.0))
+    # Joints may bring together what is apart at the bind pose.
+    apart = (base != base[symmetry.partner]).any(axis=1)
+    left = np.flatnonzero((symmetry.partner >= 0) & (side > 0.0) & apart)
     if not len(left):
         return symmetry
     # Pairs near the middle determine the plane badly.

@@ -42,7 +42,7 @@ _MOTION_WEIGHT = 1e-3
 nearly touch, as closed lips do."""
 _HALF_A_CELL = 0.75
 """Distance of any place of a surface from the nearest point, in spacings of its points, at most."""
-_LEAST_SHARE = 0.5
+LEAST_SHARE = 0.5
 """Least share of the points whose mirror image must meet the surface."""
 
 
@@ -149,7 +149,7 @@ class _Search(Record):
         whole = [
             plane
             for plane in found
-            if (self._apart(plane)[0] <= self.tolerance).mean() >= _LEAST_SHARE
+            if (self._apart(plane)[0] <= self.tolerance).mean() >= LEAST_SHARE
         ]
         return self._by_motions(whole, up, fields) if len(whole) > 1 else next(iter(whole), None)
 

@@ -10,8 +10,10 @@ import pytest
 from makers import changed
 
 from usdrigui.character.rotation import rotations
-from usdrigui.layout.symmetry.sides_of_joints import mirrored_joints
+from usdrigui.layout.motion.trajectory import trajectories
+from usdrigui.layout.symmetry.sides_of_joints import ahead_of_head, mirrored_joints
 from usdrigui.model import MirrorPlane
+from usdrigui.settings import Settings
 
 ACROSS = MirrorPlane(np.zeros(3), np.array([1.0, 0.0, 0.0]))
 
@@ -27,6 +29,17 @@ def robot(swapped=False):
     names = sorted(at, key=lambda path: (path.count("/"), path))
     made = limbs.skeleton_rig(names, np.array([at[name] for name in names], float), list(range(len(names))))
     return limbs.with_default_controls(made)
+
+
+def resting(rig, seed=5):
+    """The same character, bound as before, with every joint at rest turned by up to half a radian."""
+    turns = rotations(np.random.default_rng(seed).uniform(-0.5, 0.5, (len(rig.body.joints), 3)))
+    joints = []
+    for joint, turn in zip(rig.body.joints, turns, strict=True):
+        local = joint.rest.copy()
+        local[:3, :3] = turn @ local[:3, :3]
+        joints.append(replace(joint, rest=local, base=local))
+    return changed(rig, joints=tuple(joints))
 
 
 def twins(face):
@@ -71,6 +84,13 @@ def test_names_of_joints_tell_the_front_before_hair_behind_the_head():
     assert face.views.ahead == pytest.approx([0.0, 0.0, 1.0], abs=0.05)
 
 
+def test_a_character_that_rests_in_a_pose_has_the_pairs_of_its_bind_pose():
+    rig = limbs.whole_body()
+    plain, posed = chain.face_of(rig), chain.face_of(resting(rig))
+    assert twins(plain)["a0:rx"] == "b0:rx"
+    assert len(twins(posed)) >= 0.9 * len(twins(plain))
+
+
 def test_joints_mirror_as_a_tree_with_and_without_names():
     """No joint of the spine is the image of another."""
     body = limbs.whole_body().body
@@ -99,3 +119,9 @@ def test_controls_of_unpaired_joints_are_no_twins_however_alike_they_move():
     pairs = [(of[i], of[twin]) for i, twin in enumerate(face.symmetry.twins.tolist()) if twin >= 0]
     assert pairs
     assert all(images[a] == b for a, b in pairs)
+
+
+def test_the_face_lies_straight_ahead_of_the_middle_of_a_symmetric_head():
+    rig = limbs.whole_body()
+    way = ahead_of_head(rig, trajectories(rig, Settings().character.trajectories))
+    assert way / np.linalg.norm(way) == pytest.approx([0.0, 0.0, 1.0], abs=0.05)
