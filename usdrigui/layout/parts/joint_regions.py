@@ -1,19 +1,23 @@
 """Which joints and which skin are the face, the eyes, the hands, the feet and the body.
 
-A head is known by its joint's name.  Fans of chains that carry on a limb are fingers and toes.
+A head is known by its joint's name; without one by the many joints without joints below that hang
+on it (a face driven by joints), or by the skin that the blend shapes move.  Fans of chains that
+carry on a limb are fingers and toes.
 """
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.character import Floats, Indices, Joint, Rig, RigMesh
+from usdrigui.character import Control, Floats, Indices, Rig, RigMesh
 from usdrigui.character.joint_tree import Fan, Tree, fans, unit
 from usdrigui.conventions import words
-from usdrigui.layout.parts.own_pieces import eyes, pieces_of
+from usdrigui.layout.parts.own_pieces import NEARLY_ALL, eyes, pieces_of
 from usdrigui.model import Trajectories
+from usdrigui.ties import first_largest
 
 FACE, EYES, HANDS, FEET, BODY = "face", "eyes", "hands", "feet", "body"
 INTERIOR = "interior"
@@ -24,6 +28,8 @@ FLAT = (FACE, EYES, HEAD, INTERIOR)
 """Parts that are looked at from the front alone: their elements are kept apart on its screen."""
 
 _HEAD = ("head", "頭")
+_FACIAL = 6
+"""Joints without joints below on one joint that make it a head."""
 _LIMB = 3
 """Joints with skin in a chain beside the spine, the hands and the feet that make a body."""
 _LOW = 0.25
@@ -46,7 +52,7 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     tree = Tree(body.joints, body.meshes)
     if len(tree.owners) < 2:
         return None
-    heads = _heads(body.joints, tree)
+    heads = _heads(rig, tree, found)
     spine = _spine(tree, heads)
     of_joint, of_skin = [BODY] * len(body.joints), [BODY] * len(body.joints)
     ends = [
@@ -90,15 +96,46 @@ def owner_of_points(meshes: tuple[RigMesh, ...]) -> Indices:
 # --- the head -------------------------------------------------------------------------------------
 
 
-def _heads(joints: tuple[Joint, ...], tree: Tree) -> frozenset[int]:
+def _heads(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
     """The joint of the head, of each skeleton that has one."""
-    named = {i for i, joint in enumerate(joints) if _is_head(joint.path) and tree.depth[i] > 0}
-    return frozenset(i for i in named if not named & set(tree.above(i)))
+    named = {
+        i for i, joint in enumerate(rig.body.joints) if _is_head(joint.path) and tree.depth[i] > 0
+    }
+    if named:
+        return frozenset(i for i in named if not named & set(tree.above(i)))
+    leaves = [sum(tree.depth[child] == 1 for child in children) for children in tree.children]
+    roots = {i for i, parent in enumerate(tree.parents) if parent < 0}
+    facial = [0 if i in roots else count for i, count in enumerate(leaves)]
+    if max(facial) >= _FACIAL:
+        return frozenset({int(np.argmax(facial))})
+    return _by_shapes(rig.body.meshes, rig.controls, tree, found)
 
 
 def _is_head(path: str) -> bool:
     last = path.rsplit("/", 1)[-1]
     return bool(set(words(last)) & set(_HEAD)) or last in _HEAD
+
+
+def _by_shapes(
+    meshes: tuple[RigMesh, ...], controls: tuple[Control, ...], tree: Tree, found: Trajectories
+) -> frozenset[int]:
+    """The joint furthest down below which nearly all blend shapes move skin; none where that is the
+    root."""
+    owners, votes = owner_of_points(meshes), Counter[int]()
+    for motion in found.motions:
+        if controls[motion.control].kind == "blendShape":
+            mass = np.bincount(
+                owners[motion.points] + 1, found.surface.areas[motion.points] * motion.arc_length
+            )
+            votes[first_largest(mass.astype(np.float64)) - 1] += 1
+    total = sum(votes.values())
+    below = Counter[int]()
+    for joint, count in votes.items():
+        for above in (joint, *tree.above(joint)):
+            below[above] += count
+    wide = [joint for joint, count in below.items() if joint >= 0 and count >= NEARLY_ALL * total]
+    deepest = max(wide, key=lambda joint: (len(list(tree.above(joint))), -joint), default=-1)
+    return frozenset({deepest} if deepest >= 0 and tree.parents[deepest] >= 0 else ())
 
 
 # --- limbs ----------------------------------------------------------------------------------------
