@@ -16,6 +16,7 @@ import numpy as np
 from pxr import Usd, UsdGeom
 
 from usdrigui.character import (
+    Body,
     Configured,
     Findings,
     Flags,
@@ -160,7 +161,11 @@ def disagreements(scope: Usd.Prim, layout: Layout, settings: ReadSettings) -> It
     """LAYOUT_INVALID of what cannot be evaluated, LAYOUT_TRACK of controls that take their anchor
     elsewhere than their track shows, and LAYOUT_DRAWN of what is drawn and does not go along."""
     found: list[Issue] = []
-    scene = _scene(scope, layout, settings, found)
+    stage, drawings = scope.GetStage(), _drawings(scope)
+    anchored = dict.fromkeys(each.anchor.mesh for each in layout.elements if each.anchor.mesh)
+    meshes = [each for each in map(stage.GetPrimAtPath, anchored) if each and each.IsActive()]
+    body = read_animated(scope.GetParent(), settings, [*meshes, *drawings]).body
+    scene = _scene(scope, layout, body, found)
     yield from found
     if scene is None:
         return
@@ -311,15 +316,14 @@ def length(line: Floats) -> float:
 # --- the scene ------------------------------------------------------------------------------------
 
 
-def _scene(
-    scope: Usd.Prim, layout: Layout, settings: ReadSettings, found: list[Issue]
-) -> _Scene | None:
+def _drawings(scope: Usd.Prim) -> list[Usd.Prim]:
+    """The meshes that draw a layout."""
+    return [mesh for mesh in scope.GetAllChildren() if mesh.IsA(UsdGeom.Mesh)]
+
+
+def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _Scene | None:
     """None where nothing can be evaluated; `found` takes what is not as the character has it."""
-    stage, root, prims = scope.GetStage(), scope.GetParent(), element_prims(scope)
-    drawings = [mesh for mesh in scope.GetAllChildren() if mesh.IsA(UsdGeom.Mesh)]
-    anchored = dict.fromkeys(each.anchor.mesh for each in layout.elements if each.anchor.mesh)
-    meshes = [each for each in map(stage.GetPrimAtPath, anchored) if each and each.IsActive()]
-    body = read_animated(root, settings, [*meshes, *drawings]).body
+    root, prims, drawings = scope.GetParent(), element_prims(scope), _drawings(scope)
     starts = dict(zip((mesh.path for mesh in body.meshes), body.starts.tolist(), strict=False))
     topologies = {mesh.path: (mesh.topology.hash, len(mesh.points)) for mesh in body.meshes}
     found += [

@@ -60,7 +60,7 @@ def bake(stage: Usd.Stage, settings: ReadSettings) -> Sdf.Layer:
     """
     layer = Sdf.Layer.CreateAnonymous(".usda")
     layer.comment = BAKED
-    read = (_valued(scope, settings) for scope in layout_scopes(stage))
+    read = (valued(scope, settings) for scope in layout_scopes(stage))
     found = [each for each in read if each is not None]
     if not found:
         what = "no rigUI:control:*:value of a layout has a value"
@@ -74,10 +74,9 @@ def bake(stage: Usd.Stage, settings: ReadSettings) -> Sdf.Layer:
     return layer
 
 
-def apart(scope: Usd.Prim, settings: ReadSettings) -> Iterator[Issue]:
-    """LAYOUT_VALUE for each control of a layout whose authored value the animation does not
-    show."""
-    found = _valued(scope, settings)
+def apart(found: Valued | None) -> Iterator[Issue]:
+    """LAYOUT_VALUE for each control whose authored value the animation does not show, of what a
+    layout has (`valued`)."""
     if found is None:
         return
     told: set[int] = set()
@@ -107,7 +106,7 @@ class _State(Record):
     """(3, joints, 3) rotation vectors, translations and logarithms of scales that joints gain."""
 
 
-class _Valued(Record):
+class Valued(Record):
     """A character, and the controls of its layout, some of which have a value."""
 
     animated: Animated
@@ -177,8 +176,11 @@ def _projection(rows: Floats) -> Floats:
     return np.asarray(spanning.T @ spanning)
 
 
-def _valued(scope: Usd.Prim, settings: ReadSettings) -> _Valued | None:
-    """None where no control of a layout has a value."""
+def valued(scope: Usd.Prim, settings: ReadSettings) -> Valued | None:
+    """The controls of a layout that have a value, on their character; None where none has one.
+
+    Raises as `usdrigui.reading.character.read_rigs`.
+    """
     values: dict[str, Usd.Attribute] = {}
     prims = element_prims(scope)
     for prim in prims:
@@ -201,7 +203,7 @@ def _valued(scope: Usd.Prim, settings: ReadSettings) -> _Valued | None:
     )
     known = {time for each in animated.armatures for time in each.times}
     known.update(time for each in values.values() for time in _times_of(each))
-    return _Valued(animated, rig, values, _times(scope.GetStage(), rig, values, known), bool(known))
+    return Valued(animated, rig, values, _times(scope.GetStage(), rig, values, known), bool(known))
 
 
 def _read(attribute: Usd.Attribute, time: float) -> float | None:
@@ -246,15 +248,15 @@ def _times(
 # --- the layer ------------------------------------------------------------------------------------
 
 
-def _author(layer: Sdf.Layer, stage: Usd.Stage, valued: _Valued) -> None:
+def _author(layer: Sdf.Layer, stage: Usd.Stage, found: Valued) -> None:
     """Samples of every SkelAnimation that a value reaches."""
-    body = valued.rig.body
-    named = enumerate(each.name for each in valued.rig.controls)
-    reached = [index for index, name in named if name in valued.values]
-    drives = [valued.rig.controls[index].drive for index in reached]
+    body = found.rig.body
+    named = enumerate(each.name for each in found.rig.controls)
+    reached = [index for index, name in named if name in found.values]
+    drives = [found.rig.controls[index].drive for index in reached]
     set_ = {channel for drive in drives for channel in drive.channels.tolist()}
-    along: Flags = np.asarray(valued.along(reached).any(axis=(2, 3)))
-    states = [valued.state(time) for time in valued.times]
+    along: Flags = np.asarray(found.along(reached).any(axis=(2, 3)))
+    states = [found.state(time) for time in found.times]
     for path in dict.fromkeys(map(_animation_of, body.skeletons)):
         own = [i for i, each in enumerate(body.skeletons) if _animation_of(each) == path]
         channels = {
@@ -273,7 +275,7 @@ def _author(layer: Sdf.Layer, stage: Usd.Stage, valued: _Valued) -> None:
         spec = Sdf.CreatePrimInLayer(layer, path)
         if not prim:
             _bind(spec, [body.skeletons[index].path for index in own])
-        times = valued.times if valued.moving else (None,)
+        times = found.times if found.moving else (None,)
         animation = UsdSkel.Animation(prim)
         if shaped:
             kept = {each: index for each, index in channels.items() if index in set_}

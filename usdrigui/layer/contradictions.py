@@ -17,7 +17,7 @@ from usdrigui.character import Floats
 from usdrigui.errors import Issue, RigUIError
 from usdrigui.layer import author
 from usdrigui.layer.agreement import disagreements, length
-from usdrigui.layer.baking import apart
+from usdrigui.layer.baking import apart, valued
 from usdrigui.layer.properties import (
     applied,
     control_instances,
@@ -62,7 +62,7 @@ def contradictions(stage: Usd.Stage, settings: ReadSettings) -> tuple[Issue, ...
                 layout = layout_at(scope)
                 found.extend(_of_layout(scope, layout))
                 found.extend(disagreements(scope, layout, settings))
-                found.extend(apart(scope, settings))
+                found.extend(apart(valued(scope, settings)))
         except RigUIError as error:
             found.append(error.issue)
         issues += (replace(each, character=str(scope.GetPath().GetParentPath())) for each in found)

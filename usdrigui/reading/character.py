@@ -204,11 +204,12 @@ def _read(root: Usd.Prim, settings: RigSettings, faults: Faults, *, instances: b
 def read_animated(root: Usd.Prim, settings: ReadSettings, meshes: Sequence[Usd.Prim]) -> Animated:
     """Some of the meshes below a SkelRoot, those that draw a layout too, and what moves them;
     meshes whose arrays contradict each other are left off."""
-    return _bound(root, settings, meshes).animated
+    return _bound(root, settings.time, settings.pose_names, meshes).animated
 
 
 def _scene(root: Usd.Prim, settings: ReadSettings, *, instances: bool) -> _Scene:
-    bound, stage = _bound(root, settings, drawable(root)), root.GetStage()
+    bound = _bound(root, settings.time, settings.pose_names, drawable(root))
+    stage = root.GetStage()
     animated, found = bound.animated, bound.found
     if not instances:
         _refuse_instances(animated.armatures, stage)
@@ -229,8 +230,10 @@ class _Bound:
     bindings: Mapping[Sdf.Path, Binding]
 
 
-def _bound(root: Usd.Prim, settings: ReadSettings, prims: Iterable[Usd.Prim]) -> _Bound:
-    time, found = settings.time, Found()
+def _bound(
+    root: Usd.Prim, time: float | None, pose_names: str, prims: Iterable[Usd.Prim]
+) -> _Bound:
+    found = Found()
     frames = Frames(root, Usd.TimeCode.Default() if time is None else Usd.TimeCode(time))
     cache, everything = UsdSkel.Cache(), Usd.TraverseInstanceProxies()
     cache.Populate(UsdSkel.Root(root), everything)
@@ -240,7 +243,7 @@ def _bound(root: Usd.Prim, settings: ReadSettings, prims: Iterable[Usd.Prim]) ->
         if _belongs(binding, root)
     ]
     armatures = read_armatures([binding.GetSkeleton() for binding in skeletons], cache, frames)
-    names = read_frame_names(root, armatures, settings.pose_names, found.issues)
+    names = read_frame_names(root, armatures, pose_names, found.issues)
     if time is None and names.frames:
         time = names.frames[0].time  # The asset itself names the frame of its rest pose.
     joints = read_joints(armatures, time, found.issues)
