@@ -75,7 +75,7 @@ def test_the_suite_is_current(tmp_path, monkeypatch):
     assert drags.written() == drags.FILE.read_text(encoding="utf-8")
     layers.make(tmp_path)
     made = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
-    kept = {path.name: path.read_bytes() for path in SUITE.iterdir() if path.suffix in (".usda", ".json")}
-    assert sorted(made) == sorted(kept.keys() - {"drags.json"})
+    kept = {path.name: path.read_bytes() for path in SUITE.iterdir() if path.suffix in (".usda", ".json", ".toml")}
+    assert sorted(made) == sorted(kept.keys() - {"drags.json", "ruff.toml"})
     for name, content in made.items():
         assert content == kept[name] or json.loads(content) == json.loads(kept[name]), name
