@@ -250,16 +250,13 @@ def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterat
 def _together(scene: _Scene) -> Iterator[Issue]:
     """What does not follow the character while many controls are away from the base pose."""
     told: set[int] = set()
-    board = np.unique(
-        np.concatenate(
-            [each.members for each in scene.drawn if each.element.anchor.on_board]
-            or [np.zeros(0, dtype=np.int64)]
-        )
-    )
+    none = np.zeros(0, dtype=np.int64)
+    on_board = [each for each in scene.drawn if each.element.anchor.on_board]
+    board = np.unique(np.concatenate([none, *(each.members for each in on_board)]))
+    anchors = np.array([each.anchor for each in on_board], dtype=np.int64)
     for towards in ("maximum", "minimum"):
-        none = np.zeros(0, dtype=np.int64)
         whole = posed(scene.rig, scene.halfway(towards, none))
-        still = posed(scene.rig, scene.halfway(towards, scene.with_ignored(board, none)))
+        still = posed(scene.rig, scene.halfway(towards, scene.with_ignored(board, anchors)))
         for index, each in enumerate(scene.drawn):
             if index in told or each.element.look.adapt == "static":
                 continue
