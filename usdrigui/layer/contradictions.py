@@ -165,7 +165,9 @@ def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue
     if element.anchor.on_board or not layout.frame.mirrors(element.placement.part):
         return
     away = float((element.anchor.position - plane.origin) @ plane.normal)
-    width = _ASIDE * layout.frame.handle_width_of(element.placement.part)
+    # Far from the origin the layer tells places less exactly than a handle is wide.
+    told = 2.0 * author.TOLD * float(np.abs(element.anchor.position).max())
+    width = _ASIDE * layout.frame.handle_width_of(element.placement.part) + told
     if side == "none" or (away < -width and side == "left") or (away > width and side == "right"):
         where = "left" if away > 0.0 else "right"
         yield invalid_at(prim, f"rigUI:element:side is {side}, its anchor is on the {where}")
