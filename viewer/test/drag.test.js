@@ -31,7 +31,7 @@ test('an axis moved by a share of its range sets one end', () => {
       }
     });
   }
-  const { element, controls } = records(questions.find(({ element }) => element === 'straight two-way slider'));
+  const { element, controls } = records(questions.find((each) => each.element === 'straight two-way slider'));
   const along = (by, values) => movedAlong(element, 0, by, controls, [0, 0], values).map(([, value]) => value);
   assert.deepEqual(along(0.5, [0.25, 0]), [0, 0.25]);
   assert.deepEqual(along(-0.5, [0.25, 0]), [0.75, 0]);
