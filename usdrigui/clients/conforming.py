@@ -45,7 +45,7 @@ _KEPT = ("answer", "within")
 
 
 def _answers(command: Sequence[str], asked: Sequence[Any]) -> tuple[list[Any], str]:
-    """The answers, or none and what is wrong with all of them."""
+    """The answers, and what is wrong with all of them."""
     try:
         done = subprocess.run(
             command,
@@ -60,6 +60,8 @@ def _answers(command: Sequence[str], asked: Sequence[Any]) -> tuple[list[Any], s
         return [], f"no answers: {error}"
     if not isinstance(answers, list) or len(answers) != len(asked):
         return [], f"not {len(asked)} answers in an array"
+    if all(each is None for each in answers):
+        return answers, "none of the questions is answered"
     return answers, ""
 
 
