@@ -9,7 +9,7 @@ from pxr import Sdf, Usd, UsdSkel
 from usdrigui import pipeline
 from usdrigui.character.deform import deform
 from usdrigui.errors import RigUIError
-from usdrigui.layer.baking import apart, bake
+from usdrigui.layer.baking import apart, bake, valued
 from usdrigui.layer.read_layout import element_prims
 from usdrigui.layer.write_layout import layer_for, stage_metadata
 from usdrigui.reading.character import read_rigs
@@ -113,9 +113,9 @@ def test_the_values_come_back_from_the_samples(keyed):
 def test_what_is_baked_agrees_and_is_baked_again_to_the_same(keyed):
     stage, _, layer = keyed
     settings, scope = ReadSettings(), laid_out.scope_of(stage, ROOT)
-    assert {each.code for each in apart(scope, settings)} == {"LAYOUT_VALUE"}
+    assert {each.code for each in apart(valued(scope, settings))} == {"LAYOUT_VALUE"}
     played = over(stage, layer)
-    assert not [*apart(laid_out.scope_of(played, ROOT), settings)]
+    assert not [*apart(valued(laid_out.scope_of(played, ROOT), settings))]
     again, path = bake(played, settings), Sdf.Path(f"{ROOT}/Anim.blendShapeWeights")
     for time in layer.ListTimeSamplesForPath(path):
         assert np.allclose(*(each.QueryTimeSample(path, time) for each in (layer, again)), atol=1e-6)
