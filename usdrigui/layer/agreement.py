@@ -15,24 +15,13 @@ from functools import cached_property
 import numpy as np
 from pxr import Usd, UsdGeom
 
-from usdrigui.character import (
-    Body,
-    Configured,
-    Findings,
-    Flags,
-    Floats,
-    Indices,
-    Record,
-    Rig,
-    SkelRoot,
-)
+from usdrigui.character import Body, Flags, Floats, Indices, Record, Rig
 from usdrigui.character.deform import Posed, posed, sweep, sweep_start
+from usdrigui.character.skinning import with_descendants
 from usdrigui.character.subset import subset
 from usdrigui.errors import Issue, issue
 from usdrigui.layer import author
-from usdrigui.layer.properties import (
-    value_of,
-)
+from usdrigui.layer.properties import value_of
 from usdrigui.layer.read_controls import invalid_at, read_controls
 from usdrigui.layer.read_layout import base_controls, element_prims, points_by_role
 from usdrigui.model import Element, Layout, Member
@@ -116,13 +105,12 @@ class _Scene(Record):
         along the track; and those that share a weight with them, such as poses, as a weight has one
         value (docs/decisions/051)."""
         drives = [control.drive for control in self.rig.controls]
-        carried = np.zeros(len(self.rig.body.joints) + 1, dtype=bool)
+        turned = np.zeros(len(self.rig.body.joints), dtype=bool)
         weighed = np.zeros(len(self.rig.body.channels), dtype=bool)
         for control in controls:
-            carried[drives[control].joints] = True
+            turned[drives[control].joints] = True
             weighed[drives[control].channels] = True
-        for index, joint in enumerate(self.rig.body.joints):
-            carried[index] |= carried[joint.parent]
+        carried = with_descendants(self.rig.body.joints, np.flatnonzero(turned))
         if carried.any():
             above = [self._above(int(anchor)) & ~carried for anchor in anchors]
             carried |= np.any([one.any(axis=0) & ~one.all(axis=0) for one in above], axis=0)
@@ -136,12 +124,12 @@ class _Scene(Record):
         return np.union1d(controls, others).astype(np.int64)
 
     def _above(self, point: int) -> Flags:
-        """(influences of a point, joints + 1) which joints move each of them: itself, and those
+        """(influences of a point, joints) which joints move each of them: itself, and those
         above it."""
         mesh, local = self.rig.body.mesh_of(point)
         skin, joints = self.rig.body.meshes[mesh].binding.skin, self.rig.body.joints
         bound = [] if skin is None else skin.joints[local][skin.weights[local] != 0.0].tolist()
-        above = np.zeros((len(bound), len(joints) + 1), dtype=bool)
+        above = np.zeros((len(bound), len(joints)), dtype=bool)
         for row, joint in zip(above, bound, strict=True):
             while joint >= 0:
                 row[joint] = True
@@ -320,7 +308,7 @@ def _drawings(scope: Usd.Prim) -> list[Usd.Prim]:
 
 def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _Scene | None:
     """None where nothing can be evaluated; `found` takes what is not as the character has it."""
-    root, prims, drawings = scope.GetParent(), element_prims(scope), _drawings(scope)
+    prims, drawings = element_prims(scope), _drawings(scope)
     starts = dict(zip((mesh.path for mesh in body.meshes), body.starts.tolist(), strict=False))
     topologies = {mesh.path: (mesh.topology.hash, len(mesh.points)) for mesh in body.meshes}
     found += [
@@ -328,15 +316,14 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
         for mesh in drawings
         if str(mesh.GetPath()) not in starts
     ]
-    controls, weights = read_controls(scope, prims, body, found)
-    names, drawn = list(controls), []
+    rig, drawn = read_controls(scope, prims, body, found), []
     for prim, element in zip(prims, layout.elements, strict=True):
         members = [member.control for member in element.manipulator.members]
         known, count = topologies.get(element.anchor.mesh, ("gone", 0))
         fits = bool(count) and element.anchor.fits(known)
         if fits and element.anchor.point_count not in (0, count):
             found.append(invalid_at(prim, f"rigUI:anchor:pointCount is not {count}"))
-        if fits and controls.keys() >= {*members}:
+        if fits and rig.control_names >= {*members}:
             drawn.append(
                 _Drawn(
                     prim,
@@ -345,18 +332,11 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
                     starts[element.anchor.mesh] + element.anchor.point,
                     _rows(starts, drawings, prim, "handle"),
                     _rows(starts, drawings, prim, "track"),
-                    np.array([names.index(name) for name in members]),
+                    np.array([rig.control_indices[name] for name in members]),
                 )
             )
     if not drawn:
         return None
-    rig = Rig(
-        SkelRoot(str(root.GetPath()), "", np.zeros(3), 1.0, None),
-        replace(body, base_weights=weights),
-        tuple(controls.values()),
-        Findings((), ()),
-        Configured(),
-    )
     rows = np.unique(np.concatenate([[each.anchor, *each.rows] for each in drawn]).astype(np.int64))
     drawn = [
         replace(
@@ -368,7 +348,7 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
         for each in drawn
     ]
     base = dict(zip(base_controls(scope), layout.character.base_values.tolist(), strict=True))
-    values = [base.get(name, control.default) for name, control in controls.items()]
+    values = [base.get(control.name, control.default) for control in rig.controls]
     spans = [np.ptp(mesh.points, axis=0) for mesh in body.meshes]
     size = float(np.linalg.norm(spans, axis=1).max())
     return _Scene(subset(rig, rows)[0], tuple(drawn), np.array(values), size)

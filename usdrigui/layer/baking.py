@@ -11,22 +11,13 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from pxr import Gf, Sdf, Usd, UsdSkel, Vt
 
-from usdrigui.character import (
-    Configured,
-    Findings,
-    Flags,
-    Floats,
-    Record,
-    Rig,
-    Skeleton,
-    SkelRoot,
-)
+from usdrigui.character import Flags, Floats, Record, Rig, Skeleton
 from usdrigui.character.deform import driven, moved_locals
 from usdrigui.errors import Issue, issue, refuse
 from usdrigui.layer import author
@@ -34,7 +25,7 @@ from usdrigui.layer.properties import control_instances, value_of
 from usdrigui.layer.read_controls import read_controls
 from usdrigui.layer.read_layout import element_prims, layout_scopes
 from usdrigui.reading.character import read_animated
-from usdrigui.reading.clips import Animated
+from usdrigui.reading.clips import Animated, State
 from usdrigui.reading.mesh import drawable
 from usdrigui.reading.pose import moves_from
 from usdrigui.settings import ReadSettings
@@ -79,15 +70,15 @@ def apart(found: Valued | None) -> Iterator[Issue]:
     layout has (`valued`)."""
     if found is None:
         return
-    told: set[int] = set()
-    for time in found.times:
-        state = found.state(time)
-        for index in found.authored(time):
-            if index not in told and found.differs(index, state):
-                told.add(index)
-                attribute = found.values[found.rig.controls[index].name]
-                what = f"is {attribute.Get(time):g} at time {time:g}, the SkelAnimation has another"
-                yield issue("LAYOUT_VALUE", str(attribute.GetPath()), what)
+    left = {index: found.along([index]) for index in found.reached}
+    for time, state in zip(found.times, found.states(), strict=True):
+        for index, value in state.authored.items():
+            if index in left and found.differs(index, left[index], state):
+                del left[index]
+                when = f" at time {time:g}" if found.moving else ""
+                what = f"is {value:g}{when}, the SkelAnimation has another"
+                path = found.values[found.rig.controls[index].name].GetPath()
+                yield issue("LAYOUT_VALUE", str(path), what)
 
 
 # --- the values -----------------------------------------------------------------------------------
@@ -96,6 +87,8 @@ def apart(found: Valued | None) -> Iterator[Issue]:
 class _State(Record):
     """What the values make of the animation at a time."""
 
+    authored: Mapping[int, float]
+    """The values that there are, by the place of their control in `Rig.controls`."""
     weights: Floats
     """(channels,)."""
     locals: Floats
@@ -117,31 +110,37 @@ class Valued(Record):
     moving: bool
     """Whether anything changes in time."""
 
-    def authored(self, time: float) -> list[int]:
-        """The controls that have a value at a time, as indices into `Rig.controls`."""
-        return [
-            index
-            for index, control in enumerate(self.rig.controls)
-            if control.name in self.values and _read(self.values[control.name], time) is not None
-        ]
+    @cached_property
+    def reached(self) -> list[int]:
+        """The controls with a value at some time, as places in `Rig.controls`."""
+        return [i for i, each in enumerate(self.rig.controls) if each.name in self.values]
 
-    def state(self, time: float) -> _State:
-        """What the values make of the animation; raises NOT_FINITE."""
-        now, authored = self.animated.state(time), self.authored(time)
+    def states(self) -> Iterator[_State]:
+        """What the values make of the animation at each of the times; raises NOT_FINITE."""
+        known, along = list[int](), self.along([])
+        for time in self.times:
+            read = {i: _read(self.values[self.rig.controls[i].name], time) for i in self.reached}
+            authored = {i: value for i, value in read.items() if value is not None}
+            if list(authored) != known:
+                known, along = list(authored), self.along([*authored])
+            yield self._state(self.animated.state(time), authored, along)
+
+    def _state(self, now: State, authored: Mapping[int, float], along: Floats) -> _State:
+        """Of the animation at a time, `along` being the directions of the `authored` controls."""
         values = np.array([control.default for control in self.rig.controls])
-        for index in authored:
-            values[index] = _read(self.values[self.rig.controls[index].name], time)
+        for index, value in authored.items():
+            values[index] = value
         given, moved = driven(self.rig, values)
         weights = now.weights.copy()
         for index in authored:
             channels = self.rig.controls[index].drive.channels
             weights[channels] = given[channels]
         moves = np.stack(moves_from(self.animated.base.locals, now.locals))
-        gained = _within(self.along(authored), moved - moves)
+        gained = _within(along, moved - moves)
         locals_ = moved_locals(self.rig.body.joints, (moves + gained)[None])[0]
         kept = ~gained.any(axis=(0, 2))
         locals_[kept] = now.locals[kept]
-        return _State(weights, locals_, weights - now.weights, gained)
+        return _State(authored, weights, locals_, weights - now.weights, gained)
 
     def along(self, controls: Sequence[int]) -> Floats:
         """(3, joints, 3, 3) projections onto the directions in which some controls move each
@@ -155,12 +154,17 @@ class Valued(Record):
                 found[part, joint] = _projection(rows)
         return found
 
-    def differs(self, index: int, state: _State) -> bool:
-        """Whether the animation shows another value of a control than the layout has."""
-        turned = _within(self.along([index]), state.moved)
+    @cached_property
+    def length(self) -> float:
+        """The longest translation of a joint at rest; 1 where there is none."""
         lengths = [float(np.abs(each.base[3, :3]).max()) for each in self.rig.body.joints]
-        far = np.abs(turned).max(axis=(1, 2), initial=0.0)
-        far[1] /= max(lengths, default=0.0) or 1.0
+        return max(lengths, default=0.0) or 1.0
+
+    def differs(self, index: int, along: Floats, state: _State) -> bool:
+        """Whether the animation shows another value of a control, which moves joints `along` some
+        directions, than the layout has."""
+        far = np.abs(_within(along, state.moved)).max(axis=(1, 2), initial=0.0)
+        far[1] /= self.length
         shaped = np.abs(state.weighed[self.rig.controls[index].drive.channels]).max(initial=0.0)
         return bool(shaped > _WEIGHTS_APART or (far > _MOVES_APART).any())
 
@@ -193,14 +197,7 @@ def valued(scope: Usd.Prim, settings: ReadSettings) -> Valued | None:
         return None
     root = scope.GetParent()
     animated = read_animated(root, settings, drawable(root))
-    controls, weights = read_controls(scope, prims, animated.body, [])
-    rig = Rig(
-        SkelRoot(str(root.GetPath()), "", np.zeros(3), 1.0, None),
-        replace(animated.body, base_weights=weights),
-        tuple(controls.values()),
-        Findings((), ()),
-        Configured(),
-    )
+    rig = read_controls(scope, prims, animated.body, [])
     known = {time for each in animated.armatures for time in each.times}
     known.update(time for each in values.values() for time in _times_of(each))
     return Valued(animated, rig, values, _times(scope.GetStage(), rig, values, known), bool(known))
@@ -251,12 +248,10 @@ def _times(
 def _author(layer: Sdf.Layer, stage: Usd.Stage, found: Valued) -> None:
     """Samples of every SkelAnimation that a value reaches."""
     body = found.rig.body
-    named = enumerate(each.name for each in found.rig.controls)
-    reached = [index for index, name in named if name in found.values]
-    drives = [found.rig.controls[index].drive for index in reached]
+    drives = [found.rig.controls[index].drive for index in found.reached]
     set_ = {channel for drive in drives for channel in drive.channels.tolist()}
-    along: Flags = np.asarray(found.along(reached).any(axis=(2, 3)))
-    states = [found.state(time) for time in found.times]
+    along: Flags = np.asarray(found.along(found.reached).any(axis=(2, 3)))
+    states = list(found.states())
     for path in dict.fromkeys(map(_animation_of, body.skeletons)):
         own = [i for i, each in enumerate(body.skeletons) if _animation_of(each) == path]
         channels = {
@@ -284,10 +279,8 @@ def _author(layer: Sdf.Layer, stage: Usd.Stage, found: Valued) -> None:
             _sample(spec, "float[] blendShapeWeights", times, map(Vt.FloatArray, rows))
         if moved:
             joints = {body.joints[i].path: i for i in (*every, *moved)}
-            parts, locals_ = (
-                np.asarray(along[:, moved].any(axis=1)),
-                [state.locals for state in states],
-            )
+            parts: Flags = np.asarray(along[:, moved].any(axis=1))
+            locals_ = [state.locals for state in states]
             _joints(spec, animation, joints, moved, parts, locals_, times)
 
 

@@ -3,13 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from pxr import Usd
 
-from usdrigui.character import Body, Control, Drive, Floats, Indices
+from usdrigui.character import (
+    Body,
+    Configured,
+    Control,
+    Drive,
+    Findings,
+    Floats,
+    Indices,
+    Rig,
+    SkelRoot,
+)
 from usdrigui.errors import Issue, issue
 from usdrigui.layer.properties import (
     array_of,
@@ -29,9 +39,12 @@ are others."""
 
 def read_controls(
     scope: Usd.Prim, prims: tuple[Usd.Prim, ...], body: Body, found: list[Issue]
-) -> tuple[dict[str, Control], Floats]:
-    """By name, those that the character has, and the weights (channels,) where all are at their
-    defaults; `found` takes what it lacks, and controls that two elements have in two ways."""
+) -> Rig:
+    """The character with those controls of the elements `prims` of a layout that it has; its base
+    weights are those where all are at their defaults.
+
+    `found` takes what it lacks, and controls that two elements have in two ways.
+    """
     controls: dict[str, Control] = {}
     authored: dict[str, list[str]] = {}
     weights, shaped = body.base_weights.copy(), set[str]()
@@ -50,7 +63,13 @@ def read_controls(
             if authored.setdefault(control.name, said) != said:
                 what = f"its control {control.name!r} is another one in another element"
                 found.append(invalid_at(prim, what))
-    return controls, weights
+    return Rig(
+        SkelRoot(str(scope.GetParent().GetPath()), "", np.zeros(3), 1.0, None),
+        replace(body, base_weights=weights),
+        tuple(controls.values()),
+        Findings((), ()),
+        Configured(),
+    )
 
 
 @dataclass(frozen=True)

@@ -114,7 +114,7 @@ class SkinBinding:
         self._controls = {control.name: control for control in rig.controls}
         self._meshes = {mesh.path: mesh for mesh in rig.body.meshes}
         self.size = _size(rig.body)
-        self._positions = {control.name: i for i, control in enumerate(rig.controls)}
+        self._positions = rig.control_indices
         on_face = [self._anchored(each) for each in layout.elements if not each.anchor.on_board]
         # There is one more start than meshes.
         starts = dict(zip(self._meshes, rig.body.starts.tolist(), strict=False))

@@ -290,7 +290,7 @@ def _upright(rig: Rig, layout: Layout) -> Rig:
 def _of_part(layout: Layout, character: Character, part: CharacterPart) -> Layout:
     """The elements of a part, known by their first control; the first part has those of controls
     that move nothing."""
-    index = {control.name: i for i, control in enumerate(character.rig.controls)}
+    index = character.rig.control_indices
     others = frozenset[int]().union(
         *(each.controls for each in character.parts if each is not part)
     )

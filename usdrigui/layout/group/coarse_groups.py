@@ -171,7 +171,7 @@ def _named(rig: Rig, groups: tuple[Group, ...], name: str, where: str) -> Group 
     for group in groups:
         if name in (group.name, *group.image_names):
             return group
-    index = next((i for i, control in enumerate(rig.controls) if control.name == name), -1)
+    index = rig.control_indices.get(name, -1)
     if index < 0:
         if name in {left.control for left in rig.findings.left_off}:
             return None

@@ -281,11 +281,12 @@ def _turned(
 ) -> set[int]:
     """Pieces that the controls of a gaze turn as wholes."""
     gazing = {name for name, action in actions.items() if action.axis.startswith("gaze")}
-    index = {each.name: i for i, each in enumerate(rig.controls) if each.name in gazing}
     sizes = np.bincount(face.pieces[face.free], minlength=int(face.pieces.max()) + 1)
     turned: set[int] = set()
     for element in layout.elements:
-        gazes = [index[name] for name in element.manipulator.controls if name in index]
+        gazes = [
+            rig.control_indices[name] for name in element.manipulator.controls if name in gazing
+        ]
         share = np.zeros(len(sizes))
         for control in gazes:
             ends = [rig.controls[control].minimum, rig.controls[control].maximum]

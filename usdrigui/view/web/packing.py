@@ -14,7 +14,7 @@ import itertools
 import json
 import math
 import zlib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -270,7 +270,7 @@ def _clip(arrays: _Arrays, clip: Clip | None, issues: tuple[Issue, ...]) -> Json
 
 
 def _layout(rig: Rig, layout: Layout) -> Json:
-    controls = {control.name: index for index, control in enumerate(rig.controls)}
+    controls = rig.control_indices
     meshes = {mesh.path: index for index, mesh in enumerate(rig.body.meshes)}
     return {
         "planeOrigin": _list(layout.frame.plane.origin),
@@ -310,7 +310,7 @@ def _sections(rig: Rig, layout: Layout) -> list[Json]:
 
 
 def _elements(
-    rig: Rig, meshes: dict[str, int], controls: dict[str, int], layout: Layout
+    rig: Rig, meshes: dict[str, int], controls: Mapping[str, int], layout: Layout
 ) -> list[Json]:
     found = [_element(rig.body, meshes, controls, each) for each in layout.elements]
     own = [np.array([each["control"] for each in packed["members"]]) for packed in found]
@@ -332,7 +332,7 @@ def _elements(
 
 
 def _element(
-    body: Body, meshes: dict[str, int], controls: dict[str, int], element: Element
+    body: Body, meshes: dict[str, int], controls: Mapping[str, int], element: Element
 ) -> Json:
     anchor = element.anchor
     if anchor.mesh not in meshes or not 0 <= anchor.point < len(
@@ -374,7 +374,7 @@ def _glyph(glyph: Glyph | None) -> Json | None:
     }
 
 
-def _member(name: str, controls: dict[str, int], member: Member) -> Json:
+def _member(name: str, controls: Mapping[str, int], member: Member) -> Json:
     if member.control not in controls:
         raise refuse(
             "VIEW_MISMATCH",
