@@ -19,8 +19,11 @@ from pxr import Sdf, Usd, UsdSkel
 from random_characters import composed, off, random_character
 from skel_stages import character
 
+from usdrigui.layer import baking
+from usdrigui.layer.read_layout import layout_scopes, read_layout
+from usdrigui.layer.write_layout import layer_for, stage_metadata
 from usdrigui.reading.character import read_rigs
-from usdrigui.settings import load
+from usdrigui.settings import OutputSettings, ReadSettings, load
 from usdrigui.view.web.packing import pack
 
 REPLAY = Path(__file__).with_name("replay.mjs")
@@ -70,6 +73,18 @@ def random_case(folder, seed):
     return path, rig, random_actions(rig, rng, last), [*range(1, last + 1), *(rng.uniform(0, last, 10).tolist())]
 
 
+def layer_of(source):
+    return source.with_suffix(".rigui.usda")
+
+
+def written_layout(source, rig):
+    """A layout of all controls as it is read from its layer, which sublayers the source."""
+    metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
+    layer_for([(rig, laid_out.layout_of(rig))], str(source), OutputSettings(), metadata).Export(str(layer_of(source)))
+    (layout,) = read_layout(layer_of(source))
+    return layout
+
+
 @pytest.fixture(scope="module")
 def replayed(tmp_path_factory):
     """Every case with what the viewer makes of it; one process for all."""
@@ -79,11 +94,11 @@ def replayed(tmp_path_factory):
     cases = [random_case(folder, seed) for seed in SEEDS]
     asked = [
         {
-            "scene": base64.b64encode(pack([(rig, laid_out.layout_of(rig))], "law")).decode(),
+            "scene": base64.b64encode(pack([(rig, written_layout(path, rig))], "law")).decode(),
             "actions": actions,
             "times": times,
         }
-        for _, rig, actions, times in cases
+        for path, rig, actions, times in cases
     ]
     done = subprocess.run(
         ["node", str(REPLAY)], input=json.dumps(asked), capture_output=True, text=True, timeout=120, check=False
@@ -107,6 +122,18 @@ def test_every_frame_shown_is_what_usd_evaluates(replayed, tmp_path):
             assert np.allclose(shown["weights"], again["weights"], atol=1e-7), (seed, time)
             assert np.allclose(np.ravel(shown["locals"]), np.ravel(again["locals"]), atol=1e-7), (seed, time)
     assert saved > 0.8 * len(SEEDS)
+
+
+def test_the_values_saved_are_what_the_samples_show(replayed, tmp_path):
+    valued = 0
+    for seed, ((source, _, actions, _), found) in zip(SEEDS, replayed, strict=True):
+        for name, text in (("layer", found["layer"] or "#usda 1.0\n"), ("pose", found["pose"]["text"])):
+            stage = composed(tmp_path / f"{seed}.{name}.usda", text, layer_of(source))
+            (scope,) = layout_scopes(stage)
+            told = baking.valued(scope, ReadSettings())
+            valued += bool(told) and len(told.values)
+            assert not [*baking.apart(told)], (seed, name, actions)
+    assert valued > 3 * len(SEEDS)
 
 
 def test_a_saved_pose_is_the_pose_shown(replayed, tmp_path):

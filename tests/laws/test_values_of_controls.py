@@ -12,6 +12,7 @@ from usdrigui.errors import RigUIError
 from usdrigui.layer.baking import apart, bake, valued
 from usdrigui.layer.read_layout import element_prims
 from usdrigui.layer.write_layout import layer_for, stage_metadata
+from usdrigui.reader.in_memory import read_open_layouts
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, ReadSettings, Settings
 from usdrigui.view.clip import clip_values
@@ -197,3 +198,17 @@ def test_the_command_writes_beside_the_shot_and_over_nothing_else(shot, tmp_path
         (tmp_path / "own.usda").write_text("#usda 1.0\n")
         with pytest.raises(RigUIError, match="FILE_TARGET"):
             pipeline.bake(tmp_path / "shot.usda", Settings(), tmp_path / other)
+
+
+def test_a_page_shows_what_the_values_say(shot):
+    """No sample is baked: the clip that a reviewer gets is that of the values, on the caller's stage nothing changes."""
+    rig, path = shot
+    stage = opened(path)
+    for time in range(4):
+        attributes(stage)["smile_L"].Set(0.25 * time, time)
+    before = stage.GetSessionLayer().ExportToString()
+    (read,) = read_open_layouts(stage, Settings())[1].rigs
+    index = [each.name for each in read.controls].index("smile_L")
+    rows = np.searchsorted(read.skel_root.clip.times, range(4))
+    assert clip_values(read)[rows, index] == pytest.approx([0.0, 0.25, 0.5, 0.75], abs=1e-6)
+    assert stage.GetSessionLayer().ExportToString() == before

@@ -381,6 +381,7 @@ def _member(prim: Usd.Prim, instance: str) -> Member:
         track=points,
         arc_length=float(get("arcLength")),
         magnification=float(get("magnification")),
+        attribute=f"{prim.GetPath()}.rigUI:control:{instance}:value",
     )
 
 

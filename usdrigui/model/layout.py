@@ -245,6 +245,8 @@ class Member(Record):
     """Of the anchor's true trajectory."""
     magnification: float
     """Drawn length over true length: 1 unless the trajectory is too small to be used."""
+    attribute: str = ""
+    """Path of the property that holds the control's value; empty where no layer has it yet."""
 
 
 class Anchor(Record):

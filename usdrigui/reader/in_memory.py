@@ -13,7 +13,7 @@ from pxr import Sdf, Usd
 
 from usdrigui.layer.read_layout import read_layout
 from usdrigui.model import Layout
-from usdrigui.reader.reader_main import read_result
+from usdrigui.reader.reader_main import read_composed, read_result
 from usdrigui.reader.reader_records import ReadResult
 from usdrigui.reading.character import read_characters
 from usdrigui.settings import Settings
@@ -39,8 +39,7 @@ def read_open_layouts(
     stage = _copy(source, settings.rig.read.variants)
     layouts = read_layout(stage)
     laid_out = {each.character.root for each in layouts}
-    found = read_characters(stage, settings.rig, laid_out)
-    return layouts, read_result(stage, settings, found, laid_out)
+    return layouts, read_composed(stage, settings, laid_out)
 
 
 def read_open_variants(
@@ -59,7 +58,7 @@ def _copy(source: Usd.Stage | Sdf.Layer, variants: Mapping[str, str]) -> Usd.Sta
     else:
         edited = source.GetSessionLayer()
         if edited is not None and edited.identifier not in source.GetMutedLayers():
-            _bring_in(session, edited)
+            _bring_in(session, edited, source.GetTimeCodesPerSecond())
         with _variant_fallbacks(source):
             stage = Usd.Stage.OpenMasked(
                 source.GetRootLayer(),
@@ -75,13 +74,16 @@ def _copy(source: Usd.Stage | Sdf.Layer, variants: Mapping[str, str]) -> Usd.Sta
     return stage
 
 
-def _bring_in(session: Sdf.Layer, edited: Sdf.Layer) -> None:
-    """Put the session layer of a stage below that of its copy, where its relative paths hold and it
-    can be muted; stage metadata counts in the upper one alone."""
+def _bring_in(session: Sdf.Layer, edited: Sdf.Layer, rate: float) -> None:
+    """Put the session layer of a stage of so many time codes per second below that of its copy,
+    where its relative paths hold and it can be muted; stage metadata counts in the upper one
+    alone."""
     for key in edited.pseudoRoot.ListInfoKeys():
         if key not in ("subLayers", "subLayerOffsets"):
             session.pseudoRoot.SetInfo(key, edited.pseudoRoot.GetInfo(key))
     session.subLayerPaths.append(edited.identifier)
+    # Its times are the stage's, which USD scales in a sublayer that does not say so.
+    session.subLayerOffsets[0] = Sdf.LayerOffset(scale=edited.timeCodesPerSecond / rate)
 
 
 @contextlib.contextmanager

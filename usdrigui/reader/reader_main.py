@@ -16,7 +16,7 @@ from pxr import Ar, Gf, Sdf, Usd, UsdGeom
 from usdrigui.character import Floats, Rig
 from usdrigui.errors import Issue, RigUIError, issue, raised_at, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_unchanged, hashed
-from usdrigui.layer.baking import bake
+from usdrigui.layer.baking import bake, play_values
 from usdrigui.layer.contradictions import contradictions
 from usdrigui.layer.corrections import own_corrections, read_corrections
 from usdrigui.layer.ignored_opinions import ignored_opinions
@@ -116,8 +116,7 @@ def _composed(path: Path, settings: Settings) -> Response:
         open_stage(path, settings.rig.read.variants)
         layouts = _layouts_in(asset)
         laid_out = {each.character.root for each in layouts.layouts}
-        found = asset.with_diagnostics(read_characters(path, settings.rig, laid_out))
-        result = read_result(asset.stage, settings, found, laid_out)
+        result = read_composed(asset.stage, settings, laid_out, asset.with_diagnostics)
         return Response(rigs=replace(result, sources=asset.sources()), layouts=layouts)
 
 
@@ -179,16 +178,30 @@ _TASKS: Mapping[Task, Callable[[Path, Settings], Response]] = {
 # --- what is read ---------------------------------------------------------------------------------
 
 
-def read_result(
+def read_composed(
     stage: Usd.Stage,
     settings: Settings,
-    found: Characters,
-    laid_out: Collection[str] | None = None,
+    laid_out: Collection[str],
+    told: Callable[[Characters], Characters] = lambda found: found,
 ) -> ReadResult:
-    """What a stage holds besides its characters `found`; `laid_out` are the SkelRoots that have a
-    layout where only these were read."""
+    """The characters `laid_out`, SkelRoots that have a layout, and what it says of them; they play
+    what the values of its controls say.  `told` adds to the characters."""
+    found = told(read_characters(stage, settings.rig, laid_out))
+    against = contradictions(stage, settings.rig.read)
+    if play_values(stage, settings.rig.read):
+        found = told(read_characters(stage, settings.rig, laid_out))
+    return replace(
+        read_result(stage, settings, found),
+        without_layout=_as_text(without_layout(stage, laid_out, settings.rig.read.skel_root)),
+        contradictions=_as_text(against),
+        listed=listed_controls(stage),
+    )
+
+
+def read_result(stage: Usd.Stage, settings: Settings, found: Characters) -> ReadResult:
+    """What a stage holds besides its characters `found`."""
     layer = stage.GetRootLayer()
-    result = ReadResult(
+    return ReadResult(
         found.rigs,
         {key: _as_json(value) for key, value in stage_metadata(layer).items()},
         cameras_toward(stage, found.rigs, settings.layout.candidates.view),
@@ -203,14 +216,6 @@ def read_result(
         lost=_as_text(found.lost),
         config_faults=_as_text(found.faults.issues),
         corrections=read_corrections(stage),
-    )
-    if laid_out is None:
-        return result
-    return replace(
-        result,
-        without_layout=_as_text(without_layout(stage, laid_out, settings.rig.read.skel_root)),
-        contradictions=_as_text(contradictions(stage, settings.rig.read)),
-        listed=listed_controls(stage),
     )
 
 

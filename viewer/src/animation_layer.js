@@ -110,6 +110,8 @@ function statesAt(session, times, at) {
     deformer.drive(values);
     return {
       time,
+      values: Float64Array.from(values),
+      left: weights,
       weights: Array.from(deformer.weights),
       locals: character.joints.map((_, joint) => Array.from(deformer.skeletons.localAt(joint, deformer.moves))),
     };
@@ -130,7 +132,29 @@ function contentOf(session, controls, states, range, work) {
     if (each.made) each.skeletons.forEach((skeleton) => bind(prims, character.skeletons[skeleton].path, path));
     put(prims, path, { type: each.made ? 'def SkelAnimation' : 'over', lines: animationLines(character, each, states) });
   }
+  for (const control of withValues(character.controls, controls.filter((each) => isWhole(character, each, states)))) {
+    const [prim, name] = character.controls[control].attribute.split('.');
+    put(prims, prim, { type: 'over', lines: valueLines(name, control, states) });
+  }
   return { animations, unwritten, prims, range, rate: animation.rate, work: { root: character.root, ...work } };
+}
+
+/** Whether a clip leaves nothing in the weights of a control beside its value, as one does that moves them apart. */
+function isWhole({ baseWeights, controls }, control, states) {
+  const { channels } = controls[control].drive;
+  return states.every(({ left }) => !left || channels.every((each) => Math.abs(left[each] - baseWeights[each]) < 1e-5));
+}
+
+/**
+ * Those of the `written` controls that have an attribute of which the samples can be made again: whatever else drives
+ * what they drive is among them, but for other axes of a joint.
+ */
+function withValues(all, written) {
+  const meets = ({ drive, kind }, other) =>
+    other.drive.channels.some((channel) => drive.channels.includes(channel)) ||
+    ((kind !== 'joint' || other.kind !== 'joint') && other.drive.joints.some((joint) => drive.joints.includes(joint)));
+  const found = written.filter((control) => all[control].attribute && all.every((other, i) => written.includes(i) || !meets(all[control], other)));
+  return found.length === written.length ? found : withValues(all, found);
 }
 
 /** The parts of all characters as one layer. */
@@ -238,6 +262,13 @@ function animationLines(character, { channels, joints }, states) {
     lines.push(...samples('float3[] translations', parts, of('translation')));
   }
   return lines;
+}
+
+/** A control's own attribute: samples, or one value where it keeps it. */
+function valueLines(name, control, states) {
+  const rows = states.map(({ time, values }) => [number(time), number(values[control])]);
+  if (rows.every(([, value]) => value === rows[0][1])) return [`double ${name} = ${rows[0][1]}`];
+  return [`double ${name}.timeSamples = {`, ...rows.map(([time, value]) => `    ${time}: ${value},`), '}'];
 }
 
 const tokens = (name, values) => `uniform token[] ${name} = [${values.map(quoted).join(', ')}]`;

@@ -41,17 +41,19 @@ _HEADER = re.compile(
 
 """
 )
+_CONTROL = r"double rigUI:control:\w+:value"
 _PRIM = re.compile(rf"(?:over|def SkelAnimation) {_STRING}( \()?")
 _BINDING = 'prepend apiSchemas = ["SkelBindingAPI"]'
 _PROPERTY = re.compile(
     rf"uniform token\[\] (?:blendShapes|joints) = \[(?:{_STRING}(?:, {_STRING})*)?\]"
     r"|rel skel:animationSource = <(?:/\w+)+>"
+    rf"|{_CONTROL} = {_NUMBER}"
 )
 _SAMPLED = re.compile(
-    r"(?:float\[\] blendShapeWeights|quatf\[\] rotations|half3\[\] scales|float3\[\] translations)"
-    r"\.timeSamples = \{"
+    r"(?:float\[\] blendShapeWeights|quatf\[\] rotations|half3\[\] scales|float3\[\] translations"
+    rf"|{_CONTROL})\.timeSamples = \{{"
 )
-_SAMPLE = re.compile(rf"{_NUMBER}: \[{_ITEM}(?:, {_ITEM})*\],")
+_SAMPLE = re.compile(rf"{_NUMBER}: (?:{_NUMBER}|\[{_ITEM}(?:, {_ITEM})*\]),")
 
 
 @dataclass(frozen=True, slots=True)

@@ -130,7 +130,7 @@ def _character(arrays: _Arrays, rig: Rig, layout: Layout) -> Json:
         "base": arrays.reals(np.array([each.base for each in joints]).reshape(-1, 4, 4), "f8"),
         "channels": [_fields(each, "token animation index") for each in body.channels],
         "baseWeights": _list(body.base_weights),
-        "controls": _controls(rig.controls),
+        "controls": _controls(rig.controls, layout),
         "timeCodes": rig.skel_root.time_codes,
         "clip": _clip(arrays, rig.skel_root.clip, rig.findings.issues),
         "layout": packed,
@@ -231,9 +231,14 @@ def _skin(arrays: _Arrays, skin: Skin) -> Json:
     }
 
 
-def _controls(controls: tuple[Control, ...]) -> list[Json]:
+def _controls(controls: tuple[Control, ...], layout: Layout) -> list[Json]:
     labels = shortened([control.label for control in controls])
-    return [_control(control, label) for control, label in zip(controls, labels, strict=True)]
+    members = [each for element in layout.elements for each in element.manipulator.members]
+    attributes = {each.control: each.attribute for each in reversed(members)}
+    return [
+        {**_control(control, label), "attribute": attributes.get(control.name, "")}
+        for control, label in zip(controls, labels, strict=True)
+    ]
 
 
 def _control(control: Control, label: str) -> Json:
