@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from usdrigui.errors import Issue, RigUIError
-    from usdrigui.interface import OpenLayout, check, diff, inspect, open, process  # noqa: A004
+    from usdrigui.interface import OpenLayout, bake, check, diff, inspect, open, process  # noqa: A004
     from usdrigui.pipeline import Event, LayerDifference, LayerReview
     from usdrigui.report.inspection import Inspection
     from usdrigui.report.run_report import Report
@@ -36,6 +36,7 @@ _HOMES = {
     "Report": ("usdrigui.report.run_report", "Report"),
     "RigUIError": ("usdrigui.errors", "RigUIError"),
     "Settings": ("usdrigui.settings", "Settings"),
+    "bake": ("usdrigui.interface", "bake"),
     "check": ("usdrigui.interface", "check"),
     "diff": ("usdrigui.interface", "diff"),
     "inspect": ("usdrigui.interface", "inspect"),
@@ -55,6 +56,7 @@ __all__ = [
     "RigUIError",
     "Settings",
     "__version__",
+    "bake",
     "check",
     "diff",
     "inspect",

@@ -6,6 +6,7 @@ import pytest
 import skinned_stages
 from pxr import Sdf, Usd, UsdSkel
 
+import usdrigui
 from usdrigui import pipeline
 from usdrigui.character.deform import deform
 from usdrigui.errors import RigUIError
@@ -85,7 +86,7 @@ def keyed(shot):
         if control.name in attributes(stage):
             for time in range(0, 10, 3):
                 attributes(stage)[control.name].Set(values[time, index], time)
-    return stage, values, bake(stage, ReadSettings())
+    return stage, values, usdrigui.bake(stage)
 
 
 def test_usdskel_plays_what_the_values_say_at_every_frame(shot, keyed):
@@ -147,14 +148,15 @@ def test_splines_are_sampled_at_every_frame(shot):
     _, path = shot
     stage = opened(path)
     spline = Ts.Spline("double")
-    for time, value in ((0.0, 0.0), (8.0, 1.0)):
-        spline.SetKnot(Ts.Knot("double", time=time, value=value, nextInterp=Ts.InterpCurve))
+    for time, value, way in ((0.0, 0.0, Ts.InterpCurve), (6.0, 1.0, Ts.InterpHeld), (7.5, 0.5, Ts.InterpHeld)):
+        spline.SetKnot(Ts.Knot("double", time=time, value=value, nextInterp=way))
     attribute = attributes(stage)["brow_L"]
     assert attribute.SetSpline(spline)
     layer = bake(stage, ReadSettings())
     tokens = [*stage.GetPrimAtPath(f"{ROOT}/Anim").GetAttribute("blendShapes").Get()]
-    for time in range(9):
-        row = layer.QueryTimeSample(Sdf.Path(f"{ROOT}/Anim.blendShapeWeights"), time)
+    played = over(stage, layer)
+    for time in (*range(9), 7.49, 7.5):
+        row = played.GetAttributeAtPath(f"{ROOT}/Anim.blendShapeWeights").Get(time)
         assert row[tokens.index("brow_L")] == pytest.approx(attribute.Get(time), abs=1e-6)
 
 
@@ -201,9 +203,8 @@ def test_the_command_writes_beside_the_shot_and_over_nothing_else(shot, tmp_path
 
 
 def test_a_page_shows_what_the_values_say(shot):
-    """No sample is baked: the clip that a reviewer gets is that of the values, on the caller's stage nothing changes."""
-    rig, path = shot
-    stage = opened(path)
+    """No sample is baked: the clip is that of the values, and nothing changes on the caller's stage."""
+    stage = opened(shot[1])
     for time in range(4):
         attributes(stage)["smile_L"].Set(0.25 * time, time)
     before = stage.GetSessionLayer().ExportToString()

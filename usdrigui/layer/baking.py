@@ -15,7 +15,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from pxr import Gf, Sdf, Usd, UsdSkel, Vt
+from pxr import Gf, Sdf, Ts, Usd, UsdSkel, Vt
 
 from usdrigui.character import Flags, Floats, Record, Rig, Skeleton
 from usdrigui.character.deform import driven, moved_locals
@@ -233,10 +233,16 @@ def _read(attribute: Usd.Attribute, time: float) -> float | None:
 
 
 def _times_of(attribute: Usd.Attribute) -> list[float]:
-    """Time samples, or the knots of a spline."""
-    if hasattr(attribute, "HasSpline") and attribute.HasSpline():
-        return [float(time) for time in attribute.GetSpline().GetKnots().keys()]  # noqa: SIM118
-    return list(attribute.GetTimeSamples())
+    """Time samples, or the knots of a spline and the moments before those at which it jumps."""
+    if not (hasattr(attribute, "HasSpline") and attribute.HasSpline()):
+        return list(attribute.GetTimeSamples())
+    knots = list(attribute.GetSpline().GetKnots().values())
+    jumps = [
+        after.GetTime() - Usd.TimeCode.SafeStep()
+        for before, after in itertools.pairwise(knots)
+        if before.GetNextInterpolation() == Ts.InterpHeld or after.IsDualValued()
+    ]
+    return [*(each.GetTime() for each in knots), *jumps]
 
 
 def _times(
