@@ -23,8 +23,11 @@ from .layout import (
 )
 from .properties import agree, applied, floats, get, points_of, targets
 
-LAYOUT = "RigUILayoutAPI_1"
-"""The mark of a layout, with the version of it that is understood."""
+FAMILIES = {
+    f"RigUI{each}API"
+    for each in ("Layout", "Part", "Drawing", "Element", "Anchor", "Handle", "Control")
+}
+"""The schemas of a layout, in the versions that are understood: those without a number."""
 
 
 def read_layouts(stage):
@@ -36,21 +39,18 @@ def read_layouts(stage):
 def _scopes(stage):
     walk = iter(Usd.PrimRange(stage.GetPseudoRoot(), Usd.PrimAllPrimsPredicate))
     for prim in walk:
-        if _mark(prim):
+        if any(name.partition("_")[0] == "RigUILayoutAPI" for name in applied(prim)):
             walk.PruneChildren()
             if prim.IsActive() and prim.GetParent().IsDefined():
                 yield prim
 
 
-def _mark(prim):
-    """The applied schema that marks a layout, of whichever version; empty if there is none."""
-    return next((name for name in applied(prim) if name.partition("_")[0] == "RigUILayoutAPI"), "")
-
-
 def _layout(scope):
-    mark = _mark(scope)
-    if mark != LAYOUT:
-        raise LayoutError(f"{scope.GetPath()} keeps a later version of the contract than {LAYOUT}")
+    for prim in Usd.PrimRange(scope, Usd.PrimAllPrimsPredicate):
+        for name in applied(prim):
+            family, _, version = name.partition(":")[0].partition("_")
+            if family in FAMILIES and version:
+                raise LayoutError(f"{prim.GetPath()} keeps {name}, a later version than {family}")
     names, values = (
         get(scope, f"rigUI:layout:{name}", ()) for name in ("baseControls", "baseValues")
     )
@@ -80,10 +80,14 @@ def _layout(scope):
 
 def _part_widths(scope):
     """Handle width of each part of a character that is laid out in several."""
-    names = [str(name) for name in get(scope, "rigUI:layout:parts", ())]
-    widths = floats(get(scope, "rigUI:layout:partHandleWidths", ()))
-    agree(scope, len(names) == len(widths), "widths of parts")
-    return dict(zip(names, widths, strict=True))
+    instances = [
+        name.split(":", 1)[1] for name in applied(scope) if name.startswith("RigUIPartAPI:")
+    ]
+    parts = [(each, f"rigUI:part:{each}") for each in instances]
+    return {
+        str(get(scope, f"{part}:name", "")) or instance: get(scope, f"{part}:handleWidth", 0.0)
+        for instance, part in parts
+    }
 
 
 def _elements(scope):

@@ -65,7 +65,7 @@ CASES = {
     "names": {"shapes": {"brow:up L": ((0.5, 0.5), UP), "0": (MOUTH, OUT)}},
 }
 SPOILT = {
-    "later_version": ("pose", lambda text: text.replace("RigUILayoutAPI_1", "RigUILayoutAPI_2")),
+    "later_version": ("pose", lambda text: text.replace("RigUILayoutAPI", "RigUILayoutAPI_1")),
     "too_few_values": ("base_pose", lambda text: re.sub(r"(baseValues = \[)[^,\]]*, ", r"\1", text)),
     "shifted": ("slider", lambda text: text.replace("rigUI:anchor:position = (", "rigUI:anchor:position = (9")),
     "payload": ("mirrors", lambda _: PAYLOAD),

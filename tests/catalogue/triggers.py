@@ -662,7 +662,7 @@ TRIGGERS: Mapping[str, Trigger] = {
     "LAYOUT_TRACK": _checked(_edited((r'smile:blendShapes = \["smile"\]', 'smile:blendShapes = ["frown"]'))),
     "LAYOUT_DRAWN": _checked(_edited((r"point3f\[\] points = \[\([^)]*\)", "point3f[] points = [(9, 9, 9)"))),
     "LAYOUT_VALUE": _checked(_edited((r"(double rigUI:control:smile:value)", r"\1 = 0.7"))),
-    "LAYOUT_VERSION": _checked(_edited(("RigUILayoutAPI_1", "RigUILayoutAPI_99"))),
+    "LAYOUT_VERSION": _checked(_edited(("RigUILayoutAPI", "RigUILayoutAPI_99"))),
     "VALUES_MISSING": lambda folder, _: command("bake", _laid_out(folder)),
     "SOURCE_MISSING": _viewed(_bare),
     "LAYOUT_STALE": _viewed(_renamed),

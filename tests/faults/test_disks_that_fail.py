@@ -42,7 +42,7 @@ OLD = b"""#usda 1.0
 over "Char"
 {
     def Scope "RigUI" (
-        prepend apiSchemas = ["RigUILayoutAPI_1"]
+        prepend apiSchemas = ["RigUILayoutAPI"]
     )
     {
     }

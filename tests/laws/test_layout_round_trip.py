@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import operator
 import string
 from dataclasses import fields, replace
 
@@ -129,7 +130,7 @@ def close(first, second, where=""):
         for i, pair in enumerate(zip(first, second, strict=True)):
             close(*pair, f"{where}[{i}]")
     elif hasattr(first, "__dataclass_fields__"):
-        for each in fields(first):
+        for each in filter(operator.attrgetter("compare"), fields(first)):
             close(getattr(first, each.name), getattr(second, each.name), f"{where}.{each.name}")
     elif isinstance(first, float):
         # 7 digits of the power of two above are kept (`author.settled`): half of the last one may be lost.

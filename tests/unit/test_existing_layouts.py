@@ -15,7 +15,7 @@ def test_a_drawing_of_which_any_opinion_is_in_a_variant_is_in_one(inside, outsid
 
     def draw():
         scope = stage.DefinePrim("/Char/RigUI", "Scope")
-        scope.AddAppliedSchema("RigUILayoutAPI_1")
+        scope.AddAppliedSchema("RigUILayoutAPI")
         mesh = UsdGeom.Mesh.Define(stage, "/Char/RigUI/drawing")
         mesh.GetPrim().AddAppliedSchema("RigUIDrawingAPI")
 

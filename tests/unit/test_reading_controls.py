@@ -621,7 +621,7 @@ def test_points_over_time_are_taken_at_the_base(tmp_path):
 def test_earlier_layouts_are_not_read_as_meshes(tmp_path):
     def edit(stage):
         scope = UsdGeom.Scope.Define(stage, "/Char/RigUI").GetPrim()
-        scope.AddAppliedSchema("RigUILayoutAPI_1")
+        scope.AddAppliedSchema("RigUILayoutAPI")
         handle = add_mesh(stage, "/Char/RigUI/smile/handle", "/Char/Skel", seed=2)
         add_shape(handle, "smile", np.ones((SIDE**2, 3)))
 

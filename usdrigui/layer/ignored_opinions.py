@@ -9,6 +9,7 @@ from pxr import Sdf, Usd
 from usdrigui.errors import Issue, issue, listed, meant
 from usdrigui.layer.properties import element_name, instances_applied
 from usdrigui.layer.read_layout import element_prims, layout_scopes
+from usdrigui.stages import schema
 
 
 def ignored_opinions(stage: Usd.Stage) -> tuple[Issue, ...]:
@@ -33,7 +34,11 @@ def _elements(stage: Usd.Stage) -> dict[str, str]:
     """The path of an element by each name for it: those of its controls, its prim's and its own;
     the stronger the later."""
     prims = [prim for scope in layout_scopes(stage) for prim in element_prims(scope)]
-    controls = {name: str(prim.GetPath()) for prim in prims for name in instances_applied(prim)}
+    controls = {
+        name: str(prim.GetPath())
+        for prim in prims
+        for name in instances_applied(prim, schema.CONTROL)
+    }
     own = {n: str(p.GetPath()) for p in prims for n in (p.GetName(), element_name(p))}
     return controls | own
 

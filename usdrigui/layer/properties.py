@@ -31,9 +31,9 @@ def has(prim: Usd.Prim, api: str) -> bool:
     return api in applied(prim)
 
 
-def instances_applied(prim: Usd.Prim) -> list[str]:
-    """Controls in the order in which they are applied, for layers that do not list them."""
-    prefix = f"{schema.CONTROL}:"
+def instances_applied(prim: Usd.Prim, api: str) -> list[str]:
+    """Instance names of one of our schemas in the order in which they are applied."""
+    prefix = f"{api}:"
     return [name.removeprefix(prefix) for name in applied(prim) if name.startswith(prefix)]
 
 
@@ -97,7 +97,7 @@ def targets(prim: Usd.Prim, api: str, name: str, instance: str = "") -> list[Sdf
 def control_instances(prim: Usd.Prim) -> list[str]:
     """Instance names of an element's controls, in its order.  Raises LAYOUT_INVALID for none, or
     one not applied."""
-    known = instances_applied(prim)
+    known = instances_applied(prim, schema.CONTROL)
     instances = strings(value_of(prim, schema.ELEMENT, "controls")) or known
     unknown = [instance for instance in instances if instance not in known]
     if unknown or not instances:

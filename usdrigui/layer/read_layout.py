@@ -30,6 +30,7 @@ from usdrigui.layer.properties import (
     element_name,
     element_names,
     has,
+    instances_applied,
     integers_of,
     invalid,
     placement,
@@ -250,9 +251,10 @@ def _stage(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Usd.Stage, str]:
 
 def layout_at(scope: Usd.Prim, *, carried: bool = False) -> Layout:
     """The layout of the prim with RigUILayoutAPI; raises as `read_layout`."""
-    mark = next(filter(schema.is_layout, applied(scope)))
-    if mark != schema.LAYOUT:
-        raise refuse("LAYOUT_VERSION", str(scope.GetPath()), f"{mark}; known: {schema.LAYOUT}")
+    for prim in Usd.PrimRange(scope, _EVERYTHING):
+        for each in filter(schema.is_later, applied(prim)):
+            known = each.partition("_")[0]
+            raise refuse("LAYOUT_VERSION", str(prim.GetPath()), f"{each}; known: {known}")
 
     def get(name: str) -> Any:
         return value_of(scope, schema.LAYOUT, name)
@@ -291,14 +293,18 @@ def _variant_path(scope: Usd.Prim) -> str:
 
 def _parts(scope: Usd.Prim, proofs: Sequence[Any]) -> tuple[LayoutPart, ...]:
     """The parts of a character; proofs that the layer lacks are unknown."""
-    names = strings(value_of(scope, schema.LAYOUT, "parts"))
-    proofs = proofs if len(proofs) == len(names) else [_UNPROVEN] * len(names)
-    widths = array_of(value_of(scope, schema.LAYOUT, "partHandleWidths"))
-    views = array_of(value_of(scope, schema.LAYOUT, "partViewDirections"))
-    return tuple(
-        LayoutPart(name, width, view, *proof)
-        for name, width, view, proof in zip(names, widths.tolist(), views, proofs, strict=True)
-    )
+    instances = instances_applied(scope, schema.PART)
+    proofs = proofs if len(proofs) == len(instances) else [_UNPROVEN] * len(instances)
+    return tuple(_part(scope, *each) for each in zip(instances, proofs, strict=True))
+
+
+def _part(scope: Usd.Prim, instance: str, proof: Any) -> LayoutPart:
+    def get(name: str) -> Any:
+        return value_of(scope, schema.PART, name, instance)
+
+    refuse_broken(scope, schema.PART, instance)
+    name = str(get("name")) or instance
+    return LayoutPart(name, get("handleWidth"), array_of(get("viewDirection")), *proof)
 
 
 def _base_values(scope: Usd.Prim) -> Floats:

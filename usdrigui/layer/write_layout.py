@@ -232,7 +232,10 @@ def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
     """The Scope of one character with all its elements."""
     root = author_variant(layer, layout.character.path_in_variants)
     author_limits(root, rig)
-    scope = author.prim(root, schema.SCOPE, "Scope", (schema.LAYOUT,))
+    taken: set[str] = set()
+    parts = {author.identifier(each.name, taken): each for each in layout.frame.parts}
+    applied = (schema.LAYOUT, *(f"{schema.PART}:{instance}" for instance in parts))
+    scope = author.prim(root, schema.SCOPE, "Scope", applied)
     scope.SetInfo("documentation", _ABOUT)
     author.put(scope, "purpose", "token", "guide", uniform=True)
     author.declare(
@@ -241,6 +244,10 @@ def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
         _frame(rig.body.skeletons, layout.frame)
         | account(rig.controls, layout.character.base_values),
     )
+    for instance, part in parts.items():
+        name = "" if part.name == instance else part.name
+        frame = {"name": name, "handleWidth": part.handle_width, "viewDirection": part.view}
+        author.declare(scope, schema.PART, frame, instance)
     author.note(scope, record(layout))
     subsets = author_elements(scope, rig, layout, layout.elements)
     children = [child for mesh in scope.nameChildren for child in mesh.nameChildren]
@@ -261,9 +268,6 @@ def _frame(skeletons: tuple[Skeleton, ...], frame: LayoutFrame) -> dict[str, Any
         "planeOrigin": frame.plane.origin,
         "planeNormal": frame.plane.normal,
         "handleWidth": frame.handle_width,
-        "parts": [part.name for part in frame.parts],
-        "partHandleWidths": np.array([part.handle_width for part in frame.parts], dtype=np.float64),
-        "partViewDirections": [part.view for part in frame.parts],
     }
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 from usdrigui.character.record import Floats, Indices, Record
@@ -245,7 +245,7 @@ class Member(Record):
     """Of the anchor's true trajectory."""
     magnification: float
     """Drawn length over true length: 1 unless the trajectory is too small to be used."""
-    attribute: str = ""
+    attribute: str = field(default="", compare=False)
     """Path of the property that holds the control's value; empty where no layer has it yet."""
 
 

@@ -18,9 +18,8 @@ VARIANTS = "rigUI"
 WITH, WITHOUT = "ui", "none"
 """Its variants; layers select `WITH` unless a stronger opinion selects another."""
 
-LAYOUT_FAMILY = "RigUILayoutAPI"
-LAYOUT = "RigUILayoutAPI_1"
-"""The version of the family that written layouts keep (schemas/CONTRACT.md)."""
+LAYOUT = "RigUILayoutAPI"
+PART = "RigUIPartAPI"
 DRAWING = "RigUIDrawingAPI"
 ELEMENT = "RigUIElementAPI"
 ANCHOR = "RigUIAnchorAPI"
@@ -29,7 +28,7 @@ CONTROL = "RigUIControlAPI"
 CORRECTION = "RigUICorrectionAPI"
 CORRECTIONS = "RigUICorrections"
 """Name of the prim below the SkelRoot that holds the corrections of a person."""
-APIS = (LAYOUT, DRAWING, ELEMENT, ANCHOR, HANDLE, CONTROL, CORRECTION)
+APIS = (LAYOUT, PART, DRAWING, ELEMENT, ANCHOR, HANDLE, CONTROL, CORRECTION)
 ROLE = "rigUI:role"
 ROLES = ("handle", "track", "area")
 """Primvar of a drawing, and what each of its faces is by it."""
@@ -39,8 +38,13 @@ NOTES = "usdrigui"
 
 def is_layout(applied: str) -> bool:
     """Whether an applied schema marks a layout, of whichever version."""
-    family, _, version = applied.partition("_")
-    return family == LAYOUT_FAMILY and version.isdigit()
+    return applied == LAYOUT or (is_later(applied) and applied.startswith(f"{LAYOUT}_"))
+
+
+def is_later(applied: str) -> bool:
+    """Whether an applied schema is a later version of one of ours (schemas/CONTRACT.md)."""
+    family, _, version = applied.partition(":")[0].partition("_")
+    return family in APIS and version.isdigit()
 
 
 def schema_path() -> Path:
