@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import operator
+from dataclasses import fields
+
 import numpy as np
 import pytest
 from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
@@ -192,3 +195,23 @@ def root_points(stage, path, root, time):
     )
     full = np.array(matrix)
     return points @ full[:3, :3] + full[3, :3]
+
+
+def close(first, second, where=""):
+    """Records equal to the digits that a layer keeps; arrays, floats and tuples compared all the way down."""
+    if isinstance(first, np.ndarray):
+        assert first.shape == second.shape, where
+        # Track points are stored together with offsets of their size, so compare against the largest.
+        assert np.abs(first - second).max(initial=0.0) <= 1.5e-6 * max(1.0, np.abs(first).max(initial=0.0)), where
+    elif isinstance(first, tuple):
+        assert len(first) == len(second), where
+        for i, pair in enumerate(zip(first, second, strict=True)):
+            close(*pair, f"{where}[{i}]")
+    elif hasattr(first, "__dataclass_fields__"):
+        for each in filter(operator.attrgetter("compare"), fields(first)):
+            close(getattr(first, each.name), getattr(second, each.name), f"{where}.{each.name}")
+    elif isinstance(first, float):
+        # 7 digits of the power of two above are kept (`author.settled`): half of the last one may be lost.
+        assert first == pytest.approx(second, rel=1.5e-6, abs=1e-9), where
+    else:
+        assert first == second, where

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import itertools
-import operator
 import string
-from dataclasses import fields, replace
+from dataclasses import replace
 
 import laid_out
 import makers
 import numpy as np
-import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 from pxr import Sdf
 
@@ -120,25 +118,6 @@ def changed(draw, element):
     )
 
 
-def close(first, second, where=""):
-    if isinstance(first, np.ndarray):
-        assert first.shape == second.shape, where
-        # Track points are stored together with offsets of their size, so compare against the largest.
-        assert np.abs(first - second).max(initial=0.0) <= 1.5e-6 * max(1.0, np.abs(first).max(initial=0.0)), where
-    elif isinstance(first, tuple):
-        assert len(first) == len(second), where
-        for i, pair in enumerate(zip(first, second, strict=True)):
-            close(*pair, f"{where}[{i}]")
-    elif hasattr(first, "__dataclass_fields__"):
-        for each in filter(operator.attrgetter("compare"), fields(first)):
-            close(getattr(first, each.name), getattr(second, each.name), f"{where}.{each.name}")
-    elif isinstance(first, float):
-        # 7 digits of the power of two above are kept (`author.settled`): half of the last one may be lost.
-        assert first == pytest.approx(second, rel=1.5e-6, abs=1e-9), where
-    else:
-        assert first == second, where
-
-
 @settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(layouts())
 def test_any_layout_comes_back(made):
@@ -147,6 +126,6 @@ def test_any_layout_comes_back(made):
     layer = Sdf.Layer.CreateAnonymous(".usda")
     assert layer.ImportFromString(text)
     (back,) = read_layout(layer)
-    close(layout, back)
+    laid_out.close(layout, back)
     again = layer_bytes(layer_for([(rig, layout)], "", OutputSettings(), {}), ".usda").decode()
     assert again == text

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import operator
 import tempfile
-from dataclasses import fields, replace
+from dataclasses import replace
 from pathlib import Path
 
 import laid_out
@@ -58,21 +57,6 @@ def metadata(source):
     return stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
 
 
-def same(first, second):
-    """Records equal to single precision; arrays, floats and tuples compared all the way down."""
-    if isinstance(first, (float, np.ndarray)):
-        assert np.allclose(first, second, rtol=1e-6, atol=1e-6), (first, second)
-    elif isinstance(first, tuple):
-        assert len(first) == len(second)
-        for one, other in zip(first, second, strict=True):
-            same(one, other)
-    elif hasattr(first, "__dataclass_fields__"):
-        for each in filter(operator.attrgetter("compare"), fields(first)):
-            same(getattr(first, each.name), getattr(second, each.name))
-    else:
-        assert first == second
-
-
 @pytest.mark.parametrize("suffix", [".usda", ".usdc", ".usd"])
 def test_a_layout_comes_back_as_it_was(char, tmp_path, suffix):
     source, rig, layout = char
@@ -80,9 +64,9 @@ def test_a_layout_comes_back_as_it_was(char, tmp_path, suffix):
     assert write_layout([(rig, layout)], source, target, PLAIN, metadata(source)) == "written"
     assert write_layout([(rig, layout)], source, target, PLAIN, metadata(source)) == "unchanged"
     (back,) = read_layout(target)
-    same(layout, back)
+    laid_out.close(layout, back)
     (again,) = read_layout(Sdf.Layer.FindOrOpen(str(target)))
-    same(layout, again)
+    laid_out.close(layout, again)
 
 
 def test_the_source_is_sublayered_by_a_relative_path(char, tmp_path):
@@ -115,10 +99,10 @@ def test_a_bare_layer_stands_alone_and_can_be_sublayered_by_the_asset(char, tmp_
     target = tmp_path / "bare.usda"
     write_layout([(rig, layout)], source, target, OutputSettings(bare=True), metadata(source))
     assert source_of(target) == ""
-    same(layout, read_layout(target)[0])
+    laid_out.close(layout, read_layout(target)[0])
     asset = Sdf.Layer.FindOrOpen(str(source))
     asset.subLayerPaths.append("./bare.usda")
-    same(layout, read_layout(asset)[0])
+    laid_out.close(layout, read_layout(asset)[0])
     asset.subLayerPaths.clear()
 
 
