@@ -12,7 +12,7 @@ from pxr import Sdf, Usd
 
 from usdrigui.character import Channel
 from usdrigui.layer import control_api
-from usdrigui.layer.control_api import _driven_joints, _driven_weights, _is_plain
+from usdrigui.layer.control_api import _driven_joints, _driven_weights
 from usdrigui.layer.write_layout import author_variant
 
 
@@ -28,24 +28,6 @@ def rig_of(*animations, base=0.0):
     skeletons = tuple(SimpleNamespace(animation=each, path=f"/Root/skel{each}") for each in dict.fromkeys(animations))
     body = SimpleNamespace(channels=channels, skeletons=skeletons, base_weights=np.full(len(channels), base))
     return SimpleNamespace(body=body)
-
-
-def test_a_control_is_plain_where_its_value_is_the_weight():
-    plain, half = driven([[0.0], [1.0]]), driven([[0.0], [0.5]])
-    assert _is_plain(rig_of("/A").body.base_weights, plain.drive)
-    assert not _is_plain(rig_of("/A").body.base_weights, half.drive)
-    assert not _is_plain(rig_of("/A", base=0.25).body.base_weights, plain.drive), "the weight is a quarter more"
-    assert _is_plain(rig_of("/A", base=0.25).body.base_weights, driven([[-0.25], [0.75]]).drive)
-    assert not _is_plain(rig_of("/A", "/A").body.base_weights, driven([[0.0, 0.0], [1.0, 0.0]]).drive)
-    turning = replace(plain.drive, joints=np.array([0]))
-    assert not _is_plain(rig_of("/A").body.base_weights, replace(plain, drive=turning).drive)
-
-
-def test_weights_below_the_noise_of_the_file_are_not_driven():
-    found = _driven_weights(rig_of("/A", "/A", "/A").body, driven([[0.0, 0.0, 0.0], [0.5, 0.9e-6, -1.1e-6]]).drive)
-    assert found["blendShapes"] == ["shape0", "shape2"]
-    assert found["blendShapeWeights"].tolist() == [0.0, 0.0, 0.5, -1.1e-6]
-    assert found["keys"].tolist() == [0.0, 1.0]
 
 
 @pytest.mark.parametrize(

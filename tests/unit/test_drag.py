@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from usdrigui.pose.drag import Axis, End, _ends, begin_drag, drag_to, values_at
+from usdrigui.pose.drag import Axis, End, begin_drag, drag_to, values_at
 
 SUITE = Path(__file__).resolve().parents[2] / "schemas" / "conformance"
 VECTORS = {each["element"]: each for each in json.loads((SUITE / "drags.json").read_text("utf-8"))["questions"]}
@@ -57,15 +57,6 @@ def test_a_value_keeps_to_its_range_and_meets_the_base_pose_to_the_last_bit():
     assert end.value(-0.3 - 5e-13) == 400.0 != end.value(-0.3 - 5e-12)
     assert [end.share(value) for value in (0.0, 100.0, 350.0, 1100.0, 1500.0)] == [0.0, 0.0, 0.25, 1.0, 1.0]
     assert End(0, 1.0, 2.0, 2.0, 2.0).share(3.0) == 0.0, "a range without length"
-
-
-@pytest.mark.parametrize(
-    ("minimum", "default", "far"), [(-1.0, 0.0, 1.0), (-1.0, 0.25, -1.0), (-1.0, -0.25, 1.0), (0.0, 0.0, 1.0)]
-)
-def test_an_end_of_an_axis_goes_to_the_farther_side_of_its_default(minimum, default, far):
-    negative, positive = _ends([1, 0], np.array([(minimum, default, 1.0), (0.0, 0.0, 2.0)]), np.zeros(2))
-    assert (negative.member, negative.sign, negative.off, negative.far) == (1, -1.0, 0.0, 2.0)
-    assert (positive.member, positive.sign, positive.off, positive.far) == (0, 1.0, default, far)
 
 
 def test_the_arms_of_an_axis_part_where_the_base_pose_is():

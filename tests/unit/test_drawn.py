@@ -70,12 +70,6 @@ def around(*degrees):
     ]
 
 
-def test_the_two_ends_of_an_axis_span_no_area_however_bent_it_is():
-    stick = element(around(0, 174, 85, 267), opposed=((0, 1), (2, 3)))
-    assert set(drawn._neighbours(stick)) == {(0, 2), (2, 1), (1, 3), (3, 0)}
-    assert drawn._neighbours(element(around(0, 174), "patch", opposed=((1, 0),))) == []
-
-
 @pytest.mark.parametrize(
     ("degrees", "areas"),
     [
@@ -205,23 +199,6 @@ def test_controls_of_several_weights_leave_the_handle_of_a_board_alone():
     handle = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, frame(0.1))[0]
     assert handle.shapes == ()
     assert np.allclose(handle.points[0], ORIGIN)
-
-
-@pytest.mark.parametrize("normal", [(0, 0, 1), (1, 0, 0), (0.6, -0.8, 0), (0, 0, 0), (0, 0, -1)])
-def test_a_handle_is_a_dome_over_its_anchor_that_looks_outwards_and_to_the_viewer(normal):
-    normal, view = np.array(normal, dtype=np.float64), np.array([0.0, 0.0, 1.0])
-    points, faces = drawn._dome(normal, view, 0.1)
-    assert points[0].tolist() == [0.0, 0.0, 0.0], "the first point is the anchor"
-    out = normal if normal.any() else view
-    rim = points[2:]
-    assert np.linalg.norm(rim.mean(axis=0)) == pytest.approx(0.35 * 0.1)
-    assert np.allclose(np.linalg.norm(rim - rim.mean(axis=0), axis=1), 0.06)
-    corners = points[faces.indices.reshape(-1, 3)][1:]
-    sides = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    assert sides.sum(axis=0) @ out > 0.0
-    assert sides.sum(axis=0) @ view > 0.0 or out @ view < -0.5
-    edges = {(int(a), int(b)) for a, b, c in faces.indices.reshape(-1, 3) for a, b in ((a, b), (b, c), (c, a))}
-    assert len(edges) == faces.counts.sum(), "neighbours run along their edge in opposite directions"
 
 
 def test_a_handle_is_written_as_finely_as_it_is_small():

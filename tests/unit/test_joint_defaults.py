@@ -2,7 +2,6 @@
 
 import re
 from dataclasses import replace
-from types import SimpleNamespace
 
 import limbs
 import numpy as np
@@ -13,7 +12,6 @@ from pxr import Gf, Vt
 from usdrigui.character.deform import posed
 from usdrigui.character.joint_tree import Tree
 from usdrigui.character.rotation import rotation_part, rotations
-from usdrigui.reading import joint as joint_defaults
 from usdrigui.reading.character import read_rigs
 from usdrigui.reading.control import default_joint_drafts
 from usdrigui.reading.joint import default_turns, posed_locals
@@ -204,17 +202,6 @@ def test_a_finger_curls_further_in_than_out_and_spreads_alike_to_both_sides():
     spans = {turn.name: turn.range for turn in default_turns(Tree(HAND.body.joints, HAND.body.meshes))}
     assert spans["curl"] == (-10.0, 80.0)
     assert spans["spread"] == (-20.0, 20.0)
-
-
-def test_at_the_end_of_a_chain_those_two_axes_count_about_which_the_skin_turns_furthest():
-    """Skin along x: it turns by its length about y and z, and about x not at all; weights count."""
-    bind = np.eye(4)
-    bind[3, :3] = (1.0, 0.0, 0.0)
-    skin = (np.array([[4.0, 0, 0], [1.0, 2.0, 0], [1.0, 0.0, 9.0]]), np.array([1.0, 0.5, 0.1]))
-    tree = SimpleNamespace(skin=[skin], joints=[SimpleNamespace(bind=bind)], parents=[-1], mirror=None, owners=())
-    assert joint_defaults._levers(tree, 0) == [1, 2]
-    lesser = SimpleNamespace(**{**vars(tree), "skin": [(skin[0][:2], np.array([0.2, 1.0]))]})
-    assert joint_defaults._levers(lesser, 0) == [0, 2], "2 about x, .6 about y, 2 about z"
 
 
 def staged_body(path, *, smiling, waving):

@@ -724,13 +724,6 @@ def test_turns_go_on_beyond_a_half_turn():
     assert np.degrees(poses.unwrapped(turns))[1, 0] == pytest.approx([0.0, 0.0, 0.0])
 
 
-def test_scales_are_read_along_the_axes_of_the_joint_whatever_it_turns():
-    turn = np.array([[0.0, 1, 0], [-1, 0, 0], [0, 0, 1]])
-    local = np.eye(4)
-    local[:3, :3] = np.diag([2.0, 3.0, 0.0]) @ turn
-    assert np.exp(poses._log_scales(local[None], turn[None]))[0] == pytest.approx([2.0, 3.0, 1e-9])
-
-
 @pytest.mark.parametrize(
     ("written", "expected"),
     [

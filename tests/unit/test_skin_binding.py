@@ -10,7 +10,6 @@ import pytest
 
 from usdrigui.character import Control, Drive, Joint, Skeleton, Skin
 from usdrigui.errors import RigUIError
-from usdrigui.layer import skin_binding
 from usdrigui.layer.skin_binding import PointShape, SkinBinding
 from usdrigui.model import (
     Anchor,
@@ -97,33 +96,6 @@ def layout(made, *elements, base_values=None):
         ),
         proof=Proof(method="", status="stopped", cost=0.0, bound=0.0, above_unary_bound=0.0),
     )
-
-
-@pytest.mark.parametrize(
-    ("weights", "own", "kept"),
-    [
-        ({HEAD: 0.5, JAW: 0.5}, set(), {HEAD: 0.5, JAW: 0.5}),
-        ({HEAD: 0.5, JAW: 0.5}, {EYE}, {HEAD: 0.5, JAW: 0.5}),
-        ({HEAD: 0.5, JAW: 0.5}, {JAW}, {HEAD: 1.0}),
-        ({EYE: 0.25, JAW: 0.75}, {JAW}, {EYE: 0.25, HEAD: 0.75}),
-        ({EYE: 0.25, JAW: 0.75}, {HEAD, JAW}, {HIPS: 1.0}),
-        ({HEAD: 0.5, JAW: 0.5}, {HIPS}, {}),
-        ({HEAD: 0.5, PROP: 0.5}, {HIPS}, {PROP: 1.0}),
-        ({HEAD: 0.2, JAW: 0.2, PROP: 0.6}, {HIPS, PROP}, {}),
-    ],
-)
-def test_influences_go_to_the_nearest_joint_that_stays(weights, own, kept):
-    given = np.array(list(weights)), np.array(list(weights.values()))
-    joints, shares = skin_binding._without(rig({HEAD: 1.0}).body, given, own)
-    assert dict(zip(joints.tolist(), np.round(shares, 12).tolist(), strict=True)) == kept
-    if kept == weights:
-        assert joints is given[0]
-
-
-def test_controls_that_move_nothing_notable_own_nothing():
-    still, moving = turning("still", [HEAD, JAW], 1e-9), turning("moving", [JAW])
-    assert skin_binding._own_joints([still], 1.0) == set()
-    assert skin_binding._own_joints([still, moving], 1.0) == {JAW}
 
 
 def test_a_shape_bends_at_its_in_betweens_and_goes_on_beyond():

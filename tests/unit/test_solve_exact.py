@@ -75,30 +75,6 @@ def solved(problem: LayoutProblem, settings: SolveSettings) -> Assignment | None
         return None
 
 
-def test_local_search_goes_on_as_long_as_it_helps(monkeypatch: pytest.MonkeyPatch) -> None:
-    honest, costs = LocalSearch._rivals, []
-    monkeypatch.setattr(LocalSearch, "_rivals", lambda search: (costs.append(search.cost), honest(search))[1])
-    problem, budget = crowd(12, 40), Budget(SolveSettings())
-    labels = all_labels(problem)
-    rows = local_search.LazyRows(problem, labels, budget)
-    search = LocalSearch(labels.start, labels.cost, rows, budget, infeasible_penalty(problem, labels))
-    search.construct()
-    search.search(1)
-    rounds = costs[:: len(problem.variables)]
-    assert rounds[0] > rounds[-1] == search.cost
-    assert len(set(rounds)) == len(rounds)
-
-
-def test_the_first_layout_of_many_labels_is_one_of_cheap_labels(monkeypatch: pytest.MonkeyPatch) -> None:
-    honest, labels = LocalSearch.construct, all_labels(problem := crowd(1, 30, 100))
-    first = []
-    monkeypatch.setattr(LocalSearch, "construct", lambda search: (first.append(search._linear), honest(search))[1])
-    solve_whole(problem, Budget(SolveSettings(work_limit=500_000)))
-    cheap = labels.cost[labels.cost <= labels.best[labels.variable] + exact.DEARER]
-    assert np.array_equal(first[0], cheap)
-    assert len(cheap) < len(labels.cost) / 3
-
-
 def test_insertion_gives_each_variable_its_cheapest_label() -> None:
     """Of a (labels 0, 1) and b (2, 3, 4) the cheapest, 0 and 2, fit; from 1 and 3 no single move leads there."""
     linear = np.array([0.0, 1.0, 0.0, 0.5, 5.0])

@@ -135,44 +135,6 @@ def test_the_board_hangs_on_the_point_that_moves_least_nearest_to_the_middle():
         assert board_place.anchor_point(face, np.zeros(3)) == point
 
 
-def test_cells_are_as_wide_as_their_longest_label_and_a_lone_one_may_run_on():
-    """A slider of 4 and a gap of 2, and .72 for each letter; the first of a pair needs no more than its own."""
-
-    def widths(*rows):
-        """Rows of label lengths."""
-        controls = tuple(SimpleNamespace(label="x" * each) for row in rows for each in row)
-        starts = np.cumsum([0, *map(len, rows)])
-        entries = [
-            tuple(board.BoardEntry(None, (int(start) + i,), "", "") for i in range(len(row)))
-            for start, row in zip(starts, rows, strict=False)
-        ]
-        return board._cell_widths(controls, entries)
-
-    assert widths([5]) == pytest.approx([9.6])
-    assert widths([5], [10]) == pytest.approx([13.2])
-    assert widths([5, 10]) == pytest.approx([9.6, 13.2])
-    assert widths([5, 10], [8, 2]) == pytest.approx([11.76, 13.2])
-    assert widths([5, 5], [30]) == pytest.approx([9.6, 18.0]), "27.6 in all"
-    assert widths([5, 5], [15]) == pytest.approx([9.6, 9.6])
-
-
-def test_columns_are_filled_to_the_last_line_and_begin_with_a_heading():
-    """Lines of a row and its column; a heading takes one, a joystick three."""
-    kinds = {"s": "slider", "p": "patch"}
-
-    def lines(rows, most):
-        made = [(board.BoardEntry(SimpleNamespace(kind=kinds[kind]), (0,), category, ""),) for kind, category in rows]
-        columns = board._columns(made, most)
-        assert [row for column in columns for _, row in column] == made
-        return [[line for line, _ in column] for column in columns]
-
-    assert lines(["sa", "sb"], 4) == [[1, 3]]
-    assert lines(["sa", "sb"], 3) == [[1], [1]]
-    assert lines(["sa", "sa", "pa", "sa"], 7) == [[1, 2, 3, 6]]
-    assert lines(["sa", "sa", "pa", "sa"], 6) == [[1, 2, 3], [1]]
-    assert lines(["pa", "pa"], 1) == [[1], [1]], "a row that no column holds stands all the same"
-
-
 def test_a_new_board_begins_right_of_one_that_exists_and_of_those_of_other_parts_at_its_height():
     frame = np.array([[0.0, 0, 1], [0, 1, 0]])
     tracks = [
@@ -189,48 +151,6 @@ def test_a_new_board_begins_right_of_one_that_exists_and_of_those_of_other_parts
     requests = SimpleNamespace(existing=SimpleNamespace(elements=(old, skin)), neighbours=(far, near))
     assert board._boards(requests, 1.0, 2.0, frame[1]) == [old, near]
     assert board._boards(SimpleNamespace(existing=None, neighbours=(near,)), 1.0, 2.0, frame[1]) == [near]
-
-
-@pytest.mark.parametrize(
-    ("axes", "degrees"),
-    [
-        (((0,),), [0]),
-        (((1, 0),), [0, 180]),
-        (((0,), (1,)), [0, 90]),
-        (((1, 0), (2, 3)), [0, 180, 270, 90]),
-        (((0,), (1,), (2,)), [0, 60, 120]),
-    ],
-)
-def test_tracks_on_the_board_spread_over_half_a_turn(axes, degrees):
-    count = sum(map(len, axes))
-    group = SimpleNamespace(controls=range(count), axes=axes)
-    found = np.array(board._directions(group, np.eye(3)[:2]))
-    turns = np.radians(degrees)
-    assert found == pytest.approx(np.stack([np.cos(turns), np.sin(turns), 0.0 * turns], axis=1), abs=1e-12)
-
-
-@pytest.mark.parametrize(
-    ("normal", "images", "own", "side"),
-    [
-        ((0, 0, 0), (1,), 0, "none"),
-        ((1, 0, 0), (), 0, "middle"),
-        ((1, 0, 0), (1,), 0, "left"),
-        ((0, 1, 0), (1,), 1, "right"),
-    ],
-)
-def test_sides_on_the_board(normal, images, own, side):
-    face = SimpleNamespace(symmetry=SimpleNamespace(plane=SimpleNamespace(normal=np.array(normal))))
-    assert board._side(face, SimpleNamespace(group=SimpleNamespace(images=images)), own) == side
-
-
-def test_a_handle_on_the_board_rests_where_its_default_is():
-    controls = (
-        SimpleNamespace(minimum=-1.0, default=0.0, maximum=3.0),
-        SimpleNamespace(minimum=0.0, default=0.0, maximum=2.0),
-    )
-    assert board._start(controls, SimpleNamespace(controls=(0,))) == 0.25
-    assert board._start(controls, SimpleNamespace(controls=(1,))) == 0.0
-    assert board._start(controls, SimpleNamespace(controls=(0, 1))) == 0.5
 
 
 def test_a_track_on_the_board_is_as_long_as_asked_whatever_its_range():

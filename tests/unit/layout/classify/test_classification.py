@@ -1,14 +1,11 @@
 """Which controls do not stand on the face."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import chain
 import makers
 import numpy as np
 import pytest
-
-from usdrigui.layout.classify import classification
 
 POINTS, QUADS = makers.mask()
 
@@ -116,29 +113,3 @@ def test_a_renamed_control_is_known_by_both_names():
         chain.chosen(makers.face(), controls={"old": {"rename": "chin", "place": "board"}})("chin").category
         == "requested"
     )
-
-
-@pytest.mark.parametrize("size", [1e-3, 1.0])
-def test_what_moves_further_counts_more_for_the_share_that_is_seen_whatever_the_unit(size):
-    at = np.arange(2)
-    found = SimpleNamespace(areas=np.full(2, 0.1 * size**2))
-    motion = SimpleNamespace(points=at, arc_length=size * np.array([3.0, 1.0]))
-    assert classification._visible_share(found, np.array([True, False]), motion) == pytest.approx(0.75)
-    still = SimpleNamespace(areas=np.zeros(2))
-    assert classification._visible_share(still, np.array([True, False]), motion) == pytest.approx(0.5)
-
-
-def test_the_axes_of_a_joint_leave_the_face_together_as_a_family_does():
-    """A head's nod covers less than its turn, and was called an emotion's sum of jaw and brows."""
-    head, jaw = (SimpleNamespace(kind="joint", source=name) for name in ("head", "jaw"))
-    shape = SimpleNamespace(kind="blendShape", source="head")
-    of_family = [
-        SimpleNamespace(action=SimpleNamespace(in_family=known, name="viseme")) for known in (True, True, False)
-    ]
-    meanings = [None, None, None, None, None, *of_family]
-    covered = classification._of_sets(
-        np.array([0.4, 0.9, 0.8, 0.1, 0.2, 0.1, 0.3, 0.7]),
-        [head, head, head, jaw, shape, shape, shape, shape],
-        meanings,
-    )
-    np.testing.assert_allclose(covered, [0.8, 0.8, 0.8, 0.1, 0.2, 0.2, 0.2, 0.7])

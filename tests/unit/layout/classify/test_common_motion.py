@@ -5,8 +5,6 @@ import makers
 import numpy as np
 import pytest
 
-from usdrigui.layout.classify.common_motion import _beyond_the_best, _sum_of_others
-
 POINTS, _ = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
 NOSTRIL = (0.12, 0.05)
@@ -47,26 +45,3 @@ def test_no_control_explains_another_by_going_far_beyond_its_own_range():
     face = chain.face_of(makers.face_with(tiny=0.1 * SHAPES["smile_L"]), settings)
     index = [control.name for control in face.rig.controls].index("smile_L")
     assert face.trajectories.motion_of(index).shares.common.max() < 0.25
-
-
-def test_another_control_goes_twice_its_range_in_a_sum_and_no_further():
-    line = chain.measured(makers.face_with(tiny=0.1 * SHAPES["smile_L"]))
-    index = [control.name for control in line.face.rig.controls].index("smile_L")
-    _, weights = _sum_of_others(line.similarity, index, np.ones(len(line.face.rig.controls), dtype=bool))
-    assert weights.max() == pytest.approx(2.0)
-
-
-@pytest.mark.parametrize(
-    ("share", "length", "visible", "common"),
-    [
-        ([0.9, 0.6, 0.3], [1.0, 1.0, 0.4], [1, 1, 1], [0.6, 0.0, 0.0]),
-        ([0.9, 0.2, 0.7], [1.0, 0.5, 0.1], [1, 1, 1], [0.8, 0.0, 0.4]),
-        ([0.9, 0.2, 0.95], [1.0, 1.0, 0.4], [1, 0, 1], [0.0, 0.0, 0.1]),
-        ([1.0, 1.0, 1.0], [1.0, 1.0, 1.0], [0, 0, 0], [0.0, 0.0, 0.0]),
-        ([0.9, 0.6, 0.9], [2.0, 1.0, 4.0], [0, 0, 0], [0.0, 0.0, 0.0]),
-    ],
-    ids=["beyond the best", "beyond a half", "where it is seen", "everywhere alike", "seen nowhere"],
-)
-def test_what_is_common_counts_beyond_the_most_distinctive_place_of_half_the_peak(share, length, visible, common):
-    found = _beyond_the_best(np.array(share), np.array(length), np.array(visible, dtype=bool))
-    assert found == pytest.approx(common)

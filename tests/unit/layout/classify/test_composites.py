@@ -8,8 +8,6 @@ import numpy as np
 import pytest
 
 from usdrigui.layout.classify import classification
-from usdrigui.layout.classify.basis import Basis, Explanation
-from usdrigui.layout.classify.composites import _composite
 
 POINTS, QUADS = makers.mask()
 
@@ -94,17 +92,3 @@ def test_of_copies_for_both_sides_those_stay_that_a_face_needs_or_that_act_on_bo
     }
     found = chain.chosen(makers.face_with(**sides, **{name: sum(sides.values())}))
     assert (found(name).category == "") == stays
-
-
-def test_a_repetition_and_a_mixture_say_how_far_in_ranges_of_the_others():
-    """Motions as far as 2, 4 and 1; shares of norms become shares of ranges."""
-    norm = np.array([2.0, 4.0, 1.0])
-    explanations = (
-        Explanation(np.array([1]), np.array([0.8]), 1.0), None, Explanation(np.array([1, 0]), np.array([0.9, 0.5]), 1.0)
-    )  # fmt: skip
-    basis = Basis(np.array([False, True, False]), explanations)
-    one, mixed = (_composite(i, basis, norm) for i in (0, 2))
-    assert (one.kind, one.parts, one.amount, one.explained_by) == ("repetition", (1,), 0.5, ((1, 0.4),))
-    assert (mixed.kind, mixed.parts, mixed.amount) == ("mixture", (1, 0), 1.0)
-    assert mixed.explained_by == ((1, 0.225), (0, 0.25))
-    assert _composite(1, basis, norm).parts == ()

@@ -1,14 +1,8 @@
 """Elements: members, tracks, base pose."""
 
-from types import SimpleNamespace
-
 import chain
 import makers
 import numpy as np
-import pytest
-
-from usdrigui.layout.element import elements
-from usdrigui.model import MirrorPlane
 
 POINTS, QUADS = makers.mask()
 
@@ -57,24 +51,3 @@ def test_the_reason_of_a_mirror_copy_names_the_controls_of_its_own_side():
     layout = chain.by_name(chain.lay_out(makers.face_with(**more)))
     for side in "LR":
         assert layout[f"again_{side}"].placement.reason == f"does the same as smile_{side}, 50% as far"
-
-
-@pytest.mark.parametrize(("x", "side"), [(0.0, "middle"), (2e-3, "middle"), (2.1e-3, "left"), (-2.1e-3, "right")])
-def test_a_point_within_a_thousandth_of_the_face_from_the_plane_is_in_the_middle(x, side):
-    face = SimpleNamespace(
-        symmetry=SimpleNamespace(plane=MirrorPlane(np.zeros(3), np.array([1.0, 0, 0]))),
-        trajectories=SimpleNamespace(surface=SimpleNamespace(points=np.array([[x, 1.0, 2.0]]), face_size=2.0)),
-    )
-    assert elements._side(face, 0) == side
-    face.symmetry.plane = MirrorPlane(np.zeros(3), np.zeros(3))
-    assert elements._side(face, 0) == "none"
-
-
-def test_an_element_faces_along_the_normal_of_its_point_or_where_it_has_none_along_the_view():
-    normals = np.array([[1.0, 0.0, 0.0], [0.6, 0.8, 0.0], [0.0, 0.0, 0.0]])
-    face = SimpleNamespace(
-        trajectories=SimpleNamespace(surface=SimpleNamespace(normals=normals)),
-        views=SimpleNamespace(directions=np.array([[0.0, 0.0, 1.0]])),
-    )
-    faced = np.array([elements._normal(face, point) for point in range(3)])
-    assert np.array_equal(faced, [[1.0, 0.0, 0.0], [0.6, 0.8, 0.0], [0.0, 0.0, 1.0]])

@@ -1,15 +1,14 @@
 """Trajectories: what moves, how far, and what is said about controls that hardly do."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import makers
 import numpy as np
 import pytest
 
 from usdrigui.character import Drive, Joint, Skeleton
-from usdrigui.layout.motion.coverage import _covered, coverage_of_smaller, notable_points, shares_of_face
-from usdrigui.layout.motion.trajectory import _beyond_drift, trajectories
+from usdrigui.layout.motion.coverage import coverage_of_smaller, notable_points, shares_of_face
+from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.model import Motion, Polylines, Shares
 from usdrigui.settings import TrajectorySettings
 
@@ -143,13 +142,6 @@ def test_controls_of_the_whole_head_cover_it_and_no_other_does(kind):
     assert coverage_of_smaller(small.motions, np.ones(len(points))) == pytest.approx(share)
 
 
-@pytest.mark.parametrize(("here", "covered"), [(0.10, [0, 1]), (0.09, [])])
-def test_a_control_covers_what_it_moves_by_a_quarter_of_its_peak_on_the_face_or_of_its_own(here, covered):
-    """It moves three points of the face and, further, one behind it; less than a quarter of that is hardly a move."""
-    motion = SimpleNamespace(points=np.arange(4), arc_length=np.array([here, 0.25 * here, 0.02, 0.4]))
-    assert _covered(motion, np.array([True, True, True, False]), np.ones(4)).tolist() == covered
-
-
 def jointed(angle):
     """The mask on one joint at the origin that turns about x."""
     base = makers.rig(POINTS, QUADS, {"unused": makers.bump(POINTS, (0, 0), (0, 0, 1))})
@@ -186,18 +178,6 @@ def test_faces_wound_inward_are_noticed_and_turned():
         assert (np.einsum("ni,ni->n", found.surface.normals, points) > 0.0).all()
     assert [each.code for each in wrong.findings.issues] == ["NORMALS_INWARD"]
     assert not right.findings.issues
-
-
-@pytest.mark.parametrize(("still", "kept"), [(0, 4), (4, 4), (5, 40)])
-def test_drift_is_taken_off_what_moves_nine_points_in_ten(still, kept):
-    """Of 36 points that drift by .01 and 4 that move by 1, beside some that stand still."""
-    length = np.concatenate([np.full(36, 0.01), np.ones(4)])
-    motion = Motion(
-        0, np.arange(40), Polylines(np.array([0.0, 1.0]), np.zeros((2, 40, 3), np.float32)), length, Shares()
-    )
-    found = _beyond_drift(motion, 40 + still)
-    assert len(found.points) == len(found.arc_length) == found.polylines.offsets.shape[1] == kept
-    assert found.points[-1] == 39
 
 
 def motions_of(*lengths):

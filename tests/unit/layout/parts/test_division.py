@@ -1,8 +1,6 @@
 """Parts of made-up characters: told by geometry and skin, each laid out at its own scale."""
 
 from dataclasses import replace
-from functools import partial
-from types import SimpleNamespace
 
 import chain
 import laid_out
@@ -12,13 +10,10 @@ import numpy as np
 import pytest
 
 from usdrigui.character import Channel
-from usdrigui.character.joint_tree import Tree
 from usdrigui.character.rotation import rotations
 from usdrigui.layer import write_layout as layer
 from usdrigui.layout.motion.trajectory import trajectories
-from usdrigui.layout.parts import joint_regions
 from usdrigui.layout.parts.division import divide
-from usdrigui.layout.parts.own_pieces import _is_eye
 from usdrigui.model import LayoutPart, Step
 from usdrigui.pipeline.joining import joined, joined_assignment
 from usdrigui.pipeline.records import Task
@@ -119,16 +114,6 @@ def test_eyeballs_are_a_part():
     found = named(with_eyes())
     assert list(found) == ["face", "eyes", "hands", "body"]
     assert {name.partition(":")[0] for name in found["eyes"]} == {"b", "c"}
-
-
-@pytest.mark.parametrize(("points", "eye"), [(12, True), (11, False)])
-def test_an_eyeball_has_twelve_points_at_least(points, eye):
-    """Those of an icosahedron about its joint."""
-    golden = (1.0 + 5.0**0.5) / 2.0
-    corners = [np.roll((0.0, a, b), by) for a in (-1.0, 1.0) for b in (-golden, golden) for by in range(3)]
-    tree = SimpleNamespace(joints=[SimpleNamespace(bind=np.eye(4))])
-    ball = SimpleNamespace(tree=tree, whole=lambda _: np.array(corners[:points]))
-    assert _is_eye(ball, 0) is eye
 
 
 def test_a_head_without_a_body_keeps_its_eyes():
@@ -276,14 +261,3 @@ def test_the_layer_draws_the_handles_of_each_part_at_its_own_width(monkeypatch):
     monkeypatch.setattr(layer, "drawn_parts", seen)
     layer.layer_for([(rig, layout)], "", OutputSettings(), {})
     assert drawn == widths
-
-
-@pytest.mark.parametrize(("height", "part"), [(0.2, "feet"), (0.3, "hands")])
-def test_without_a_head_toes_lie_in_the_lowest_quarter(height, part):
-    places = np.array([[0, 0, 0], [0, 1, 0], [0, height, 0], [0.1, height, 0], [0, 0.5, 0]])
-    tree = SimpleNamespace(
-        places=places, parents=[-1, 0, 0, 2, 0], children=[[1, 2, 4], [], [3], [], []], owners={0, 1, 4}
-    )
-    tree.above, tree.below = partial(Tree.above, tree), partial(Tree.below, tree)
-    fan = SimpleNamespace(joint=2, chains=[[3]])
-    assert joint_regions._end(SimpleNamespace(up=np.array([0, 1, 0])).up, tree, fan, []) == part

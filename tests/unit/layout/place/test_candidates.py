@@ -1,13 +1,9 @@
 """Where controls may be anchored."""
 
-from types import SimpleNamespace
-
 import chain
 import makers
 import numpy as np
 import pytest
-
-from usdrigui.layout.place import candidates
 
 POINTS, QUADS = makers.mask()
 
@@ -59,14 +55,3 @@ def test_a_trajectory_into_the_skin_is_drawn_where_others_keep_much_less(outward
     lifts = makers.bump(POINTS, (0.35, 0.3), (0, 0, 1), 0.2, outward)
     found = chain.chosen(makers.face_with(both=draws + lifts))("both")
     assert (POINTS[found.points, 1] < 0.0).any() == inside
-
-
-@pytest.mark.parametrize("size", [0.01, 1.0, 100.0])
-@pytest.mark.parametrize(("there", "kept"), [(0.9, [1]), (0.5, [1, 2]), (0.3, [0, 1, 2])])
-def test_a_control_stands_where_it_is_expected_if_it_moves_that_notably(size, there, kept):
-    """Near the place with most of its peak, in the region around with a third of it, else anywhere."""
-    face = SimpleNamespace(trajectories=SimpleNamespace(surface=SimpleNamespace(points=np.zeros((3, 3)))))
-    motion = SimpleNamespace(points=np.arange(3), arc_length=size * np.array([1.0, there, 0.1]))
-    expected = SimpleNamespace(regions=lambda _: (np.array([False, True, False]), np.array([False, True, True])))
-    found = candidates._where_expected(face, motion, np.ones(3, dtype=bool), expected)
-    assert np.flatnonzero(found).tolist() == kept

@@ -5,8 +5,7 @@ import makers
 import numpy as np
 import pytest
 
-from usdrigui.layout.place import handle_width as handles
-from usdrigui.layout.place.handle_width import _gathered, around
+from usdrigui.layout.place.handle_width import around
 
 POINTS, QUADS = makers.mask()
 STEP = 0.04 / 32
@@ -93,28 +92,9 @@ def test_what_is_around_is_counted_by_hand():
     assert np.allclose(around(line, np.array([2.0, 1.0, 1.0]), np.array([0.5, 2.5, 12.0])), [6 / 4, 10 / 4, 4.0])
 
 
-def test_a_fine_mesh_is_gathered_into_cells_and_tells_the_same(monkeypatch):
-    said = {"handle_size": 0.04, "handle_size_min": 0.001, "max_neighbours": 20.0}
-    whole = width(crowd(80), **said)
-    monkeypatch.setattr(handles, "_MANY", 10)
-    assert width(crowd(80), **said) == pytest.approx(whole, abs=1.01 * STEP)
-    points, weights = handles._gathered(POINTS, np.ones(len(POINTS)), 0.2)
-    assert len(points) < len(POINTS) / 5
-    assert weights.sum() == pytest.approx(len(POINTS))
-    assert weights @ points == pytest.approx(POINTS.sum(axis=0))
-
-
 def test_the_papers_preset_keeps_the_size():
     from usdrigui.settings import load
 
     assert chain.face_of(crowd(80), load(preset="paper")).handle_width == pytest.approx(
         0.02 * chain.face_of(crowd(80)).trajectories.surface.face_size
     )
-
-
-def test_cells_of_the_grid_begin_where_the_face_does():
-    """Of places at 5, 5.9 and 6.1 the first two are within a cell of size 1 from 5 on."""
-    places, weights = np.array([[5.0, 0, 0], [5.9, 0, 0], [6.1, 0, 0]]), np.array([1.0, 2.0, 4.0])
-    middles, total = _gathered(places, weights, 1.0)
-    assert middles[:, 0] == pytest.approx([5.6, 6.1])
-    assert total.tolist() == [3.0, 4.0]

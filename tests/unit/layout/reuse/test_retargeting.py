@@ -1,15 +1,12 @@
 """Transfer of a layout to a face of other topology and proportions, by control name and place."""
 
-from types import SimpleNamespace
-
 import chain
 import makers
 import numpy as np
 import pytest
 
 from usdrigui.layout.motion.trajectory import trajectories
-from usdrigui.layout.reuse import retargeting
-from usdrigui.layout.reuse.retargeting import _warped, face_map, of_another
+from usdrigui.layout.reuse.retargeting import face_map, of_another
 from usdrigui.layout.review.difference import difference
 from usdrigui.settings import Settings
 
@@ -147,60 +144,3 @@ def test_beside_there_is_beside_here(theirs):
     ours = chain.lay_out(rig, prior=prior)
     assert {e.name for e in ours.layout.elements if e.anchor.on_board} == {"chin"}
     assert any(c.kind == "board" for c in difference(theirs.layout, ours.layout).changes)
-
-
-def test_most_landmarks_count_where_few_are_wrong():
-    """Those of two heads agree roughly; one that is elsewhere is left out, the others are not."""
-    random = np.random.default_rng(4)
-    source = random.normal(size=(12, 3))
-    target = 2.0 * source + 0.05 * random.normal(size=source.shape) + (1.0, 0.0, 0.0)
-    target[5] += (3.0, 0.0, 0.0)
-    similarity, weights = retargeting._robust(source, target)
-    assert np.flatnonzero(weights == 0.0).tolist() == [5]
-    assert np.delete(similarity(source) - target, 5, axis=0) == pytest.approx(np.zeros((11, 3)), abs=0.2)
-
-
-def test_points_of_a_plane_or_a_line_say_less_than_those_of_a_body():
-    cube = np.array([[x, y, z] for x in (0.0, 1) for y in (0.0, 1) for z in (0.0, 1)])
-    for depth, solid in ((1.0, True), (1.1e-3, True), (0.9e-3, False), (0.0, False)):
-        assert retargeting._spans(cube * [1, 1, depth], 3) == solid
-        assert retargeting._spans(cube * [depth, 1, 0], 2) == solid
-        assert retargeting._spans(cube * [1, 1, depth], 2)
-
-
-def test_landmarks_that_are_elsewhere_do_not_shape_the_warp(monkeypatch):
-    source = np.random.default_rng(4).normal(size=(12, 3))
-    target = 2.0 * source + 0.05 * np.random.default_rng(5).normal(size=source.shape)
-    target[5] += (3.0, 0.0, 0.0)
-    monkeypatch.setattr(retargeting, "_landmarks", lambda *_: (source, target))
-    found = retargeting.face_map((None, None), (None, None), {})
-    assert found.target.tolist() == np.delete(target, 5, axis=0).tolist()
-    assert found.source == pytest.approx(found.target, abs=0.3), "the one face laid over the other"
-    assert found.vectors(np.array([[1.0, 0, 0]])) == pytest.approx(np.array([[2.0, 0, 0]]), abs=0.1)
-
-
-def test_the_middle_of_what_a_control_moves_is_weighed_by_how_far_and_counts_each_place_once():
-    scene = SimpleNamespace(points=np.array([[0.0, 0, 0], [1.0, 0, 0], [1.0, 0, 0]]), places=np.array([0, 1, 1]))
-    motion = SimpleNamespace(points=np.arange(3), arc_length=np.array([1.0, 2.0, 2.0]))
-    assert retargeting._middle(scene, motion, 2.0).tolist() == [0.8, 0.0, 0.0]
-    assert retargeting._middle(scene, motion, 12.0)[0] == pytest.approx(4096.0 / 4097.0)
-    copies = SimpleNamespace(points=np.array([2]), arc_length=np.array([2.0]))
-    assert retargeting._middle(scene, copies, 2.0).tolist() == [1.0, 0.0, 0.0]
-
-
-def test_landmarks_that_correspond_smoothly_are_met_by_the_warp():
-    """Each is predicted from the others: the smoothness that suits few landmarks would miss them by .1."""
-    source = np.random.default_rng(0).uniform(-1.0, 1.0, (40, 3))
-    target = source + 0.2 * np.stack([np.sin(2.0 * source[:, 1]), source[:, 0] ** 2, 0.0 * source[:, 0]], axis=1)
-    assert _warped(source, target, source) == pytest.approx(target, abs=0.02)
-
-
-def test_fewer_than_eight_landmarks_or_those_of_a_line_say_nothing(monkeypatch):
-    monkeypatch.setattr(retargeting, "_by_size", lambda *_: "by size")
-    spread, line = np.random.default_rng(3).normal(size=(8, 3)), np.outer(np.arange(8.0), [1, 2, 3])
-    for source, target in ((spread[:7], spread[:7]), (line, spread), (spread, line)):
-        monkeypatch.setattr(retargeting, "_landmarks", lambda *_, pair=(source, target): pair)
-        found = retargeting.face_map((None, None), (None, None), {})
-        assert (found.similarity, len(found.source), len(found.target)) == ("by size", 0, 0)
-    monkeypatch.setattr(retargeting, "_landmarks", lambda *_: (spread, spread))
-    assert len(retargeting.face_map((None, None), (None, None), {}).source) == 8

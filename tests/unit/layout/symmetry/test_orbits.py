@@ -1,7 +1,6 @@
 """Orbits of an n-fold symmetry."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import chain
 import makers
@@ -9,7 +8,7 @@ import numpy as np
 import pytest
 
 from usdrigui.errors import RigUIError
-from usdrigui.layout.symmetry.orbits import _axis, orbit_points
+from usdrigui.layout.symmetry.orbits import orbit_points
 
 
 @pytest.mark.parametrize("arms", [2, 3, 5])
@@ -49,14 +48,3 @@ def test_an_orbit_of_two_does_not_depend_on_where_the_character_is():
     assert {name: each.anchor.point for name, each in here.items()} == {
         name: each.anchor.point for name, each in there.items()
     }
-
-
-@pytest.mark.parametrize(("degrees", "up"), [((0, 120, 240), 1.0), ((0, 240, 120), -1.0), ((0, 180), 1.0)])
-def test_the_axis_of_an_orbit_goes_through_its_middle_and_turns_each_into_the_next(degrees, up):
-    angles = np.radians(degrees)
-    base = np.stack([2.0 + np.cos(angles), np.sin(angles), 0.0 * angles], axis=1)
-    found = SimpleNamespace(points=base, areas=np.ones(len(base)))
-    orbit = [SimpleNamespace(points=np.array([k]), arc_length=np.ones(1)) for k in range(len(base))]
-    centre, axis = _axis(found, orbit, np.array([0.0, 0.0, 1.0]))
-    assert centre == pytest.approx([2.0, 0.0, 0.0])
-    assert axis == pytest.approx([0.0, 0.0, up])
