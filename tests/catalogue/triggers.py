@@ -29,7 +29,8 @@ from usdrigui import pipeline, stages
 from usdrigui.cli import distributions, main, supervised
 from usdrigui.clients import blender_extension
 from usdrigui.clients.batch.run import run_on_dask
-from usdrigui.errors import RigUIError, issue, refuse
+from usdrigui.clients.publish import hook
+from usdrigui.errors import Exit, RigUIError, issue, refuse
 from usdrigui.isolation import foreign_file
 from usdrigui.layer import write_layout as layer
 from usdrigui.layout.classify import classification
@@ -154,6 +155,11 @@ def _written(folder: Path, *arguments: str) -> None:
 def _laid_out(folder: Path) -> Path:
     _written(folder)
     return folder / "char.rigui.usda"
+
+
+def _contributed(folder: Path, _: Any) -> Found:
+    found = hook.judge(folder / "char.usda", _laid_out(folder), root="hero")
+    return int(Exit.REFUSED), [asdict(each) for each in found]
 
 
 def _edited(*edits: tuple[str, str], of: str = "char.rigui.usda") -> Callable[[Path], Path]:
@@ -663,6 +669,7 @@ TRIGGERS: Mapping[str, Trigger] = {
     "LAYOUT_DRAWN": _checked(_edited((r"point3f\[\] points = \[\([^)]*\)", "point3f[] points = [(9, 9, 9)"))),
     "LAYOUT_VALUE": _checked(_edited((r"(double rigUI:control:smile:value)", r"\1 = 0.7"))),
     "LAYOUT_VERSION": _checked(_edited(("RigUILayoutAPI", "RigUILayoutAPI_99"))),
+    "PUBLISH_ROOT": _contributed,
     "VALUES_MISSING": lambda folder, _: command("bake", _laid_out(folder)),
     "SOURCE_MISSING": _viewed(_bare),
     "LAYOUT_STALE": _viewed(_renamed),

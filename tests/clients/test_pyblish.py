@@ -34,7 +34,7 @@ def published(*assets, staging=None):
     context.data["rigUIAssets"] = [str(each) for each in assets]
     if staging is not None:
         instance = context.create_instance("char")
-        instance.data.update(family="rig", usdFile=str(assets[0]), stagingDir=str(staging), folderPath="/char")
+        instance.data.update(family="rig", usdFile=str(assets[0]), stagingDir=str(staging), folderPath="/assets/World")
         context.data["rigUIAssets"] = []
     return pyblish.util.publish(context)
 
@@ -159,10 +159,10 @@ def in_ayon(asset, monkeypatch):
     sys.modules.pop("usdrigui.clients.publish.framework", None)
 
 
-def ayon_published(asset, made=None):
+def ayon_published(asset, made=None, folder="/assets/World"):
     """Publish the character that the context lists, or one instance as AYON's creators make them."""
     context = pyblish_api.Context()
-    context.data.update(folderPath="/assets/hero", task="rigging")
+    context.data.update(folderPath=folder, task="rigging")
     if made is None:
         context.data["rigUIAssets"] = [str(asset)]
     else:
@@ -184,6 +184,10 @@ def test_ayons_collectors_make_a_sublayer_contribution_of_a_listed_character(in_
     assert contribution["variant"] is None
     # AYON refers to the file by the representation's name, so that must be its extension.
     assert contribution["path"].endswith("usdCharRigUI_v001.usd")
+
+
+def test_a_layout_that_would_lie_beside_the_asset_is_refused(in_ayon):
+    assert "PUBLISH_ROOT /World/Char" in str(errors(ayon_published(in_ayon, folder="/assets/hero"))["ValidateRigUI"])
 
 
 def test_a_layout_contributes_as_its_rig_does_and_over_it(in_ayon):

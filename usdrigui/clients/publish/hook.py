@@ -5,14 +5,17 @@ No step edits the asset.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from usdrigui import pipeline
 from usdrigui.clients.attaching.attach import write_bare
 from usdrigui.errors import Issue, RigUIError, by_cause, issue
 from usdrigui.settings.loading import load_beside
 
+COLLECTOR = "CollectUSDLayerContributions"
+"""AYON's collector of USD contributions."""
 TITLE = "Rig UI layout is missing, stale or invalid"
 DESCRIPTION = """\
 ### {title}
@@ -25,9 +28,10 @@ The layout layer of `{asset}` cannot be published:
 """
 
 
-def judge(asset: Path, layer: Path) -> tuple[Issue, ...]:
+def judge(asset: Path, layer: Path, root: str = "") -> tuple[Issue, ...]:
     """Everything that is wrong with the layout of an asset; empty when it may be published.
 
+    `root` is the name that the asset's root prim must have, where a contribution composes it.
     Errors of `usdrigui check`, its warnings (a control without slider, two handles on one spot),
     and the refusal if the layer cannot be read, is missing, or sublayers another asset.
     """
@@ -35,10 +39,22 @@ def judge(asset: Path, layer: Path) -> tuple[Issue, ...]:
         loaded = pipeline.load_layer(layer, load_beside(asset))
         if Path(loaded.source).resolve() != asset.resolve():
             return (issue("LAYOUT_STALE", str(layer), f"sublayers {loaded.source}, not {asset}"),)
+        for each, _ in loaded.characters if root else ():
+            if each.skel_root.path.split("/")[1] != root:
+                what = f"is not below /{root}, which the contribution composes"
+                return (issue("PUBLISH_ROOT", each.skel_root.path, what),)
         found = pipeline.check(layer, load_beside(asset)).issues
     except RigUIError as error:
         return (error.issue,)
     return tuple(each for each in found if each.severity != "info")
+
+
+def root_of(instance: Mapping[str, Any]) -> str:
+    """The name of the root prim of AYON's USD asset, that of its folder, where an instance
+    contributes a sublayer to it; empty elsewhere: a variant refers to its default prim."""
+    said = instance.get("publish_attributes", {}).get(COLLECTOR, {})
+    sublayer = said.get("contribution_enabled") and not said.get("contribution_apply_as_variant")
+    return Path(instance.get("folderPath", "")).name if sublayer else ""
 
 
 def repair(asset: Path, layer: Path) -> str:

@@ -8,10 +8,10 @@ from typing import Any
 
 import pyblish.api
 
+from usdrigui.clients.publish import hook
 from usdrigui.pipeline import default_output
 
 _USD = (".usd", ".usda", ".usdc", ".usdz")
-_COLLECTOR = "CollectUSDLayerContributions"
 _CONTRIBUTION: dict[str, Any] = {
     "contribution_enabled": True,
     "contribution_target_product": "usdAsset",
@@ -74,14 +74,14 @@ class CollectRigUI(pyblish.api.ContextPlugin):
             productBaseType="usd",
             rigUIAsset=str(asset),
             rigUILayer=str(source.get("rigUILayer") or default_output(asset)),
-            publish_attributes={_COLLECTOR: _contribution(source)},
+            publish_attributes={hook.COLLECTOR: _contribution(source)},
         )
         self.log.info("layout of %s", asset)
 
 
 def _contribution(source: Any) -> dict[str, Any]:
     """As the rig contributes, in a layer or variant of the same name, and stronger than it."""
-    attributes = _CONTRIBUTION | dict(source.get("publish_attributes", {}).get(_COLLECTOR, {}))
+    attributes = _CONTRIBUTION | dict(source.get("publish_attributes", {}).get(hook.COLLECTOR, {}))
     return attributes | {
         "contribution_in_layer_order": attributes["contribution_in_layer_order"] + 1,
         "contribution_variant_is_default": False,

@@ -35,7 +35,7 @@ class ValidateRigUI(pyblish.api.InstancePlugin, OptionalPyblishPluginMixin):
         if not self.is_active(instance.data):
             return
         asset, layer = Path(instance.data["rigUIAsset"]), Path(instance.data["rigUILayer"])
-        found = hook.judge(asset, layer)
+        found = hook.judge(asset, layer, hook.root_of(instance.data))
         causes = by_cause(found)
         for each in causes:
             self.log.error("%s %s: %s", each.code, each.where, sentences(each))
