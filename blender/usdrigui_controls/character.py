@@ -147,7 +147,7 @@ class Character:
             if control.plain:
                 keys = self.shape_keys(control.shapes[0].token)
                 found[control.name] = keys[0].value if keys else control.base
-            elif _is_single_joint(control) and self.bone(control.joints[0]):
+            elif is_single_joint(control) and self.bone(control.joints[0]):
                 turning.setdefault(
                     (control.joints[0].skeleton, control.joints[0].joint), []
                 ).append(control)
@@ -175,7 +175,7 @@ class Character:
                 moved += [
                     _step(control.keys, table, before[name], value) for table in _tables(joint)
                 ]
-            if not _is_single_joint(control):
+            if not is_single_joint(control):
                 self.holder[_VALUE + name] = float(value)
         if BONES in self.holder:
             from .bones import move_bones
@@ -348,7 +348,7 @@ def _objects(holder, name, records):
     return {path: found for path, found in pairs if found is not None and found.data is not None}
 
 
-def _is_single_joint(control):
+def is_single_joint(control):
     """Whether the value can be read off one bone: one joint, moving evenly with the value, and
     nothing else."""
     return len(control.joints) == 1 and not control.shapes and len(control.keys) == 2

@@ -100,6 +100,21 @@ def _elements(scope):
     return [prim for prim in found if "RigUIElementAPI" in applied(prim) and prim.IsActive()]
 
 
+def attributes_of(stage, root):
+    """By the name of each control of a character, the prim and the name of the attribute that holds
+    its value."""
+    scopes = [each for each in _scopes(stage) if str(each.GetParent().GetPath()) == root]
+    return {
+        str(get(prim, f"rigUI:control:{instance}:name", "")) or instance: (
+            prim,
+            f"rigUI:control:{instance}:value",
+        )
+        for scope in scopes
+        for prim in reversed(_elements(scope))
+        for instance in _instances(prim)
+    }
+
+
 # --- controls -------------------------------------------------------------------------------------
 
 

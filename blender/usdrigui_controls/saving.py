@@ -14,7 +14,7 @@ import mathutils
 import numpy as np
 from bpy_extras.io_utils import ExportHelper
 
-from .character import SOURCE, Character, at_frames, holders
+from .character import SOURCE, Character, at_frames, holders, is_single_joint
 from .importing import need_usd
 from .inbetweens import tokens_of
 from .layout import LayoutError
@@ -43,6 +43,10 @@ class SaveAnimation(bpy.types.Operator, ExportHelper):
         max=16,
         description="Samples between frames, for motion blur; USD is linear between samples",
     )
+    with_values: bpy.props.BoolProperty(
+        name="Values of Controls",
+        description="Key rigUI:control:NAME:value too, for applications that key attributes",
+    )
 
     def invoke(self, context, event):
         """Offer a name beside the character's layer."""
@@ -55,7 +59,8 @@ class SaveAnimation(bpy.types.Operator, ExportHelper):
     def execute(self, context):
         """Play the scene once and write the layer."""
         try:
-            size = save_animation(context.scene, Path(bpy.path.abspath(self.filepath)), self.steps)
+            target = Path(bpy.path.abspath(self.filepath))
+            size = save_animation(context.scene, target, self.steps, self.with_values)
         except LayoutError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
@@ -63,8 +68,9 @@ class SaveAnimation(bpy.types.Operator, ExportHelper):
         return {"FINISHED"}
 
 
-def save_animation(scene, target, steps=1):
-    """Write the layer; returns its size in bytes.
+def save_animation(scene, target, steps=1, with_values=False):
+    """Write the layer, with the values of the controls if these are asked for; returns its size in
+    bytes.
 
     It sublayers the layer of each character's layout, which sublayers the character.  Raises
     LayoutError without characters, where a source is gone, or the file cannot be written.
@@ -90,6 +96,8 @@ def save_animation(scene, target, steps=1):
     layer.framesPerSecond = layer.timeCodesPerSecond = scene.render.fps / scene.render.fps_base
     stage = Usd.Stage.Open(layer)
     parts = [part for each in holders(scene) for part in _parts_of(Character(each), stage)]
+    if with_values:
+        parts += [_Values(each, stage) for each in holders(scene)]
     frames = _frames(scene, steps)
     at_frames(scene, frames, lambda: [part.look() for part in parts])
     for part in parts:
@@ -313,6 +321,33 @@ class _Place:
             matrices = np.array(wanted)
             attribute = xformable.MakeMatrixXform().GetAttr()
             _sample(attribute, frames, matrices, lambda rows: Gf.Matrix4d(rows.tolist()))
+
+
+class _Values:
+    """The controls of a character as attributes: those whose value the shape keys and bones tell.
+    Of a pose they do not."""
+
+    def __init__(self, holder, stage):
+        from .reading import attributes_of
+
+        self.holder, self.stage, self.seen = holder, stage, []
+        self.attributes = attributes_of(stage, Character(holder).layout.root)
+
+    def look(self):
+        """Note the value of every control."""
+        self.seen.append(Character(self.holder).values())
+
+    def write(self, frames):
+        """Write those that are ever away from their default."""
+        from pxr import Sdf
+
+        for name, control in Character(self.holder).controls.items():
+            values = np.array([row[name] for row in self.seen])[:, None]
+            told = control.plain or is_single_joint(control)
+            if told and name in self.attributes and np.abs(values - control.default).max() > _SAME:
+                prim, attribute = self.attributes[name]
+                made = prim.CreateAttribute(attribute, Sdf.ValueTypeNames.Double, custom=False)
+                _sample(made, frames, values, lambda row: float(row[0]))
 
 
 def _parts(animation):

@@ -10,6 +10,10 @@ import pytest
 from pxr import Gf, Usd, UsdGeom, UsdSkel
 from real_rigs import ASSETS
 
+from usdrigui.layer import baking
+from usdrigui.layer.read_layout import layout_scopes
+from usdrigui.settings import ReadSettings
+
 CLOSE = 1e-5
 """Of the diagonal of the character."""
 RIGS = ["facecap_blender", "rpm_xr", "godette", "mh_expr34"]
@@ -104,6 +108,10 @@ def test_the_animation_goes_home_in_kilobytes_and_is_that_of_blender(run_inside,
         [usd_python], "taken_home", source=asset(name), scene=scene, python=sys.executable, target=str(target)
     )
     assert target.stat().st_size < 200_000
+    stage = Usd.Stage.Open(str(target))
+    told = baking.valued(next(layout_scopes(stage)), ReadSettings())
+    assert len(told.values) > 4
+    assert not [*baking.apart(told)]
     stage = baked(target)
     assert [stage.GetStartTimeCode(), stage.GetEndTimeCode()] == [1.0, 24.0]
     worst = 0.0

@@ -34,7 +34,7 @@ for frame in (1, 9, 17, 24):
     top.location = random.uniform(-1.0, 1.0, 3)
     top.keyframe_insert("location")
 before = scene.frame_current
-assert bpy.ops.usdrigui.save_animation(filepath=task["target"]) == {"FINISHED"}
+assert bpy.ops.usdrigui.save_animation(filepath=task["target"], with_values=True) == {"FINISHED"}
 assert scene.frame_current == before
 for mesh in meshes:
     for modifier in mesh.modifiers:
