@@ -129,9 +129,13 @@ def mask(columns=33, rows=41, height=2.0):
     x[:, : columns // 2] = -x[:, : -(columns // 2) - 1 : -1]
     z = 0.7 * np.sqrt(np.maximum(0.0, 1.0 - (x / 0.95) ** 2 - (y / 1.25) ** 2))
     points = np.stack([x, y, z], axis=-1).reshape(-1, 3) * (height / 2.0)
+    return points, quads(rows, columns)
+
+
+def quads(rows, columns):
+    """Of a grid of points."""
     index = np.arange(rows * columns).reshape(rows, columns)
-    quads = np.stack([index[:-1, :-1], index[:-1, 1:], index[1:, 1:], index[1:, :-1]], axis=-1).reshape(-1, 4)
-    return points, quads.tolist()
+    return np.stack([index[:-1, :-1], index[:-1, 1:], index[1:, 1:], index[1:, :-1]], axis=-1).reshape(-1, 4).tolist()
 
 
 def bump(points, centre, direction, radius=0.25, amount=0.1):

@@ -72,6 +72,17 @@ def reachable(viewer):
     raise AssertionError("no element has room")
 
 
+def laid_out_again(viewer, source, folder, control):
+    """The element of a control where the page's partial layout is kept."""
+    viewer.page.locator("summary", has_text="Layout").click()
+    partial = saved(viewer, "Save partial layout", folder / "partial.toml")
+    again = folder / "again.rigui.usda"
+    assert main(["process", str(source), "--config", str(partial), "-o", str(again), "--quiet"]) == 0
+    _, after = layout_of(again)
+    [kept] = [each for each in after.values() if control in [one.control for one in each.manipulator.members]]
+    return kept
+
+
 def test_an_element_moved_in_the_browser_stays_there_when_laid_out_again(viewer, asset, tmp_path):
     source, layer, _ = asset
     rig, before = layout_of(layer)
@@ -79,14 +90,7 @@ def test_an_element_moved_in_the_browser_stays_there_when_laid_out_again(viewer,
     element, (target, point) = reachable(viewer)
     viewer.page.get_by_role("button", name="Rearrange").first.click()
     viewer.drag(element["handle"], target)
-    viewer.page.locator("summary", has_text="Layout").click()
-    partial = saved(viewer, "Save partial layout", tmp_path / "partial.toml")
-    again = tmp_path / "again.rigui.usda"
-    assert main(["process", str(source), "--config", str(partial), "-o", str(again), "--quiet"]) == 0
-    _, after = layout_of(again)
-    [kept] = [
-        each for each in after.values() if element["controls"][0] in [one.control for one in each.manipulator.members]
-    ]
+    kept = laid_out_again(viewer, source, tmp_path, element["controls"][0])
     starts = {mesh.path: start for mesh, start in zip(rig.body.meshes, rig.body.starts, strict=False)}
     assert starts[kept.anchor.mesh] + kept.anchor.point == point
     old = before[element["name"]].anchor
@@ -128,14 +132,7 @@ def test_an_element_moved_off_the_face_stays_beside_it(viewer, asset, tmp_path):
     )
     viewer.option("rearrange", True)
     viewer.drag(element["handle"], [25, 60])
-    viewer.page.locator("summary", has_text="Layout").click()
-    partial = saved(viewer, "Save partial layout", tmp_path / "partial.toml")
-    again = tmp_path / "again.rigui.usda"
-    assert main(["process", str(source), "--config", str(partial), "-o", str(again), "--quiet"]) == 0
-    _, after = layout_of(again)
-    [kept] = [
-        each for each in after.values() if element["controls"][0] in [one.control for one in each.manipulator.members]
-    ]
+    kept = laid_out_again(viewer, source, tmp_path, element["controls"][0])
     assert kept.anchor.on_board
 
 

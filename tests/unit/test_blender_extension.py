@@ -19,7 +19,6 @@ from pxr import Sdf, Usd
 import usdrigui
 from usdrigui.clients import blender_extension
 from usdrigui.errors import RigUIError
-from usdrigui.layer import drawn
 from usdrigui.layer.read_layout import read_layout
 from usdrigui.layer.write_layout import stage_metadata, write_layout
 from usdrigui.model import LayoutPart
@@ -280,21 +279,3 @@ def test_text_that_is_no_layout_is_refused(extension):
 
 def test_a_stage_without_layout_has_none(extension):
     assert extension["reading"].read_layouts(Usd.Stage.CreateInMemory()) == ()
-
-
-def test_areas_span_the_ends_that_the_layer_draws_them_between(extension, tmp_path):
-    source = skinned_stages.character(tmp_path / "char.usda", moved=True, meshes=2)
-    (rig,) = read_rigs(source, Settings())
-    layout = laid_out.layout_of(rig, groups=[("brow_L", "smile_L"), ("chin", "jaw:open")])
-    layer = tmp_path / "char.rigui.usda"
-    write_layout([(rig, layout)], source, layer, OutputSettings(), stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
-    (found,) = extension["reading"].read_layouts(Usd.Stage.Open(str(layer)))
-    controls = {control.name: control for control in found.controls}
-    spanned = 0
-    for mine, theirs in zip(found.elements, layout.elements, strict=True):
-        corners = extension["tracking"].drawing_of(mine, controls).area
-        ends = [drawn._end(theirs, end) for polygon, _ in drawn._areas(theirs) for end in (*polygon, -1)]
-        for corner in corners:
-            assert np.abs(np.array(ends) - corner).max(axis=1).min() < 1e-4
-        spanned += len(corners)
-    assert spanned

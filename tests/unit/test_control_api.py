@@ -10,9 +10,8 @@ import numpy as np
 import pytest
 from pxr import Sdf, Usd
 
-from usdrigui.character import Channel
 from usdrigui.layer import control_api
-from usdrigui.layer.control_api import _driven_joints, _driven_weights
+from usdrigui.layer.control_api import _driven_joints
 from usdrigui.layer.write_layout import author_variant
 
 
@@ -20,29 +19,6 @@ def driven(weights, values=(0.0, 1.0)):
     """A control that drives the channels 0, 1, ... as the columns of `weights` (keys, channels) say."""
     table = np.array(weights, dtype=np.float64)
     return replace(makers.control("c", 0), drive=makers.drive(range(table.shape[1]), values, table))
-
-
-def rig_of(*animations, base=0.0):
-    """A rig of a channel in each of these SkelAnimations."""
-    channels = tuple(Channel(f"shape{i}", each, i) for i, each in enumerate(animations))
-    skeletons = tuple(SimpleNamespace(animation=each, path=f"/Root/skel{each}") for each in dict.fromkeys(animations))
-    body = SimpleNamespace(channels=channels, skeletons=skeletons, base_weights=np.full(len(channels), base))
-    return SimpleNamespace(body=body)
-
-
-@pytest.mark.parametrize(
-    ("animations", "said", "which"),
-    [
-        (("/A", "/A"), [], []),
-        (("/A", "/B"), ["/A", "/B"], [0, 1]),
-        (("/B", "/A", "/B"), ["/B", "/A"], [0, 1, 0]),
-        (("", "/A"), ["/A"], []),
-    ],
-)
-def test_animations_are_named_unless_the_character_has_one(animations, said, which):
-    table = [[0.0] * len(animations), [0.5] * len(animations)]
-    found = _driven_weights(rig_of(*animations).body, driven(table).drive)
-    assert (found["animation"], found["blendShapeAnimations"]) == (said, which)
 
 
 def turning(skeletons, rotations, translations, scales, extent=2.0):

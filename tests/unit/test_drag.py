@@ -78,38 +78,3 @@ def test_a_handle_falls_short_of_the_pointer_by_a_hair_on_a_short_track():
     """Where the range is 6 pixels long, by .02^2 / (6^2 + .02^2) of its way."""
     drag = begin_drag([[(0.0, 0.0), (6.0, 0.0)]], [ZERO_ONE], [[0]], [RANGE], [0], [0])
     assert drag_to(drag, drag.start, (3.0, 0.0))[0] == pytest.approx(0.5 * (1.0 - 0.0004 / 36.0004), abs=1e-9)
-
-
-def test_a_track_shorter_than_six_pixels_is_drawn_out_to_24():
-    for length, way in ((6.0, 6.0), (5.9, 24.0), (1.0, 24.0)):
-        drag = begin_drag([[(0.0, 0.0), (-length, 0.0)]], [ZERO_ONE], [[0]], [RANGE], [0], [0])
-        assert drag_to(drag, drag.start, (-0.5 * way, 0.0))[0] == pytest.approx(0.5, abs=1e-4)
-    drag = begin_drag([[(0.0, 0.0), (-0.9, 0.0)]], [ZERO_ONE], [[0]], [RANGE], [0], [0])
-    assert drag_to(drag, drag.start, (0.0, -12.0))[0] == pytest.approx(0.5, abs=1e-4), "upward, seen from its end"
-
-
-def test_of_several_short_axes_those_follow_that_have_a_quarter_of_the_longest():
-    """4, 1 and .9 pixels long, drawn out sixfold."""
-    lines = [[(0.0, 0.0), (4.0, 0.0)], [(0.0, 0.0), (0.0, 1.0)], [(0.0, 0.0), (0.0, -0.9)]]
-    drag = begin_drag(lines, [ZERO_ONE] * 3, [[0], [1], [2]], [RANGE] * 3, [0] * 3, [0] * 3)
-    assert drag.free == (0, 1)
-    assert drag_to(drag, drag.start, (12.0, 3.0)) == pytest.approx([0.5, 0.5, 0.0], abs=1e-4)
-    none = begin_drag([[(0.0, 0.0), (0.9, 0.0)]] * 2, [ZERO_ONE] * 2, [[0], [1]], [RANGE] * 2, [0] * 2, [0.3, 0.4])
-    assert values_at(none, drag_to(none, none.start, (50.0, 0.0))).tolist() == [0.3, 0.4]
-
-
-@pytest.mark.parametrize(
-    ("past", "at"),
-    [((0.2, 0.7), (0.7, 1.0)), ((0.2, -0.7), (0.7, 0.0)), ((0.7, 0.2), (1.0, 0.7)), ((-0.7, 0.2), (0.0, 0.7))],
-)
-def test_beyond_a_side_of_a_patch_the_nearest_point_of_that_side_is_taken(past, at):
-    """Straight out from that point: at a right angle to the side, not along the other axis."""
-    tracks = [EAST, np.array([[100.0, 100.0], [150.0, 10.0]])]
-    along, across = (track[1] - track[0] for track in tracks)
-    side = along if at[1] in (0.0, 1.0) else across
-    drag = begin_drag(tracks, [ZERO_ONE] * 2, [[0], [1]], [RANGE] * 2, [0, 0], [0.5, 0.5])
-    on_side = (at[0] - 0.5) * along + (at[1] - 0.5) * across
-    out = np.array([side[1], -side[0]])
-    out *= np.sign(out @ (past[0] * along + past[1] * across - on_side))
-    moved = on_side + 0.3 * out
-    assert values_at(drag, drag_to(drag, drag.start, moved)) == pytest.approx(at, abs=1e-2)

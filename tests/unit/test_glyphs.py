@@ -21,7 +21,6 @@ from usdrigui.layer.write_layout import layer_for, stage_metadata
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare
 from usdrigui.reader.reader_process import read_layouts_isolated
 from usdrigui.reader.reader_records import Opening
-from usdrigui.reading import glyph as glyphs
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, load
 from usdrigui.view.body import shading
@@ -149,16 +148,6 @@ def test_splines_are_followed(tmp_path):
     glyph = glyph_of(tmp_path, curve("cubic", VERTICES, basis="bspline"))
     true = BSpline(np.arange(11) - 3.0, VERTICES, 3)(np.arange(4 * 6 + 1) / 6)
     assert np.abs(glyph.points - fitted(true)).max() < 1e-6
-
-
-@pytest.mark.parametrize("basis", ["bspline", "catmullRom"])
-def test_pinned_curves_begin_and_end_in_their_ends_and_periodic_ones_close(basis):
-    square = np.array([(0.0, 0, 0), (1, 0, 0), (1, 0, 1), (0, 0, 1)])
-    pinned = glyphs._line(square, basis, "pinned", "")
-    assert np.allclose(pinned[[0, -1]], square[[0, -1]])
-    closed = glyphs._line(square, basis, "periodic", "")
-    assert np.allclose(closed[0], closed[-1])
-    assert len(closed) == 4 * 6 + 1
 
 
 @pytest.mark.parametrize(

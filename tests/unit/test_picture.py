@@ -29,7 +29,7 @@ from usdrigui.view.picture import Wanted, contact_sheet, render
 from usdrigui.view.sections import sections
 
 SMALL = (640, 400)
-BLUE, RED, VIOLET = palette.SIDES["left"], palette.SIDES["right"], palette.BOARD
+BLUE, RED = palette.SIDES["left"], palette.SIDES["right"]
 CAMERA = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
 
 
@@ -326,13 +326,6 @@ def test_captions_say_from_where_the_layout_is_seen(rig, layout, view, expected)
     assert captions(page) == expected
 
 
-def test_the_two_ends_of_an_axis_span_no_field_however_bent_it_is(rig):
-    layout = laid_out.layout_of(rig, groups=[("jawLeft", "jawRight")])
-    at = crossed(elements_at(prepare(rig, layout), layout.character.base_values)[0], [(0.0, 0.1), (0.0, 0.1)])
-    stick = replace(layout.elements[0], manipulator=replace(layout.elements[0].manipulator, opposed=((0, 1),)))
-    assert marks.mark(stick, at, CAMERA, 0.06).fields == ()
-
-
 def test_camera_turns_points_to_pixels_and_back():
     rows = shading.look(np.array([0.3, -0.2, 0.9]), np.array([0.0, 1.0, 0.0]))
     assert rows @ rows.T == pytest.approx(np.eye(3), abs=1e-12)
@@ -409,22 +402,6 @@ def crossing(one, other):
         return turn(a, b, c) * turn(a, b, d) >= 0.0 or turn(c, d, a) * turn(c, d, b) >= 0.0
 
     return any(not apart(*one[i : i + 2], *other[j : j + 2]) for i in range(2) for j in range(2))
-
-
-def test_axes_that_go_both_ways_are_joysticks_and_coarse_elements_have_a_ring(layout):
-    one = layout.elements[0]
-    patch = replace(one.manipulator, kind="patch", members=(one.manipulator.members[0],) * 3)
-    joystick = replace(patch, opposed=((0, 1),))
-    assert [marks.form_of(each) for each in (patch, joystick)] == ["patch", "joystick"]
-    coarse = replace(one, look=replace(one.look, inner=("finer",)))
-    assert picture._legend_entries([coarse])[-1][2:] == ("coarse: opens into finer ones", True)
-    assert not any(ringed for *_, ringed in picture._legend_entries([one]))
-    aside = replace(one, look=replace(one.look, side="none"))
-    on_board = replace(one, anchor=replace(one.anchor, on_board=True))
-    for given in ([aside], [on_board], [aside, on_board]):
-        assert ("slider", VIOLET, "no side, or on the board", False) in picture._legend_entries(given)
-    plain, ringed = (flat.Mark("slider", BLUE, np.array([150.0, 150.0]), 20.0, ring) for ring in (False, True))
-    assert [(drawn(mark)[150, 186] == BLUE).all() for mark in (plain, ringed)] == [False, True]
 
 
 def test_a_character_in_parts_has_a_close_up_of_each_part_and_of_each_hand():

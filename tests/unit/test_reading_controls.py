@@ -221,23 +221,6 @@ def test_of_repeated_names_the_last_counts_as_in_usdskel(tmp_path):
     assert np.abs(deform(rig, [1.0]) - np.asarray(baked)).max() < 1e-6
 
 
-@pytest.mark.parametrize("indices", [[5, 0, 9], [9, 5, 0], [4, 4, 1]], ids=["unsorted", "descending", "repeated"])
-def test_indices_in_any_order_move_what_usdskel_moves(tmp_path, indices):
-    def edit(stage):
-        shape = UsdSkel.BlendShape(stage.GetPrimAtPath("/Char/Face/s_smile"))
-        shape.GetOffsetsAttr().Set(Vt.Vec3fArray([(1, 0, 0), (0, 2, 0), (0, 0, 3)]))
-        shape.CreatePointIndicesAttr(indices)
-
-    path = head(tmp_path / "char.usda", edit=edit)
-    rig = read(path)
-    stage = Usd.Stage.Open(str(path))
-    stage.SetEditTarget(stage.GetSessionLayer())
-    _animation(stage).GetBlendShapeWeightsAttr().Set([1.0, 0.0])
-    UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath("/Char")), Gf.Interval(1, 1))
-    baked = UsdGeom.Mesh(stage.GetPrimAtPath("/Char/Face")).GetPointsAttr().Get(1)
-    assert np.abs(deform(rig, [1.0, 0.0]) - np.asarray(baked)).max() < 1e-6
-
-
 # --- ranges ------------------------------------------------------------------------------------------
 
 

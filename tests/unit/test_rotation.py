@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 from hypothesis import given, settings, strategies as st
 from hypothesis.extra.numpy import arrays
 from pxr import Gf
@@ -38,17 +37,6 @@ def test_half_turns_about_every_axis():
     turns = np.pi * np.eye(3)
     assert np.allclose(rotations(turns)[0], np.diag([1.0, -1.0, -1.0]), atol=1e-12)
     assert np.allclose(np.abs(rotation_vectors(rotations(turns))), turns, atol=1e-7)
-
-
-@pytest.mark.parametrize("scale", [(1, 1, 1), (2, 0.5, 3), (-1, 1, 1), (-2, -2, -2)])
-def test_rotation_part_of_scaled_rotations(scale):
-    turn = rotations([0.3, -1.0, 0.7])
-    local = np.eye(4)
-    local[:3, :3] = np.diag(scale) @ turn
-    part = rotation_part(local)
-    assert np.isclose(np.linalg.det(part), 1.0)
-    # A reflection stays with the scales, on all three axes.
-    assert np.allclose(part, np.prod(np.sign(scale)) * np.diag(np.sign(scale)) @ turn, atol=1e-12)
 
 
 def test_rotation_part_of_a_sheared_matrix_is_a_rotation():

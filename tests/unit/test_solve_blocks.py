@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from layout_problems import crowd, random_problem
 
-from usdrigui.model import ExtraPairs, LayoutProblem, MeanOverlap, Variable
+from usdrigui.model import ExtraPairs, LayoutProblem, MeanOverlap
 from usdrigui.overlap import Drawn, pair_costs, total_cost
 from usdrigui.settings import SolveSettings
 from usdrigui.solve.budget import Budget
@@ -40,15 +40,6 @@ def parts(labels: LabelSet, times: int) -> Blocks:
     for _ in range(times):
         found, _parent = bisect(labels, found, np.ones(len(found.variable), dtype=bool))
     return found
-
-
-def test_a_block_is_cut_between_the_halves_of_its_widest_direction() -> None:
-    handles = np.zeros((4, 1, 3))
-    handles[:, 0, 0], handles[:, 0, 1] = [8.0, 5.0, 6.0, 7.0], [0.0, 0.1, 0.2, 0.3]
-    one = Variable("a", np.arange(4), np.zeros(4), handles[:, :, None], handles, np.inf, np.ones(4))
-    labels = all_labels(LayoutProblem((one,), MeanOverlap(5.0, 1.0, 4.0, 3.0, 0.15), 1.0, 0.85))
-    halves = parts(labels, 1)
-    assert [set(each) for each in np.split(halves.members, halves.start[1:-1])] == [{1, 2}, {0, 3}]
 
 
 def test_an_explicit_cost_of_the_very_first_label_counts() -> None:

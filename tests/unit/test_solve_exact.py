@@ -12,13 +12,11 @@ import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
 from enumeration import best_of_all
 from layout_problems import crowd, random_problem
-from scipy.sparse import csr_array
 
 from usdrigui.character import Floats, Indices
 from usdrigui.errors import RigUIError
@@ -32,7 +30,7 @@ from usdrigui.model import (
 )
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import Progress, exact, local_search, milp, partition, reduce, solve, triplets
+from usdrigui.solve import Progress, exact, milp, partition, reduce, solve
 from usdrigui.solve.assignment import assignment
 from usdrigui.solve.budget import LOWERED_AIM, Budget
 from usdrigui.solve.exact import infeasible_penalty, solve_whole
@@ -73,16 +71,6 @@ def solved(problem: LayoutProblem, settings: SolveSettings) -> Assignment | None
         if error.issue.code != "SOLVE_INFEASIBLE":
             raise
         return None
-
-
-def test_insertion_gives_each_variable_its_cheapest_label() -> None:
-    """Of a (labels 0, 1) and b (2, 3, 4) the cheapest, 0 and 2, fit; from 1 and 3 no single move leads there."""
-    linear = np.array([0.0, 1.0, 0.0, 0.5, 5.0])
-    pairs = csr_array(([10.0, 10.0, 10.0, 6.0], ([0, 0, 1, 1], [4, 3, 2, 4])), shape=(5, 5))
-    search = LocalSearch(np.array([0, 2, 5]), linear, local_search.KnownRows(pairs), Budget(HIGHS), 100.0)
-    search.construct()
-    assert search.chosen.tolist() == [0, 2]
-    assert search.cost == 0.0
 
 
 def failures(seeds: range) -> list[str]:
@@ -210,57 +198,6 @@ def plain_problem(problem: LayoutProblem) -> PlainProblem:
     labels = all_labels(problem)
     pairs = pair_costs(problem, labels, near_blocks(problem, labels, Budget(HIGHS))).toarray()
     return PlainProblem(labels.start, labels.cost, pairs + pairs.T)
-
-
-def test_of_triplets_that_raise_the_bound_those_that_take_little_work_come_first(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    spots, gains = [12] * 3 + [2] * 3, [1.1] * 3 + [1.0] * 3
-    owner = np.repeat(np.arange(6), spots)
-    spot = np.concatenate([np.arange(each) for each in spots])
-    crowd_of = owner // 3
-    together = (crowd_of[:, None] == crowd_of) & (owner[:, None] != owner)
-    meet = together & (spot[:, None] == spot)
-    pairs = np.where(meet, np.repeat(gains, spots), 0.0)
-    costs = np.where(spot < 2, 0.0, 9.0)  # three elements want two spots, once with dearer ones beside
-    problem = ReducedProblem(owner, np.arange(len(owner)), costs, np.triu(pairs))
-    monkeypatch.setattr(triplets, "AT_ONCE", 1)
-    raise_bound(problem, Budget(HIGHS))
-    assert list(problem.messages) == [(3, 4, 5)]
-    assert problem.bound() == pytest.approx(1.0, abs=1e-5)
-    raise_bound(problem, Budget(HIGHS))
-    assert problem.bound() == pytest.approx(2.1, abs=1e-5)
-
-
-def test_of_triplets_that_gain_nothing_the_one_whose_weakest_table_costs_most_comes_first(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """Two triplets of two labels each; the first labels cost something in pairs, the second ones nothing."""
-    pairs = np.zeros((12, 12))
-    for (a, b), cost in {(0, 1): 0.9, (0, 2): 0.9, (1, 2): 0.1, (3, 4): 0.5, (3, 5): 0.5, (4, 5): 0.5}.items():
-        pairs[2 * a, 2 * b] = cost
-    problem = ReducedProblem(np.repeat(np.arange(6), 2), np.arange(12), np.zeros(12), pairs)
-    monkeypatch.setattr(triplets, "AT_ONCE", 1)
-    raise_bound(problem, Budget(HIGHS))
-    assert list(problem.messages) == [(3, 4, 5)]
-
-
-def test_tightening_ends_with_a_pass_that_gains_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    passes: list[int] = []
-
-    def idle(problem: ReducedProblem, _: Budget) -> None:
-        passes.append(len(problem.costs))
-        assert len(passes) < 9
-
-    monkeypatch.setattr(reduce, "raise_bound", idle)
-    problem, budget = crowd(4, variables=3, candidates=8), Budget(HIGHS)
-    labels = all_labels(problem)
-    rows = local_search.LazyRows(problem, labels, budget)
-    search = LocalSearch(labels.start, labels.cost, rows, budget, infeasible_penalty(problem, labels))
-    search.construct()
-    left = reduce.Reduction(problem, labels, near_blocks(problem, labels, budget), budget, search)
-    assert left.tightened()
-    assert len(left.problem.costs) == passes[-1]
 
 
 def test_rounding_is_taken_off_a_bound_not_added() -> None:
@@ -583,23 +520,6 @@ def with_copies(problem: LayoutProblem, copies: int) -> LayoutProblem:
             for each in problem.variables
         ),
     )
-
-
-@pytest.mark.parametrize(
-    ("copies", "limits", "single"),
-    [
-        (1, {}, True),
-        (3, {}, True),
-        (1, {"memory_limit": 20}, False),
-        (1, {"work_limit": 1_000_000}, False),
-    ],
-)
-def test_few_labels_are_looked_at_one_by_one_within_limits(copies: int, limits: dict[str, Any], single: bool) -> None:
-    labels = all_labels(problem := with_copies(crowd(3, variables=5, candidates=300), copies))
-    near = partition.near_one_by_one(problem, labels, Budget(replace(HIGHS, **limits)))
-    assert (near is not None) == single
-    blocks = partition.first_blocks(labels, Budget(HIGHS))
-    assert np.sort(blocks.members).tolist() == list(range(len(labels.cost)))
 
 
 def test_work_ends_near_its_limit() -> None:

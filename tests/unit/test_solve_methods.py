@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import itertools
-import sys
 import time
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -18,7 +16,7 @@ from usdrigui.errors import RigUIError
 from usdrigui.model import LayoutProblem
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import milp, partition, solve, toulbar2
+from usdrigui.solve import milp, partition, solve
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.exact import infeasible_penalty
 from usdrigui.solve.label_geometry import all_labels
@@ -182,29 +180,3 @@ def test_a_forbidden_pair_costs_local_search_more_than_any_layout_without_one() 
         seen += forbidden.any()
         assert values[forbidden].min(initial=np.inf) > values[~forbidden].max(initial=-np.inf)
     assert seen > 5
-
-
-@pytest.mark.parametrize(("spare", "digits"), [(1.0, 9), (1e6, 9), (1.1e6, 8), (1e15, 0), (1e20, 0), (0.0, 9)])
-def test_toulbar2_gets_as_many_digits_as_its_whole_numbers_hold(
-    spare: float, digits: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Fifteen in all and nine behind the point; rounding is one unit for each table and variable."""
-    tables: list[tuple[list[str], list[float]]] = []
-    made: list[tuple[float, int]] = []
-    network = SimpleNamespace(
-        Option=SimpleNamespace(),
-        AddVariable=lambda _, values: len(values),
-        AddFunction=lambda names, costs: tables.append((names, costs)),
-        Solve=lambda: ([1, 0, 7], 0.0, 1),
-        GetDDualBound=lambda: 2.5,
-    )
-    asked = SimpleNamespace(CFN=lambda ceiling, decimals: made.append((ceiling, decimals)) or network)
-    monkeypatch.setitem(sys.modules, "pytoulbar2", asked)
-    pairs = np.zeros((4, 4))
-    pairs[0, 3] = 4.0
-    bound, chosen, rounding = toulbar2._solved((np.array([0, 2, 4]), np.array([0.0, 1, 2, 0]), pairs, spare))
-    assert (made, bound) == ([(2.0 * spare, digits)], 2.5)
-    assert chosen is not None
-    assert chosen.tolist() == [1, 0]
-    assert rounding == pytest.approx(3 * 10.0**-digits)
-    assert tables == [(["x0"], [0.0, 1.0]), (["x1"], [2.0, 0.0]), (["x0", "x1"], [0.0, 4.0, 0.0, 0.0])]

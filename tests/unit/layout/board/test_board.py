@@ -7,9 +7,7 @@ import makers
 import numpy as np
 import pytest
 
-from usdrigui.character import MeshDisplay
-from usdrigui.layout.board import board, board_place
-from usdrigui.model import MirrorPlane
+from usdrigui.layout.board import board
 
 POINTS, QUADS = makers.mask()
 
@@ -96,45 +94,6 @@ def scene(base, *lengths):
     return SimpleNamespace(surface=SimpleNamespace(points=np.array(base, dtype=float), face_size=1.0), motions=motions)
 
 
-@pytest.mark.parametrize(
-    ("origin", "normal", "middle"),
-    [
-        ((0, 0, 0), (0, 0, 0), (1.5, 1, 1)),
-        ((1, 7, 7), (1, 0, 0), (1, 1, 1)),
-        ((0, 0, 0), (0.6, 0.8, 0), (0.48, -0.36, 1)),
-    ],
-)
-def test_the_middle_of_the_face_is_that_of_what_moves_and_on_the_mirror_plane(origin, normal, middle):
-    """Points count that some control moves by half of its own peak."""
-    found = scene([(0, 0, 0), (3, 2, 2), (9, 9, 9), (-9, 0, 0)], [4, 2, 1.9, 0], [0.1, 0, 0, 0.04])
-    plane = MirrorPlane(np.array(origin), np.array(normal))
-    assert board_place.face_middle(found, plane) == pytest.approx(middle)
-
-
-def test_the_silhouette_ends_at_the_rightmost_visible_point_as_high_as_the_board():
-    base = [(1, 0, 0), (2, 1, 5), (3, -1.1, 0), (7, 0, 0)]
-    meshes = [
-        SimpleNamespace(points=np.zeros((3, 3)), display=MeshDisplay(True)),
-        SimpleNamespace(points=np.zeros((1, 3)), display=MeshDisplay(False)),
-    ]
-    rig = SimpleNamespace(body=SimpleNamespace(meshes=meshes))
-    face = SimpleNamespace(rig=rig, trajectories=scene(base))
-    frame, middle = np.eye(3)[:2], np.array([0.5, 0.0, 0.0])
-    assert board_place.silhouette(face, middle, frame, 1.0) == 2.0
-    assert board_place.silhouette(face, middle, frame, 1.1) == 3.0
-    assert board_place.silhouette(face, middle, frame, 0.9) == 1.0
-    assert board_place.silhouette(face, np.array([0.5, 9.0, 0.0]), frame, 1.0) == 0.5, "nothing is there"
-
-
-def test_the_board_hangs_on_the_point_that_moves_least_nearest_to_the_middle():
-    base = [(0, 0, 0), (1, 0, 0), (0.5, 0, 0), (0.4, 0, 0)]
-    body = SimpleNamespace(joints=(), meshes=[SimpleNamespace(points=base)])
-    face = SimpleNamespace(rig=SimpleNamespace(body=body))
-    for lengths, point in (([[1, 0, 0, 1]], 2), ([[1, 0, 0, 1], [0, 0, 0.1, 0]], 1), ([[1, 1, 1, 1]], 0)):
-        face.trajectories = scene(base, *lengths)
-        assert board_place.anchor_point(face, np.zeros(3)) == point
-
-
 def test_a_new_board_begins_right_of_one_that_exists_and_of_those_of_other_parts_at_its_height():
     frame = np.array([[0.0, 0, 1], [0, 1, 0]])
     tracks = [
@@ -151,15 +110,3 @@ def test_a_new_board_begins_right_of_one_that_exists_and_of_those_of_other_parts
     requests = SimpleNamespace(existing=SimpleNamespace(elements=(old, skin)), neighbours=(far, near))
     assert board._boards(requests, 1.0, 2.0, frame[1]) == [old, near]
     assert board._boards(SimpleNamespace(existing=None, neighbours=(near,)), 1.0, 2.0, frame[1]) == [near]
-
-
-def test_a_track_on_the_board_is_as_long_as_asked_whatever_its_range():
-    motion = SimpleNamespace(arc_length=np.array([0.5, 2.0]))
-    control = SimpleNamespace(name="c", minimum=-1.0, default=0.0, maximum=3.0)
-    face = SimpleNamespace(
-        rig=SimpleNamespace(controls=(control,)), trajectories=SimpleNamespace(motion_of=lambda _: motion)
-    )
-    made = board._member(face, 0, np.array([0.0, 5, 0]), 8.0, np.array([1.0, 0, 0]))
-    assert made.values.tolist() == [-1.0, 0.0, 3.0]
-    assert made.track.tolist() == [[-2.0, 5, 0], [0, 5, 0], [6, 5, 0]]
-    assert (made.arc_length, made.magnification) == (2.0, 4.0)

@@ -1,7 +1,6 @@
 """Two levels: which elements are coarse, which are their members, and who is kept apart from whom."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import chain
 import makers
@@ -12,7 +11,6 @@ from chain import by_name, lay_out, problem_of, settings
 from usdrigui.character import Control
 from usdrigui.errors import RigUIError
 from usdrigui.layout.review.difference import difference
-from usdrigui.layout.review.layout_faults import crowded
 from usdrigui.layout.review.review import review
 from usdrigui.model.levels import inner_names, outer_first, shown, states
 
@@ -72,20 +70,6 @@ def test_members_stand_where_they_would_alone_as_the_coarse_one_is_hidden_then()
     assert by_name(apart)["grin"].anchor.point == by_name(alone)["pucker"].anchor.point
     assert by_name(together)["grin"].anchor.point != by_name(together)["pucker"].anchor.point
     assert apart.assignment.cost < together.assignment.cost
-
-
-def test_members_of_two_coarse_controls_are_kept_apart_as_both_may_be_opened():
-    rig = with_pose("grin", ("pucker",))
-    pucker = next(control for control in FACE.controls if control.name == "pucker")
-    rig = replace(rig, controls=(*rig.controls, replace(pucker, name="pout")))
-    kept = {"board_composite": False}
-    members = {"grin": ["pucker"], "chin": ["pout"]}
-    placed = by_name(lay_out(rig, settings(levels={"members": members}, candidates=kept)))
-    a, b = placed["pucker"].anchor, placed["pout"].anchor
-    assert not a.on_board
-    assert not b.on_board
-    assert a.point != b.point
-    assert states(placed.values())["pucker"] & states(placed.values())["pout"]
 
 
 def test_a_pose_is_no_member_of_itself_in_a_group_with_what_it_sets():
@@ -195,12 +179,3 @@ def test_levels_that_make_no_sense_are_refused(members, code):
 def test_derived_members_give_way_to_configured_ones():
     chosen = settings(levels={"poses": True, "members": {"grin": ["pucker"]}}, candidates={"board_composite": False})
     assert by_name(lay_out(with_pose(), chosen))["grin"].look.inner == ("pucker",)
-
-
-@pytest.mark.parametrize(("apart", "collide"), [(1.0, False), (0.99, True)])
-def test_handles_at_the_least_distance_do_not_collide(apart, collide):
-    elements = lay_out(with_pose()).layout.elements
-    first, second = (each for each in elements if not each.anchor.on_board and each.name in ("pucker", "smile_L"))
-    at = [np.zeros(3), np.array([apart * 2.0 * (1.0 - 1e-6), 0.0, 0.0])]
-    two = [replace(e, anchor=replace(e.anchor, position=p)) for e, p in zip((first, second), at, strict=True)]
-    assert bool(list(crowded(SimpleNamespace(elements=tuple(two)).elements, 2.0))) is collide

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from usdrigui.character import Drive, Joint, Skeleton
-from usdrigui.layout.motion.coverage import coverage_of_smaller, notable_points, shares_of_face
+from usdrigui.layout.motion.coverage import coverage_of_smaller
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.model import Motion, Polylines, Shares
 from usdrigui.settings import TrajectorySettings
@@ -184,21 +184,6 @@ def motions_of(*lengths):
     """Motions that move every point by these lengths."""
     still = Polylines(np.array([0.0, 1.0]), np.zeros((2, 4, 3), np.float32))
     return [Motion(i, np.arange(4), still, np.array(each, dtype=float), Shares()) for i, each in enumerate(lengths)]
-
-
-@pytest.mark.parametrize("unit", [1e-3, 1.0, 1e3])
-def test_shares_of_the_face_by_hand(unit):
-    """Points of area 1, 1, 2 and 4; the face is where the two small controls act, the first three."""
-    areas = unit * np.array([1.0, 1.0, 2.0, 4.0])
-    motions = motions_of([4, 1, 0.9, 0], [0, 0, 1, 0], [1, 1, 1, 1])
-    assert notable_points(motions, 4).tolist() == [
-        [True, True, False, False], [False, False, True, False], [True, True, True, True]
-    ]  # fmt: skip
-    assert shares_of_face(motions, areas) == pytest.approx([0.5, 0.5, 1.0])
-    assert coverage_of_smaller(motions, areas) == pytest.approx([0.0, 0.0, 1.0])
-    assert (
-        shares_of_face(motions, 0.0 * areas).tolist() == coverage_of_smaller(motions, 0.0 * areas).tolist() == [0.0] * 3
-    )
 
 
 @pytest.mark.parametrize(("beyond", "covered"), [(1.0, 0.5), (4.0, 0.5), (4.1, 0.0)])

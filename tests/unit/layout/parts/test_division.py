@@ -14,7 +14,7 @@ from usdrigui.character.rotation import rotations
 from usdrigui.layer import write_layout as layer
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.parts.division import divide
-from usdrigui.model import LayoutPart, Step
+from usdrigui.model import LayoutPart
 from usdrigui.pipeline.joining import joined, joined_assignment
 from usdrigui.pipeline.records import Task
 from usdrigui.pipeline.stages import character_of, part_problem
@@ -161,19 +161,6 @@ def test_the_whole_says_of_the_part_that_is_not_proved_why():
     laid[1] = replace(laid[1], layout=layout, assignment=replace(laid[1].assignment, **open_))
     found = joined(laid).proof, joined_assignment([each.assignment for each in laid], ["face", "hands", "body"])
     assert {(each.status, each.method, each.closed_by) for each in found} == {tuple(open_.values())}
-
-
-def test_a_whole_of_proved_parts_names_the_solver_that_one_took_and_the_size_of_every_program():
-    laid = chain.laid_parts(BODY)
-    by_highs = {"status": "optimal", "method": "highs", "closed_by": "highs"}
-    steps = (Step("reduce", (("labels", 9.0), ("work", 5.0)), 0.0), Step("highs", (("rows", 7.0),), 0.0))
-    taken = replace(laid[0].assignment, **by_highs, steps=steps)
-    proof = replace(laid[0].layout.proof, **by_highs, figures=taken.figures)
-    laid[0] = replace(laid[0], layout=replace(laid[0].layout, proof=proof), assignment=taken)
-    found = joined(laid).proof, joined_assignment([each.assignment for each in laid], ["face", "hands", "body"])
-    assert {(each.status, each.method, each.closed_by) for each in found} == {tuple(by_highs.values())}
-    assert found[0].figures == found[1].figures
-    assert found[0].figures[:2] == (("face: labels", 9.0), ("face: rows", 7.0))
 
 
 def test_blend_shapes_are_of_the_part_whose_skin_they_move_and_a_neck_is_of_the_face():

@@ -12,43 +12,6 @@ POINTS, QUADS = makers.mask()
 PLAIN = {"occlusion_weight": 0.0, "board_global": False, "board_composite": False}
 
 
-def test_of_two_unlike_members_the_lesser_displacement_counts():
-    """Two bumps of unlike height, a little apart: which of the two moves less changes from place to place."""
-    shapes = {
-        "up": makers.bump(POINTS, (0.0, -0.4), (0, 1, 0), 0.4, 0.10),
-        "out": makers.bump(POINTS, (0.0, -0.5), (0, 0, 1), 0.4, 0.09),
-    }
-    line = chain.problem_of(
-        makers.rig(POINTS, QUADS, shapes),
-        chain.settings(
-            candidates={**PLAIN, "prune_at": 0.0, "peak_share": 0.2, "occlusion": False},
-            symmetry={"plane_weight": 0.0},
-            objective={"relative_displacement": 0.0},
-            groups={"groups": {"both": ["up", "out"]}},
-        ),
-    )
-    (variable,) = line.problem.variables
-    arcs = np.stack([m.arc_length[np.searchsorted(m.points, variable.points)] for m in line.face.trajectories.motions])
-    assert (arcs[0] < arcs[1]).any()
-    assert (arcs[1] < arcs[0]).any()
-    unit = line.face.trajectories.typical_length
-    left = line.face.trajectories.surface.points[variable.points][:, 0] >= 0.0  # the other side pays to break the tie
-    assert variable.cost[left] == pytest.approx(-0.85 * arcs.min(axis=0)[left] / unit, rel=1e-6)
-    assert variable.displacement == pytest.approx(arcs.min(axis=0) / unit, rel=1e-6)
-
-
-def test_an_element_matters_as_its_most_important_control_does():
-    shapes = {name: makers.bump(POINTS, (0.0, -0.4), way, 0.4) for name, way in (("up", (0, 1, 0)), ("out", (0, 0, 1)))}
-    rig, costs = makers.rig(POINTS, QUADS, shapes), []
-    for important in ((), ("up",), ("out",), ("up", "out")):
-        said = {name: {"importance": 3.0} for name in important}
-        line = chain.problem_of(
-            rig, chain.settings(candidates=PLAIN, groups={"groups": {"both": ["up", "out"]}}, controls=said)
-        )
-        costs.append(line.problem.variables[0].cost.min())
-    assert costs[1] == costs[2] == costs[3] < costs[0] < 0.0
-
-
 @pytest.mark.parametrize(("weight", "on_plane"), [(0.1, True), (0.0, False)])
 def test_a_middle_element_stands_on_the_plane_by_its_weight(weight, on_plane):
     """It moves a little more at both sides than on the plane."""
@@ -59,36 +22,6 @@ def test_a_middle_element_stands_on_the_plane_by_its_weight(weight, on_plane):
     anchor = chain.by_name(line)["press"].anchor
     assert not anchor.on_board
     assert (abs(anchor.position[0]) < 1e-6) == on_plane
-
-
-@pytest.mark.parametrize("kept_apart", [True, False])
-def test_handles_that_want_one_place_are_kept_a_width_apart_by_constraint(kept_apart):
-    """Without costs of nearness only the constraint parts them."""
-    shapes = {
-        "one": makers.bump(POINTS, (0.3, 0.3), (0, 1, 0), 0.3, 0.10),
-        "other": makers.bump(POINTS, (0.3, 0.35), (1, 0, 0), 0.3, 0.10),
-    }
-    line = chain.lay_out(
-        makers.rig(POINTS, QUADS, shapes),
-        chain.settings(
-            candidates=PLAIN,
-            groups={"opposed": False},
-            objective={
-                "near_weight": 0.0,
-                "track_weight": 0.0,
-                "separation": kept_apart,
-                "handle_size": 0.3,
-                "max_neighbours": 0.0,
-            },
-        ),
-    )
-    one, other = (each.anchor for each in line.layout.elements)
-    assert not one.on_board
-    assert not other.on_board
-    assert (np.linalg.norm(one.position - other.position) >= line.layout.frame.handle_width) == kept_apart
-
-
-SHAPES = makers.face_shapes(POINTS)
 
 
 def test_costs_are_displacement_terms_and_own_overlap_of_both_copies():
@@ -105,17 +38,6 @@ def test_costs_are_displacement_terms_and_own_overlap_of_both_copies():
     expected = -0.85 * arc / line.face.trajectories.typical_length + own
     assert np.allclose(variable.cost, expected, rtol=1e-6)
     assert variable.off_face_cost == pytest.approx(2.0 * Settings().layout.objective.off_face_penalty)
-
-
-def test_an_element_that_leaves_the_face_takes_all_its_controls_with_it():
-    gaze = [makers.bump(POINTS, (0.35, 0.3), way, 0.18, 0.05) for way in ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0))]
-    names = [f"eyeLook{way}_L" for way in ("Out", "In", "Up", "Down")]
-    line = chain.problem_of(makers.rig(POINTS, QUADS, SHAPES | dict(zip(names, gaze, strict=True))), Settings())
-    costs = {variable.name: variable.off_face_cost for variable in line.problem.variables}
-    joystick = next(name for name in costs if "eyeLookUp_L" in name)
-    assert all(name in joystick for name in names)
-    blinks = costs["blink_L"]  # of both sides
-    assert costs[joystick] == pytest.approx(4.0 * blinks / 2.0)
 
 
 def test_a_group_counts_its_worst_member():

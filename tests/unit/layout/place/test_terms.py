@@ -1,14 +1,11 @@
 """Element-model occlusion as a cost: a trajectory's tangent against the surface normal (paper section 3.3)."""
 
-from types import SimpleNamespace
-
 import chain
 import makers
 import numpy as np
 import pytest
 
-from usdrigui.layout.place.terms import LinearTerms, linear_cost, occlusion, off_plane
-from usdrigui.model import MirrorPlane
+from usdrigui.layout.place.terms import LinearTerms, linear_cost, occlusion
 
 SIDE = 11
 PRICE = 0.15
@@ -18,9 +15,7 @@ def sheet(direction_at, ranges=None):
     """A flat sheet facing +z, every point of which moves by ``direction_at(points)``."""
     x, y = np.meshgrid(np.linspace(-1, 1, SIDE), np.linspace(-1, 1, SIDE))
     points = np.stack([x, y, np.zeros_like(x)], axis=-1).reshape(-1, 3)
-    index = np.arange(SIDE * SIDE).reshape(SIDE, SIDE)
-    quads = np.stack([index[:-1, :-1], index[:-1, 1:], index[1:, 1:], index[1:, :-1]], axis=-1).reshape(-1, 4)
-    return makers.rig(points, quads.tolist(), {"move": 0.3 * direction_at(points)}, ranges)
+    return makers.rig(points, makers.quads(SIDE, SIDE), {"move": 0.3 * direction_at(points)}, ranges)
 
 
 def costs(rig, **candidates):
@@ -62,20 +57,3 @@ def test_of_equal_places_the_one_where_the_track_comes_out_is_taken():
     (element,) = chain.lay_out(sheet(halves), settings).layout.elements
     assert element.anchor.position[0] > 0.0
     assert not element.anchor.on_board
-
-
-def test_off_the_plane_costs_by_the_handle_width_and_the_right_a_hair_more():
-    """Counted from the nearest; within a thousandth of a width a place is on the plane."""
-    base = np.array([[0.2, 0, 0], [-0.2, 0, 0], [0.0, 0, 0], [0.6, 0, 0]])
-    face = SimpleNamespace(
-        trajectories=SimpleNamespace(surface=SimpleNamespace(points=base)),
-        symmetry=SimpleNamespace(plane=MirrorPlane(np.zeros(3), np.array([1.0, 0, 0]))),
-        handle_width=0.2,
-    )
-    assert off_plane(face, np.array([0, 1, 2, 3]), 2.0) == pytest.approx([2.0, 2.0 + 1e-5, 0.0, 6.0])
-    assert off_plane(face, np.array([0, 1, 3]), 2.0) == pytest.approx([0.0, 1e-5, 4.0])
-    assert off_plane(face, np.array([0, 2]), 2.0, of_joint=True) == pytest.approx([2.5, 0.0])
-    assert off_plane(face, np.array([0, 2]), 0.0, of_joint=True) == pytest.approx([0.0, 0.0])
-    face.handle_width, base[:2, 0] = 1.0, (-0.001, -0.002)
-    assert off_plane(face, np.arange(3), 0.0).tolist() == [0.0, 1e-5, 0.0]
-    assert len(off_plane(face, np.zeros(0, dtype=int), 2.0)) == 0

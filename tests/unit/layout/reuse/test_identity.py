@@ -1,7 +1,6 @@
 """Which control is which: names, motions, and how sure a match is."""
 
 import tomllib
-from collections import Counter
 from dataclasses import replace
 
 import chain
@@ -10,9 +9,8 @@ import numpy as np
 import pytest
 from rig_copies import numbers, renamed, spelt_otherwise
 
-from usdrigui.conventions import meanings
 from usdrigui.layout.motion.trajectory import trajectories
-from usdrigui.layout.reuse import identity, name_evidence
+from usdrigui.layout.reuse import name_evidence
 from usdrigui.layout.reuse.identity import match_layout, match_rigs, matching_issues, names_draft
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.layout.review.difference import difference
@@ -164,15 +162,6 @@ def test_a_doubled_element_is_the_same_whichever_side_comes_first(line):
     assert not difference(*layouts).changes
 
 
-@pytest.mark.parametrize(("here", "there"), [(1, 1), (1, 4), (4, 1), (4, 4)])
-def test_a_meaning_says_less_the_more_controls_of_either_rig_have_it(here, there):
-    (meaning,) = meanings(["jawOpen"])
-    sense = (meaning.action.name, meaning.side)
-    found = name_evidence._by_meaning(meaning, meaning, Counter({sense: here}), Counter({sense: there}))
-    alone = name_evidence._by_meaning(meaning, meaning, Counter({sense: 1}), Counter({sense: 1}))
-    assert found == pytest.approx(alone - np.log(max(here, there)))
-
-
 @pytest.mark.parametrize(
     ("name", "counterpart", "others"),
     [
@@ -185,15 +174,3 @@ def test_a_meaning_says_less_the_more_controls_of_either_rig_have_it(here, there
 def test_other_words_for_one_thing_and_one_action_unit_speak_for_a_pair(name, counterpart, others):
     found = name_evidence.name_evidence([name, "jawOpen"], [counterpart, *others, "Jaw_Lower"], geometry=True)[0]
     assert found[0] > max(found[1:]) + 0.5
-
-
-def test_a_match_is_as_sure_as_what_the_whole_would_lose_without_it():
-    """5 + 3 with it; without it 3 alone, as 1 + 2 is no more.  What nobody contests needs no other assignment."""
-    evidence = np.array([[5.0, 1.0], [2.0, 3.0]])
-    assert identity._loss(evidence, 0, 0, 8.0) == 5.0
-    assert identity._loss(evidence, 1, 1, 8.0) == 3.0
-    assert identity._assigned(evidence) == [(0, 0, 5.0), (1, 1, 3.0)]
-    sure = np.array([[16.0, 1.0], [2.0, 3.0]])
-    assert identity._loss(sure, 0, 0, 19.0) == 13.0, "16 less 1 and 2: a bound"
-    assert identity._loss(np.array([[14.0, 1.0], [2.0, 3.0]]), 0, 0, 17.0) == 14.0
-    assert identity._assigned(np.array([[-1.0]])) == []

@@ -1,7 +1,6 @@
 """Decisions of a person hold: through ten versions of a rig, on the other side, and against the opinion of `check`."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import chain
 import makers
@@ -10,10 +9,8 @@ import pytest
 from laid_out_again import lay_out
 from rig_copies import renamed, reordered, resculpted, spelt_otherwise
 
-from usdrigui.layout.reuse import pinned as pinning
 from usdrigui.layout.review.difference import difference
 from usdrigui.layout.review.review import review
-from usdrigui.model import MirrorPlane
 from usdrigui.settings import load
 
 ANCHOR = "/Root/mesh#914"
@@ -147,11 +144,3 @@ def test_check_does_not_argue_with_what_is_pinned():
         found = review(rated.measured, rated.candidates, layout)
         named = {each.path for each in found.issues if each.code == "LAYOUT_BETTER_PLACE"}
         assert bool(named & {"brow_L", "brow_R"}) is argued
-
-
-def test_a_pin_goes_to_what_its_twin_moves_by_a_twentieth_of_its_peak():
-    base = np.array([[5.0, 0, 0], [-4.0, 0, 0], [-1.0, 0, 0], [0.0, 3, 0]])
-    motion = SimpleNamespace(control=1, points=np.array([1, 2, 3]), arc_length=np.array([0.05, 0.04, 1.0]), peak=1.0)
-    symmetry = SimpleNamespace(partner=np.full(4, -1), plane=MirrorPlane(np.zeros(3), np.array([1.0, 0.0, 0.0])))
-    measured = SimpleNamespace(motions=[motion], surface=SimpleNamespace(points=base))
-    assert pinning._image(measured, symmetry, 1, 0) == 1

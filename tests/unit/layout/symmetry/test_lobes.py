@@ -1,19 +1,14 @@
 """A symmetric control with two lobes gets a handle on each, both of one value."""
 
-from types import SimpleNamespace
-
 import chain
 import makers
-import numpy as np
 import pytest
-
-from usdrigui.layout.symmetry.lobes import all_aside, in_the_middle, two_lobed
-from usdrigui.model import MirrorPlane, Shares
 
 POINTS, QUADS = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
 NAMED = (("eyeBlink", 0.3, 0.35), ("browOuterUp", 0.45, 0.5), ("mouthSmile", 0.25, -0.45), ("noseSneer", 0.15, 0.0))
 SIDED = (("L", 1.0), ("R", -1.0))
+SIDES = {f"{a}_{s}": makers.bump(POINTS, (x * w, y), (0, 1, 0.2), 0.15) for a, x, y in NAMED for s, w in SIDED}
 
 
 def elements_of(control, x, **settings):
@@ -47,9 +42,8 @@ def test_a_double_element_without_room_on_the_face_stands_on_the_board_once():
 @pytest.mark.parametrize(("name", "count"), [("mouth_depression", 2), ("mouthPucker", 1)])
 def test_a_name_that_tells_the_region_alone_leaves_it_to_the_motion_whether_it_has_lobes(name, count):
     """Both keep about .6 of their peak in the middle."""
-    sides = {f"{a}_{s}": makers.bump(POINTS, (x * w, y), (0, 1, 0.2), 0.15) for a, x, y in NAMED for s, w in SIDED}
     lobes = sum(makers.bump(POINTS, (w * 0.185, -0.45), (w * 0.1, 0.0, 1.0), 0.28, 0.1) for _, w in SIDED)
-    line = chain.problem_of(makers.rig(POINTS, QUADS, sides | {"jawOpen": SHAPES["chin"], name: lobes}))
+    line = chain.problem_of(makers.rig(POINTS, QUADS, SIDES | {"jawOpen": SHAPES["chin"], name: lobes}))
     control = next(i for i, each in enumerate(line.face.rig.controls) if each.name == name)
     group = next(each for each in line.groups if control in each.controls)
     assert line.face.expected[control] is not None
@@ -58,44 +52,8 @@ def test_a_name_that_tells_the_region_alone_leaves_it_to_the_motion_whether_it_h
 
 def test_a_control_that_is_expected_on_the_sides_alone_has_no_handle_on_one_of_them():
     """A clench that moves the whole jaw, the chin a little more."""
-    sides = {f"{a}_{s}": makers.bump(POINTS, (x * w, y), (0, 1, 0.2), 0.15) for a, x, y in NAMED for s, w in SIDED}
     jaw = makers.bump(POINTS, (0.0, -0.6), (0, -0.3, 1.0), 1.2, 0.1)
-    line = chain.lay_out(makers.rig(POINTS, QUADS, sides | {"jawOpen": SHAPES["chin"], "jawClench": jaw}))
+    line = chain.lay_out(makers.rig(POINTS, QUADS, SIDES | {"jawOpen": SHAPES["chin"], "jawClench": jaw}))
     found = [each for each in line.layout.elements if any(m.control == "jawClench" for m in each.manipulator.members)]
     across = [round(each.anchor.position[0], 3) for each in found]
     assert min(across) < 0.0 < max(across)
-
-
-@pytest.mark.parametrize(("apart", "kept", "lobes"), [(0.01, 0.8, False), (0.01, 0.7, True), (0.011, 0.8, True)])
-@pytest.mark.parametrize("both_sides", [None, True, False])
-def test_the_middle_is_a_hundredth_of_the_face_wide_to_either_side(apart, kept, lobes, both_sides):
-    """A control has lobes if it keeps less than three quarters there; more than half, if it is one of the middle."""
-    base = np.array([[-apart, 0, 0], [apart, 0, 0], [-0.4, 0, 0], [0.4, 0, 0]])
-    shares = np.array([kept, kept, 1.0, 1.0])
-    scene = SimpleNamespace(points=base, face_size=1.0)
-    plane = MirrorPlane(np.zeros(3), np.array([1.0, 0, 0]))
-    motion = SimpleNamespace(shares=Shares(), points=np.arange(4), arc_length=3.0 * shares)
-    least = {None: 0.75, True: 0.8, False: 0.5}[both_sides]
-    inside = kept if apart == 0.01 else 0.0
-    assert two_lobed(scene, plane, np.ones(4, dtype=bool), motion, both_sides) == (inside < least)
-    if both_sides is None:
-        assert (inside < least) == lobes
-    unseen = np.array([True, True, False, False])
-    assert two_lobed(scene, plane, unseen, motion, both_sides) == (apart > 0.01), "lobes that nobody sees are none"
-
-
-def test_all_places_lie_aside_from_a_tenth_of_the_face_on():
-    plane = MirrorPlane(np.zeros(3), np.array([1.0, 0, 0]))
-    scene = SimpleNamespace(points=np.array([[-0.21, 0, 0], [0.3, 0, 0], [0.19, 0, 0], [0.2, 0, 0]]), face_size=2.0)
-    assert all_aside(scene, plane, np.array([0, 1]))
-    assert not all_aside(scene, plane, np.array([0, 1, 2]))
-    assert not all_aside(scene, plane, np.array([3]))
-
-
-@pytest.mark.parametrize(("owned", "twin", "found"), [(True, 7, [0, 1]), (False, 7, []), (True, 8, [])])
-def test_the_handle_of_a_joint_in_the_middle_covers_what_is_nearer_than_its_radius(owned, twin, found):
-    plane = MirrorPlane(np.zeros(3), np.array([1.0, 0, 0]))
-    symmetry = SimpleNamespace(plane=plane, twins={7: twin})
-    scene = SimpleNamespace(points=np.array([[0.0, 9, 9], [-0.5, 0, 0], [0.51, 0, 0]]), face_size=2.0)
-    motion = SimpleNamespace(shares=Shares(np.ones(3) if owned else None), control=7, points=np.arange(3))
-    assert np.flatnonzero(in_the_middle(scene, symmetry, motion, 1.0)).tolist() == found

@@ -1,7 +1,5 @@
 """The mirror plane, partner points and twins, on faces whose symmetry is known by construction."""
 
-from dataclasses import replace
-
 import chain
 import makers
 import numpy as np
@@ -13,8 +11,8 @@ from usdrigui.layout.motion.similarity import displacement_fields
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.names import common_label
 from usdrigui.layout.symmetry.mirror_plane import find_symmetry
-from usdrigui.layout.symmetry.twins import agreements, configured_twins
-from usdrigui.settings import ControlSettings, Settings, load
+from usdrigui.layout.symmetry.twins import configured_twins
+from usdrigui.settings import ControlSettings, Settings
 
 ROTATION = np.linalg.qr(np.random.default_rng(11).normal(size=(3, 3)))[0]
 ROTATION *= np.sign(np.linalg.det(ROTATION))
@@ -89,17 +87,6 @@ def test_partners_are_images_and_come_in_twos():
     assert np.array_equal(symmetry.partner[symmetry.partner], np.arange(len(points)))
 
 
-@pytest.mark.parametrize(("columns", "rows", "found"), [(17, 21, 1.0), (65, 81, 0.0)], ids=["coarse", "fine"])
-def test_the_points_of_a_coarse_surface_have_partners_within_its_cells(columns, rows, found):
-    """One cheek is .06 deeper than the other: within a coarse cell, beyond a fine one."""
-    face = makers.face(columns, rows)
-    points = face.body.meshes[0].points
-    cheek = (points[:, 0] < -0.3) & (np.abs(points[:, 1]) < 0.2)
-    dented = points - np.outer(cheek, [0.0, 0.0, 0.06])
-    symmetry = symmetry_of(makers.changed(face, meshes=(replace(face.body.meshes[0], points=dented),)))
-    assert (symmetry.partner[cheek] >= 0).mean() == pytest.approx(found, abs=0.35)
-
-
 def test_lips_that_touch_find_the_partner_that_moves_alike():
     points, quads = makers.mask(17, 21)
     shapes = {
@@ -143,21 +130,6 @@ def test_twins_need_no_names():
     found = names(None or makers.rig(points, quads, shapes), symmetry_of(makers.rig(points, quads, shapes)))
     assert found["00"] == "01"
     assert found["08"] == "08"
-
-
-def test_controls_that_agree_just_as_much_as_asked_are_twins():
-    points, quads = makers.mask()
-    shapes = {
-        "a": makers.bump(points, (0.4, 0.3), (0.2, 1, 0)),
-        "b": makers.bump(points, (-0.4, 0.3), (0.0, 1, 0)),
-        "c": makers.bump(points, (0.0, -0.5), (0, 0, 1)),
-    }
-    rig = makers.rig(points, quads, shapes)
-    symmetry, measured = symmetry_of(rig), trajectories(rig, Settings().character.trajectories)
-    raw = agreements(displacement_fields(measured), symmetry.partner, symmetry.plane.normal)
-    least = float(0.5 * (raw + raw.T)[0, 1])
-    for floor, twin in ((least, "b"), (np.nextafter(least, 1), "")):
-        assert names(rig, symmetry_of(rig, load({"symmetry": {"twin_similarity": floor}})))["a"] == twin
 
 
 def test_pairs_are_matched_all_at_once():
