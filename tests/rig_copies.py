@@ -31,22 +31,44 @@ def reshaped(points, box):
 
 def other_head(rig, cells, box):
     """The rig on coarser meshes, reshaped: points of one cell of a grid become one, motions go along."""
-    return changed(rig, meshes=tuple(_other_mesh(mesh, cells, box) for mesh in rig.body.meshes))
+
+    def other_mesh(mesh):
+        cell = np.floor((mesh.points - box[0]) / box[1].max() * cells).astype(np.int64)
+        return _merged(mesh, cell, lambda points: reshaped(points, box), 0)
+
+    return changed(rig, meshes=tuple(map(other_mesh, rig.body.meshes)))
 
 
-def _other_mesh(mesh: RigMesh, cells, box):
-    low, size = box
-    cell = np.floor((mesh.points - low) / size.max() * cells).astype(np.int64)
+def decimated(rig, share):
+    """The rig with about this share of each mesh's points: points become one with a neighbour, the anchors' too."""
+    return changed(rig, meshes=tuple(_merged(mesh, _absorbed(mesh, share), np.array, 2) for mesh in rig.body.meshes))
+
+
+def _absorbed(mesh, share):
+    """(n, 1) which point each becomes: itself, or a neighbour that takes in two at most."""
+    corners = np.split(mesh.topology.face_indices, np.cumsum(mesh.topology.face_counts)[:-1])
+    pairs = np.concatenate([np.stack([face, np.roll(face, 1)], axis=1) for face in corners])
+    place, taken = np.arange(len(mesh.points)), np.zeros(len(mesh.points))
+    left = (1.0 - share) * len(place)
+    for one, other in np.random.default_rng(0).permutation(pairs):
+        if left > 0.0 and 0 <= taken[one] < 2 and not taken[other]:
+            place[other], taken[other], taken[one], left = one, -1, taken[one] + 1, left - 1.0
+    return place[:, None]
+
+
+def _merged(mesh: RigMesh, cell, reshaped, lost):
+    """The mesh whose points of one cell (n, k) are one, without faces that have lost more corners."""
     _, kept, place = np.unique(cell, axis=0, return_index=True, return_inverse=True)
     place = place.reshape(-1)
     corners = np.split(place[mesh.topology.face_indices], np.cumsum(mesh.topology.face_counts)[:-1])
-    faces = [face for face in corners if len(set(face.tolist())) == len(face)]
+    shrunk = [(len(face), list(dict.fromkeys(face.tolist()))) for face in corners]
+    faces = [face for count, face in shrunk if len(face) >= max(3, count - lost)]
     old = mesh.points[kept]
     shapes = []
     for shape in mesh.binding.shapes:
         dense = np.zeros((len(shape.weights), len(mesh.points), 3))
         dense[:, shape.points] = shape.offsets
-        offsets = np.stack([reshaped(old + each[kept], box) - reshaped(old, box) for each in dense])
+        offsets = np.stack([reshaped(old + each[kept]) - reshaped(old) for each in dense])
         points = np.flatnonzero(offsets.any(axis=(0, 2)))
         shapes.append(Shape(shape.channel, shape.path, shape.weights, points, offsets[:, points].astype(np.float32)))
     skin = mesh.binding.skin and replace(
@@ -54,7 +76,7 @@ def _other_mesh(mesh: RigMesh, cells, box):
     )
     return changed(
         mesh,
-        points=reshaped(old, box),
+        points=reshaped(old),
         face_counts=np.array([len(face) for face in faces], dtype=np.int64),
         face_indices=np.concatenate(faces) if faces else np.zeros(0, dtype=np.int64),
         shapes=tuple(shapes),
@@ -62,6 +84,27 @@ def _other_mesh(mesh: RigMesh, cells, box):
         hash="coarse " + mesh.topology.hash,
         subsets=(),
     )
+
+
+def split(rig):
+    """The rig whose meshes are two each: the faces of the second half, as they are listed, are another mesh."""
+    return changed(rig, meshes=tuple(half for mesh in rig.body.meshes for half in _halves(mesh)))
+
+
+def _halves(mesh):
+    corners = np.split(mesh.topology.face_indices, np.cumsum(mesh.topology.face_counts)[:-1])
+    for name, faces in (("", corners[: len(corners) // 2]), ("_more", corners[len(corners) // 2 :])):
+        kept, place = np.unique(np.concatenate(faces), return_inverse=True)
+        inside = [np.isin(shape.points, kept) for shape in mesh.binding.shapes]
+        shapes = tuple(
+            replace(each, points=np.searchsorted(kept, each.points[own]), offsets=each.offsets[:, own])
+            for each, own in zip(mesh.binding.shapes, inside, strict=True)
+        )
+        counts, title = np.array([len(face) for face in faces]), f"half{name} {mesh.topology.hash}"
+        yield changed(
+            mesh, path=mesh.path + name, points=mesh.points[kept], face_counts=counts, face_indices=place.reshape(-1),
+            shapes=shapes, hash=title, subsets=(),
+        )  # fmt: skip
 
 
 def renamed(rig, name):

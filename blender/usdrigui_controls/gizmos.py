@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 
 from . import visibility
-from .character import Character
+from .character import Character, holders
 from .drawing import draw_elements, draw_label
 from .screen import Grab, Screen, pick, with_partners
 
@@ -18,6 +18,14 @@ class Hand:
     """(holder, element) under the pointer."""
     active = None
     """(holder, element) dragged or clicked last."""
+
+
+def active():
+    """The holder and the element dragged or clicked last; None and None where they are gone."""
+    holder = bpy.data.objects.get(Hand.active[0]) if Hand.active else None
+    if holder is None or holder not in holders(bpy.context.scene):
+        return None, None
+    return holder, Character(holder).layout.element(Hand.active[1])
 
 
 class RigControls(bpy.types.Gizmo):

@@ -8,9 +8,9 @@ from . import visibility
 from .bones import SwitchBones, remove_bones
 from .character import BONES, Character, holders, unbind
 from .environment import MakeEnvironment, Preferences
-from .gizmos import Hand
+from .gizmos import Hand, active
 from .importing import add_controls, open_stage
-from .laying_out import LayOutFace
+from .laying_out import LayOutFace, PinElement
 from .layout import LayoutError
 from .saving import SaveAnimation
 
@@ -176,7 +176,7 @@ class RigPanel(bpy.types.Panel):
         column.operator(RemoveLayout.bl_idname, icon="X")
 
     def _draw_active(self, box):
-        holder, element = _active()
+        holder, element = active()
         if element is None:
             box.label(text="Drag a handle on the face")
             return
@@ -194,20 +194,16 @@ class RigPanel(bpy.types.Panel):
         row = box.row(align=True)
         row.operator(KeyControls.bl_idname, text="Key", icon="KEY_HLT").everything = False
         row.operator(ResetControls.bl_idname, text="Reset", icon="LOOP_BACK").everything = False
-
-
-def _active():
-    holder = bpy.data.objects.get(Hand.active[0]) if Hand.active else None
-    if holder is None or holder not in holders(bpy.context.scene):
-        return None, None
-    return holder, Character(holder).layout.element(Hand.active[1])
+        row = box.row(align=True)
+        for place, text in (("", "Pin to Vertex"), ("board", "To Board"), ("free", "Unpin")):
+            row.operator(PinElement.bl_idname, text=text).place = place
 
 
 def _chosen(context, everything):
     """(holder, names of controls) to act on."""
     if everything:
         return [(holder, list(Character(holder).controls)) for holder in holders(context.scene)]
-    holder, element = _active()
+    holder, element = active()
     return [(holder, [member.control for member in element.members])] if element else []
 
 
@@ -224,6 +220,7 @@ _CLASSES = (
     Preferences,
     MakeEnvironment,
     LayOutFace,
+    PinElement,
     LoadLayout,
     RemoveLayout,
     SaveAnimation,

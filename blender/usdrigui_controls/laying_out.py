@@ -13,6 +13,7 @@ from . import visibility
 from .character import BONES, EXPORTED, SOURCE, Character, holder_of
 from .environment import Background, Job, usdrigui
 from .exporting import selected_face, write_character
+from .gizmos import active
 from .importing import add_controls, need_usd, open_stage
 from .layout import LayoutError
 
@@ -56,6 +57,8 @@ class LayOutFace(Background, bpy.types.Operator):
         found = ["process", source, "-o", self.layer, "--openjd", "--config", mine]
         if configuration.is_file():
             found += ["--config", configuration]
+        if _corrections_of(self.layer).is_file():
+            found += ["--corrections", _corrections_of(self.layer)]
         if held is not None and Path(held[SOURCE]).is_file():
             # The layer is about to be replaced: it is read under another name.
             previous = self.layer.with_name(f"previous_{self.layer.name}")
@@ -74,6 +77,45 @@ class LayOutFace(Background, bpy.types.Operator):
                 said += f"; {len(self.left_off)} shape keys are driven or muted and have none"
             self.report({"INFO"}, said)
         visibility.forget()
+
+
+class PinElement(Background, bpy.types.Operator):
+    """Decide where the element used last stands in every layout to come."""
+
+    bl_idname = "usdrigui.pin"
+    bl_label = "Pin This Element"
+
+    place: bpy.props.StringProperty(
+        description="here, board, face or free; empty for the selected vertex of its mesh"
+    )
+
+    def prepare(self, context):
+        """The program that writes the decision into the corrections beside the layout."""
+        holder, element = active()
+        if element is None:
+            raise LayoutError("use the handle first that is to be pinned")
+        place, layer = self.place or _selected(Character(holder)), Path(holder[SOURCE])
+        decisions = [f"{member.control}={place}" for member in element.members]
+        return Job([usdrigui(context, "pin", layer, *decisions, "-o", _corrections_of(layer))])
+
+    def finish(self, context):
+        """The next layout heeds it."""
+        self.report({"INFO"}, "noted: it holds from the next Lay Out This Face on")
+
+
+def _selected(character):
+    """``MESH_PATH#POINT`` of the one selected vertex."""
+    found = []
+    for path, mesh in character.meshes.items():
+        mesh.update_from_editmode()
+        found += [f"{path}#{each.index}" for each in mesh.data.vertices if each.select]
+    if len(found) != 1:
+        raise LayoutError(f"select one vertex of the face; {len(found)} are selected")
+    return found[0]
+
+
+def _corrections_of(layer):
+    return layer.with_suffix("").with_suffix(".corrections.usda")
 
 
 def _folder():

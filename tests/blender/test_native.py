@@ -79,6 +79,7 @@ def test_one_button_binds_every_control_to_the_scenes_own_keys_and_leaves_the_ri
     assert found["removed"]
     assert found["worst"] < 1e-4
     assert found["kept"] > 0.9
+    assert found["pinned"], "at the selected vertex, in the next layout"
 
 
 @pytest.mark.real

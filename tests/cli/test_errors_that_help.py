@@ -46,7 +46,7 @@ near = "joint:Jew"
 anchor = "MESH#1000000"
 twin = "no_one"
 [controls.brow_L]
-near = "MESH.point[1000000]"
+near = "MESH#1000000"
 anchor = "MESH"
 inner_anchor = "/Char/Hed#1"
 orbit = ["brow_L", "nobody"]

@@ -73,11 +73,11 @@ def reachable(viewer):
 
 
 def laid_out_again(viewer, source, folder, control):
-    """The element of a control where the page's partial layout is kept."""
+    """The element of a control where the corrections of the page are kept."""
     viewer.page.locator("summary", has_text="Layout").click()
-    partial = saved(viewer, "Save partial layout", folder / "partial.toml")
+    said = saved(viewer, "Save corrections", folder / "corrections.usda")
     again = folder / "again.rigui.usda"
-    assert main(["process", str(source), "--config", str(partial), "-o", str(again), "--quiet"]) == 0
+    assert main(["process", str(source), "--corrections", str(said), "-o", str(again), "--quiet"]) == 0
     _, after = layout_of(again)
     [kept] = [each for each in after.values() if control in [one.control for one in each.manipulator.members]]
     return kept
@@ -121,7 +121,7 @@ def test_an_element_cannot_be_dropped_where_its_control_moves_nothing(viewer):
     assert "does not move this point" in viewer.page.locator(".notice").inner_text()
     assert viewer.element("blink_L")["handle"] == pytest.approx(element["handle"])
     viewer.page.locator("summary", has_text="Layout").click()
-    assert viewer.page.get_by_role("button", name="Save partial layout").is_disabled()
+    assert viewer.page.get_by_role("button", name="Save corrections").is_disabled()
 
 
 def test_an_element_moved_off_the_face_stays_beside_it(viewer, asset, tmp_path):

@@ -1,14 +1,19 @@
 """Layouts over the life of real rigs: fixed, kept, and carried to a head of other topology."""
 
+from collections import Counter
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from laid_out_again import lay_out, read
+from rig_copies import decimated
 
+from usdrigui.layout.reuse.carrying import Today
 from usdrigui.layout.review.difference import difference
 from usdrigui.settings import load
 
+SAMPLE = Path(__file__).parents[2] / "sample_assets" / "char.usda"
 pytestmark = pytest.mark.real
 
 
@@ -33,6 +38,27 @@ def test_fixed_anchors_are_kept_exactly_and_the_rest_is_optimal_given_them(name)
             assert (now.anchor.mesh, now.anchor.point) == (element.anchor.mesh, element.anchor.point)
     assert found.status == "optimal"
     assert found.gap <= 1e-4
+
+
+@pytest.mark.parametrize("name", ["char.usda", "facecap_blender.usdc"])
+def test_with_fewer_points_nobody_moves_further_than_the_mesh_forces(name):
+    """Beyond the nearest point that there is one and a half handle widths at most, where two want that point.
+
+    But for a control with a handle on each side: these two stay mirror images of each other.
+    """
+    rig = read(SAMPLE if name == SAMPLE.name else name)
+    _, _, before = lay_out(rig)
+    inputs, _, after = lay_out(decimated(rig, 0.45), previous={rig.skel_root.path: before})
+    found = inputs.face.trajectories
+    today, width = Today(inputs.face.rig, found.surface.points, found), before.frame.handle_width
+    held = [(element, control) for element in before.elements for control in element.manipulator.controls]
+    once = Counter(control for _, control in held)
+    for element, control in ((e, c) for e, c in held if not e.anchor.on_board and once[c] == 1):
+        moved = today.points[today.moved_by_all(list(element.manipulator.controls))]
+        nearest = np.linalg.norm(moved - element.anchor.position, axis=1).min()
+        now = [e.anchor for e in after.elements if control in e.manipulator.controls and not e.anchor.on_board]
+        apart = [np.linalg.norm(each.position - element.anchor.position) for each in now]
+        assert min(apart) <= nearest + 1.5 * width, control
 
 
 def test_removing_and_adding_five_moves_fewer_than_one_in_twenty():

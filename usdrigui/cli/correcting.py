@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+from pathlib import Path
 
 from usdrigui.cli.options import settings_of
 from usdrigui.cli.outcomes import screen_of
@@ -28,27 +29,26 @@ def unpin(arguments: argparse.Namespace) -> Exit:
 
 def _pinned(arguments: argparse.Namespace, decisions: dict[str, str], reason: str) -> Exit:
     from usdrigui import pipeline
-    from usdrigui.report.documents import document
 
     layer, output = arguments.layer, arguments.output
     state = pipeline.pin(layer, decisions, output, settings_of(arguments), reason)
-    screen_of(arguments).show(
-        lambda: document("pin", layer=str(layer), output=str(output), outcome=state),
-        (),
-        f"usdrigui: {state} {output}",
-    )
-    return Exit.OK
+    return _told(arguments, "pin", output, state)
 
 
 def bake(arguments: argparse.Namespace) -> Exit:
     """Write samples from the values that are keyed on the controls of a shot."""
     from usdrigui import pipeline
+
+    state, output = pipeline.bake(arguments.layer, settings_of(arguments), arguments.output)
+    return _told(arguments, "bake", output, state)
+
+
+def _told(arguments: argparse.Namespace, command: str, output: Path, state: str) -> Exit:
     from usdrigui.report.documents import document
 
-    shot = arguments.layer
-    state, output = pipeline.bake(shot, settings_of(arguments), arguments.output)
+    layer = str(arguments.layer)
     screen_of(arguments).show(
-        lambda: document("bake", layer=str(shot), output=str(output), outcome=state),
+        lambda: document(command, layer=layer, output=str(output), outcome=state),
         (),
         f"usdrigui: {state} {output}",
     )

@@ -125,7 +125,7 @@ class Proof(Record):
     bound: float = -math.inf
     above_unary_bound: float = 0.0
     weights: tuple[tuple[str, float], ...] = ()
-    """Settings of the objective that the cost depends on, by name."""
+    """Numbers of the objective's settings, by their keys."""
     closed_by: str = ""
     """What proved the gap or kept it from that, as `Assignment.closed_by`."""
     figures: tuple[tuple[str, float], ...] = ()

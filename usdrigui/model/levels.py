@@ -3,7 +3,7 @@ the rule of `usdrigui.model.visible`."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from usdrigui.errors import refuse
@@ -20,6 +20,14 @@ def outer_first(elements: Sequence[Element]) -> tuple[Element, ...]:
     """The elements of the first level, then those of the second, each in their order."""
     inner = inner_names(elements)
     return tuple(sorted(elements, key=lambda element: element.name in inner))
+
+
+def with_levels(elements: Sequence[Element]) -> Iterator[tuple[Element, bool]]:
+    """Those of `outer_first`, each with whether one before it has a control of it."""
+    held = frozenset[str]()
+    for element in outer_first(elements):
+        yield element, not held.isdisjoint(element.manipulator.controls)
+        held |= element.manipulator.controls
 
 
 def states(elements: Sequence[Element]) -> Mapping[str, frozenset[int]]:

@@ -145,14 +145,11 @@ def requested(
 
     Raises CLIP_FOREIGN where no clip is of this character.
     """
-    configured = control_overrides(rig, settings.rig.controls)
-    overrides, pins = configured, references.pins
-    said = Pins(tuple(pin for pin in pins.pins if not pin.recorded))
-    overrides = with_pins(rig, overrides, said)
-    if references.fixed is not None:
-        whole = Today(rig, np.zeros((0, 3)), parts[0].trajectories)
-        overrides = with_pins(rig, overrides, pins_of_fixed(references.fixed, whole))
-    overrides = with_pins(rig, overrides, pins)
+    configured, pins = control_overrides(rig, settings.rig.controls), references.pins
+    fixed = () if references.fixed is None else pins_of_fixed(references.fixed, rig)
+    # What is said now is stronger than what is fixed, and that stronger than what is on record.
+    every = sorted((*pins.pins, *fixed), key=lambda pin: (pin.recorded, not pin.decisions))
+    overrides = with_pins(rig, configured, every)
     overrides = with_anchors_of_groups(rig, overrides, settings.layout.groups.groups)
     priors, twins = [], np.full(len(rig.controls), -1)
     for part in parts:

@@ -64,7 +64,7 @@ def _difference(found: Any) -> dict[str, Any]:
         "root": found.root,
         "shared": found.shared,
         "displaced": found.changed,
-        "renamed": len({each.was for each in found.renamed}),
+        "renamed": found.renamed,
         "changes": found.changes,
     }
 

@@ -1,6 +1,7 @@
 // Where tracks, handles and pins are on the screen: projected, lengthened where they are short, moved apart by the lens;
 // and what a pointer meets there.
 
+import { dot } from './camera.js';
 import { Dock } from './dock.js';
 import { alongTrack } from './elements.js';
 import { lensAt } from './spread.js';
@@ -50,7 +51,7 @@ export class Arrangement {
       });
     this.pinned = session.pins.map((pin) => project(session.shown(pin)));
     this.column = column;
-    this.leftward = Math.sign(session.character.layout.planeNormal.reduce((sum, value, axis) => sum + value * camera.right[axis], 0));
+    this.leftward = Math.sign(dot(session.character.layout.planeNormal, camera.right));
     if (this.lens) this.shift();
   }
 
@@ -143,8 +144,7 @@ export class Arrangement {
   /** True when an element on the face is seen from behind, which no depth tells where the skin is a thin sheet. */
   facesAway(element, { towards }) {
     const { occlusion } = this.session.options;
-    const facing = element.normal.reduce((sum, value, axis) => sum + value * towards[axis], 0);
-    return occlusion !== 'overlay' && !element.onBoard && facing < -0.2;
+    return occlusion !== 'overlay' && !element.onBoard && dot(element.normal, towards) < -0.2;
   }
 
   arranged(element, project, hides, width, before) {

@@ -1,6 +1,6 @@
 // The board as a strip at the edge of the view: rows of short tracks with names, in pixels, wherever the camera looks.
 
-import { OrbitCamera, dot } from './camera.js';
+import { OrbitCamera, dot, minus } from './camera.js';
 import { lastWord } from './dom.js';
 import { alongTrack } from './elements.js';
 
@@ -81,14 +81,14 @@ export class Dock {
     const tracks = element.members.map((member) => member.track);
     const origins = element.members.map((member, m) => alongTrack(member.values, tracks[m], rest[member.control]));
     // A slider lies level, whichever way it went on the face; several axes stay as they are seen from the front.
-    const long = (k) => (track) => dot(track.at(-1).map((value, axis) => value - track[0][axis]), [right, above][k]);
+    const long = (k) => (track) => dot(minus(track.at(-1), track[0]), [right, above][k]);
     const turn = element.axes.length > 1 ? 0 : Math.atan2(long(1)(tracks.at(-1)), long(0)(tracks.at(-1)));
     const [cosine, sine] = [Math.cos(turn), Math.sin(turn)];
     const flat = (point) => {
       const [x, y] = [dot(point, right), dot(point, above)];
       return [cosine * x + sine * y, sine * x - cosine * y];
     };
-    const points = tracks.flatMap((track, m) => track.map((point) => flat(point.map((value, axis) => value - origins[m][axis]))));
+    const points = tracks.flatMap((track, m) => track.map((point) => flat(minus(point, origins[m]))));
     return { points, origin: flat(origins[0]), flat, likeness: { members: element.members, tracks, origins } };
   }
 

@@ -4,6 +4,7 @@
 // (`follows`, of usdrigui/following.py).  Here it is evaluated; tests/laws/test_page_equals_usd.py holds it to what
 // UsdSkel makes of the layer.
 
+import { minus, plus, scaled } from './camera.js';
 import * as matrix from './matrix.js';
 
 export class Elements {
@@ -80,7 +81,7 @@ export class Elements {
     return element.members.map(({ control, values: knots, magnification }) =>
       knots.map((knot) => {
         const at = deformer.withControl(control, rest[control], knot, () => deformer.trace(element.tracer));
-        return at.map((value, axis) => middle[axis] + magnification * (value - middle[axis]));
+        return plus(middle, scaled(minus(at, middle), magnification));
       }),
     );
   }
@@ -111,7 +112,7 @@ export class Elements {
 
   /** Put an element on the board, its tracks moved as they are by `offset`. */
   putBeside(element, offset) {
-    const shifted = (point) => point.map((value, axis) => value + offset[axis]);
+    const shifted = (point) => plus(point, offset);
     element.position = shifted(element.position);
     for (const member of element.members) member.track = member.track.map(shifted);
     element.onBoard = true;
@@ -150,7 +151,7 @@ export function alongTrack(knots, track, value) {
 /** Factor that makes a path at least `length` long; 1 for one that is, or that does not move at all. */
 function magnificationFor(path, length) {
   let total = 0;
-  for (let k = 1; k < path.length; k++) total += Math.hypot(...path[k].map((value, axis) => value - path[k - 1][axis]));
+  for (let k = 1; k < path.length; k++) total += Math.hypot(...minus(path[k], path[k - 1]));
   return total > 0 && total < length ? length / total : 1;
 }
 

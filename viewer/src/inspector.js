@@ -337,9 +337,9 @@ export class Inspector {
     );
     const save = make('button', {
       type: 'button',
-      title: 'Download the changes as a partial layout for `usdrigui process --config`',
-      onclick: () => download(session.fileNamed('layout.toml'), view.rearranging.toml(), 'application/toml'),
-    }, 'Save partial layout');
+      title: 'Download the changes for `usdrigui process --corrections`: they hold for every later version',
+      onclick: () => download(session.fileNamed('corrections.usda'), view.rearranging.corrections(), 'text/plain'),
+    }, 'Save corrections');
     const facts = [
       `${layout.elements.length} elements, ${session.controls.length} controls`,
       layout.leftOff.length ? `${layout.leftOff.length} left off` : null,

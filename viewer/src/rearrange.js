@@ -1,8 +1,11 @@
 // Changing the layout by hand: an element is dragged to another point of the skin, or off it to stand
-// beside the face; the changes are written as the partial layout that `usdrigui process --config` reads.
+// beside the face; the changes are written as the layer of corrections that `usdrigui process --corrections` reads.
 
-import { minus } from './camera.js';
+import { dot, minus, scaled } from './camera.js';
+import { nested, number, quoted, rendered } from './usda.js';
 
+const HOLDER = '/RigUICorrections/';
+const PRIM = { type: 'def Scope', metadata: 'prepend apiSchemas = ["RigUICorrectionAPI"]' };
 const LEAST_HEAT = 3; // of 255: what a control must move a point at which its element may stand
 
 export class Rearranging {
@@ -57,8 +60,16 @@ export class Rearranging {
   anchor(element, point) {
     const [mesh, local] = this.session.meshOf(point);
     this.session.elements.reanchor(element, mesh, local, this.session.character.layout.leastTrack);
-    const path = this.session.character.meshes[mesh].path;
-    this.moved.set(element.index, { anchor: `${path}#${local}` });
+    const { meshes, metresPerUnit, up } = this.session.character;
+    const at = this.pointsAt(this.session.controls.map((control) => control.default));
+    this.moved.set(element.index, [
+      'uniform token rigUI:correction:place = "point"',
+      said('uniform point3f rigUI:correction:position', tuple(at(point))),
+      said('uniform vector3f rigUI:correction:up', tuple(up)),
+      said('uniform double rigUI:correction:metersPerUnit', number(metresPerUnit)),
+      said('rel rigUI:correction:prim', `<${meshes[mesh].path}>`),
+      said('uniform int rigUI:correction:pointIndex', local),
+    ]);
   }
 
   moveBeside(element, to) {
@@ -68,7 +79,7 @@ export class Rearranging {
     const offset = minus(camera.unproject(column, to.x, to.y, start[2]), element.handle);
     this.change(`Move ${element.label} beside the face`, [element], () => {
       this.session.elements.putBeside(element, offset);
-      this.moved.set(element.index, { place: 'board' });
+      this.moved.set(element.index, ['uniform token rigUI:correction:place = "board"']);
     });
   }
 
@@ -98,41 +109,43 @@ export class Rearranging {
 
   /** The point nearest to the mirror image of a point, at rest, on the same mesh. */
   partnerOf(point) {
-    const { character, deformer, values, rest } = this.session;
+    const { character, rest } = this.session;
     const { planeOrigin, planeNormal } = character.layout;
-    const points = Float32Array.from(deformer.pose(rest));
-    deformer.pose(values);
-    const at = Array.from(points.subarray(3 * point, 3 * point + 3));
-    const away = at.reduce((sum, value, axis) => sum + (value - planeOrigin[axis]) * planeNormal[axis], 0);
-    const image = at.map((value, axis) => value - 2 * away * planeNormal[axis]);
-    const mesh = character.meshes[this.session.meshOf(point)[0]];
+    const at = this.pointsAt(rest);
+    const image = minus(at(point), scaled(planeNormal, 2 * dot(minus(at(point), planeOrigin), planeNormal)));
+    const { start, count } = character.meshes[this.session.meshOf(point)[0]];
     let best = [Infinity, point];
-    for (let other = mesh.start; other < mesh.start + mesh.count; other++) {
-      const off = [0, 1, 2].reduce((sum, axis) => sum + (points[3 * other + axis] - image[axis]) ** 2, 0);
-      if (off < best[0]) best = [off, other];
+    for (let other = start; other < start + count; other++) {
+      const off = minus(at(other), image);
+      if (dot(off, off) < best[0]) best = [dot(off, off), other];
     }
     return best[1];
   }
 
-  /** The partial layout as TOML: one table for each control of the moved elements. */
-  toml() {
-    const lines = [
-      '# Partial layout. Add these tables to CHAR.rigui.toml beside the character; a table that is there',
-      '# already gets the line. Without such a file: usdrigui process CHAR --config THIS_FILE',
-      '',
-    ];
-    const tables = [];
-    for (const [index, entry] of this.moved) {
-      for (const { control } of this.session.elements.list[index].members) {
-        const [key, value] = Object.entries(entry)[0];
-        const name = this.session.controls[control].name;
-        tables.push({ name, text: `[controls.${quoted(name)}]\n${key} = ${quoted(value)}\n` });
+  /** Every point's position at some values of the controls. */
+  pointsAt(rest) {
+    const { deformer, values } = this.session;
+    const points = Float32Array.from(deformer.pose(rest));
+    deformer.pose(values);
+    return (point) => points.subarray(3 * point, 3 * point + 3);
+  }
+
+  /** What was moved as a layer of corrections: a prim for each control of the moved elements. */
+  corrections() {
+    const { character, controls, elements } = this.session;
+    const prims = new Map();
+    prims.set(character.root + HOLDER, { ...PRIM, metadata: '' });
+    for (const [index, lines] of this.moved) {
+      for (const { control } of elements.list[index].members) {
+        const { name } = controls[control];
+        let path = character.root + HOLDER + name.replace(/\W|^(?=\d)/g, '_');
+        while (prims.has(path)) path += '_';
+        prims.set(path, { ...PRIM, lines: [said('uniform string rigUI:correction:control', quoted(name)), ...lines] });
       }
     }
-    tables.sort((a, b) => (a.name < b.name ? -1 : 1));
-    return lines.concat(tables.map(({ text }) => text)).join('\n');
+    return ['#usda 1.0', '', ...rendered(nested(prims)), ''].join('\n');
   }
 }
 
-/** A TOML basic string: JSON's escapes are a subset of TOML's. */
-const quoted = (text) => JSON.stringify(text).replaceAll('\u007f', '\\u007F');
+const tuple = (values) => `(${[...values].map(number).join(', ')})`;
+const said = (property, value) => `${property} = ${value}`;

@@ -1,6 +1,6 @@
 // The viewport: one or more columns showing the character, and the loop that keeps them up to date.
 
-import { OrbitCamera } from './camera.js';
+import { OrbitCamera, dot } from './camera.js';
 import { beginDrag } from './drag.js';
 import { Gestures } from './gestures.js';
 import { Onion } from './onion.js';
@@ -345,7 +345,7 @@ export class View {
   /** Say on which side of the picture the character's left and right are, from any view. */
   nameSides() {
     const normal = this.session.character.layout.planeNormal;
-    const across = normal.reduce((sum, value, axis) => sum + value * this.camera.right[axis], 0);
+    const across = dot(normal, this.camera.right);
     const names = Math.abs(across) < 0.25 ? [null, null] : across > 0 ? ['right', 'left'] : ['left', 'right'];
     this.sides.forEach((node, i) => {
       const name = names[i];

@@ -11,7 +11,7 @@ export function workOf(session) {
   const { frame, neutral, own: values, controls, elements, moved, locks, shelf, notes, received, sound, span } = session;
   const from = neutral ? session.rest : session.given;
   const changed = [...values.keys()].filter((index) => values[index] !== from[index]);
-  if (!session.keys.size && !session.constants.size && !changed.length && !moved.size && !locks.size && !shelf.length && !sound && !span && !isReviewed(session)) return null;
+  if (!session.keys.size && !session.constants.size && !changed.length && !span && isBare(session)) return null;
   return {
     frame,
     neutral,
@@ -27,11 +27,10 @@ export function workOf(session) {
 }
 
 /** Whether keys and constant values say all of a session's work. */
-export const isAllKeys = (session) =>
-  !session.unkeyed().length && !session.moved.size && !session.locks.size && !session.shelf.length && !session.sound && !isReviewed(session);
+export const isAllKeys = (session) => !session.unkeyed().length && isBare(session);
 
-/** Whether notes are other than those that came with the page. */
-const isReviewed = ({ notes, arrived }) => notes !== arrived;
+/** Whether there is nothing but values. */
+const isBare = ({ moved, locks, shelf, sound, notes, arrived }) => !moved.size && !locks.size && !shelf.length && !sound && notes === arrived;
 
 /** Take up work in a session, as one undoable step; what the character does not have is left out. */
 export function resume(session, work) {
@@ -41,7 +40,7 @@ export function resume(session, work) {
   session.locks = new Set(controls.flatMap(({ name }, index) => (work.locks?.includes(name) ? [index] : [])));
   for (const [name, entry, placement] of work.moved ?? []) {
     const element = elements.list.find((each) => each.name === name && each.members.length === placement.members.length);
-    if (!element) continue;
+    if (!element || !Array.isArray(entry)) continue; // those of older pages are none
     elements.restore(element, placement);
     session.moved.set(element.index, entry);
   }

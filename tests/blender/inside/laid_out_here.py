@@ -9,6 +9,8 @@ task = job()
 meshes = native.build(task["source"], task["scene"])
 enabled(task["python"])
 from usdrigui_controls.character import Character, holders  # noqa: E402
+from usdrigui_controls.gizmos import Hand  # noqa: E402
+from usdrigui_controls.inbetweens import key_offsets  # noqa: E402
 
 found = {}
 bpy.ops.wm.save_as_mainfile(filepath=task["result"] + ".blend")
@@ -26,7 +28,16 @@ character.set_values(values)
 read = character.values()
 found["worst"] = max(abs(read[name] - value) for name, value in values.items())
 character.set_values({name: character.controls[name].base for name in values})
+pinned = next(each for each in character.layout.elements if each.mesh and len(each.members) == 1)
+mesh, (shape, *_) = character.meshes[pinned.mesh], character.controls[pinned.members[0].control].shapes
+moved = np.linalg.norm(key_offsets(mesh, character.shape_key(pinned.mesh, shape.token)), axis=1)
+vertex = int(np.flatnonzero(moved >= 0.6 * moved.max())[-1])
+mesh.data.vertices.foreach_set("select", [i == vertex for i in range(len(moved))])
+Hand.active = (holder.name, pinned.name)
+assert bpy.ops.usdrigui.pin() == {"FINISHED"}
 assert bpy.ops.usdrigui.lay_out() == {"FINISHED"}
+now = Character(holder).layout.element(pinned.name)
+found["pinned"] = now.mesh == pinned.mesh and now.point == vertex != pinned.point
 again = {element.name: (element.mesh, element.point) for element in Character(holder).layout.elements}
 found["kept"] = sum(places[name] == again.get(name) for name in places) / len(places)
 bpy.ops.usdrigui.remove_layout()

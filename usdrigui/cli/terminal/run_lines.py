@@ -72,8 +72,7 @@ def matching_lines(which: str, found: Matching) -> Iterator[str]:
 def change_lines(found: Difference) -> Iterator[Printed]:
     """How many controls of a character changed, and each that did."""
     went = sum(change.kind in ("added", "removed") for change in found.changes)
-    renamed = len({each.was for each in found.renamed})
-    more = f", {renamed} were renamed" if renamed else ""
+    more = f", {found.renamed} were renamed" if found.renamed else ""
     yield (
         f"{found.root}: {found.changed} of {found.shared} common controls changed, {went} came or"
         f" went{more}"

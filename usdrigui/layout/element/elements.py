@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import fields, replace
+from dataclasses import asdict, replace
 
 import numpy as np
 
@@ -27,7 +27,6 @@ from usdrigui.model import (
     Layout,
     LayoutCharacter,
     LayoutFrame,
-    LayoutProblem,
     Look,
     Manipulator,
     Member,
@@ -66,8 +65,9 @@ def layout(
         else:
             elements.extend(_on_face(known, group, choice, int(label)))
     elements.extend(board_elements(face, board, requests, settings.output.adapt))
-    weights = _weights(
-        placement.problem, face.trajectories.typical_length, settings.layout.objective.samples
+    asked = asdict(settings.layout.objective).items()
+    weights = tuple(
+        (f"objective.{k}", float(f"{v:.7g}")) for k, v in asked if isinstance(v, (int, float))
     )
     root = face.rig.skel_root
     return Layout(
@@ -121,21 +121,6 @@ def names_of_copies(rig: Rig, group: Group, choice: Choice) -> list[str]:
         # The same controls on both sides: a double element in the middle.
         names = [name + ("_mirror" if copy else "") for copy, name in enumerate(names)]
     return names
-
-
-def _weights(
-    problem: LayoutProblem, typical_length: float, samples: int
-) -> tuple[tuple[str, float], ...]:
-    overlap = {
-        each.name: float(getattr(problem.overlap, each.name)) for each in fields(problem.overlap)
-    }
-    return (
-        ("displacement_weight", problem.unit_cost),
-        *((f"overlap_{name}", value) for name, value in overlap.items() if name != "samples"),
-        ("separation", problem.separation),
-        ("typical_length", typical_length),
-        ("samples", float(samples)),
-    )
 
 
 def _on_face(known: Measured, group: Group, choice: Choice, label: int) -> list[Element]:

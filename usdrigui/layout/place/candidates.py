@@ -14,6 +14,7 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.motion.tracks import polylines
 from usdrigui.layout.place.locality import kept_near, proxies
 from usdrigui.layout.place.terms import LinearTerms, linear_cost
+from usdrigui.layout.reuse.carrying import MOVES
 from usdrigui.layout.reuse.partial_layout import fixed_anchor, moves
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.lobes import in_the_middle
@@ -30,6 +31,8 @@ place."""
 _OWN_IN_THE_MIDDLE = 0.45
 """Share of the most that it owns anywhere that a joint owns in the middle, at least, if its handle
 is to stand there."""
+_THERE = 1e-3
+"""Handle widths within which a point is an earlier place."""
 _NOTABLE = 1.0 / 3.0
 """Share of its visible peak that a control must reach in the region where it is expected for that
 to hold."""
@@ -150,25 +153,26 @@ def _places(
         sources = np.repeat(peak, len(points))
     else:
         points = sources = _moving_places(face, motion, requests, settings, samples)
-    return _with_prior(motion, requests, points, sources)
+    return _with_prior(face, motion, requests, (points, sources))
 
 
 def _with_prior(
-    motion: Motion, requests: Requests, points: Indices, sources: Indices
+    face: Face, motion: Motion, requests: Requests, places: tuple[Indices, Indices]
 ) -> tuple[Indices, Indices]:
-    """The places with the one of the earlier layout: pruning must not drive an element away from
-    it."""
-    place = requests.prior.places.get(motion.control)
+    """The places, points and sources, with the one of the earlier layout: pruning must not drive an
+    element away from it.  Where no point is there any more, with all within a handle's width of the
+    nearest, as others may want that one."""
+    place, (points, sources) = requests.prior.places.get(motion.control), places
     own = np.array_equal(points, sources)
-    if (
-        place is None
-        or place.on_board
-        or not own
-        or place.point not in motion.points
-        or place.point in points
-    ):
-        return points, sources
-    points = np.sort(np.append(points, place.point))
+    if place is None or place.on_board or not own or place.point not in motion.points:
+        return places
+    apart = np.linalg.norm(face.trajectories.surface.points[motion.points] - place.position, axis=1)
+    here = motion.points == place.point
+    if float(apart[here][0]) > _THERE * face.handle_width:
+        reach = float(apart[here][0]) + face.handle_width
+        far = motion.arc_length >= MOVES * motion.peak
+        here |= far & (apart <= reach) & face.views.anywhere[motion.points]
+    points = np.union1d(points, motion.points[here])
     return points, points
 
 

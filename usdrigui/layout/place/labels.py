@@ -8,7 +8,7 @@ instead.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -23,9 +23,12 @@ from usdrigui.layout.motion.tracks import (
     resampled,
 )
 from usdrigui.layout.place.terms import LinearTerms, displacement_unit, linear_cost, off_plane
+from usdrigui.layout.reuse.prior_layout import PriorLayout
+from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.orbits import orbit_points
 from usdrigui.model import CandidateSet, Choice, Group, Motion
-from usdrigui.settings import ControlSettings, SymmetrySettings
+from usdrigui.settings import SymmetrySettings
+from usdrigui.ties import first_smallest
 
 
 def labels_of(
@@ -33,7 +36,7 @@ def labels_of(
     sets: Mapping[int, CandidateSet],
     groups: tuple[Group, ...],
     index: int,
-    overrides: Sequence[ControlSettings],
+    requests: Requests,
     mirror: SymmetrySettings,
     terms: LinearTerms,
     displacement_weight: float,
@@ -48,10 +51,14 @@ def labels_of(
     if group.doubled:
         sets = {control: _on_both_sides(face, sets[control], terms) for control in group.controls}
     choice = _with_copies(face, group, index, sets[group.controls[0]], mirror.tolerance)
+    if group.mirror and not group.doubled and requests.prior.stood_on_face(group.controls):
+        choice = _with_earlier_pairs(face, sets, choice, requests.prior)
     cost, displacement = np.zeros(len(choice.anchors)), np.zeros(len(choice.anchors))
     for copy, controls in enumerate(choice.controls):
         worst, least = np.full(len(cost), -np.inf), np.full(len(cost), np.inf)
-        importance = max(_importance(overrides[control].importance) for control in controls)
+        importance = max(
+            _importance(requests.overrides[control].importance) for control in controls
+        )
         worth = displacement_weight * importance
         for control in controls:
             motion = face.trajectories.motions[sets[control].motion]
@@ -162,6 +169,30 @@ def _with_copies(
         # The mirror image of a label of a doubled element is the same layout.
         kept &= face.symmetry.plane.distance(face.trajectories.surface.points[anchors[:, 0]]) >= 0.0
     return Choice(index, group.copies, anchors[kept], sources[kept])
+
+
+def _with_earlier_pairs(
+    face: Face, sets: Mapping[int, CandidateSet], choice: Choice, prior: PriorLayout
+) -> Choice:
+    """The choice of a pair with its earlier places, and with places within a handle's width of them
+    that have no mirror image: another topology may leave none there."""
+    places = [prior.places.get(controls[0]) for controls in choice.controls]
+    first, *others = (place for place in places if place is not None)
+    if len(places) != 1 + len(others) or min(place.point for place in (first, *others)) < 0:
+        return choice
+    base = face.trajectories.surface.points
+    mine, theirs = (sets[controls[0]].points for controls in choice.controls)
+    lone = np.setdiff1d(mine, choice.anchors[:, 0])
+    apart = np.linalg.norm(base[[first.point, *lone]] - first.position, axis=1)
+    lone = lone[apart[1:] <= apart[0] + face.handle_width]
+    images = face.symmetry.plane.reflected(base[lone])
+    nearest = [first_smallest(np.linalg.norm(base[theirs] - image, axis=1)) for image in images]
+    rows = [(first.point, others[0].point), *zip(lone, theirs[nearest], strict=True)]
+    added = np.array([row for row in rows if row not in set(map(tuple, choice.anchors.tolist()))])
+    if not len(added):
+        return choice
+    anchors, sources = (np.vstack([each, added]) for each in (choice.anchors, choice.sources))
+    return replace(choice, anchors=anchors, sources=sources)
 
 
 def _images(face: Face, group: Group, points: Indices, tolerance: float) -> Indices:

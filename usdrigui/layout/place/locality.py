@@ -3,8 +3,6 @@ section 6)."""
 
 from __future__ import annotations
 
-import re
-
 import numpy as np
 from scipy.spatial import cKDTree
 
@@ -12,7 +10,7 @@ from usdrigui.character import Flags, Floats, Indices, Joint, Rig
 from usdrigui.character.surface import mesh_triangles, surface_distances
 from usdrigui.errors import listed, meant, refuse
 from usdrigui.layout.face import Face
-from usdrigui.layout.reuse.partial_layout import MIRROR, point_index
+from usdrigui.layout.reuse.partial_layout import MIRROR, anchored_point
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.ties import first_smallest
 
@@ -84,8 +82,8 @@ def _distances(face: Face, where: str, near: str) -> Floats:
 
 def _named_points(rig: Rig, where: str, near: str) -> Indices:
     body = rig.body
-    if match := re.fullmatch(r"(.+)\.point\[(\d+)\]", near):
-        return np.array([point_index(rig, where, match[1], int(match[2]))])
+    if "#" in near:
+        return np.array([anchored_point(rig, where, near)])
     for start, mesh in zip(body.starts, body.meshes, strict=False):
         if mesh.path == near:
             return np.arange(start, start + len(mesh.points))
@@ -99,7 +97,7 @@ def _named_points(rig: Rig, where: str, near: str) -> Indices:
     raise refuse(
         "CONFIG_VALUE",
         where,
-        f"{near!r} is not a joint:NAME, mesh, GeomSubset or MESH.point[i] of "
+        f"{near!r} is not a joint:NAME, mesh, GeomSubset or MESH#POINT of "
         f"{rig.skel_root.path}{like}",
     )
 

@@ -115,7 +115,7 @@ def penalties_of_leaving(face: Face, requests: Requests, choice: Choice) -> tupl
         # A doubled element has one earlier place, that of its first copy.
         anchors = choice.anchors[:, copies.index(set(controls))]
         stay += leaving_penalties(prior, controls, anchors, base, face.handle_width)
-        leave += prior.penalty * prior.stood_on_face(controls)
+        leave += prior.leaving_penalty * prior.stood_on_face(controls)
     return stay, leave
 
 
@@ -206,7 +206,7 @@ def _variable(
             used,
             groups,
             index,
-            requests.overrides,
+            requests,
             costs.settings.character.symmetry,
             costs.terms,
             objective.displacement_weight,

@@ -38,15 +38,15 @@ class Today(Record):
             found = np.intersect1d(found, far)
         return found
 
-    def index_of(self, hint: Anchor | Correction) -> int:
-        """The point that an anchor names, or the one of this mesh and number; -1 where the mesh is
-        gone or is known to have other points or faces."""
-        meshes = zip(self.rig.body.starts.tolist(), self.rig.body.meshes, strict=False)
-        for start, mesh in meshes:
-            if mesh.path == hint.mesh and 0 <= hint.point < len(mesh.points):
-                fits = isinstance(hint, Correction) or hint.fits(mesh.topology.hash)
-                return start + hint.point if fits else -1
-        return -1
+
+def point_named(rig: Rig, hint: Anchor | Correction) -> int:
+    """The point that an anchor names, or the one of this mesh and number; -1 where the mesh is gone
+    or is known to have other points or faces."""
+    for start, mesh in zip(rig.body.starts.tolist(), rig.body.meshes, strict=False):
+        if mesh.path == hint.mesh and 0 <= hint.point < len(mesh.points):
+            fits = isinstance(hint, Correction) or hint.fits(mesh.topology.hash)
+            return start + hint.point if fits else -1
+    return -1
 
 
 def carried(
@@ -60,7 +60,7 @@ def carried(
     That is the point that an anchor names, if the mesh is the same, else the nearest that all the
     controls move; of several as near the one that a correction names.  -1 where there is none.
     """
-    moved, same = today.moved_by_all(controls), today.index_of(hint)
+    moved, same = today.moved_by_all(controls), point_named(today.rig, hint)
     if isinstance(hint, Anchor) and same >= 0 and same in moved:
         return same, 0.0
     if not len(moved) or not np.isfinite(position).all():

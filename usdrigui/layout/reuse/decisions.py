@@ -11,7 +11,7 @@ from usdrigui.character import Floats, Rig
 from usdrigui.layout.reuse.carrying import ONE_PLACE
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import Decision, Element, Layout
-from usdrigui.model.levels import outer_first
+from usdrigui.model.levels import with_levels
 
 
 def with_decisions(layout: Layout, rig: Rig, rest: Floats, requests: Requests) -> Layout:
@@ -20,11 +20,8 @@ def with_decisions(layout: Layout, rig: Rig, rest: Floats, requests: Requests) -
     index = rig.control_indices
     decided = {element.name: _configured(element, index, requests) for element in layout.elements}
     before: dict[str, tuple[float, float, float]] = {}
-    held: set[str] = set()
-    for element in outer_first(layout.elements):
+    for element, inner in with_levels(layout.elements):
         controls = element.manipulator.controls
-        inner = bool(held & controls)
-        held |= controls
         for pin in requests.pins.pins:
             if pin.inner == inner and not controls.isdisjoint(pin.controls):
                 here = element.anchor.place == (pin.anchor or "board")

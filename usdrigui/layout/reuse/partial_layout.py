@@ -28,18 +28,7 @@ def anchored_point(rig: Rig, where: str, anchor: str) -> int | None:
     path, mark, number = anchor.rpartition("#")
     if not mark or not number.isdecimal():
         raise refuse("CONFIG_VALUE", where, f"{anchor!r} is not MESH_PATH#POINT")
-    return point_index(rig, where, path, int(number))
-
-
-def place_of(body: Body, point: int) -> str:
-    """``MESH_PATH#POINT`` of a point among all points of the rig."""
-    mesh, local = body.mesh_of(point)
-    return f"{body.meshes[mesh].path}#{local}"
-
-
-def point_index(rig: Rig, where: str, path: str, local: int) -> int:
-    """Index into all points of the rig of a point of one mesh; raises CONFIG_VALUE for `where` if
-    there is none."""
+    local = int(number)
     for start, mesh in zip(rig.body.starts, rig.body.meshes, strict=False):
         if mesh.path == path and local < len(mesh.points):
             return int(start + local)
@@ -50,6 +39,12 @@ def point_index(rig: Rig, where: str, path: str, local: int) -> int:
         else f"{rig.skel_root.path} has no mesh {path!r}{meant(path, counts)}"
     )
     raise refuse("CONFIG_VALUE", where, what)
+
+
+def place_of(body: Body, point: int) -> str:
+    """``MESH_PATH#POINT`` of a point among all points of the rig."""
+    mesh, local = body.mesh_of(point)
+    return f"{body.meshes[mesh].path}#{local}"
 
 
 def moves(points: Indices, name: str, override: ControlSettings, point: int) -> bool:

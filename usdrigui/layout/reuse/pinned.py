@@ -7,7 +7,7 @@ and says so where that is not near.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -16,11 +16,19 @@ import numpy as np
 from usdrigui.character import Rig
 from usdrigui.character.deform import posed
 from usdrigui.errors import Issue, RigUIError, issue, refuse
-from usdrigui.layout.reuse.carrying import MOVES, ONE_PLACE, Today, carried
+from usdrigui.layout.reuse.carrying import MOVES, ONE_PLACE, Today, carried, point_named
 from usdrigui.layout.reuse.other_world import turn_between
 from usdrigui.layout.reuse.partial_layout import MIRROR, fixed_anchor, place_of
-from usdrigui.model import Anchor, Correction, Decision, Element, Layout, Symmetry, Trajectories
-from usdrigui.model.levels import outer_first
+from usdrigui.model import (
+    Anchor,
+    Correction,
+    Decision,
+    Element,
+    Layout,
+    Symmetry,
+    Trajectories,
+)
+from usdrigui.model.levels import with_levels
 from usdrigui.settings import ControlSettings
 from usdrigui.ties import first_smallest
 
@@ -75,22 +83,20 @@ def pins_of(layout: Layout, today: Today, corrections: Sequence[Correction] = ()
     """The pins of an earlier layout of a character, by its names of today, of whose points at rest
     `today` tells; but for those that corrections replace or take back.
 
-    Controls that are gone leave their decisions to the others of the element; where none is left,
-    they are told as lost.
+    Controls that are gone leave their decisions to the others of the element, and are told as lost.
     """
     pins, issues = [], []
-    held: set[str] = set()
     names = today.rig.control_names
     free = _freed(layout, frozenset(each.control for each in corrections if each.place))
-    for element in outer_first(layout.elements):
+    for element, inner in with_levels(layout.elements):
         placement, on_board = element.placement, element.anchor.on_board
-        known = tuple(m.control for m in element.manipulator.members if m.control in names)
-        inner = bool(held & set(known))
-        held |= set(known)
+        every = [m.control for m in element.manipulator.members]
+        known = tuple(name for name in every if name in names)
         if not placement.pinned or not free.isdisjoint(known):
             continue
+        gone = "is gone, and no control is surely it by another name"
+        issues += [issue("PIN_LOST", name, gone) for name in every if name not in names]
         if not known:
-            issues.append(issue("PIN_LOST", element.name, "its controls are gone"))
             continue
         pin = Pin(element.name, known, placement.pinned, position=placement.pinned_position)
         if "anchor" in placement.pinned and not on_board:
@@ -135,30 +141,28 @@ def _freed(layout: Layout, corrected: frozenset[str]) -> frozenset[str]:
     return frozenset(found)
 
 
-def pins_of_fixed(layout: Layout, today: Today) -> Pins:
+def pins_of_fixed(layout: Layout, rig: Rig) -> list[Pin]:
     """Every place of a layout that is kept to the point.
 
     Raises FIXED_IMPOSSIBLE where it was made for other points, CONFIG_UNKNOWN_CONTROL where it has
     a control that the rig lacks.
     """
-    rig, pins, held = today.rig, [], set[str]()
-    for element in outer_first(layout.elements):
+    pins = []
+    for element, inner in with_levels(layout.elements):
         names, anchor = tuple(m.control for m in element.manipulator.members), element.anchor
         if unknown := [name for name in names if name not in rig.control_names]:
             where = f"{layout.character.root} element {element.name}"
             what = f"{rig.skel_root.path} has no control {unknown[0]!r}"
             raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
-        inner = bool(held & set(names))
-        held |= set(names)
         if anchor.on_board:
             pins.append(Pin(element.name, names, (), place="board", inner=inner))
             continue
-        point = today.index_of(anchor)
+        point = point_named(rig, anchor)
         if point < 0:
             change = "is gone, or has other points or faces by now"
             raise refuse("FIXED_IMPOSSIBLE", element.name, f"its mesh {anchor.mesh} {change}")
         pins.append(Pin(element.name, names, (), place_of(rig.body, point), inner=inner))
-    return Pins(tuple(pins))
+    return pins
 
 
 def pins_of_corrections(
@@ -171,8 +175,8 @@ def pins_of_corrections(
     pins, issues = [], []
     for each in corrections:
         pin = Pin(each.control, (each.control,), ("place",))
-        if each.place in ("board", "face"):
-            pins.append(replace(pin, place="board" if each.place == "board" else "face"))
+        if each.place == "board" or each.place == "face":
+            pins.append(replace(pin, place=each.place))
         elif each.place == "point":
             scale = each.unit / unit if each.unit and unit else 1.0
             turn = turn_between(np.array(each.up), today.rig.skel_root.up)
@@ -202,13 +206,13 @@ def _at_point(
 
 
 def with_pins(
-    rig: Rig, overrides: Sequence[ControlSettings], pins: Pins
+    rig: Rig, overrides: Sequence[ControlSettings], pins: Iterable[Pin]
 ) -> tuple[ControlSettings, ...]:
-    """(controls,) the `overrides` with what the pins fix; what the configuration says itself is
-    stronger."""
+    """(controls,) the `overrides` with what the pins fix; what the configuration says itself, and
+    what an earlier pin fixes, is stronger."""
     index = rig.control_indices
     found = list(overrides)
-    for pin in pins.pins:
+    for pin in pins:
         for control in (index[name] for name in pin.controls):
             override = found[control]
             if pin.inner:

@@ -34,6 +34,10 @@ class KeptGroup:
     """Whether it had a handle on either side of the middle."""
 
 
+_FAR = 8.0
+"""Handle widths that a control goes at most, rather than to leave the face."""
+
+
 class Place(Record):
     """The earlier place of a control."""
 
@@ -62,6 +66,11 @@ class PriorLayout(Record):
     cutoff_distance: float = 0.0
     """Distance at which the full penalty is due, in handle widths; 0 asks it of every other
     point, and more of those beyond a handle's width."""
+
+    @property
+    def leaving_penalty(self) -> float:
+        """Cost of leaving the face, per copy: what an earlier place costs so far away."""
+        return self.penalty * (1.0 if self.cutoff_distance else _FAR**2)
 
     def stood_on_face(self, controls: Sequence[int]) -> bool:
         """Whether any of these controls had its place on the face."""
@@ -163,8 +172,8 @@ def leaving_penalties(
 def _penalty_share(
     prior: PriorLayout, place: Place, anchors: Indices, base: Floats, width: float
 ) -> Floats:
-    """(R,) share of the penalty: 0 at the earlier place, 1 within a handle's width of it, and in
-    proportion to the distance beyond; at most 1 where there is a cutoff."""
+    """(R,) share of the penalty: 0 at the earlier place, 1 within a handle's width of it, its
+    distance squared beyond; in proportion to it and at most 1 where there is a cutoff."""
     if place.on_board or not len(anchors):
         return np.ones(len(anchors))
     if prior.cutoff_distance > 0.0:
@@ -179,7 +188,7 @@ def _penalty_share(
         # stands for it.
         here[first_smallest(apart)] = True
     # Further than a handle's width from the nearest place that it may keep, it is another place.
-    return np.where(here, 0.0, np.maximum(1.0, apart - apart[here].min()))
+    return np.where(here, 0.0, np.maximum(1.0, np.square(apart - apart[here].min())))
 
 
 def _places(layout: Layout, today: Today) -> tuple[dict[int, Place], dict[int, Place]]:

@@ -135,15 +135,10 @@ def _landmarks(
 ) -> tuple[Floats, Floats]:
     """(k, 3) landmarks of the shared controls, on their face and on ours."""
     here, there = _marks(*ours), _marks(*theirs)
-    kept = [
-        (marks, here[names.get(name, name)])
-        for name, marks in there.items()
-        if names.get(name, name) in here
-    ]
-    return (
-        np.array([pair[0] for pair in kept]).reshape(-1, 3),
-        np.array([pair[1] for pair in kept]).reshape(-1, 3),
-    )
+    named = ((names.get(name, name), marks) for name, marks in there.items())
+    kept = np.array([(marks, here[name]) for name, marks in named if name in here])
+    source, target = kept.reshape(-1, 2, 2, 3).swapaxes(0, 1)
+    return source.reshape(-1, 3), target.reshape(-1, 3)
 
 
 def _marks(rig: Rig, trajectories: Trajectories) -> dict[str, Floats]:

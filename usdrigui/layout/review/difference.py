@@ -64,9 +64,9 @@ class Difference:
         )
 
     @property
-    def renamed(self) -> tuple[Change, ...]:
-        """Changes of controls that have another name now, whether or not they moved."""
-        return tuple(change for change in self.changes if change.was)
+    def renamed(self) -> int:
+        """How many controls have another name now, whether or not they moved."""
+        return len({change.was for change in self.changes if change.was})
 
 
 @dataclass(frozen=True, slots=True)
@@ -219,29 +219,14 @@ def _with_cause(change: Change, every: Sequence[Change], layouts: tuple[Layout, 
     """The change with the reason from what else differs, where its own circumstances tell none."""
     if change.why or change.kind in ("added", "removed", "renamed"):
         return change
-    one, other = (_settings(layout) for layout in layouts)
-    settings = sorted(
-        name
-        for name in one.keys() & other.keys()
-        if abs(one[name] - other[name]) > _STILL * max(abs(one[name]), abs(other[name]))
-    )
+    one, other = (dict(layout.proof.weights) for layout in layouts)
+    settings = sorted(name for name in one.keys() & other.keys() if one[name] != other[name])
     if settings:
         return replace(change, why=(f"made with other settings: {listed(settings)}",))
     others = sorted({each.control for each in every if each.control != change.control})
     if others:
         return replace(change, why=(f"makes room, as {listed(others)} changed",))
     return replace(change, why=("no reason recorded: made with another motion or version",))
-
-
-def _settings(layout: Layout) -> dict[str, float]:
-    """The settings that a layout was made with: lengths in handle widths, without what follows
-    from the character."""
-    width = layout.frame.handle_width
-    found = dict(layout.proof.weights)
-    for name in ("overlap_handle_width", "typical_length", "separation"):
-        found.pop(name, None)
-    lengths = ("radius", "cutoff_distance")
-    return {k: v / width if k.endswith(lengths) and width > 0.0 else v for k, v in found.items()}
 
 
 def _handles(elements: tuple[Element, ...], control: str) -> int:

@@ -52,7 +52,7 @@ def test_a_joint_whose_skin_hangs_on_a_twist_joint_stands_along_its_own_bone():
 
 def test_near_asks_before_pruning_does():
     """Skin of the first bone near its joint hardly moves: pruning would leave none of it."""
-    near = {"near": "/Root/mesh.point[12]", "within": 0.1}
+    near = {"near": "/Root/mesh#12", "within": 0.1}
     found = candidates(limbs.chain_rig(3), controls={"j0:rz": near, "j0:rx": near})
     for name in ("j0:rz", "j0:rx"):
         size = np.ptp(limbs.chain_rig(3).body.meshes[0].points[:, 1])

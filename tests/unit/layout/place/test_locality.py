@@ -22,9 +22,9 @@ def test_a_hidden_control_may_stand_at_a_visible_proxy():
     assert near.max() < 0.8
 
 
-@pytest.mark.parametrize("near", ["/Root/mesh.point[700]", "/Root/mesh.point[0]"])
+@pytest.mark.parametrize("near", ["/Root/mesh#700", "/Root/mesh#0"])
 def test_locality_keeps_candidates_near_or_takes_the_nearest(near):
-    point = int(near.split("[")[1][:-1])
+    point = int(near.split("#")[1])
     line = chain.with_candidates(makers.face(), chain.settings(controls={"jawLeft": {"near": near, "within": 0.1}}))
     found, free = chain.set_of(line, "jawLeft"), chain.chosen(makers.face())("jawLeft")
     moved = line.face.trajectories.motions[found.motion].points
@@ -38,13 +38,13 @@ def test_a_control_kept_near_one_lip_does_not_cross_the_gap_to_the_other():
     columns, lower, upper = 33, 11, 12
     faces = [quad for quad in QUADS if not (quad[0] // columns == lower and 6 <= quad[0] % columns < 26)]
     rig = makers.rig(POINTS, faces, {**SHAPES, "lips": makers.bump(POINTS, (0.0, -0.43), (0, 1, 0))})
-    near = {"near": f"/Root/mesh.point[{upper * columns + 16}]", "within": 0.1}
+    near = {"near": f"/Root/mesh#{upper * columns + 16}", "within": 0.1}
     found = chain.chosen(rig, controls={"lips": near})("lips")
     assert len(found.points) > 3
     assert (found.points >= upper * columns).all()
 
 
-@pytest.mark.parametrize("near", ["joint:nobody", "/no/mesh", "/Root/mesh.point[99999]"])
+@pytest.mark.parametrize("near", ["joint:nobody", "/no/mesh", "/Root/mesh#99999"])
 def test_locality_refuses_what_is_not_there(near):
     with pytest.raises(RigUIError) as refused:
         chain.chosen(makers.face(), controls={"chin": {"near": near}})

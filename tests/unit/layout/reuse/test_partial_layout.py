@@ -34,7 +34,7 @@ def test_fixed_anchors_stay_and_fix_the_twin_unless_set_otherwise(said, mirrored
 
 def test_a_place_near_which_one_twin_stays_is_mirrored_for_the_other():
     place = int(np.argmin(np.linalg.norm(POINTS[:, :2] - [-0.2, 0.45], axis=1)))
-    near = {"near": f"/Root/mesh.point[{place}]", "within": 0.05}
+    near = {"near": f"/Root/mesh#{place}", "within": 0.05}
     elements = chain.by_name(chain.lay_out(makers.face(), chain.settings(controls={"brow_R": near})))
     for name, side in (("brow_R", -1), ("brow_L", 1)):
         assert np.linalg.norm(elements[name].anchor.position[:2] - [side * 0.2, 0.45]) < 0.12, name

@@ -1,4 +1,4 @@
-"""Decisions of a person hold: through ten versions of a rig, on the other side, and against the opinion of `check`."""
+"""Decisions of a person hold: through versions of a rig, on the other side, and against the opinion of `check`."""
 
 from dataclasses import replace
 
@@ -56,25 +56,16 @@ def another_mesh(columns, rows):
 
 
 def versions():
-    """Ten versions of the rig, one after the other, and the names of its controls by the first ones."""
+    """Versions of the rig, one after the other, and the names of its controls by the first ones."""
     face = makers.face()
     respelt, names = renamed(face, spelt_otherwise)
     named = {name: name for name in names}
-    points, quads = makers.mask()
-    ears = makers.bump(points, (0.7, 0.2), (1.0, 0.0, 0.0), 0.1)
     yield without(face, "blink_L", "blink_R"), named
-    yield makers.rig(points, quads, {**makers.face_shapes(points), "ears": ears}), named
-    yield resculpted(face, 1), named
-    yield reordered(face, 2), named
     yield another_mesh(81, 101), named
-    yield another_mesh(89, 111), named
-    yield face, named
-    yield respelt, names
-    yield resculpted(respelt, 3), names
     yield reordered(resculpted(respelt, 4), 5), names
 
 
-def test_five_decisions_stand_through_ten_versions_of_a_rig(decided):
+def test_five_decisions_stand_through_versions_of_a_rig(decided):
     """Each lays out the rig with the layout before it and nothing else; what moves besides says why."""
     settings = load({"solve": {"gap": 1e-2}})
     before = decided

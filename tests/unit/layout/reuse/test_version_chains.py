@@ -6,7 +6,7 @@ import makers
 import numpy as np
 import pytest
 from laid_out_again import lay_out
-from rig_copies import renamed, reordered, resculpted, spelt_otherwise
+from rig_copies import renamed, reordered, resculpted, spelt_otherwise, split
 
 from usdrigui.layout.reuse.pinned import with_rest_places
 from usdrigui.model import Correction
@@ -29,6 +29,8 @@ class Version:
     sculpted: int = 0
     order: int = 0
     respelt: bool = False
+    called: dict = field(default_factory=dict)
+    in_two: bool = False
     unit: float = 0.01
     z_up: bool = False
     rig: object = None
@@ -41,11 +43,13 @@ class Version:
         rig = resculpted(rig, self.sculpted) if self.sculpted else rig
         rig = makers.moved(rig, self.to_scene)
         rig = reordered(rig, self.order) if self.order else rig
-        names = {name: name for name in shapes}
-        if self.respelt:
-            rig, names = renamed(rig, spelt_otherwise)
-        self.rig, self.names = rig, names
+        rig = split(rig) if self.in_two else rig
+        self.rig, self.names = renamed(rig, self.name)
         return self
+
+    def name(self, control):
+        name = self.called.get(control, control)
+        return spelt_otherwise(name) if self.respelt else name
 
     @property
     def to_scene(self):
@@ -58,7 +62,7 @@ class Version:
 
 def changed(version, random):
     """The next version."""
-    change = random.choice(["gone", "back", "mesh", "sculpted", "order", "respelt", "unit", "z_up"])
+    change = random.choice(["gone", "back", "mesh", "sculpted", "order", "respelt", "unit", "z_up", "in_two", "called"])
     new = {
         "gone": {"gone": version.gone | {str(random.choice(["blink_L", "blink_R", "sneer_R", "jawRight", "chin"]))}},
         "back": {"gone": frozenset()},
@@ -68,31 +72,33 @@ def changed(version, random):
         "respelt": {"respelt": not version.respelt},
         "unit": {"unit": float(random.choice([0.01, 1.0, 0.0254]))},
         "z_up": {"z_up": not version.z_up},
+        "in_two": {"in_two": not version.in_two},
+        "called": {"called": version.called | {str(random.choice(DECIDED)): f"shape{random.integers(99)}"}},
     }[str(change)]
     return replace(version, **new).made()
 
 
 def somewhere(version, control, random):
-    """A point that a control moves by half of its peak at least, and its position in the scene."""
-    (mesh,) = version.rig.body.meshes
+    """A point that a control moves by half of its peak at least: its mesh, its number and its position in the scene."""
     names = [each.name for each in version.rig.controls]
     drive = version.rig.controls[names.index(version.names[control])].drive
-    (shape,) = [each for each in mesh.binding.shapes if each.channel == int(drive.channels[0])]
-    far = np.linalg.norm(shape.offsets[-1], axis=1)
-    point = int(random.choice(shape.points[far >= 0.5 * far.max()]))
-    return point, mesh.points[point]
+    shapes = [(m, s) for m in version.rig.body.meshes for s in m.binding.shapes if s.channel == int(drive.channels[0])]
+    far = [np.linalg.norm(shape.offsets[-1], axis=1) for _, shape in shapes]
+    large = [lengths >= 0.5 * np.concatenate(far).max() for lengths in far]
+    places = [(mesh, int(point)) for (mesh, shape), ok in zip(shapes, large, strict=True) for point in shape.points[ok]]
+    mesh, point = places[random.integers(len(places))]
+    return mesh, point, mesh.points[point]
 
 
 def element_of(layout, name):
     return next((e for e in layout.elements if name in e.manipulator.controls), None)
 
 
-def with_opinion(layout, version, control, point):
+def with_opinion(layout, version, control, mesh, point):
     """The layout where a stronger layer names another point for an element, and nothing else."""
     own = element_of(layout, version.names[control])
     placement = replace(own.placement, pinned=("anchor",), pinned_position=(np.nan,) * 3)
-    hash_ = version.rig.body.meshes[0].topology.hash
-    anchor = replace(own.anchor, mesh=f"{ROOT}/mesh", point=point, topology_hash=hash_, on_board=False)
+    anchor = replace(own.anchor, mesh=mesh.path, point=point, topology_hash=mesh.topology.hash, on_board=False)
     edited = replace(own, placement=placement, anchor=anchor)
     elements = tuple(edited if each is own else each for each in layout.elements)
     return with_rest_places(replace(layout, elements=elements), version.rig)
@@ -112,7 +118,7 @@ def test_every_decision_stands_or_is_told(seed):
         way = str(random.choice(["correction", "earlier correction", "opinion", "configuration", "board", "none"]))
         at = version if way in ("correction", "configuration") else earlier
         if way != "none" and control not in version.gone | earlier.gone:
-            point, position = somewhere(at, control, random)
+            mesh, point, position = somewhere(at, control, random)
             made += 1
             standing[control] = None if way == "board" else at.canonical(position)
             said = Correction(ROOT, at.names[control], "point", tuple(position), tuple(at.rig.skel_root.up), at.unit)
@@ -120,10 +126,10 @@ def test_every_decision_stands_or_is_told(seed):
                 corrections = (replace(said, place="board"),)
             elif way == "configuration":
                 settings = load(
-                    {"solve": {"gap": 1e-2}, "controls": {at.names[control]: {"anchor": f"{ROOT}/mesh#{point}"}}}
+                    {"solve": {"gap": 1e-2}, "controls": {at.names[control]: {"anchor": f"{mesh.path}#{point}"}}}
                 )
             elif way == "opinion":
-                before = with_opinion(before, earlier, control, point)
+                before = with_opinion(before, earlier, control, mesh, point)
             else:
                 corrections = (said,)
         inputs, _, layout = lay_out(
