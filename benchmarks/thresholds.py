@@ -1,15 +1,17 @@
 """The numbers of layout/, one by one halved and doubled, and which characters notice.
 
-    python benchmarks/thresholds.py ASSET ... [--only NAME ...] [--work 2000000] [--json FILE]
+    python benchmarks/thresholds.py ASSET ... [--only NAME ...] [--work 2000000] [--rows FILE]
 
-Every number at the top of a module of layout/ is a line of the table: its module and name, its
-value, the first line of what its text says, and the assets whose layout is another one when it is
-half as large, and twice.  A layout is another one when a control shares its element with others,
-goes from the face to the board or back, is doubled or no longer so, or stands more than a handle's
-width from where it stood.  A number that no asset notices needs a reason to stay.
+Assets come one after the other, cheap ones first: a number that one of them notices is asked of no
+further one.  A layout is another one when a control shares its element with others, goes from the
+face to the board or back, is doubled or no longer so, or stands more than a handle's width from
+where it stood; ``-`` says that it differs in what nobody sees.  A number that no asset notices
+needs a reason to stay.
 
-Assets are read once; each trial is a process of its own that begins where reading ended.  A problem
-that is the same to the last bit is not solved again.
+Each row is appended to the file as soon as it is known, and a run goes on from the rows that are
+there.  Each trial is a process of its own that begins where reading ended.  Stages before the first
+that knows the number's module are not run again, nor is a problem solved that is the same to the
+last bit.
 """
 
 from __future__ import annotations
@@ -32,6 +34,7 @@ import numpy as np
 
 from usdrigui.character import Rig
 from usdrigui.model import Assignment, Layout
+from usdrigui.pipeline import stages
 from usdrigui.pipeline.joining import joined
 from usdrigui.pipeline.records import LaidPart, Task
 from usdrigui.pipeline.stages import character_of, layout_of, part_problem
@@ -217,59 +220,96 @@ def trial(change: Callable[[], None], work: Callable[[], Any]) -> Any:
     return pickle.loads(found) if found else "killed"
 
 
-def rigs_of(assets: Sequence[Path]) -> dict[str, Rig]:
-    """The characters of some assets, by the name of the file."""
-    return {asset.stem: read_rigs(asset, Settings())[0] for asset in assets}
+KEPT = {
+    "trajectories": ("motion.trajectory",),
+    "symmetry_at_pose": ("motion.trajectory", "symmetry.base_pose"),
+    "_parts": ("motion.trajectory", "symmetry.base_pose", "parts.division"),
+}
+"""Stages at the beginning, and the modules of layout/ at which what they know begins."""
 
 
-def bases(rigs: dict[str, Rig], settings: Settings) -> dict[str, Laid]:
-    """Their layouts as they are."""
-    return {
-        name: trial(lambda: None, lambda rig=rig: laid_out(rig, settings, {}))
-        for name, rig in rigs.items()
-    }
+def modules_of(starts: Sequence[str]) -> set[str]:
+    """All modules of the package that some modules of layout/ import, themselves included."""
+    left, found = [f"usdrigui.layout.{each}" for each in starts], set[str]()
+    while left:
+        path = (ROOT / (module := left.pop()).replace(".", "/")).with_suffix(".py")
+        if module in found or not path.exists():
+            continue
+        found.add(module)
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ImportFrom) and node.module:
+                left += [node.module, *(f"{node.module}.{each.name}" for each in node.names)]
+    return found
 
 
-def noticed(
-    rigs: dict[str, Rig], known: dict[str, Laid], settings: Settings, change: Callable[[], None]
-) -> Iterator[tuple[str, str]]:
-    """By asset, what a change changes."""
-    for name, rig in rigs.items():
-        base = known[name]
-        after = trial(change, lambda rig=rig, base=base: laid_out(rig, settings, base.solved))
-        what = f"fails: {after}" if isinstance(after, str) else base.changed(after)
-        if isinstance(after, Laid) and not what and after.digest != base.digest:
-            what = "-"
-        if what:
-            yield name, what
+class Base:
+    """The layout of an asset as it is, and what its first stages gave."""
+
+    def __init__(self, asset: Path, settings: Settings) -> None:
+        self.name, self.settings, self.kept = asset.stem, settings, dict[str, Any]()
+        self.rig = read_rigs(asset, Settings())[0]
+        honest = {name: getattr(stages, name) for name in KEPT}
+        for name, stage in honest.items():
+            setattr(stages, name, functools.partial(self._keep, name, stage))
+        self.laid = laid_out(self.rig, settings, {})
+        for name, stage in honest.items():
+            setattr(stages, name, stage)
+
+    def _keep(self, name: str, stage: Callable[..., Any], *given: Any) -> Any:
+        self.kept[name] = stage(*given)
+        return self.kept[name]
+
+    def noticed(self, threshold: Threshold, factor: float) -> str:
+        """What is another where a threshold is so many times as large."""
+
+        def change() -> None:
+            for name, starts in KEPT.items():
+                if threshold.module not in modules_of(starts):
+                    setattr(stages, name, lambda *_, name=name: self.kept[name])
+            threshold.set(factor)
+
+        after = trial(change, lambda: laid_out(self.rig, self.settings, self.laid.solved))
+        if isinstance(after, str):
+            return f"fails: {after}"
+        return self.laid.changed(after) or "-" * (after.digest != self.laid.digest)
 
 
 def main() -> int:
-    """Print the table."""
+    """Print the table, row by row."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("assets", nargs="+", type=Path)
     parser.add_argument("--only", nargs="*", default=[])
     parser.add_argument("--work", type=int, default=2_000_000)
-    parser.add_argument("--json", type=Path)
+    parser.add_argument("--rows", type=Path, default=Path("thresholds.jsonl"))
     options = parser.parse_args()
     settings = load({"solve": {"work_limit": options.work}})
-    rigs = rigs_of(options.assets)
-    known = bases(rigs, settings)
-    table = []
-    for each in thresholds():
-        if options.only and not any(word in each.key for word in options.only):
-            continue
-        changes = {factor: functools.partial(each.set, factor) for factor in FACTORS}
-        found = {
-            factor: dict(noticed(rigs, known, settings, change))
-            for factor, change in changes.items()
-        }
-        seen = sorted({name for by in found.values() for name, what in by.items() if what != "-"})
-        print(f"{each.key:48s} {each.value:12g}  {', '.join(seen) or 'nobody'}", flush=True)
-        table.append({"name": each.key, "value": each.value, "text": each.text, "changes": found})
-        if options.json:
-            options.json.write_text(json.dumps(table, indent=1), encoding="utf-8")
+    wanted = [
+        each
+        for each in thresholds()
+        if not options.only or any(word in each.key for word in options.only)
+    ]
+    lines = options.rows.read_text("utf-8").splitlines() if options.rows.exists() else []
+    rows = [json.loads(line) for line in lines]
+    for asset in options.assets:
+        asked = {row["key"] for row in rows if row["rig"] == asset.stem or seen(row)}
+        left = [each for each in wanted if each.key not in asked]
+        base = Base(asset, settings) if left else None
+        for each in left if base else ():
+            what = {str(factor): base.noticed(each, factor) for factor in FACTORS}
+            rows.append({"rig": base.name, "key": each.key, "value": each.value, "what": what})
+            with options.rows.open("a", encoding="utf-8") as file:
+                print(json.dumps(rows[-1]), file=file)
+            print(f"{base.name:20s} {each.key:48s} {each.value:12g}  {what}", flush=True)
+    by_key = {row["key"] for row in rows if seen(row)}
+    for each in wanted:
+        if each.key not in by_key:
+            print(f"nobody notices {each.key:48s} {each.value:12g}  {each.text}")
     return 0
+
+
+def seen(row: dict[str, Any]) -> bool:
+    """Whether an asset's layout is another one."""
+    return any(what not in ("", "-") for what in row["what"].values())
 
 
 if __name__ == "__main__":

@@ -140,18 +140,17 @@ def driven(rig: Rig, values: ArrayLike | None) -> tuple[Floats, Floats]:
 
 
 def _at(drive: Drive, values: Floats) -> tuple[Floats, Floats]:
-    """Added weights (m, t) and moves (m, 3, j, 3) of a drive at control `values` (m,): linear
-    between its keys, and on beyond them."""
-    keys = drive.values
-    i = np.clip(np.searchsorted(keys, values, side="right") - 1, 0, len(keys) - 2)
-    share = (values - keys[i]) / (keys[i + 1] - keys[i])
-
-    def between(table: Floats) -> Floats:
-        shares = share.reshape(-1, *(1,) * (table.ndim - 1))
-        return (1.0 - shares) * table[i] + shares * table[i + 1]
-
+    """Added weights (m, t) and moves (m, 3, j, 3) of a drive at control `values` (m,)."""
     moves = np.stack([drive.rotations, drive.translations, drive.scales], axis=1)
-    return between(drive.weights), between(moves)
+    return keyed(drive.values, drive.weights, values), keyed(drive.values, moves, values)
+
+
+def keyed(keys: Floats, rows: Floats, at: Floats) -> Floats:
+    """Rows (k, ...) at values `at` (m,), linear between ascending `keys` (k,), and on beyond
+    them."""
+    i = np.clip(np.searchsorted(keys, at, side="right") - 1, 0, len(keys) - 2)
+    share = ((at - keys[i]) / (keys[i + 1] - keys[i])).reshape(-1, *(1,) * (rows.ndim - 1))
+    return np.asarray((1.0 - share) * rows[i] + share * rows[i + 1], dtype=np.float64)
 
 
 def moved_locals(joints: tuple[Joint, ...], moves: Floats) -> Floats:
@@ -208,12 +207,7 @@ def _shares(shape: Shape, weights: Floats) -> Floats:
     if len(shape.weights) == 1:
         return weights[:, None]
     nodes = _nodes(shape)
-    i = np.clip(np.searchsorted(nodes, weights, side="right") - 1, 0, len(nodes) - 2)
-    share = (weights - nodes[i]) / (nodes[i + 1] - nodes[i])
-    table = np.zeros((len(weights), len(nodes)))
-    rows = np.arange(len(weights))
-    table[rows, i] = 1.0 - share
-    table[rows, i + 1] = share
+    table = keyed(nodes, np.eye(len(nodes)), weights)
     return np.delete(table, int(np.searchsorted(nodes, 0.0)), axis=1)
 
 

@@ -6,7 +6,7 @@ A tree is built from the positions of the joints and the skin on them, never fro
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from functools import cached_property
 from itertools import pairwise
 
@@ -206,10 +206,15 @@ class Tree(Record):
     @cached_property
     def depth(self) -> tuple[int, ...]:
         """Joints with skin in the longest chain from each joint down, itself included."""
+        return self.depth_among(range(len(self.joints)))
+
+    def depth_among(self, joints: Collection[int]) -> tuple[int, ...]:
+        """The same of chains of some of the joints; 0 for others."""
         found = [0] * len(self.joints)
         for joint in self.from_the_ends():
-            below = max((found[child] for child in self.children[joint]), default=0)
-            found[joint] = below + (joint in self.owners)
+            if joint in joints:
+                below = max((found[child] for child in self.children[joint]), default=0)
+                found[joint] = below + (joint in self.owners)
         return tuple(found)
 
     @cached_property

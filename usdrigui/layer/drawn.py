@@ -16,6 +16,7 @@ from typing import Literal
 import numpy as np
 
 from usdrigui.character import Drive, Floats, Indices, Record
+from usdrigui.character.deform import keyed
 from usdrigui.layer.polyline import fewest_points
 from usdrigui.layer.skin_binding import AnchorBinding, JointBinding, PointShape, SkinBinding
 from usdrigui.model import Element, LayoutFrame, Member
@@ -458,21 +459,13 @@ def _along_track(skin: SkinBinding, binding: AnchorBinding, member: Member) -> P
     nodes = np.array(
         sorted({1.0, *(float(w) for w in weights if min(abs(w), abs(w - 1.0)) > 1e-6)})
     )
-    return PointShape(
-        channel, nodes, _extended(weights, rests, nodes) - _extended(weights, rests, np.zeros(1))
-    )
+    rest = keyed(weights, rests, np.zeros(1))
+    return PointShape(channel, nodes, keyed(weights, rests, nodes) - rest)
 
 
 def _driven(drive: Drive, values: Floats) -> Floats:
     """Weight of a control's only channel at its values."""
-    return _extended(drive.values, drive.weights, values)[:, 0]
-
-
-def _extended(keys: Floats, rows: Floats, at: Floats) -> Floats:
-    """Rows (k, c) at `at` (m,), linear between `keys` (k,) and extrapolated beyond them."""
-    i = np.clip(np.searchsorted(keys, at, side="right") - 1, 0, len(keys) - 2)
-    share = ((at - keys[i]) / (keys[i + 1] - keys[i]))[:, None]
-    return np.asarray((1.0 - share) * rows[i] + share * rows[i + 1], dtype=np.float64)
+    return keyed(drive.values, drive.weights, values)[:, 0]
 
 
 def _blended(skin: SkinBinding, shapes: tuple[PointShape, ...]) -> Floats:

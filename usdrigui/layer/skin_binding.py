@@ -28,7 +28,7 @@ from usdrigui.character import (
     Skin,
     Topology,
 )
-from usdrigui.character.deform import channel_state, posed
+from usdrigui.character.deform import channel_state, keyed, posed
 from usdrigui.errors import refuse
 from usdrigui.following import following, shared
 from usdrigui.layer.control_api import NOISE
@@ -78,11 +78,9 @@ class PointShape(Record):
         """Offset (3,) or (q, 3) at a weight, piecewise linear and extrapolated."""
         nodes = np.append(self.weights, 0.0)
         order = np.argsort(nodes)
-        nodes = nodes[order]
-        rows = np.concatenate([self.offsets, np.zeros_like(self.offsets[:1])])[order]
-        i = int(np.clip(np.searchsorted(nodes, weight, side="right") - 1, 0, len(nodes) - 2))
-        share = (weight - nodes[i]) / (nodes[i + 1] - nodes[i])
-        return np.asarray((1.0 - share) * rows[i] + share * rows[i + 1], dtype=np.float64)
+        rows = np.concatenate([self.offsets, np.zeros_like(self.offsets[:1])])
+        found: Floats = keyed(nodes[order], rows[order], np.array([weight]))[0]
+        return found
 
 
 class AnchorBinding(Record):

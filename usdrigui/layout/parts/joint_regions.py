@@ -72,7 +72,8 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     eyeballs = eyes(pieces_of(body, tree, found.surface.places), tree.below(heads) - heads)
     for joint in tree.below(eyeballs):
         of_joint[joint] = of_skin[joint] = EYES
-    if not _has_limb(tree, {i for i, name in enumerate(of_skin) if name == BODY} - set(spine)):
+    in_limbs = {i for i, name in enumerate(of_skin) if name == BODY} - set(spine)
+    if max(tree.depth_among(in_limbs)) < _LIMB:
         rest = FACE if heads else next((of_skin[fan.joint] for fan in ends), BODY)
         of_joint = [rest if name in (BODY, EYES) else name for name in of_joint]
         of_skin = [rest if name in (BODY, EYES) else name for name in of_skin]
@@ -160,16 +161,6 @@ def _end(up: Floats, tree: Tree, fan: Fan, spine: list[int]) -> str:
     own = {fan.joint, *tree.below([chain[0] for chain in fan.chains])}
     alone = len(tree.owners - own) < _LIMB
     return HANDS if alone or heights[fan.joint] - heights.min() > _LOW * span else FEET
-
-
-def _has_limb(tree: Tree, joints: set[int]) -> bool:
-    """Whether a chain of several of the joints has skin."""
-    longest = [0] * len(tree.joints)
-    for joint in tree.from_the_ends():
-        if joint in joints:
-            below = max((longest[child] for child in tree.children[joint]), default=0)
-            longest[joint] = below + (joint in tree.owners)
-    return max(longest) >= _LIMB
 
 
 def _spine(tree: Tree, heads: frozenset[int]) -> list[int]:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from itertools import takewhile
 
 import numpy as np
-from scipy.optimize import linear_sum_assignment
+from scipy.optimize import isotonic_regression, linear_sum_assignment
 
 from usdrigui.character import Floats
 from usdrigui.view.flat.lettering import cut, width_of
@@ -125,16 +125,8 @@ def spread(wanted: Floats, pitch: float, low: float, high: float) -> Floats:
     """Ascending rows at least `pitch` apart, within [low, high] if they fit, least squares from
     those wanted.
 
-    ``wanted`` ascends.  Subtracting the pitch makes it isotonic regression, solved by pooling
-    neighbours that are out of order (Ayer et al. 1955).
+    ``wanted`` ascends.  Subtracting the pitch makes it isotonic regression.
     """
     steps = pitch * np.arange(len(wanted))
-    pools: list[list[float]] = []
-    for value in np.clip(wanted, low, high) - steps:
-        pools.append([float(value), 1.0])
-        while len(pools) > 1 and pools[-2][0] > pools[-1][0]:
-            value_, count = pools.pop()
-            mean, before = pools[-1]
-            pools[-1] = [(mean * before + value_ * count) / (before + count), before + count]
-    level = np.repeat([mean for mean, _ in pools], [int(count) for _, count in pools])
+    level = isotonic_regression(np.clip(wanted, low, high) - steps).x
     return np.asarray(np.clip(level, low, max(low, high - steps[-1])) + steps)
