@@ -41,7 +41,7 @@ def readers(tmp_path_factory):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["library", "page", "blender"])
+@pytest.mark.parametrize("name", ["blender", "page", "library"])
 def test_a_reader_of_ours_passes(readers, name):
     command, most = readers[name]
     found = [*conform(command)]
