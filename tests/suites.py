@@ -23,10 +23,8 @@ def taken(items, suite):
     `sample` is the quick suite and the first slow test of every file: the same ones every time, one meeting with every
     program.  Real rigs, which a checkout has not, are left to the second suite.
     """
-    if suite == "all":
-        return list(items)
-    if suite == "slow":
-        return [each for each in items if is_slow(each)]
+    if suite in ("all", "slow"):
+        return [each for each in items if suite == "all" or is_slow(each)]
     met = [each for each in items if suite == "sample" and is_slow(each) and not each.get_closest_marker("real")]
     first = {each.path: each for each in reversed(met)}
     return [each for each in items if not is_slow(each) or first.get(each.path) is each]
