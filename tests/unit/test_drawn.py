@@ -163,16 +163,6 @@ def test_a_track_that_bulges_out_of_the_skin_does_not_cut_into_it(out, lifted):
     assert lift @ normal > -1e-6
 
 
-def test_a_straight_track_with_uneven_samples_is_drawn_where_it_is():
-    """As at in-betweens near one end; it leaves the skin aslant."""
-    rig = makers.face(9, 11)
-    straight = member("chin", (1, 0, 1))
-    track = straight.track[0] + np.array([0.0, 0.55, 0.6, 1.0])[:, None] * (straight.track[-1] - straight.track[0])
-    slider = element([replace(straight, track=track, values=np.array([0.0, 0.55, 0.6, 1.0]))], "slider")
-    _, tracks = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, frame(0.1))
-    assert np.allclose(tracks.points[-1], track[-1], atol=1e-6)
-
-
 @pytest.mark.parametrize("direction", [(0, 0, 1), (0, 0, 0)])
 def test_a_track_that_leaves_the_skin_or_stands_still_is_drawn_all_the_same(direction):
     rig = makers.face(9, 11)

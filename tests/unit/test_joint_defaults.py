@@ -188,16 +188,6 @@ def test_helpers_off_the_way_change_no_degree_of_freedom():
     assert {(path[-2:], kind) for path, kind in kinds_of(helped)} == {(path[-2:], kind) for path, kind in kinds_of(rig)}
 
 
-@pytest.mark.parametrize("made", [HAND, limbs.body_rig()], ids=["hand", "body"])
-def test_a_joint_to_deform_below_each_joint_to_pose_changes_no_degree_of_freedom(made):
-    at = {joint.path: joint.bind[3, :3] for joint in made.body.joints}
-    skinned = {made.body.joints[i].path for i in made.body.meshes[0].binding.skin.joints.ravel()}
-    at |= {f"{path}/def": at[path] for path in skinned}
-    names = sorted(at, key=lambda path: (path.count("/"), path))
-    owners = [i for i, name in enumerate(names) if name.endswith("/def")]
-    assert kinds_of(limbs.skeleton_rig(names, np.array([at[name] for name in names]), owners)) == kinds_of(made)
-
-
 def test_a_finger_curls_further_in_than_out_and_spreads_alike_to_both_sides():
     spans = {turn.name: turn.range for turn in default_turns(Tree(HAND.body.joints, HAND.body.meshes))}
     assert spans["curl"] == (-10.0, 80.0)

@@ -7,13 +7,12 @@ not what they show.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel
 
-from usdrigui.character import Floats
 from usdrigui.errors import Issue, RigUIError
 from usdrigui.layer import author
 from usdrigui.layer.agreement import disagreements, length
@@ -33,7 +32,7 @@ from usdrigui.layer.read_layout import (
     layout_scopes,
     points_by_role,
 )
-from usdrigui.model import Element, Layout
+from usdrigui.model import Element, Layout, MirrorPlane
 from usdrigui.settings import ReadSettings
 from usdrigui.stages import schema
 
@@ -45,7 +44,6 @@ _MIRRORED = 0.1
 """Of a handle's width: anchors so near to each other's mirror image are those of a pair."""
 _ASIDE = 1.0
 """Of a handle's width: so far from the plane an element is not on its other side."""
-Reflection = Callable[[Floats], Floats]
 _CLEAR = 0.5
 """Cosine beyond which two directions are one, or opposite."""
 
@@ -164,7 +162,7 @@ def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue
     plane, side = layout.frame.plane, element.look.side
     if element.anchor.on_board or not layout.frame.mirrors(element.placement.part):
         return
-    away = float((element.anchor.position - plane.origin) @ plane.normal)
+    away = float(plane.distance(element.anchor.position))
     # Far from the origin the layer tells places less exactly than a handle is wide.
     told = 2.0 * author.TOLD * float(np.abs(element.anchor.position).max())
     width = _ASIDE * layout.frame.handle_width_of(element.placement.part) + told
@@ -187,7 +185,8 @@ def _of_mirror(
     if len(other.manipulator.members) != len(element.manipulator.members):
         yield invalid_at(prim, f"{where} has another number of controls")
         return
-    reflect, on_face = _reflection(layout), not (element.anchor.on_board or other.anchor.on_board)
+    reflect = layout.frame.plane.reflected
+    on_face = not (element.anchor.on_board or other.anchor.on_board)
     if not on_face or not layout.frame.mirrors(element.placement.part):
         return
     width = layout.frame.handle_width_of(element.placement.part)
@@ -213,7 +212,6 @@ def _of_mirror(
 
 def _unpaired(by_name: Mapping[str, tuple[Usd.Prim, Element]], layout: Layout) -> Iterator[Issue]:
     """Elements that are each other's mirror image, and do not say so."""
-    reflect = _reflection(layout)
     alone = [
         (prim, element)
         for prim, element in by_name.values()
@@ -225,26 +223,17 @@ def _unpaired(by_name: Mapping[str, tuple[Usd.Prim, Element]], layout: Layout) -
         for twin_prim, twin in alone:
             pair = (element.look.side, twin.look.side) == ("left", "right")
             alike = len(element.manipulator.members) == len(twin.manipulator.members)
-            if pair and alike and _apart(reflect, element, twin) < _MIRRORED * width:
+            if pair and alike and _apart(layout.frame.plane, element, twin) < _MIRRORED * width:
                 what = f"rigUI:element:mirror is missing: {twin_prim.GetPath()} is its image"
                 yield invalid_at(prim, what)
 
 
-def _apart(reflect: Reflection, element: Element, twin: Element) -> float:
+def _apart(plane: MirrorPlane, element: Element, twin: Element) -> float:
     """How far the anchor and the tracks of an element are from those of another in the mirror."""
     pairs = [(element.anchor.position, twin.anchor.position)]
     for one, other in zip(element.manipulator.members, twin.manipulator.members, strict=True):
         pairs += [(one.track[0], other.track[0]), (one.track[-1], other.track[-1])]
-    return max(float(np.linalg.norm(reflect(here) - there)) for here, there in pairs)
-
-
-def _reflection(layout: Layout) -> Reflection:
-    plane = layout.frame.plane
-
-    def reflect(position: Floats) -> Floats:
-        return position - 2.0 * float((position - plane.origin) @ plane.normal) * plane.normal
-
-    return reflect
+    return max(float(np.linalg.norm(plane.reflected(here) - there)) for here, there in pairs)
 
 
 def _doubtful_at(prim: Usd.Prim, message: str) -> Issue:

@@ -15,22 +15,6 @@ POINTS, QUADS = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
 
 
-def test_repetitions_and_mixtures_are_composites():
-    smile = SHAPES["smile_L"] + SHAPES["smile_R"]
-    brow = SHAPES["brow_L"] + SHAPES["brow_R"]
-    rig = makers.face_with(
-        smile_50=0.5 * SHAPES["pucker"], both=smile, emotion=0.6 * brow + 0.8 * SHAPES["pucker"] + SHAPES["chin"] * 0.5
-    )
-    found = chain.chosen(rig)
-    assert "pucker" in found("smile_50").off_face_reason
-    assert found("smile_50").category == "composite"
-    assert found("both").category == "composite"
-    assert found("emotion").category == "composite"
-    assert not any(found(name).category == "composite" for name in SHAPES)
-    assert chain.chosen(rig, candidates={"board_composite": False})("both").category != "composite"
-    assert chain.chosen(rig, controls={"both": {"place": "face"}})("both").category != "composite"
-
-
 @pytest.mark.parametrize("noise", [0.0, 1e-3])
 def test_of_many_copies_one_stays_and_the_others_repeat_it(noise):
     random = np.random.default_rng(1)

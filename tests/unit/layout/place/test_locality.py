@@ -34,16 +34,6 @@ def test_locality_keeps_candidates_near_or_takes_the_nearest(near):
     assert apart[found.points].min() <= 1.09 * apart[seen].min(), "the nearest along the surface"
 
 
-def test_a_control_kept_near_one_lip_does_not_cross_the_gap_to_the_other():
-    columns, lower, upper = 33, 11, 12
-    faces = [quad for quad in QUADS if not (quad[0] // columns == lower and 6 <= quad[0] % columns < 26)]
-    rig = makers.rig(POINTS, faces, {**SHAPES, "lips": makers.bump(POINTS, (0.0, -0.43), (0, 1, 0))})
-    near = {"near": f"/Root/mesh#{upper * columns + 16}", "within": 0.1}
-    found = chain.chosen(rig, controls={"lips": near})("lips")
-    assert len(found.points) > 3
-    assert (found.points >= upper * columns).all()
-
-
 @pytest.mark.parametrize("near", ["joint:nobody", "/no/mesh", "/Root/mesh#99999"])
 def test_locality_refuses_what_is_not_there(near):
     with pytest.raises(RigUIError) as refused:
