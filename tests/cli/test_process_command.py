@@ -33,7 +33,7 @@ def test_it_says_what_is_not_on_the_face_and_verbosely_where_every_control_stand
     assert main(["process", str(character), "--report", str(report)]) == 0
     brief = capsys.readouterr().out
     (found,) = json.loads(report.read_text())["characters"]
-    assert "board: chin: placed on the board by the configuration" in brief
+    assert "board: chin: its place on the board is decided" in brief
     assert all(
         row["control"] not in brief
         for row in found["controls"]

@@ -135,7 +135,7 @@ def _category(
     if composite is not None:
         return composite.category, ""
     if override.place == "board":
-        return "requested", "placed on the board by the configuration"
+        return "requested", "its place on the board is decided"
     return "", ""
 
 
