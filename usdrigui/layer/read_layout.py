@@ -52,6 +52,7 @@ from usdrigui.model import (
     Member,
     MirrorPlane,
     Proof,
+    main_part,
 )
 from usdrigui.stages import schema
 from usdrigui.stages.opening import open_stage
@@ -261,6 +262,8 @@ def layout_at(scope: Usd.Prim, *, carried: bool = False) -> Layout:
 
     refuse_broken(scope, schema.LAYOUT)
     proof, proofs, left_off, matches = _recorded(scope)
+    parts = _parts(scope, proofs)
+    widths = {part.name: part.handle_width for part in parts}
     elements = tuple(_element(prim, carried=carried) for prim in element_prims(scope))
     check_elements(scope, elements)
     return Layout(
@@ -276,8 +279,8 @@ def layout_at(scope: Usd.Prim, *, carried: bool = False) -> Layout:
             space=get("space"),
             view=array_of(get("viewDirection")),
             plane=MirrorPlane(array_of(get("planeOrigin")), array_of(get("planeNormal"))),
-            handle_width=get("handleWidth"),
-            parts=_parts(scope, proofs),
+            handle_width=widths[main_part(list(widths))] if parts else get("handleWidth"),
+            parts=parts,
         ),
         proof=proof,
     )

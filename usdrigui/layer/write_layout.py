@@ -267,7 +267,7 @@ def _frame(skeletons: tuple[Skeleton, ...], frame: LayoutFrame) -> dict[str, Any
         "viewDirection": frame.view,
         "planeOrigin": frame.plane.origin,
         "planeNormal": frame.plane.normal,
-        "handleWidth": frame.handle_width,
+        "handleWidth": min([frame.handle_width, *(part.handle_width for part in frame.parts)]),
     }
 
 

@@ -49,6 +49,7 @@ from usdrigui.model.layout import (
     Placement as Placement,
     Proof as Proof,
     Side as Side,
+    main_part as main_part,
 )
 from usdrigui.model.motion import (
     BaseSurface as BaseSurface,

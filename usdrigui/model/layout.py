@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -98,12 +99,9 @@ class LayoutFrame(Record):
     main part, and so are the weights of the proof; its costs are sums."""
 
     def mirrors(self, part: str) -> bool:
-        """Whether `plane` is that of a part: the main one, which has the frame's width and view."""
-        return bool(self.plane.normal.any()) and all(
-            each.handle_width == self.handle_width and (each.view == self.view).all()
-            for each in self.parts
-            if each.name == part
-        )
+        """Whether `plane` is that of a part: the main one."""
+        names = [each.name for each in self.parts] or [part]
+        return bool(self.plane.normal.any()) and part in (main_part(names), "")
 
     def handle_width_of(self, part: str) -> float:
         """Diameter of the handles of a part: of the main one where it has none of its own."""
@@ -114,6 +112,11 @@ class LayoutFrame(Record):
         """(3,) unit direction from a part to its viewer."""
         views = {each.name: each.view for each in self.parts}
         return views.get(part, self.view)
+
+
+def main_part(parts: Sequence[str]) -> str:
+    """The name of a character's main part: its face, else its body, else the first."""
+    return next((name for name in ("face", "body") if name in parts), parts[0])
 
 
 class Proof(Record):

@@ -9,15 +9,14 @@ import numpy as np
 
 from usdrigui.errors import Issue
 from usdrigui.layout.element.elements import proof_of
-from usdrigui.layout.parts.division import main_part
-from usdrigui.model import Assignment, Layout, LayoutPart
+from usdrigui.model import Assignment, Layout, LayoutPart, main_part
 from usdrigui.pipeline.records import LaidPart, ProblemInputs
 
 
 def joined(laid: Sequence[LaidPart]) -> Layout:
     """The layouts of all parts as one."""
     layouts = {each.inputs.part: each.layout for each in laid}
-    main = layouts[main_part(layouts)]
+    main = layouts[main_part(list(layouts))]
     if len(laid) == 1:
         return main
     whole = joined_assignment([each.assignment for each in laid], list(layouts))

@@ -8,7 +8,7 @@ one part.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -30,7 +30,7 @@ from usdrigui.layout.parts.joint_regions import (
     owner_of_points,
 )
 from usdrigui.layout.parts.own_pieces import NEARLY_ALL
-from usdrigui.model import Motion, Trajectories
+from usdrigui.model import Motion, Trajectories, main_part
 from usdrigui.settings import Settings
 from usdrigui.ties import first_largest
 
@@ -70,7 +70,7 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     if settings.layout.candidates.conventions:
         names |= dict.fromkeys(_inside_mouth(rig, found, names), INTERIOR)
     if not settings.character.parts.divide:
-        names = dict.fromkeys(names, main_part(names.values()))
+        names = dict.fromkeys(names, main_part(sorted(names.values(), key=_rank)))
     index = rig.control_indices
     names |= {
         index[name]: part
@@ -126,12 +126,6 @@ def _inside_mouth(rig: Rig, found: Trajectories, names: Mapping[int, str]) -> li
 
 def _named(names: Mapping[int, str], name: str) -> frozenset[int]:
     return frozenset(control for control, own in names.items() if own == name)
-
-
-def main_part(parts: Iterable[str]) -> str:
-    """The name of the character's main part: its face, else its body."""
-    known = sorted(set(parts), key=_rank)
-    return next((name for name in (FACE, BODY) if name in known), known[0])
 
 
 def _rank(name: str) -> tuple[int, str]:
