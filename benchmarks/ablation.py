@@ -8,14 +8,16 @@ the folder gets ``ablation_NAME.csv`` and ``ablation_NAME.md`` (rewritten row by
 cut short leaves what it has) and ``ablation_NAME.png``.  The rows follow the figures of Kim & Singh
 2021: random, peak only, overlap only, centroid of influence and full (figure 6); lambda 1, 0.85,
 0.4 (figure 9); 100, 20, 5, 0.5 % of the candidates (figure 10); 1, 2, 4, 6 clusters by single
-linkage, and two by the printed sum (figure 11).
+linkage, and two by the printed sum (figure 11).  The last rows leave out one cost each of what is
+seen (decision 127).
 
 All rows choose among the candidates of the full problem, and every cost is the default objective's,
 except that handles nearer than a handle's width cost no more than their overlap: ``nearest``
 (handle widths) tells of them.  ``bound`` is proven for the default objective, once, by the full
 row, and ``above`` the cost's share over it.  ``visible`` is the share of (anchor, view) pairs in
-which the view shows the anchor; ``kept`` the mean of every control's arc length at its anchor over
-its peak; ``beside`` the number of elements that left the face.  Seconds are of choosing alone.
+which the view shows the anchor; ``clear`` that of elements in nobody's way; ``kept`` the mean of
+every control's arc length at its anchor over its peak; ``beside`` the number of elements that left
+the face.  Seconds are of choosing alone.
 """
 
 from __future__ import annotations
@@ -33,6 +35,7 @@ from PIL import Image
 
 from usdrigui.character import Floats, Indices
 from usdrigui.layout.place.problem import placement_problem
+from usdrigui.layout.review.legibility import legibility_of
 from usdrigui.model import Assignment, Candidates, Layout, LayoutProblem, Variable
 from usdrigui.overlap import total_cost
 from usdrigui.pipeline.records import ProblemInputs, Task
@@ -64,6 +67,7 @@ class Row:
     seconds: float
     nearest: float
     visible: float
+    clear: float
     kept: float
     board: int
 
@@ -163,7 +167,7 @@ def at_centroid(inputs: ProblemInputs, _: SolveSettings) -> Indices:
 
 
 def by_displacement(inputs: ProblemInputs, _: SolveSettings) -> Indices:
-    """The peak of each element, whatever stands there alinputs (figure 6b)."""
+    """The peak of each element, whatever stands there (figure 6b)."""
     return np.array([_least(cost) for cost in displacement_costs(inputs)])
 
 
@@ -177,7 +181,16 @@ def by_weight(weight: float) -> Rule:
     """The default objective with another lambda (figure 9)."""
 
     def rule(inputs: ProblemInputs, limits: SolveSettings) -> Indices:
-        return solve(_with_settings(inputs, inputs.candidates, weight, 1.0), limits).labels
+        return solve(_with_settings(inputs, displacement_weight=weight), limits).labels
+
+    return rule
+
+
+def without(cost: str) -> Rule:
+    """The default objective without one cost of what is seen."""
+
+    def rule(inputs: ProblemInputs, limits: SolveSettings) -> Indices:
+        return solve(_with_settings(inputs, **{f"{cost}_weight": 0.0}), limits).labels
 
     return rule
 
@@ -208,6 +221,10 @@ RULES: tuple[tuple[str, str, Rule], ...] = (
         for clusters in (1, 2, 4, 6)
     ),
     ("11", "2 clusters by sums", by_paper(1.0, 2, "sum")),
+    *(
+        ("127", f"without {cost}", without(cost))
+        for cost in ("near", "room", "track", "crossing", "along", "short")
+    ),
 )
 FULL = ("6", "full")
 ORDER = (
@@ -227,11 +244,15 @@ def displacement_costs(inputs: ProblemInputs) -> list[Floats]:
 def bare_problem(inputs: ProblemInputs, weight: float) -> LayoutProblem:
     """The full problem's candidates under displacement and overlap alone, weighed by lambda."""
     free = tuple(replace(each, cost=np.zeros(len(each.cost))) for each in inputs.candidates.sets)
-    return _with_settings(inputs, replace(inputs.candidates, sets=free), weight, 0.0)
+    other = replace(inputs.candidates, sets=free)
+    return _with_settings(inputs, other, 0.0, displacement_weight=weight)
 
 
 def _with_settings(
-    inputs: ProblemInputs, candidates: Candidates, weight: float, plane: float
+    inputs: ProblemInputs,
+    candidates: Candidates | None = None,
+    plane: float = 1.0,
+    **objective: float,
 ) -> LayoutProblem:
     """The problem under other settings, its labels those of the full one; `plane` scales the
     weight of the plane."""
@@ -239,11 +260,15 @@ def _with_settings(
     symmetry = settings.character.symmetry
     changed = with_sections(
         settings,
-        objective=replace(settings.layout.objective, displacement_weight=weight),
+        objective=replace(settings.layout.objective, **objective),
         symmetry=replace(symmetry, plane_weight=plane * symmetry.plane_weight),
     )
     other = placement_problem(
-        inputs.face, candidates, inputs.placement.groups, inputs.requests, changed
+        inputs.face,
+        candidates or inputs.candidates,
+        inputs.placement.groups,
+        inputs.requests,
+        changed,
     ).problem
     same = tuple(map(_same_labels, inputs.placement.problem.variables, other.variables))
     return replace(other, variables=same, extra=inputs.placement.problem.extra)
@@ -260,7 +285,7 @@ def _same_labels(full: Variable, other: Variable) -> Variable:
 def _on_face(problem: LayoutProblem) -> LayoutProblem:
     """The board at the cost of any overlap: without displacement to lose everything would
     leave."""
-    penalty = problem.overlap.maximum * len(problem.variables)
+    penalty = problem.overlap.most * len(problem.variables)
     return replace(
         problem, variables=tuple(replace(each, off_face_cost=penalty) for each in problem.variables)
     )
@@ -280,6 +305,7 @@ def _row(
     cost = total_cost(soft, labels)
     chosen = Assignment(labels, cost, min(bound, cost), "stopped", 0.0, name, name)
     made = layout_of(inputs, chosen)
+    legible = legibility_of(inputs.face, made.elements)
     points = anchors_of(inputs, labels)
     return Row(
         figure=figure,
@@ -291,6 +317,7 @@ def _row(
         nearest=nearest_handles(inputs.face.trajectories.surface.points[points])
         / inputs.face.handle_width,
         visible=float(inputs.face.views.visible[:, points].mean()) if len(points) else 1.0,
+        clear=legible.clear / max(legible.elements, 1),
         kept=displacement_kept(inputs, labels),
         board=int((labels < 0).sum()),
     )
@@ -332,7 +359,7 @@ def displacement_kept(inputs: ProblemInputs, labels: Indices) -> float:
 # --- output ---------------------------------------------------------------------------------------
 
 
-COLUMNS = ("cost", "bound", "above", "seconds", "nearest", "visible", "kept", "board")
+COLUMNS = ("cost", "bound", "above", "seconds", "nearest", "visible", "clear", "kept", "board")
 
 
 def cells(row: Row) -> tuple[str, ...]:
@@ -345,6 +372,7 @@ def cells(row: Row) -> tuple[str, ...]:
         f"{row.seconds:.2f}",
         f"{row.nearest:.2f}",
         f"{row.visible:.1%}",
+        f"{row.clear:.1%}",
         f"{row.kept:.1%}",
         f"{row.board}",
     )
