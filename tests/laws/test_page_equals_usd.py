@@ -147,7 +147,7 @@ import { text } from 'node:stream/consumers';
 import { Levels } from '%s';
 const found = JSON.parse(await text(process.stdin)).map((elements) => {
   const coarse = elements.filter(({ inner }) => inner.length).map((each) => [each]);
-  return [[], ...coarse, coarse.flat()].map((opened) => {
+  return [[], ...coarse].map((opened) => {
     const levels = new Levels(elements);
     levels.toggle(opened, true);
     return elements.filter((each) => levels.shows(each)).map(({ name }) => name);

@@ -25,6 +25,8 @@ class Face(Record):
     """(controls,) where each is expected; None where its name means nothing."""
     handle_width: float = 0.0
     """Diameter of a handle in scene units."""
+    crowded: bool = False
+    """Whether more controls want the same places than one level has handles for."""
     flat: bool = False
     """Whether elements are kept apart as they are seen on the screen, not in space."""
 

@@ -32,10 +32,10 @@ def with_levels(elements: Sequence[Element]) -> Iterator[tuple[Element, bool]]:
 
 def states(elements: Sequence[Element]) -> Mapping[str, frozenset[int]]:
     """By name, the states in which an element is visible: 0 with nothing opened, k with the k-th
-    coarse one opened, and the last with all of them."""
+    coarse one opened."""
     members = _members(elements)
-    opened = [_opened([element], members) for element in elements if element.look.inner]
-    opened = [frozenset(), *opened, frozenset().union(*opened)]
+    opened = [frozenset[str]()]
+    opened += [_opened([element], members) for element in elements if element.look.inner]
     return {
         element.name: frozenset(
             state for state, names in enumerate(opened) if is_visible(element.name, members, names)

@@ -123,14 +123,15 @@ def measured(
         space = settings.candidates.space
         flat = space == "view" or (space == "part" and part.name in FLAT)
         axes = views.drawing_axes(flat) if flat else views.axes
-        width = drawn_width(requests.existing, part.name) or handle_width(
-            found, views, placed, axes, settings.objective
+        width, crowded = handle_width(
+            found, views, placed, axes, settings.objective, levels=settings.levels.crowds
         )
+        width = drawn_width(requests.existing, part.name) or width
         # Anchors that are fixed were apart by a width of the layout that they come from.
         width = min(width, drawn_width(character.references.fixed, part.name) or width)
         if settings.objective.distinctive_weight > 0.0:
             found = with_common_motion(found, alike, placed, views.anywhere)
-    face = replace(face, trajectories=found, handle_width=width, flat=flat)
+    face = replace(face, trajectories=found, handle_width=width, crowded=crowded, flat=flat)
     return Measured(face, alike, requests, classification, character.settings)
 
 
@@ -161,7 +162,7 @@ def _problem(
         )
         candidates = of_new_controls(face, requests, candidates)
     with clock.stage("problem"):
-        groups = with_levels(face.rig, find_groups(known, candidates), settings.levels, requests)
+        groups = with_levels(face, find_groups(known, candidates), settings, requests)
         placement = placement_problem(face, candidates, groups, requests, known.settings)
     return ProblemInputs(character, part.name, known, candidates, placement)
 

@@ -194,11 +194,12 @@ class OutputSettings:
 class LevelSettings:
     """Two levels: coarse elements first, and in place of one that is opened its members.
 
-    Handles are kept apart among elements that are visible at the same time only."""
+    Handles are kept apart among elements that are visible with one opened only."""
 
     members: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     poses: bool = False
     groups: bool = False
+    crowds: bool = True
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,26 +14,31 @@ from itertools import chain
 
 from usdrigui.character import Control, Rig
 from usdrigui.errors import Faults, meant, refuse
+from usdrigui.layout.face import Face
+from usdrigui.layout.group.regions import crowded_regions
 from usdrigui.layout.names import element_name
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import Element, Group
-from usdrigui.settings import LevelSettings
+from usdrigui.settings import LayoutSettings
 
 
 def with_levels(
-    rig: Rig,
+    face: Face,
     groups: tuple[Group, ...],
-    settings: LevelSettings,
+    layout: LayoutSettings,
     requests: Requests,
 ) -> tuple[Group, ...]:
     """The groups on their levels, and a group of its own for every axis of those that
-    `levels.groups` opens.
+    `levels.groups` opens; on a crowded face, of which nobody says anything, by regions.
 
     Raises CONFIG_UNKNOWN_CONTROL for a name that nothing bears, CONFIG_VALUE for a coarse element
     without members or one that is a member itself.
     """
+    rig, settings, regions = face.rig, layout.levels, {}
     if not (requests.levels or settings.poses or settings.groups):
-        return groups
+        if requests.existing is None and face.crowded:
+            regions = crowded_regions(face, groups, layout.objective.max_neighbours)
+        return tuple(_with_states(groups, regions))
     parts = {
         group.name: tuple(_parts(rig, group))
         for group in groups
@@ -210,18 +215,16 @@ def _check(inner: dict[str, set[str]], configured: dict[str, set[str]]) -> None:
 
 def _with_states(groups: Iterable[Group], inner: dict[str, set[str]]) -> Iterator[Group]:
     """The groups with their members and the states in which they are visible: none opened, each
-    one, all of them."""
+    one."""
     coarse = sorted(name for name, members in inner.items() if members)
     holders: dict[str, set[int]] = {}
     for state, name in enumerate(coarse, start=1):
         for member in inner[name]:
             holders.setdefault(member, set()).add(state)
-    all_open = len(coarse) + 1
-    every = frozenset(range(all_open + 1))
+    every = frozenset(range(len(coarse) + 1))
     for group in groups:
         members = tuple(sorted(inner.get(group.name, ())))
-        own = every - {coarse.index(group.name) + 1, all_open} if members else every
+        own = every - {coarse.index(group.name) + 1} if members else every
         if group.part and group.name not in holders:
             continue
-        inside = frozenset({*holders.get(group.name, ()), all_open})
-        yield replace(group, inner=members, states=inside if group.name in holders else own)
+        yield replace(group, inner=members, states=frozenset(holders.get(group.name, own)))

@@ -9,11 +9,12 @@ within a few widths.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from scipy.spatial import cKDTree
 
-from usdrigui.character import Flags, Floats
+from usdrigui.character import Flags, Floats, Indices
 from usdrigui.layout.classify.classification import Classification
 from usdrigui.layout.visibility import Views
 from usdrigui.model import Motion, Trajectories
@@ -21,8 +22,10 @@ from usdrigui.settings import ControlSettings, ObjectiveSettings
 
 KEPT = 0.85
 """A control wants the places where it keeps this share of its visible peak."""
-_AROUND = 4.0
+AROUND = 4.0
 """Handle widths: what is nearer than this to a handle is around it."""
+_FINGER = 0.8
+"""Of the usual width: a narrower handle is missed by a finger where the part fills a screen."""
 _BLUR = np.linspace(0.5, 1.5, 5)
 """Shares of that distance over which the count is averaged: an area may be gathered in a few
 points."""
@@ -39,19 +42,27 @@ def handle_width(
     placed: Flags,
     axes: Floats,
     settings: ObjectiveSettings,
-) -> float:
-    """Diameter of a handle in scene units.
+    levels: bool = False,
+) -> tuple[float, bool]:
+    """Diameter of a handle in scene units, and whether there is a crowd.
 
     `placed` (motions,) are those of the controls that are to stand on the face, `axes` (d, 3) those
     along which places are apart: two on the screen of a flat layout.
 
     The largest of the widths from ``objective.handle_size_min`` to ``objective.handle_size`` at
     which no more than ``objective.max_neighbours`` controls are around one on average; the least
-    where all are too wide. Invariant under rigid motion, uniform scale and the order and density of
-    points.
+    where all are too wide.  A crowd is where that is too narrow for a finger, and there may be
+    `levels`: it is as wide as a finger needs then, if no more than twice as many are around one.
+    Invariant under rigid motion, uniform scale and the order and density of points.
     """
     points, weights = _wanted(trajectories, views.anywhere, placed)
-    return fitting_width(points @ axes.T, weights, trajectories.surface.face_size, settings)
+    face = trajectories.surface.face_size
+    width, wider = (
+        fitting_width(points @ axes.T, weights, face, replace(settings, max_neighbours=most))
+        for most in (settings.max_neighbours, 2.0 * settings.max_neighbours)
+    )
+    finger = _FINGER * settings.handle_size * face
+    return (min(wider, finger), True) if levels and width < finger else (width, False)
 
 
 def fitting_width(
@@ -69,7 +80,7 @@ def fitting_width(
     if len(points) > _MANY:
         points, weights = _gathered(points, weights, 0.5 * most)
     widths = np.linspace(least, most, _STEPS + 1)
-    fits = np.flatnonzero(around(points, weights, _AROUND * widths) <= settings.max_neighbours)
+    fits = np.flatnonzero(around(points, weights, AROUND * widths) <= settings.max_neighbours)
     return float(widths[fits[-1]]) if len(fits) else least
 
 
@@ -105,19 +116,24 @@ def on_face(
     )
 
 
+def wanted(trajectories: Trajectories, anywhere: Flags, motion: Motion) -> tuple[Indices, Floats]:
+    """Points where a control keeps most of its displacement, none where it is seen nowhere, and the
+    share of each in their area."""
+    surface = trajectories.surface
+    seen = anywhere[motion.points] & (surface.places[motion.points] == motion.points)
+    arc = np.where(motion.stands_on(seen), motion.arc_length, 0.0)
+    points = motion.points[(arc > 0.0) & (arc >= KEPT * arc.max(initial=0.0))]
+    areas = surface.areas[points]
+    return points, areas / areas.sum() if areas.any() else np.full(
+        len(points), 1.0 / max(len(points), 1)
+    )
+
+
 def _wanted(trajectories: Trajectories, anywhere: Flags, placed: Flags) -> tuple[Floats, Floats]:
     """Places (p, 3) that the `placed` controls want, and how many want each (p,)."""
     total = np.zeros(len(trajectories.surface.points))
     for motion in (trajectories.motions[i] for i in np.flatnonzero(placed)):
-        seen = anywhere[motion.points] & (
-            trajectories.surface.places[motion.points] == motion.points
-        )
-        seen = motion.stands_on(seen)
-        if not seen.any():
-            continue
-        arc = np.where(seen, motion.arc_length, 0.0)
-        wanted = motion.points[arc >= KEPT * arc.max()]
-        areas = trajectories.surface.areas[wanted]
-        total[wanted] += areas / areas.sum() if areas.any() else 1.0 / len(wanted)
+        points, shares = wanted(trajectories, anywhere, motion)
+        total[points] += shares
     chosen = np.flatnonzero(total)
     return trajectories.surface.points[chosen], total[chosen]

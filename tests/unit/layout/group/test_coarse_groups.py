@@ -72,6 +72,37 @@ def test_members_stand_where_they_would_alone_as_the_coarse_one_is_hidden_then()
     assert apart.assignment.cost < together.assignment.cost
 
 
+def test_members_of_two_coarse_controls_need_not_make_room_for_each_other():
+    levels = {"members": {"smile_L": ["sneer_L"], "chin": ["pucker"]}}
+    seen = states(lay_out(FACE, settings(levels=levels)).layout.elements)
+    assert not seen["pucker"] & seen["sneer_L"]
+    assert seen["pucker"] & seen["smile_L"]
+
+
+def crowded_face():
+    """The face with 60 more controls around the mouth that names call brows and noses in turn."""
+    points, quads = makers.mask()
+    turns = np.linspace(0.0, 2.0 * np.pi, 60)
+    more = {
+        f"{'nose' if i % 2 else 'brow'}Part{i}": makers.bump(
+            points, (0.1 * np.sin(t), -0.45), (np.sin(t), np.cos(t), 0.4)
+        )
+        for i, t in enumerate(turns)
+    }
+    return makers.rig(points, quads, makers.face_shapes(points) | more)
+
+
+@pytest.mark.parametrize("asked", [True, False])
+def test_a_crowded_face_has_the_rest_of_a_region_behind_one_element(asked):
+    levels = {"crowds": asked}
+    said = settings(levels=levels, candidates={"board_composite": False}, objective={"max_neighbours": 8.0})
+    groups = problem_of(crowded_face(), said).inputs.placement.groups
+    coarse = {group.name: group.inner for group in groups if group.inner}
+    assert bool(coarse) is asked
+    for name, inner in coarse.items():
+        assert len({each[:4] for each in (name, *inner)}) == 1
+
+
 def test_a_pose_is_no_member_of_itself_in_a_group_with_what_it_sets():
     levels, kept = {"poses": True}, {"board_composite": False}
     groups = {"groups": {"both": ["grin", "pucker"]}}

@@ -26,7 +26,7 @@ def crowd(count, points=POINTS, quads=QUADS):
 
 def width(rig, **objective):
     """In face sizes; nothing goes on the board for what it repeats."""
-    said = chain.settings(objective=objective, candidates={"board_composite": False})
+    said = chain.settings(objective=objective, candidates={"board_composite": False}, levels={"crowds": False})
     face = chain.face_of(rig, said)
     return face.handle_width / face.trajectories.surface.face_size
 

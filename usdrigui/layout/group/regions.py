@@ -1,0 +1,85 @@
+"""The regions of a crowded face: in each, all stand behind the element that it is known for.
+
+What a region is, the conventions tell (brows, eyes, nose, mouth ...); controls whose names mean
+nothing are of one region where they are near each other.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from usdrigui.character import Floats
+from usdrigui.layout.face import Face
+from usdrigui.layout.place.handle_width import AROUND, wanted
+from usdrigui.model import Group
+
+_REACH = 3.0 * AROUND
+"""Handle widths: what is farther from the element of a region is not of that region."""
+
+
+class _Standing(NamedTuple):
+    """A group, in the order of how well it is known: by the conventions, then by how much it
+    moves."""
+
+    importance: float
+    """Negative."""
+    vague: bool
+    moved: float
+    """Negative."""
+    name: str
+    region: str
+    places: Floats
+    """(copies, d) the middle of where each copy's first control keeps most of its displacement;
+    handle widths."""
+
+
+def crowded_regions(
+    face: Face, groups: tuple[Group, ...], comfortable: float
+) -> dict[str, set[str]]:
+    """The coarse group of each region with more elements around one than half a comfortable number,
+    and its members, by name: either level has its half."""
+    standing = sorted(_standing(face, group) for group in groups if not group.category)
+    regions: list[list[_Standing]] = []
+    for each in standing:
+        near = (
+            region
+            for region in regions
+            if region[0].region == each.region and _apart([each], region[:1]).min() <= _REACH
+        )
+        home = next(near, [])
+        home.append(each)
+        if len(home) == 1:
+            regions.append(home)
+    return {
+        region[0].name: {each.name for each in region[1:]}
+        for region in regions
+        if len(region) > 1
+        and (_apart(region, standing) <= AROUND).sum(axis=1).mean() > 0.5 * comfortable
+    }
+
+
+def _apart(some: list[_Standing], others: list[_Standing]) -> Floats:
+    """(n, m) distances of all places."""
+    one, other = (np.concatenate([each.places for each in them]) for them in (some, others))
+    return np.asarray(np.linalg.norm(one[:, None] - other, axis=2))
+
+
+def _standing(face: Face, group: Group) -> _Standing:
+    surface = face.trajectories.surface
+    motions = {each.control: each for each in face.trajectories.motions}
+    known = [each.action for i in group.controls if (each := face.meanings[i]) is not None]
+    own = [motions[i] for i in group.controls]
+    places = []
+    for copy in group.copies:
+        points, shares = wanted(face.trajectories, face.views.anywhere, motions[copy[0]])
+        places.append(shares @ surface.points[points])
+    return _Standing(
+        -max((each.importance for each in known), default=0.0),
+        all(each.vague for each in known),
+        -sum(float(each.arc_length @ surface.areas[each.points]) for each in own),
+        group.name,
+        known[0].region if known else "",
+        np.array(places) @ face.drawing_axes.T / face.handle_width,
+    )
