@@ -30,6 +30,7 @@ from usdrigui.layout.parts.joint_regions import FLAT
 from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.place.handle_width import handle_width, on_face
 from usdrigui.layout.place.problem import penalty_of, placement_problem
+from usdrigui.layout.place.regions import crowded_regions
 from usdrigui.layout.place.terms import LinearTerms
 from usdrigui.layout.reuse.decisions import with_decisions
 from usdrigui.layout.reuse.existing_layout import drawn_width, of_new_controls
@@ -162,7 +163,10 @@ def _problem(
         )
         candidates = of_new_controls(face, requests, candidates)
     with clock.stage("problem"):
-        groups = with_levels(face, find_groups(known, candidates), settings, requests)
+        groups = find_groups(known, candidates)
+        most = settings.objective.max_neighbours
+        regions = crowded_regions(face, groups, most) if face.crowded else {}
+        groups = with_levels(face.rig, groups, settings.levels, requests, regions)
         placement = placement_problem(face, candidates, groups, requests, known.settings)
     return ProblemInputs(character, part.name, known, candidates, placement)
 

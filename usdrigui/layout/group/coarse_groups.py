@@ -14,31 +14,27 @@ from itertools import chain
 
 from usdrigui.character import Control, Rig
 from usdrigui.errors import Faults, meant, refuse
-from usdrigui.layout.face import Face
-from usdrigui.layout.group.regions import crowded_regions
 from usdrigui.layout.names import element_name
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import Element, Group
-from usdrigui.settings import LayoutSettings
+from usdrigui.settings import LevelSettings
 
 
 def with_levels(
-    face: Face,
+    rig: Rig,
     groups: tuple[Group, ...],
-    layout: LayoutSettings,
+    settings: LevelSettings,
     requests: Requests,
+    regions: dict[str, set[str]],
 ) -> tuple[Group, ...]:
     """The groups on their levels, and a group of its own for every axis of those that
-    `levels.groups` opens; on a crowded face, of which nobody says anything, by regions.
+    `levels.groups` opens; where nobody asks for levels, those of crowded `regions`.
 
     Raises CONFIG_UNKNOWN_CONTROL for a name that nothing bears, CONFIG_VALUE for a coarse element
     without members or one that is a member itself.
     """
-    rig, settings, regions = face.rig, layout.levels, {}
     if not (requests.levels or settings.poses or settings.groups):
-        if requests.existing is None and face.crowded:
-            regions = crowded_regions(face, groups, layout.objective.max_neighbours)
-        return tuple(_with_states(groups, regions))
+        return tuple(_with_states(groups, {} if requests.existing else regions))
     parts = {
         group.name: tuple(_parts(rig, group))
         for group in groups
