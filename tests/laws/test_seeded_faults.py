@@ -80,7 +80,7 @@ class Layout:
 def plain(name):
     """With the placeholder of instance names."""
     parts = name.split(":")
-    return ":".join([*parts[:2], "__INSTANCE_NAME__", *parts[3:]]) if "control" in parts[1:2] else name
+    return ":".join([*parts[:2], "__INSTANCE_NAME__", *parts[3:]]) if parts[1] in ("control", "part") else name
 
 
 DECLARED = {each.name: each for api in schema.APIS for each in author.properties(api).values()}
@@ -381,6 +381,10 @@ def test_a_value_that_breaks_a_rule_of_the_schema_is_refused(stage, api, declare
     where = {schema.LAYOUT: SCOPE, schema.CORRECTION: f"/Char/{schema.CORRECTIONS}/smile"}.get(api, f"{MESH}/{EYE}")
     if api == schema.CORRECTION:
         stage.DefinePrim(where, "Scope").AddAppliedSchema(schema.CORRECTION)
+    if api == schema.PART:
+        where = SCOPE
+        stage.GetPrimAtPath(where).AddAppliedSchema(f"{schema.PART}:EyeLeft_ry")
+        Layout(stage).set("rigUI:part:EyeLeft_ry:handleWidth", 0.1, where)
     name = declared.name.replace("__INSTANCE_NAME__", "EyeLeft_ry")
     Layout(stage).set(name, value, where)
     (found,) = layout_faults(stage)

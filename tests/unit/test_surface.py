@@ -61,11 +61,6 @@ def test_a_point_without_triangles_has_no_normal():
     assert np.allclose(surface.vertex_normals(points, corners, np.arange(5))[4], 0)
 
 
-def test_a_mesh_without_faces_has_no_normals():
-    none = np.empty((0, 3), dtype=np.int64)
-    assert np.array_equal(surface.vertex_normals(SQUARE, none, surface.weld(SQUARE)), np.zeros((4, 3)))
-
-
 def test_weld_joins_seams_and_normals_smooth_over_them():
     points, corners = split_strip()
     points = points.copy()
