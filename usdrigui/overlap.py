@@ -94,9 +94,10 @@ def pair_costs(
     for mine in first_copies:
         for theirs in second_copies:
             near = np.flatnonzero(_boxes_meet(mine, theirs, reach))
-            cost[on_face[near]] += least_costs(
-                mine.of(near), theirs.of(near), problem.overlap, problem.separation
-            )[0]
+            if len(near):
+                cost[on_face[near]] += least_costs(
+                    mine.of(near), theirs.of(near), problem.overlap, problem.separation
+                )[0]
     return cost
 
 

@@ -30,7 +30,7 @@ from usdrigui.model import (
 )
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import Progress, exact, milp, partition, reduce, solve
+from usdrigui.solve import Progress, branching, exact, milp, partition, reduce, solve
 from usdrigui.solve.assignment import assignment
 from usdrigui.solve.budget import LOWERED_AIM, Budget
 from usdrigui.solve.exact import infeasible_penalty, solve_whole
@@ -109,12 +109,15 @@ def by_program(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(exact, "FIRST_TURN", 1.0)
 
 
-def by_triplets_first(monkeypatch: pytest.MonkeyPatch) -> None:
-    """HiGHS has only what they leave."""
+def by_branching(monkeypatch: pytest.MonkeyPatch) -> None:
+    """HiGHS gets nothing; a few partial layouts are gone on from at a time."""
     monkeypatch.setattr(exact, "FEW_PAIRS", -1)
+    monkeypatch.setattr(reduce, "BRANCHING", 100.0)
+    monkeypatch.setattr(branching, "ENTRIES", 100)
+    monkeypatch.setattr(branching, "SAMPLE", 2)
 
 
-WAYS = [one_matrix, by_blocks, by_triplets, by_program, by_triplets_first]
+WAYS = [one_matrix, by_blocks, by_triplets, by_program, by_branching]
 
 
 @pytest.mark.parametrize("way", WAYS)
@@ -144,13 +147,15 @@ def test_the_solver_named_is_the_one_that_closed_the_problem(monkeypatch: pytest
     figures = dict(next(each.figures for each in found.steps if each.name == "highs"))
     assert figures["columns"] > figures["labels"] > 0
     assert figures["rows"] > 0
-    by_triplets_first(monkeypatch)
+    by_branching(monkeypatch)
     found = solve(problem, HIGHS)
-    assert (found.method, found.closed_by) == ("triplets", "triplets")
+    assert (found.method, found.closed_by) == ("branching", "branching")
 
 
-def test_triplets_come_between_two_turns_of_highs() -> None:
+def test_triplets_come_between_two_turns_of_highs(monkeypatch: pytest.MonkeyPatch) -> None:
     """The first is a share of the work, and takes what bounds leave as it is."""
+    monkeypatch.setattr(exact, "FEW_PAIRS", 10**9)
+    monkeypatch.setattr(reduce.Reduction, "branched", lambda *_: False)
     found = solve(crowd(1, variables=5, candidates=30), replace(HIGHS, work_limit=1_000_000))
     work = [(each.name, dict(each.figures)["work"]) for each in found.steps[-4:]]
     assert [name for name, _ in work] == ["reduce", "highs", "triplets", "highs"]

@@ -26,7 +26,7 @@ CROWD = 16, 0.2
 traps."""
 FIRST_TURN = 0.05
 """Share of the work that is left for HiGHS before triplets."""
-FEW_PAIRS = 6000
+FEW_PAIRS = 1500
 """Pairs that cost anything, up to which HiGHS has that turn: of more it closes few in it."""
 
 
@@ -124,9 +124,11 @@ def _solve_reduced(left: Reduction, incumbent: LocalSearch, budget: Budget) -> s
     if method == "highs" and left.plain().costly_pairs() <= FEW_PAIRS:
         _take_turn(left, incumbent, budget, FIRST_TURN)
     if not budget.closed() and not budget.stopped():
-        if not left.tightened():
-            budget.found("triplets", bound=budget.cutoff)
-        budget.note("triplets", **left.figures(), bound=budget.bound, work=budget.work)
+        if left.tightened():
+            left.branched(FIRST_TURN * budget.work_left)
+        name = "branching" if left.nodes else "triplets"
+        figures = {**left.figures(), "nodes": left.nodes}
+        budget.note(name, **figures, bound=budget.bound, work=budget.work)
     if not budget.closed() and not budget.stopped():
         _take_turn(left, incumbent, budget, 1.0)
     return budget.steps[-1].name

@@ -6,6 +6,7 @@ import numpy as np
 
 from usdrigui.character import Floats, Indices
 from usdrigui.model import LayoutProblem
+from usdrigui.solve.branching import solve_by_branching
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import LabelSet
 from usdrigui.solve.local_search import KnownRows, LocalSearch
@@ -35,6 +36,8 @@ NEAR = 0.02
 """Share of the way to the cutoff in which blocks are split while the bound rises well."""
 SLOW = 0.1
 """Share of the labels, or of what the bound misses, that a step must take for another to pay."""
+BRANCHING = 1 / 16
+"""Share of the work done so far that is worth a try to search all that is left."""
 TRIES = 20
 """Of local search per variable where all pair costs are at hand: thousands take a second."""
 
@@ -84,6 +87,8 @@ class Reduction:
         numbers, cost = np.arange(len(self.block_set.cost)), self.block_set.cost.copy()
         self.problem = ReducedProblem(self.block_set.variable, numbers, cost, self.pairs)
         """Its labels are blocks."""
+        self.nodes = 0.0
+        """Of branch and bound."""
 
     @property
     def exact(self) -> bool:
@@ -218,11 +223,13 @@ class Reduction:
 
     def tightened(self) -> bool:
         """Raise the bound by triplets and take away what it excludes, as long as this gains
-        more than a share of what the bound misses; whether any are left."""
-        while True:
+        more than a share of what the bound misses; of single labels search what is left before
+        each.  Whether any are left."""
+        while not (self.exact and self.branched(BRANCHING * self._budget.work)):
             before, bound = len(self.problem.costs), self.problem.bound()
             raise_bound(self.problem, self._budget)
             if not (self._reduced() and self._excluded()):
+                self._budget.found("triplets", bound=self._budget.cutoff)
                 return False
             if self.exact:
                 self._take_dominated()
@@ -237,6 +244,19 @@ class Reduction:
                 self._frustrated()  # A better layout of few labels excludes more.
             if stopped or (few_gone and now - bound <= SLOW * (self._budget.cost - now)):
                 return True
+        return False
+
+    def branched(self, most: float) -> bool:
+        """Branch and bound with so much work, where it is likely to do; whether all is searched."""
+        budget = self._budget
+        if len(self.problem.costs) > LARGEST_TESTED or budget.stopped():
+            return False
+        found = solve_by_branching(self.problem, budget.cutoff, budget, int(most))
+        if found.chosen is not None:
+            self._incumbent.improve_from(self.representatives(found.chosen))
+        budget.found("branching", bound=found.bound)
+        self.nodes += found.figures["nodes"]
+        return found.bound > -np.inf
 
     def _split(self, share: float) -> bool:
         """Split blocks and go on from the messages of their parents; whether memory allows it."""
