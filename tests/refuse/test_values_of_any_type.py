@@ -387,6 +387,9 @@ def layout(tmp_path_factory):
     layer.subLayerPaths = [str(path)]
     correction = Sdf.CreatePrimInLayer(layer, f"/{layer.defaultPrim}/{schema.CORRECTIONS}/smile")
     correction.SetInfo("apiSchemas", Sdf.TokenListOp.CreateExplicit([schema.CORRECTION]))
+    scope = layer.GetPrimAtPath(next(_holders(layer, schema.LAYOUT))[0])
+    author.apply(scope, [schema.LAYOUT, f"{schema.PART}:face"])
+    author.declare(scope, schema.PART, {"handleWidth": 1.0}, "face")
     for api in schema.APIS:
         _complete(layer, api)
     layer.Export(str(written))
