@@ -80,7 +80,7 @@ class Layout:
 def plain(name):
     """With the placeholder of instance names."""
     parts = name.split(":")
-    return ":".join([*parts[:2], "__INSTANCE_NAME__", *parts[3:]]) if parts[1] in ("control", "part") else name
+    return ":".join([*parts[:2], "__INSTANCE_NAME__", *parts[3:]]) if {*parts[1:2]} & {"control", "part"} else name
 
 
 DECLARED = {each.name: each for api in schema.APIS for each in author.properties(api).values()}

@@ -114,7 +114,7 @@ def test_a_renamed_control_is_neither_lost_nor_new(line):
         (was, now, "renamed") for was, now in names.items()
     }
     assert not found.displaced
-    assert len(found.renamed) == 2
+    assert found.renamed == 2
 
 
 def test_a_control_with_two_handles_counts_once(line):
