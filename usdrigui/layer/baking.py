@@ -19,7 +19,7 @@ from pxr import Gf, Sdf, Ts, Usd, UsdSkel, Vt
 
 from usdrigui.character import Flags, Floats, Record, Rig, Skeleton
 from usdrigui.character.deform import driven, moved_locals
-from usdrigui.errors import Issue, RigUIError, issue, refuse
+from usdrigui.errors import Issue, issue, refuse
 from usdrigui.layer import author
 from usdrigui.layer.properties import control_instances, value_of
 from usdrigui.layer.read_controls import read_controls
@@ -49,34 +49,13 @@ def bake(stage: Usd.Stage, settings: ReadSettings) -> Sdf.Layer:
     Raises VALUES_MISSING where no value is authored, INSTANCE for an animation inside an instance,
     NOT_FINITE, and as `read_layout` and `usdrigui.reading.character.read_rigs`.
     """
-    layer = baked(stage, settings)
-    if layer is None:
-        what = "no rigUI:control:*:value of a layout has a value"
-        raise refuse("VALUES_MISSING", stage.GetRootLayer().GetDisplayName(), what)
-    return layer
-
-
-def play_values(stage: Usd.Stage, settings: ReadSettings) -> bool:
-    """Let the stage play the values of its controls, by its session layer; false where it has none
-    that can be baked."""
-    try:
-        layer = baked(stage, settings)
-    except RigUIError:
-        return False  # A check says why.
-    if layer is not None:
-        layer.timeCodesPerSecond = stage.GetTimeCodesPerSecond()  # Else USD scales its times.
-        stage.GetSessionLayer().subLayerPaths.insert(0, layer.identifier)
-    return layer is not None
-
-
-def baked(stage: Usd.Stage, settings: ReadSettings) -> Sdf.Layer | None:
-    """As `bake`; None where no value is authored."""
     layer = Sdf.Layer.CreateAnonymous(".usda")
     layer.comment = BAKED
     read = (valued(scope, settings) for scope in layout_scopes(stage))
     found = [each for each in read if each is not None]
     if not found:
-        return None
+        what = "no rigUI:control:*:value of a layout has a value"
+        raise refuse("VALUES_MISSING", stage.GetRootLayer().GetDisplayName(), what)
     source = stage.GetRootLayer().pseudoRoot
     for name in (*_METADATA, "defaultPrim"):
         if source.HasInfo(name):

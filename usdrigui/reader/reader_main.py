@@ -16,7 +16,7 @@ from pxr import Ar, Gf, Sdf, Usd, UsdGeom
 from usdrigui.character import Floats, Rig
 from usdrigui.errors import Issue, RigUIError, issue, raised_at, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_unchanged, hashed
-from usdrigui.layer.baking import bake, play_values
+from usdrigui.layer.baking import bake
 from usdrigui.layer.contradictions import contradictions
 from usdrigui.layer.corrections import own_corrections, read_corrections
 from usdrigui.layer.ignored_opinions import ignored_opinions
@@ -188,7 +188,7 @@ def read_composed(
     what the values of its controls say.  `told` adds to the characters."""
     found = told(read_characters(stage, settings.rig, laid_out))
     against = contradictions(stage, settings.rig.read)
-    if play_values(stage, settings.rig.read):
+    if _plays_values(stage, settings):
         found = told(read_characters(stage, settings.rig, laid_out))
     return replace(
         read_result(stage, settings, found),
@@ -196,6 +196,18 @@ def read_composed(
         contradictions=_as_text(against),
         listed=listed_controls(stage),
     )
+
+
+def _plays_values(stage: Usd.Stage, settings: Settings) -> bool:
+    """Let the stage play the values of its controls, by its session layer; false where it has none
+    that can be baked."""
+    try:
+        layer = bake(stage, settings.rig.read)
+    except RigUIError:
+        return False  # A check says why.
+    layer.timeCodesPerSecond = stage.GetTimeCodesPerSecond()  # Else USD scales its times.
+    stage.GetSessionLayer().subLayerPaths.insert(0, layer.identifier)
+    return True
 
 
 def read_result(stage: Usd.Stage, settings: Settings, found: Characters) -> ReadResult:

@@ -26,7 +26,7 @@ CROWD = 16, 0.2
 traps."""
 FIRST_TURN = 0.05
 """Share of the work that is left for HiGHS before triplets."""
-FEW_PAIRS = 1500
+FEW_PAIRS = 6000
 """Pairs that cost anything, up to which HiGHS has that turn: of more it closes few in it."""
 
 

@@ -38,7 +38,7 @@ def with_levels(
     parts = {
         group.name: tuple(_parts(rig, group))
         for group in groups
-        if settings.groups and _has_axes(group)
+        if settings.groups and len(group.axes) > 1 and not group.category
     }
     inner = {name: {part.name for part in made} for name, made in parts.items()}
     inner |= _of_poses(rig, groups) if settings.poses else {}
@@ -92,10 +92,6 @@ def _elements_of(
 
 
 # --- which are coarse -----------------------------------------------------------------------------
-
-
-def _has_axes(group: Group) -> bool:
-    return len(group.axes) > 1 and not group.category
 
 
 def _parts(rig: Rig, group: Group) -> Iterator[Group]:

@@ -47,7 +47,7 @@ def test_what_the_configuration_sends_beside_stands_under_a_heading_of_its_own()
         name: element.placement.category for name, element in chain.by_name(line).items() if element.anchor.on_board
     }
     assert families == {"chin": "requested", "whole": "global"}
-    assert "configuration" in chain.by_name(line)["chin"].placement.reason
+    assert "decided" in chain.by_name(line)["chin"].placement.reason
     heights = {name: chain.by_name(line)[name].anchor.position[1] for name in families}
     # A heading stands between them: a row of 2.4 widths for it and one for the element.
     assert heights["whole"] - heights["chin"] == pytest.approx(4.8 * line.layout.frame.handle_width)
