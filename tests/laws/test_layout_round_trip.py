@@ -15,7 +15,7 @@ from pxr import Sdf
 from usdrigui.character import LeftOff
 from usdrigui.layer.read_layout import read_layout
 from usdrigui.layer.write_layout import layer_bytes, layer_for
-from usdrigui.model import LayoutPart
+from usdrigui.model import LayoutPart, main_part
 from usdrigui.settings import OutputSettings
 
 FACE = makers.face(9, 11)
@@ -47,6 +47,8 @@ def layouts(draw):
         )
         for each in elements
     )
+    own = tuple(draw(st.lists(parts(), max_size=3, unique_by=lambda each: each.name)))
+    widths = {each.name: each.handle_width for each in own}  # The frame's is that of the main part.
     return rig, replace(
         layout,
         elements=elements,
@@ -55,10 +57,10 @@ def layouts(draw):
         ),
         frame=replace(
             layout.frame,
-            handle_width=draw(st.floats(1e-3, 1e3)),
+            handle_width=widths[main_part(list(widths))] if own else draw(st.floats(1e-3, 1e3)),
             space=draw(st.sampled_from(["object", "view"])),
             view=draw(DIRECTIONS),
-            parts=tuple(draw(st.lists(parts(), max_size=3))),
+            parts=own,
             plane=replace(layout.frame.plane, normal=draw(DIRECTIONS)),
         ),
         proof=replace(
