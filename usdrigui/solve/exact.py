@@ -126,9 +126,8 @@ def _solve_reduced(left: Reduction, incumbent: LocalSearch, budget: Budget) -> s
     if not budget.closed() and not budget.stopped():
         if left.tightened():
             left.branched(FIRST_TURN * budget.work_left)
-        name = "branching" if left.nodes else "triplets"
-        figures = {**left.figures(), "nodes": left.nodes}
-        budget.note(name, **figures, bound=budget.bound, work=budget.work)
+        name, nodes = ("branching", {"nodes": left.nodes}) if left.nodes else ("triplets", {})
+        budget.note(name, **left.figures(), **nodes, bound=budget.bound, work=budget.work)
     if not budget.closed() and not budget.stopped():
         _take_turn(left, incumbent, budget, 1.0)
     return budget.steps[-1].name

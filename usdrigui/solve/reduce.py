@@ -88,7 +88,7 @@ class Reduction:
         self.problem = ReducedProblem(self.block_set.variable, numbers, cost, self.pairs)
         """Its labels are blocks."""
         self.nodes = 0.0
-        """Of branch and bound."""
+        """Of branch and bound, where it has searched all that was left."""
 
     @property
     def exact(self) -> bool:
@@ -255,8 +255,9 @@ class Reduction:
         if found.chosen is not None:
             self._incumbent.improve_from(self.representatives(found.chosen))
         budget.found("branching", bound=found.bound)
-        self.nodes += found.figures["nodes"]
-        return found.bound > -np.inf
+        if searched := found.bound > -np.inf:
+            self.nodes = found.figures["nodes"]
+        return searched
 
     def _split(self, share: float) -> bool:
         """Split blocks and go on from the messages of their parents; whether memory allows it."""
