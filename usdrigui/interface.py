@@ -120,7 +120,6 @@ def diff(before: File, after: File, settings: Settings | None = None) -> LayerDi
     return pipeline.diff(Path(before), Path(after), _settings(settings))
 
 
-# The name is what people expect: usdrigui.open().
 def bake(stage: Usd.Stage, settings: Settings | None = None) -> Sdf.Layer:
     """What the keyed values of an open stage's controls make of its SkelAnimations, as an anonymous
     layer for the front of its sublayers; of a file the command writes it.  Raises `RigUIError`."""
@@ -129,6 +128,7 @@ def bake(stage: Usd.Stage, settings: Settings | None = None) -> Sdf.Layer:
     return bake_values(stage, _settings(settings).rig.read)
 
 
+# The name is what people expect: usdrigui.open().
 def open(layout: Source, settings: Settings | None = None) -> OpenLayout:  # noqa: A001
     """The layouts of a file, an open stage or a layer, with their characters as it composes them.
 

@@ -31,9 +31,9 @@ The layout layer of `{asset}` cannot be published:
 def judge(asset: Path, layer: Path, root: str = "") -> tuple[Issue, ...]:
     """Everything that is wrong with the layout of an asset; empty when it may be published.
 
-    `root` is the name that the asset's root prim must have, where a contribution composes it.
     Errors of `usdrigui check`, its warnings (a control without slider, two handles on one spot),
-    and the refusal if the layer cannot be read, is missing, or sublayers another asset.
+    and the refusal if the layer cannot be read, is missing, sublayers another asset, or is of a
+    character that is not below `root`, where a contribution asks for a root prim of this name.
     """
     try:
         loaded = pipeline.load_layer(layer, load_beside(asset))

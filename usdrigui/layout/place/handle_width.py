@@ -57,12 +57,12 @@ def handle_width(
     """
     points, weights = _wanted(trajectories, views.anywhere, placed)
     face = trajectories.surface.face_size
-    width, wider = (
-        fitting_width(points @ axes.T, weights, face, replace(settings, max_neighbours=most))
-        for most in (settings.max_neighbours, 2.0 * settings.max_neighbours)
-    )
-    finger = _FINGER * settings.handle_size * face
-    return (min(wider, finger), True) if levels and width < finger else (width, False)
+    places, finger = points @ axes.T, _FINGER * settings.handle_size * face
+    width = fitting_width(places, weights, face, settings)
+    if not levels or width >= finger:
+        return width, False
+    looser = replace(settings, max_neighbours=2.0 * settings.max_neighbours)
+    return min(fitting_width(places, weights, face, looser), finger), True
 
 
 def fitting_width(

@@ -68,12 +68,13 @@ def _apart(some: list[_Standing], others: list[_Standing]) -> Floats:
 
 def _standing(face: Face, group: Group) -> _Standing:
     surface = face.trajectories.surface
-    motions = {each.control: each for each in face.trajectories.motions}
     known = [each.action for i in group.controls if (each := face.meanings[i]) is not None]
-    own = [motions[i] for i in group.controls]
+    own = [face.trajectories.motion_of(i) for i in group.controls]
     places = []
     for copy in group.copies:
-        points, shares = wanted(face.trajectories, face.views.anywhere, motions[copy[0]])
+        points, shares = wanted(
+            face.trajectories, face.views.anywhere, face.trajectories.motion_of(copy[0])
+        )
         places.append(shares @ surface.points[points])
     return _Standing(
         -max((each.importance for each in known), default=0.0),
