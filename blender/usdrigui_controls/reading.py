@@ -80,13 +80,9 @@ def _layout(scope):
 
 def _part_widths(scope):
     """Handle width of each part of a character that is laid out in several."""
-    instances = [
-        name.split(":", 1)[1] for name in applied(scope) if name.startswith("RigUIPartAPI:")
-    ]
-    parts = [(each, f"rigUI:part:{each}") for each in instances]
     return {
-        str(get(scope, f"{part}:name", "")) or instance: get(scope, f"{part}:handleWidth", 0.0)
-        for instance, part in parts
+        _named(scope, "part", each): get(scope, f"rigUI:part:{each}:handleWidth", 0.0)
+        for each in _applied_instances(scope, "RigUIPartAPI")
     }
 
 
@@ -105,10 +101,7 @@ def attributes_of(stage, root):
     its value."""
     scopes = [each for each in _scopes(stage) if str(each.GetParent().GetPath()) == root]
     return {
-        str(get(prim, f"rigUI:control:{instance}:name", "")) or instance: (
-            prim,
-            f"rigUI:control:{instance}:value",
-        )
+        _named(prim, "control", instance): (prim, f"rigUI:control:{instance}:value")
         for scope in scopes
         for prim in reversed(_elements(scope))
         for instance in _instances(prim)
@@ -216,8 +209,17 @@ def _name(prim):
     return (str(get(prim, "rigUI:element:name", "")) or prim.GetName()) if prim else ""
 
 
+def _applied_instances(prim, api):
+    return [name.split(":", 1)[1] for name in applied(prim) if name.startswith(f"{api}:")]
+
+
+def _named(prim, kind, instance):
+    """The true name of a control or a part, where it is no identifier."""
+    return str(get(prim, f"rigUI:{kind}:{instance}:name", "")) or instance
+
+
 def _instances(prim):
-    known = [name.split(":", 1)[1] for name in applied(prim) if name.startswith("RigUIControlAPI:")]
+    known = _applied_instances(prim, "RigUIControlAPI")
     listed = [str(name) for name in get(prim, "rigUI:element:controls", ())] or known
     agree(prim, listed and set(listed) <= set(known), "its controls")
     return listed
@@ -229,7 +231,7 @@ def _member(prim, instance, points, values):
         low, high = get(prim, f"{control}:minimum", 0.0), get(prim, f"{control}:maximum", 1.0)
         values = tuple(low + (high - low) * i / max(len(points) - 1, 1) for i in range(len(points)))
     agree(prim, len(values) == len(points) > 1, "points and values of a track")
-    name = str(get(prim, f"{control}:name", "")) or instance
+    name = _named(prim, "control", instance)
     return Member(name, values, points, get(prim, f"{control}:magnification", 1.0))
 
 

@@ -330,7 +330,7 @@ class _Values:
     def __init__(self, holder, stage):
         from .reading import attributes_of
 
-        self.holder, self.stage, self.seen = holder, stage, []
+        self.holder, self.seen = holder, []
         self.attributes = attributes_of(stage, Character(holder).layout.root)
 
     def look(self):
