@@ -114,10 +114,8 @@ class SkinBinding:
         self.size = _size(rig.body)
         self._positions = rig.control_indices
         on_face = [self._anchored(each) for each in layout.elements if not each.anchor.on_board]
-        # There is one more start than meshes.
-        starts = dict(zip(self._meshes, rig.body.starts.tolist(), strict=False))
         anchored = map(self._anchored, layout.elements)
-        rows = np.array([starts[mesh.path] + point for mesh, point in anchored], dtype=np.int64)
+        rows = np.array([rig.body.point_of(mesh.path, point) for mesh, point in anchored])
         on_board = np.array([each.anchor.on_board for each in layout.elements], dtype=bool)
         self._all_of = shared(rig, [*map(self._own, layout.elements)], rows, on_board)
         self._shapes = _shapes_of(rig.body, on_face, self.size)

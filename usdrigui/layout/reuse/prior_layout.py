@@ -134,9 +134,8 @@ def kept_groups(elements: tuple[Element, ...], rig: Rig) -> tuple[KeptGroup, ...
         kept = [
             place
             for place, member in enumerate(members)
-            if index.get(member.control, -1) not in taken
+            if member.control in index and index[member.control] not in taken
         ]
-        kept = [place for place in kept if members[place].control in index]
         if not kept:
             continue
         controls = tuple(index[members[place].control] for place in kept)
