@@ -188,7 +188,6 @@ def test_every_decision_stands_or_is_told(seed, tmp_path, capsys):
                 lost += 1
                 continue
             element = element_of(layout, version.names[name])
-            assert element is not None, (number, way, name)
             if place is None:
                 assert element.anchor.on_board, (number, way, name)
                 continue

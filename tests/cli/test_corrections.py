@@ -1,7 +1,6 @@
 """`pin`, `unpin`, `pins`, `process --corrections`, opinions of stronger layers: what a person says is held or told."""
 
 import shutil
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -149,7 +148,7 @@ def test_a_point_means_the_mesh_on_which_it_was_given(folder, capsys):
     assert (left.anchor.mesh, left.anchor.point, left.placement.pinned) == (mesh, point, ("anchor",))
     assert right.placement.pinned == ("anchor",), "the twin follows"
     np.testing.assert_allclose(right.anchor.position, left.anchor.position * [-1.0, 1.0, 1.0], atol=1e-5)
-    Path(layer).rename(folder / "first.usda")
+    layer.rename(folder / "first.usda")
     out.rename(folder / "char.rigui.usda")
     layer = over(folder, "/World/Char/RigUI/FaceControls/smile_L", another_point(folder, "smile_L")[1])
     run(capsys, "process", folder / "newer.usda", "--previous", layer, "-o", out)

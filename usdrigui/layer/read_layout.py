@@ -127,8 +127,8 @@ def _corrected(layout: Layout, scope: Usd.Prim) -> Layout:
     """The layout with those decisions; what was pinned as the mirror image of an element follows it
     again, unless somebody says more of it."""
     elements = tuple(map(corrected, layout.elements, element_prims(scope)))
-    said = [new for old, new in zip(layout.elements, elements, strict=True) if new is not old]
-    names = frozenset[str]().union(*(each.manipulator.controls for each in said))
+    said = (new for old, new in zip(layout.elements, elements, strict=True) if new is not old)
+    names = {name for each in said for name in each.manipulator.controls}
     free = layout.follow(names) - names
 
     def following(element: Element) -> Element:
@@ -403,6 +403,7 @@ def _member(prim: Usd.Prim, instance: str) -> Member:
         track=points,
         arc_length=float(get("arcLength")),
         magnification=float(get("magnification")),
+        peak=float(get("peak")),
         attribute=f"{prim.GetPath()}.rigUI:control:{instance}:value",
     )
 

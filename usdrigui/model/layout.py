@@ -40,7 +40,7 @@ class Layout(Record):
         """Names of all controls that have an element."""
         return frozenset().union(*(each.manipulator.controls for each in self.elements))
 
-    def follow(self, controls: frozenset[str]) -> frozenset[str]:
+    def follow(self, controls: set[str]) -> set[str]:
         """The controls that are pinned as the mirror image of these: a new place of one side is one
         of both."""
         found, by_name = set[str](), {element.name: element for element in self.elements}
@@ -52,7 +52,7 @@ class Layout(Record):
             apart = np.linalg.norm(self.frame.plane.reflected(mine) - other)
             if apart <= ONE_PLACE * self.frame.handle_width_of(twin.placement.part):
                 found |= twin.manipulator.controls
-        return frozenset(found)
+        return found
 
     def mesh_gone(self, mesh: str, controls: int = 0) -> Issue:
         """LAYOUT_MESH_GONE of a mesh that is not there, with the number of its elements;
@@ -266,6 +266,8 @@ class Member(Record):
     """Of the anchor's true trajectory."""
     magnification: float
     """Drawn length over true length: 1 unless the trajectory is too small to be used."""
+    peak: float = 0.0
+    """`arc_length` of the point that the control moves farthest; 0 where no layer says it."""
     attribute: str = field(default="", compare=False)
     """Path of the property that holds the control's value; empty where no layer has it yet."""
 

@@ -88,7 +88,7 @@ def pins_of(layout: Layout, today: Today, corrections: Sequence[Correction] = ()
     """
     pins, issues = [], []
     names = today.rig.control_names
-    corrected = frozenset(each.control for each in corrections if each.place)
+    corrected = {each.control for each in corrections if each.place}
     free = corrected | layout.follow(corrected)
     for element, inner in with_levels(layout.elements):
         placement, on_board = element.placement, element.anchor.on_board

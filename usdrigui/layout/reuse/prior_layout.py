@@ -128,7 +128,7 @@ def kept_groups(elements: tuple[Element, ...], rig: Rig) -> tuple[KeptGroup, ...
     index = rig.control_indices
     groups: list[KeptGroup] = []
     taken: set[int] = set()
-    of_mirror = {element.name: element.manipulator.controls for element in elements}
+    by_name = {element.name: element.manipulator.controls for element in elements}
     for element in outer_first(elements):
         members = element.manipulator.members
         kept = [
@@ -145,7 +145,7 @@ def kept_groups(elements: tuple[Element, ...], rig: Rig) -> tuple[KeptGroup, ...
             if a in kept and b in kept
         )
         name = element.name if len(kept) == len(members) else ""
-        doubled = of_mirror.get(element.manipulator.mirror) == element.manipulator.controls
+        doubled = by_name.get(element.manipulator.mirror) == element.manipulator.controls
         groups.append(KeptGroup(name, controls, opposed, doubled))
         taken |= set(controls)
     return tuple(groups)

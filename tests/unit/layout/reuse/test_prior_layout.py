@@ -216,7 +216,13 @@ def test_groups_stay_and_new_controls_do_not_join_old_ones(face):
 def test_every_move_between_two_layouts_has_a_reason(before):
     elsewhere, _ = at_another_place(before, "chin")
     weights = dict(before.layout.proof.weights) | {"objective.displacement_weight": 0.5}
+    chin = chain.by_name(before)["chin"].manipulator
+    half = replace(chin, members=(replace(chin.members[0], peak=0.5 * chin.members[0].peak),))
     told = {
+        "its shape moves its farthest point 0.50 times as far": replace(
+            before.layout,
+            elements=tuple(replace(e, manipulator=half) if e.name == "chin" else e for e in before.layout.elements),
+        ),
         "no reason recorded": before.layout,
         "made with other settings: objective.displacement_weight": replace(
             before.layout,
