@@ -90,7 +90,7 @@ def written(version, path):
     """The rig of a version as a character in a file; the order of its controls is that of the SkelAnimation."""
     stage, _ = new_stage(path, ROOT)
     UsdGeom.SetStageMetersPerUnit(stage, version.unit)
-    UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.z if version.z_up else UsdGeom.Tokens.y)
+    UsdGeom.SetStageUpAxis(stage, "Z" if version.z_up else "Y")
     add_skeleton(stage, f"{ROOT}/skeleton")
     called = {int(each.drive.channels[0]): each.name for each in version.rig.controls}
     for made in version.rig.body.meshes:
