@@ -12,7 +12,7 @@ twenty times slower.
 from __future__ import annotations
 
 from importlib.util import find_spec
-from itertools import chain
+from itertools import chain, product
 from typing import Protocol
 
 import numpy as np
@@ -25,6 +25,10 @@ OFFSET = 1e-4
 """How far rays start from the surface, as a share of the soup's diagonal: above the rounding of
 single precision by three orders, below the thickness of an eyelid."""
 
+AROUND = tuple(
+    np.array(way) / np.linalg.norm(way) for way in product((0, 1, -1), repeat=3) if any(way)
+)
+"""Directions to the left, up and ahead along three axes and between them."""
 _PAIRS = 200_000
 """Ray and triangle pairs that `TreeCaster` tests at a time, about."""
 

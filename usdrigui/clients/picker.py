@@ -113,7 +113,7 @@ def _pages(rig: Rig, layout: Layout, labels: bool) -> Iterator[Page]:
     """One page a part of a character."""
     posed = evaluate(prepare(rig, layout))
     subject = subject_of(rig.body.meshes, posed.points, complexion(rig, layout))
-    for section in sections(layout, posed, rig.skel_root.up):
+    for section in sections(rig, layout, posed):
         panels = []
         top, width = _TITLE if section.title else _MARGIN, _BOARD_WIDTH
         if on_character(section.layout):

@@ -76,30 +76,30 @@ def believed(
     """(controls,) the meanings of names that the motions bear out, and where each control is
     expected; None where its name has no meaning or too few names have one.
 
-    `meanings` (controls,) as read from the names of the rig's controls.  Numbers are action units
-    only where most of them act where these do.  What mostly moves what is seen is not inside the
+    `meanings` (controls,) as read from the names of the rig's controls.  Names count only
+    where most of those with a place act there: numbers may count something else than action units,
+    and words may be those of other controls.  What mostly moves what is seen is not inside the
     mouth, whatever it is called.
     """
     surface = trajectories.surface
-    doubtful = set[int]()
+    found = list(meanings)
     for motion in trajectories.motions:
-        meaning = meanings[motion.control]
+        meaning = found[motion.control]
         weight = surface.areas[motion.points] * motion.arc_length
         visible = weight[views.anywhere[motion.points]].sum() > 0.5 * weight.sum()
         if meaning is not None and meaning.action.category == "interior" and visible:
-            doubtful.add(motion.control)
-    found = tuple(None if i in doubtful else meaning for i, meaning in enumerate(meanings))
+            found[motion.control] = None
     expected = expectations(trajectories, symmetry, views, found)
-    numbered = [
-        motion
+    right = [
+        _is_there(surface, views, motion, expected[motion.control])
         for motion in trajectories.motions
-        if (meaning := found[motion.control]) is not None and meaning.numbered
+        if (meaning := found[motion.control]) is not None
+        and (meaning.numbered or expected[motion.control] is not None)
+        and motion.shares.owned is None
     ]
-    right = sum(_is_there(surface, views, motion, expected[motion.control]) for motion in numbered)
-    if 2 * right > len(numbered) or not numbered:
-        return found, expected
-    unnumbered = tuple(None if meaning and meaning.numbered else meaning for meaning in found)
-    return unnumbered, expectations(trajectories, symmetry, views, unnumbered)
+    if right and 2 * sum(right) <= len(right):
+        return (None,) * len(found), (None,) * len(found)
+    return tuple(found), expected
 
 
 def _is_there(

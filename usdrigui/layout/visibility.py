@@ -6,13 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.character import Flags, Floats, Record, Rig
-from usdrigui.character.rays import Caster, blocked, hidden_share, make_caster, visible_from
+from usdrigui.character import Flags, Floats, Indices, Record, Rig
+from usdrigui.character.rays import AROUND, Caster, blocked, hidden_share, make_caster, visible_from
 from usdrigui.character.surface import mesh_triangles
 from usdrigui.layout.symmetry.front import front_of, three_quarter
 from usdrigui.model import BaseSurface, MirrorPlane, Trajectories
 from usdrigui.settings import view_angles
-from usdrigui.ties import axis_across
+from usdrigui.ties import axis_across, first_largest
 
 _ACROSS = 0.1
 """Sine of the angle to the plane of symmetry up to which a view sees both sides alike."""
@@ -20,6 +20,10 @@ _ACROSS = 0.1
 _EDGE_ON = 0.17
 """Cosine of the normal with the direction to the viewer below which a handle is seen edge-on."""
 _RIM_SEEN = 3
+_SHOWN = 0.1
+"""Share of the skin of a joint that a view shows for the joint not to be hidden there."""
+_BACK = 0.2
+"""Share of the most that is shown that it is worth to see the backs of hands, which curl away."""
 
 
 class FaceFrame(Record):
@@ -98,9 +102,15 @@ def find_views(
     trajectories: Trajectories,
     plane: MirrorPlane,
     viewpoint: Viewpoint,
+    *,
+    of_sides: bool = False,
 ) -> Views:
     """The views that `viewpoint` names, and what they see.  Points of hidden meshes are seen from
-    nowhere.  Raises CONFIG_VALUE for a view that cannot be understood."""
+    nowhere.  Raises CONFIG_VALUE for a view that cannot be understood.
+
+    Without a name for it, a part `of_sides`, as hands are, is looked at from where the skin of its
+    joints faces, each side by itself; and more views show what the usual ones hide of a joint.
+    """
     up, surface = rig.skel_root.up, trajectories.surface
     ahead = front_of(up, trajectories, plane.normal)
     directions = _directions(viewpoint, ahead, up)
@@ -111,12 +121,78 @@ def find_views(
     if not viewpoint.occlusion:
         return Views(ahead, up, directions, np.tile(drawn, (len(directions), 1)), None, frame)
     points = frame.points(surface.points)
-    normals = frame.directions(surface.normals)
     caster = make_caster(points[mesh_triangles(rig.body.meshes, visible_only=True)])
-    seen = [
-        visible_from(caster, points, normals, frame.directions(toward)) for toward in directions
-    ]
-    return Views(ahead, up, directions, np.stack(seen) & drawn, caster, frame)
+    around = _Around.of(trajectories, caster, frame, drawn)
+    sides = [drawn] * len(directions)
+    if not viewpoint.view and of_sides and around.skins:
+        left = plane.distance(surface.points) >= 0.0
+        directions, sides = _mirrored(around.best(left), frame, plane), [left, ~left]
+    seen = [around.seen(way) & side for way, side in zip(directions, sides, strict=False)]
+    hidden = around.hidden(np.any(seen, axis=0))
+    if not viewpoint.view and hidden.any():
+        more = _mirrored(around.best(hidden), frame, plane)
+        directions = np.vstack([directions, more])
+        seen += [around.seen(way) & hidden for way in more]
+    return Views(ahead, up, directions, np.stack(seen), caster, frame)
+
+
+def _mirrored(way: Floats, frame: FaceFrame, plane: MirrorPlane) -> Floats:
+    """(v, 3) a direction in the face's own frame and, where there is a plane, its mirror image, in
+    root space."""
+    return np.stack([way, way * [-1.0, 1.0, 1.0]])[: 1 + bool(plane.normal.any())] @ frame.axes
+
+
+class _Around(Record):
+    """What is seen of the skin of joints from anywhere."""
+
+    caster: Caster
+    frame: FaceFrame
+    points: Floats
+    normals: Floats
+    """(n, 3) in the face's own frame, as the others."""
+    drawn: Flags
+    skins: tuple[tuple[Indices, Floats], ...]
+    """Of every control of a joint, the points that the joint owns and how much of the skin each
+    is."""
+    moved: Floats
+    """(n, 3) how much further all controls go one way than the other, as fingers do that curl."""
+
+    @classmethod
+    def of(cls, found: Trajectories, caster: Caster, frame: FaceFrame, drawn: Flags) -> _Around:
+        """Of the controls of joints among those `found`."""
+        surface = found.surface
+        moved, skins = np.zeros_like(surface.points), []
+        for each in found.motions:
+            own = each.on_own_skin()
+            weight = own.arc_length * surface.areas[own.points]
+            if each.shares.owned is not None and weight.any():
+                skins.append((own.points, weight / weight.sum()))
+                moved[own.points] += own.polylines.offsets[[0, -1]].sum(axis=0)
+        points, normals = frame.points(surface.points), frame.directions(surface.normals)
+        return cls(caster, frame, points, normals, drawn, tuple(skins), frame.directions(moved))
+
+    def seen(self, toward: Floats) -> Flags:
+        """(n,) what is seen from a direction in root space."""
+        way = self.frame.directions(toward)
+        return visible_from(self.caster, self.points, self.normals, way) & self.drawn
+
+    def best(self, among: Flags) -> Floats:
+        """The direction that shows most of the skins `among` (n,) the points: a little of every
+        finger rather than much of one, and its back."""
+        worth = np.zeros(len(AROUND))
+        for i, way in enumerate(AROUND):
+            faced = self.seen(way @ self.frame.axes) * np.maximum(self.normals @ way, 0.0) * among
+            worth[i] = sum(np.sqrt(weight @ faced[points]) for points, weight in self.skins)
+        away = self.moved[among].sum(axis=0)
+        back = np.stack(AROUND) @ away / max(float(np.linalg.norm(away)), 1e-300)
+        return np.asarray(AROUND[first_largest(worth - _BACK * worth.max() * back)])
+
+    def hidden(self, seen: Flags) -> Flags:
+        """(n,) the points of the skins of which next to nothing is `seen` (n,)."""
+        found = np.zeros(len(seen), dtype=bool)
+        for points, weight in self.skins:
+            found[points] |= weight @ seen[points] < _SHOWN
+        return found
 
 
 def _frame(surface: BaseSurface, plane: MirrorPlane, ahead: Floats, up: Floats) -> FaceFrame:

@@ -26,7 +26,7 @@ from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.similarity import displacement_fields, similarity
 from usdrigui.layout.motion.trajectory import of_controls, trajectories
 from usdrigui.layout.parts.division import divide
-from usdrigui.layout.parts.joint_regions import FLAT
+from usdrigui.layout.parts.joint_regions import FLAT, OF_SIDES
 from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.place.handle_width import handle_width, on_face
 from usdrigui.layout.place.problem import penalty_of, placement_problem
@@ -113,7 +113,9 @@ def measured(
     settings = character.settings.layout
     requests = character.requests.of_part(rig.controls, part.controls, neighbours)
     with clock.stage("candidates"):
-        views = find_views(rig, found, symmetry.plane, character.viewpoint)
+        views = find_views(
+            rig, found, symmetry.plane, character.viewpoint, of_sides=part.name in OF_SIDES
+        )
         names = [control.name for control in rig.controls]
         read = meanings(names, numbers=True) if settings.candidates.conventions else ()
         meant, expected = believed(found, symmetry, views, read or (None,) * len(names))

@@ -65,6 +65,8 @@ def angles(direction: Floats, ahead: Floats, up: Floats) -> tuple[float, float]:
 def caption(direction: Floats, ahead: Floats, up: Floats) -> str:
     """What a view is called: by its name where it has one, else by its angles."""
     azimuth, elevation = angles(direction, ahead, up)
+    if abs(elevation) > 90.0 - _SAME:
+        return "above" if elevation > 0.0 else "below"
     if abs(elevation) < _SAME:
         for at, name in _NAMES.items():
             if abs(azimuth - at) < _SAME:

@@ -97,8 +97,8 @@ def scene(rig: Rig, layout: Layout, values: ArrayLike | None, wanted: Wanted) ->
     _check(wanted.views, wanted.size)
     posed = evaluate(prepare(rig, layout), values)
     subject = subject_of(rig.body.meshes, posed.points, complexion(rig, layout))
-    up, parted = rig.skel_root.up, wanted.views is None
-    close_ups = sections(layout, posed, up) if parted else (undivided(layout, posed),)
+    parted = wanted.views is None
+    close_ups = sections(rig, layout, posed) if parted else (undivided(layout, posed),)
     pages = []
     for number, section in enumerate(close_ups):
         # What has no handle on the character, as tongue and teeth may, needs no picture of it.

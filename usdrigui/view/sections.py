@@ -7,19 +7,19 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.character import Floats
-from usdrigui.model import Element, Layout, LayoutPart, Side
+from usdrigui.character import Floats, Rig
+from usdrigui.character.rays import AROUND, Caster, blocked, make_caster
+from usdrigui.character.surface import mesh_triangles
+from usdrigui.layout.parts.joint_regions import OF_SIDES
+from usdrigui.model import Element, Layout, LayoutPart
 from usdrigui.pose.evaluate import PosedLayout
+from usdrigui.ties import first_largest
 from usdrigui.view import directions
 
-_APART = 1.0
-"""Two sides are apart when the gap between them is this many times the extent of either."""
 _SHOWN = 2
 """Elements of a side, at least, that has a close-up of its own: eyes look together."""
 _TITLES = {"interior": "inside the mouth"}
 """What parts are called that are not called by their names."""
-_QUARTERS = {"left": (0.0, 90.0, 180.0), "right": (0.0, -90.0, 180.0)}
-"""Azimuths from which a hand may be looked at: the body stands in the way of the fourth."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,24 +40,44 @@ def undivided(layout: Layout, posed: PosedLayout) -> Section:
     return Section("", layout, posed, ())
 
 
-def sections(layout: Layout, posed: PosedLayout, up: Floats) -> tuple[Section, ...]:
-    """One section a part, in the order of `LayoutFrame.parts`, undivided where there is one; `up`
-    (3,) is that of the rig."""
+def sections(rig: Rig, layout: Layout, posed: PosedLayout) -> tuple[Section, ...]:
+    """One section a part, in the order of `LayoutFrame.parts`, undivided where there is one."""
     if len(layout.frame.parts) < 2:
         return (undivided(layout, posed),)
     found: list[Section] = []
+    caster = make_caster(posed.points[mesh_triangles(rig.body.meshes, visible_only=True)])
+    up, normal = rig.skel_root.up, layout.frame.plane.normal
+    ahead = directions.ahead_of(layout, up)
     for part in layout.frame.parts:
         own = [i for i, e in enumerate(layout.elements) if e.placement.part == part.name]
-        sides = _sides(layout.elements, own)
-        if not sides:
-            title = _TITLES.get(part.name, part.name)
-            found.append(_section(layout, posed, part, own, title, ()))
-        for side, chosen in sides:
-            views = _best_views(part, side, [layout.elements[i] for i in chosen], up)
-            found.append(
-                _section(layout, posed, part, chosen, f"{part.name}, character's {side}", views)
-            )
+        title = _TITLES.get(part.name, part.name)
+        sides = _sides(layout.elements, own) if part.name in OF_SIDES else {}
+        for side, chosen in (sides or {"": own}).items():
+            # The right side is looked at from where the left one is, in the mirror.
+            view = part.view - 2.0 * (part.view @ normal) * normal * (side == "right")
+            views = [view, *(() if side else directions.companions(view, ahead, up))]
+            shown = [layout.elements[i] for i in chosen if not layout.elements[i].anchor.on_board]
+            places = [e.anchor.position + 0.5 * part.handle_width * e.anchor.normal for e in shown]
+            if places:
+                axes = np.stack([np.cross(up, ahead), up, ahead])
+                views = _with_hidden(views, np.array(places), axes, caster)
+            whose = f"{title}, character's {side}" if side else title
+            found.append(_section(layout, posed, part, chosen, whose, tuple(views)))
     return tuple(found)
+
+
+def _with_hidden(
+    views: list[Floats], handles: Floats, axes: Floats, caster: Caster
+) -> list[Floats]:
+    """The views, and the one of the directions along `axes` (3, 3) that shows most of the `handles`
+    (h, 3) that they hide: beside a single view in any case another one, across it."""
+    hidden = np.all([blocked(caster, handles, view) for view in views], axis=0)
+    worth = hidden + (0.01 if len(views) == 1 else 0.0)
+    ways = [way @ axes for way in AROUND]
+    across = np.array([2.0 - abs(float(way @ views[0])) for way in ways])
+    gains = across * np.array([worth @ ~blocked(caster, handles, way) for way in ways])
+    best = first_largest(gains)
+    return [*views, ways[best]] if gains[best] > 0.0 else views
 
 
 def _section(
@@ -85,38 +105,13 @@ def _section(
     )
 
 
-def _sides(elements: tuple[Element, ...], own: list[int]) -> list[tuple[Side, list[int]]]:
-    """The elements of either side of a part that has nothing between them; the board goes with the
-    left."""
-    placed = [i for i in own if not elements[i].anchor.on_board]
-    sides: list[tuple[Side, list[int]]] = []
-    boxes = []
-    for side in ("left", "right"):
-        chosen = [i for i in placed if elements[i].look.side == side]
-        places = np.array([elements[i].anchor.position for i in chosen])
-        if len(places) < _SHOWN:
-            return []
-        boxes.append((places.min(axis=0), places.max(axis=0)))
-        sides.append((side, chosen))
-    extent = max(float((high - low).max()) for low, high in boxes)
-    gap = max(float(np.maximum(boxes[0][0] - boxes[1][1], boxes[1][0] - boxes[0][1]).max()), 0.0)
-    if len(placed) != len(sides[0][1]) + len(sides[1][1]) or gap < _APART * extent:
-        return []
-    board = [i for i in own if elements[i].anchor.on_board]
-    return [("left", sorted(sides[0][1] + board)), sides[1]]
-
-
-def _best_views(
-    part: LayoutPart, side: Side, elements: list[Element], up: Floats
-) -> tuple[Floats, ...]:
-    """The two level directions of its side that together face the most handles, the better one
-    first."""
-    normals = np.array(
-        [element.anchor.normal for element in elements if not element.anchor.on_board]
-    )
-    views = [directions.turned(part.view, up, degrees) for degrees in _QUARTERS[side]]
-    facing = np.array([np.maximum(normals @ view, 0.0) for view in views])
-    first = int(np.argmax(np.round(facing.sum(axis=1), 6)))
-    added = np.maximum(facing, facing[first]).sum(axis=1)
-    added[first] = -1.0
-    return views[first], views[int(np.argmax(np.round(added, 6)))]
+def _sides(elements: tuple[Element, ...], own: list[int]) -> dict[str, list[int]]:
+    """The elements of either side of a part that lies on both; the board goes with the left."""
+    sides = {
+        side: [i for i in own if elements[i].look.side == side and not elements[i].anchor.on_board]
+        for side in ("left", "right")
+    }
+    if min(map(len, sides.values())) < _SHOWN:
+        return {}
+    sides["left"] = sorted({*own} - {*sides["right"]})
+    return sides

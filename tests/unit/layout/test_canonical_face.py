@@ -57,6 +57,11 @@ def test_numbers_are_action_units_only_where_most_of_them_act_where_these_do():
         assert not meant(counted)
 
 
+def test_words_that_mostly_stand_elsewhere_than_they_act_mean_nothing():
+    names = list(shapes())
+    assert meant(dict(zip(names, [shapes()[name] for name in names[5:] + names[:5]], strict=True))) == []
+
+
 def meant(shapes):
     """The names that are read, as the motions bear them out."""
     rig = makers.rig(POINTS, QUADS, shapes)

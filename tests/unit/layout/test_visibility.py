@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import chain
+import limbs
 import makers
 import numpy as np
 import pytest
@@ -97,3 +98,15 @@ def test_only_a_single_view_from_the_side_sees_one_side_only():
     for toward, one_sided in ((normal, True), (face.views.directions[0], False)):
         assert replace(face.views, directions=toward[None]).one_sided(normal) == one_sided
     assert not replace(face.views, directions=np.stack([normal, -normal])).one_sided(normal)
+
+
+def test_what_the_usual_views_hide_of_a_joint_is_seen_from_behind():
+    """A tail behind a wall."""
+    names, places = ["h", "h/t"], np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 3.0]])
+    rig = limbs.with_default_controls(limbs.skeleton_rig(names, places, [0, 1], size=[2.0, 0.2]))
+    face = chain.face_of(rig)
+    plane = replace(face.symmetry.plane, normal=-face.symmetry.plane.normal)
+    views = find_views(face.rig, face.trajectories, plane, Viewpoint())
+    assert not views.visible[:3, 8:].any()
+    assert views.anywhere[8:].any()
+    assert views.directions[3] @ views.ahead < 0.0

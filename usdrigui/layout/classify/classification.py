@@ -72,18 +72,18 @@ def classify(
     repeated = composites(face, similarity, shares)
     names = [control.name for control in controls]
     kept = _kept(motions, face.symmetry, seen)
-    # The joints of a chain explain each other; only shapes and poses show what
-    # repeats a shape or a pose.
+    # The joints of a chain explain each other, and one holds most of a robot's head; only shapes
+    # and poses show what repeats a shape or a pose, and what moves all of a face.
     joints_alone = all(control.kind == "joint" for control in controls)
     found = []
     for index, motion in enumerate(motions):
         own, meaning = motion.on_own_skin(), meanings[index]
         alone = joints_alone and motion.shares.owned is not None
         evidence = _Evidence(
-            coverage_of_smaller=float(covered[index]),
+            coverage_of_smaller=0.0 if alone else float(covered[index]),
             named_local=_named_local(meaning),
             vanishes=bool(vanish[index]),
-            visible_share=_visible_share(surface, seen, own),
+            visible_share=max(_visible_share(surface, seen, each) for each in (own, motion)),
             kept=float(kept[index]),
             essential=_essential(meaning),
             composite=None if alone else repeated.get(index),

@@ -71,7 +71,7 @@ def composites(face: Face, similarity: Similarity, coverage: Floats) -> dict[int
     names = [face.control_name(motion.control) for motion in motions]
     meaning = [face.meanings[motion.control] for motion in motions]
     twins = _twins(motions, face.symmetry.twins)
-    families = find_families(names, meaning, similarity.cosine, coverage)
+    families = find_families(names, meaning, similarity.cosine)
     basis = choose_basis(similarity.cosine, _costs(meaning, coverage, families, twins), twins)
     found = {
         i: _composite(i, basis, similarity.norm) for i in np.flatnonzero(~basis.atoms).tolist()

@@ -1,7 +1,7 @@
 """Families: controls that belong together by the meaning of their names, in one group (beyond the
 paper).
 
-Visemes, emotions, moods of one part of the face and numbered series are used as a set: half of them
+Visemes, emotions and moods of one part of the face are used as a set: half of them
 on the lips and half on the board is worth less than either.  A family leaves the face as a whole
 where the other controls make most of its motion, and is on the face as a whole where they do
 not (a cartoon's five vowels are its only mouth controls). Moods of the whole face are made by those
@@ -11,8 +11,7 @@ the skin.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -26,11 +25,6 @@ FamilyKind = Literal["viseme", "emotion", "identity", "interior", "combination"]
 
 _MADE_BY_OTHERS = 0.5
 """Mean share of a family's motions that other controls must explain for it to leave the face."""
-_SERIES = 5
-"""Least length of a numbered series of controls whose names mean nothing."""
-_WHOLE = 0.25
-"""Median share of the face that a series must move to be one of identities, not of local
-sculpts."""
 _WHOLE_FACE = "emotion"
 """Action of moods of the whole face."""
 _WORDS = {
@@ -55,16 +49,21 @@ class Family:
 
 
 def find_families(
-    names: Sequence[str], meanings: Sequence[Meaning | None], cosine: Floats, coverage: Floats
+    names: Sequence[str], meanings: Sequence[Meaning | None], cosine: Floats
 ) -> tuple[Family, ...]:
     """The families of a rig; a motion is in one at most.
 
     `names` and `meanings` (m,) of the controls of the motions, `cosine` (m, m) of the motions as
-    vectors over the surface, `coverage` (m,) share of the face that each moves.
+    vectors over the surface.
     """
     found: dict[tuple[FamilyKind, str], list[int]] = {}
-    for index, kind, key in _memberships(names, meanings, coverage):
-        found.setdefault((kind, key), []).append(index)
+    products = _combinations(names)
+    for index, meaning in enumerate(meanings):
+        kind = meaning.action.category if meaning is not None else "atom"
+        if meaning is not None and kind in ("viseme", "emotion", "identity", "interior"):
+            found.setdefault((kind, meaning.action.name), []).append(index)
+        elif index in products:
+            found.setdefault(("combination", ""), []).append(index)
     alone = np.ones(len(names), dtype=bool)
     alone[[i for members in found.values() for i in members]] = False
     local = [
@@ -90,40 +89,6 @@ def _family(kind: FamilyKind, members: tuple[int, ...], others: Flags, cosine: F
     return Family(
         kind, members, False, f"{_WORDS[kind]}; other controls make {made:.0%} of their motion"
     )
-
-
-def _memberships(
-    names: Sequence[str], meanings: Sequence[Meaning | None], coverage: Floats
-) -> Iterator[tuple[int, FamilyKind, str]]:
-    """(motion, kind, which family of this kind) of every motion that is in one."""
-    series = _identity_series(names, meanings, coverage)
-    products = _combinations(names)
-    for index, meaning in enumerate(meanings):
-        category = meaning.action.category if meaning is not None else "atom"
-        if meaning is not None and category in ("viseme", "emotion", "identity", "interior"):
-            yield index, category, meaning.action.name
-        elif index in series:
-            yield index, "identity", "series"
-        elif index in products:
-            yield index, "combination", ""
-
-
-def _identity_series(
-    names: Sequence[str], meanings: Sequence[Meaning | None], coverage: Floats
-) -> frozenset[int]:
-    """Members of numbered series that move large shares of the face and whose names mean nothing
-    else."""
-    found: dict[str, list[int]] = {}
-    for index, name in enumerate(names):
-        stem = re.fullmatch(r"(.*?)[ _.:-]*\d+", name)
-        if stem is not None and meanings[index] is None:
-            found.setdefault(stem[1].lower(), []).append(index)
-    long = [
-        each
-        for each in found.values()
-        if len(each) >= _SERIES and np.median(coverage[each]) > _WHOLE
-    ]
-    return frozenset(i for each in long for i in each)
 
 
 def _combinations(names: Sequence[str]) -> frozenset[int]:

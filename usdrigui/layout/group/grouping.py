@@ -452,7 +452,7 @@ class _Grouping:
         surface, plane = face.trajectories.surface, face.symmetry.plane
         expected, meaning = face.expected[motion.control], face.meanings[motion.control]
         override = self.requests.overrides[motion.control]
-        placed = bool(override.anchor or override.near) or motion.shares.owned is not None
+        placed = bool(override.anchor or override.near)
         if not placed and all_aside(surface, plane, self.sets[index].points):
             return True
         # A name of the region alone does not place it in the middle.

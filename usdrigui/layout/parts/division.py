@@ -42,6 +42,12 @@ _NEAR = 0.5
 the face."""
 
 
+_BESIDE = {INTERIOR: (FACE, BODY), EYES: (FACE, BODY), FACE: (BODY,), HANDS: (BODY,), FEET: (BODY,)}
+"""What lies beside a part."""
+_FEW = 2
+"""Joints, or shapes, of a part that joins the one beside it, at most: one or two elements."""
+
+
 class Part(Record):
     """One part of a character."""
 
@@ -69,6 +75,7 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     names |= _beside_the_face(rig.controls, names)
     if settings.layout.candidates.conventions:
         names |= dict.fromkeys(_inside_mouth(rig, found, names), INTERIOR)
+    names |= _with_neighbours(rig.controls, names)
     if not settings.character.parts.divide:
         names = dict.fromkeys(names, main_part(sorted(names.values(), key=_rank)))
     index = rig.control_indices
@@ -95,8 +102,25 @@ def _beside_the_face(controls: tuple[Control, ...], names: Mapping[int, str]) ->
     return dict.fromkeys(joints, HEAD) if joints < on_face and BODY in names.values() else {}
 
 
+def _with_neighbours(controls: tuple[Control, ...], names: Mapping[int, str]) -> dict[int, str]:
+    """The controls of parts too small to be looked at by themselves, in the part beside theirs: no
+    joints in a face that other controls move, nor such a face in a body."""
+    found = dict(names)
+    moved = {name for i, name in found.items() if controls[i].kind != "joint"}
+    for part, neighbours in _BESIDE.items():
+        own = [control for control, name in found.items() if name == part]
+        near = [
+            n
+            for n in neighbours
+            if n in found.values() and (FACE not in {part, n} & moved or part in moved - {FACE})
+        ]
+        if len({controls[control].source for control in own}) <= _FEW and near:
+            found |= dict.fromkeys(own, near[0])
+    return found
+
+
 def _inside_mouth(rig: Rig, found: Trajectories, names: Mapping[int, str]) -> list[int]:
-    """The controls of the face that bear the name of a tongue or of teeth, where there are several;
+    """The controls of the face that bear the name of a tongue or of teeth;
     a shape of the piece of surface that most controls move, the skin, is none of them."""
     meant = meanings([control.name for control in rig.controls])
     named = {
@@ -114,14 +138,12 @@ def _inside_mouth(rig: Rig, found: Trajectories, names: Mapping[int, str]) -> li
         for motion in found.motions
     }
     skin = Counter(int(share.argmax()) for share in shares.values()).most_common(1)[0][0]
-    inside = [
+    return [
         control
         for control in sorted(named)
         if rig.controls[control].kind == "joint"
         or 2.0 * shares[control][skin : skin + 1].sum() <= shares[control].sum()
     ]
-    # A lone tongueOut is on the board of the face.
-    return inside if len(inside) > 1 else []
 
 
 def _named(names: Mapping[int, str], name: str) -> frozenset[int]:

@@ -1,39 +1,36 @@
 """Which joints and which skin are the face, the eyes, the hands, the feet and the body.
 
-A head is known by its joint's name; without one by the many joints without joints below that hang
-on it (a face driven by joints), or by the skin that the blend shapes move.  Fans of chains that
-carry on a limb are fingers and toes.
+A head is known by its joint's name; without one by the skin that the blend shapes move.  Fans of
+chains that carry on a limb are fingers and toes.
 """
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.character import Control, Floats, Indices, Rig, RigMesh
+from usdrigui.character import Floats, Indices, Rig, RigMesh
 from usdrigui.character.joint_tree import Fan, Tree, fans, unit
 from usdrigui.conventions import words
 from usdrigui.layout.parts.own_pieces import NEARLY_ALL, eyes, pieces_of
 from usdrigui.model import Trajectories
-from usdrigui.ties import first_largest
 
 FACE, EYES, HANDS, FEET, BODY = "face", "eyes", "hands", "feet", "body"
 INTERIOR = "interior"
 """Tongue, teeth and gums."""
 HEAD = "head"
 """Joints that hang on a head whose face other controls move: brows, ears, hair."""
+OF_SIDES = (HANDS, FEET)
+"""Parts that lie apart from each other, left and right, and face any way."""
 FLAT = (FACE, EYES, HEAD, INTERIOR)
 """Parts that are looked at from the front alone: their elements are kept apart on its screen."""
 
 _HEAD = ("head", "頭")
-_FACIAL = 6
-"""Joints without joints below on one joint that make it a head."""
 _LIMB = 3
 """Joints with skin in a chain beside the spine, the hands and the feet that make a body."""
-_LOW = 0.25
-"""Share of a headless character's height below which chains side by side are toes."""
+_LOW = 0.2
+"""Share of a character's height below which chains side by side are toes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,10 +55,12 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     ends = [
         fan
         for fan in fans(tree)
-        if _carries_on(tree, fan) and not heads & {fan.joint, *tree.above(fan.joint)}
+        if _carries_on(tree, fan)
+        and fan.joint not in spine
+        and not heads & {fan.joint, *tree.above(fan.joint)}
     ]
     for fan in ends:
-        name = _end(rig.skel_root.up, tree, fan, spine)
+        name = _end(rig.skel_root.up, tree, fan)
         fingers = tree.below([chain[0] for chain in fan.chains])
         for joint in fingers:
             of_joint[joint] = of_skin[joint] = name
@@ -104,12 +103,7 @@ def _heads(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
     }
     if named:
         return frozenset(i for i in named if not named & set(tree.above(i)))
-    leaves = [sum(tree.depth[child] == 1 for child in children) for children in tree.children]
-    roots = {i for i, parent in enumerate(tree.parents) if parent < 0}
-    facial = [0 if i in roots else count for i, count in enumerate(leaves)]
-    if max(facial) >= _FACIAL:
-        return frozenset({int(np.argmax(facial))})
-    return _by_shapes(rig.body.meshes, rig.controls, tree, found)
+    return _by_shapes(rig, tree, found)
 
 
 def _is_head(path: str) -> bool:
@@ -117,26 +111,21 @@ def _is_head(path: str) -> bool:
     return bool(set(words(last)) & set(_HEAD)) or last in _HEAD
 
 
-def _by_shapes(
-    meshes: tuple[RigMesh, ...], controls: tuple[Control, ...], tree: Tree, found: Trajectories
-) -> frozenset[int]:
-    """The joint furthest down below which nearly all blend shapes move skin; none where that is the
-    root."""
-    owners, votes = owner_of_points(meshes), Counter[int]()
+def _by_shapes(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
+    """The joint furthest down below which nearly all that blend shapes move is; none where that is
+    the root."""
+    share = np.zeros(len(tree.joints) + 1)
+    owners = owner_of_points(rig.body.meshes) % len(share)
     for motion in found.motions:
-        if controls[motion.control].kind == "blendShape":
-            mass = np.bincount(
-                owners[motion.points] + 1, found.surface.areas[motion.points] * motion.arc_length
-            )
-            votes[first_largest(mass.astype(np.float64)) - 1] += 1
-    total = sum(votes.values())
-    below = Counter[int]()
-    for joint, count in votes.items():
-        for above in (joint, *tree.above(joint)):
-            below[above] += count
-    wide = [joint for joint, count in below.items() if joint >= 0 and count >= NEARLY_ALL * total]
-    deepest = max(wide, key=lambda joint: (len(list(tree.above(joint))), -joint), default=-1)
-    return frozenset({deepest} if deepest >= 0 and tree.parents[deepest] >= 0 else ())
+        if rig.controls[motion.control].kind == "blendShape":
+            mass = found.surface.areas[motion.points] * motion.arc_length
+            share += np.bincount(owners[motion.points], mass / mass.sum(), len(share))
+    least = NEARLY_ALL * share.sum()
+    for joint in tree.from_the_ends():
+        share[tree.parents[joint]] += share[joint]
+        if least > 0.0 and tree.parents[joint] >= 0 and share[joint] >= least:
+            return frozenset({joint})
+    return frozenset()
 
 
 # --- limbs ----------------------------------------------------------------------------------------
@@ -150,17 +139,13 @@ def _carries_on(tree: Tree, fan: Fan) -> bool:
     )
 
 
-def _end(up: Floats, tree: Tree, fan: Fan, spine: list[int]) -> str:
-    """Hands leave the spine nearer to the head than to its root; without a head, toes lie at the
-    bottom."""
-    leaves = [spine.index(joint) for joint in tree.above(fan.joint) if joint in spine]
-    if leaves:
-        return HANDS if leaves[0] > 0.5 * (len(spine) - 1) else FEET
-    heights = tree.places @ up
-    span = float(np.ptp(heights)) or 1.0
+def _end(up: Floats, tree: Tree, fan: Fan) -> str:
+    """Feet stand on the ground: their joint lies at the bottom of a character that has more than
+    them."""
+    heights = (tree.places @ up)[sorted(tree.owners)]
     own = {fan.joint, *tree.below([chain[0] for chain in fan.chains])}
-    alone = len(tree.owners - own) < _LIMB
-    return HANDS if alone or heights[fan.joint] - heights.min() > _LOW * span else FEET
+    is_low = tree.places[fan.joint] @ up <= heights.min() + _LOW * float(np.ptp(heights))
+    return FEET if is_low and len(tree.owners - own) >= _LIMB else HANDS
 
 
 def _spine(tree: Tree, heads: frozenset[int]) -> list[int]:

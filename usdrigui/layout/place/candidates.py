@@ -31,6 +31,8 @@ place."""
 _OWN_IN_THE_MIDDLE = 0.45
 """Share of the most that it owns anywhere that a joint owns in the middle, at least, if its handle
 is to stand there."""
+_BESIDE = 1.25
+"""Distance from a joint's hidden skin, as a share of the least, within which its handle stands."""
 _THERE = 1e-3
 """Handle widths within which a point is an earlier place."""
 _NOTABLE = 1.0 / 3.0
@@ -193,7 +195,8 @@ def _moving_places(
     if not is_asked and motion.shares.owned is None:
         seen = _where_expected(face, motion, seen, face.expected[motion.control])
     points = _pruned(face, motion, seen, some, settings, samples)
-    return points if len(points) else _unseen(motion, some, settings.prune_at, settings.peak_share)
+    # What no view sees but is to stand on the face all the same.
+    return points if len(points) else _pruned(face, motion, some, some, settings, samples)
 
 
 def _allowed(
@@ -203,7 +206,19 @@ def _allowed(
     each place, near what the configuration names, on the skin that its joint owns."""
     first = among & (face.trajectories.surface.places[motion.points] == motion.points)
     near = kept_near(face, motion.control, requests, motion.points, first)
+    near = _nearest_to_hidden(face, motion, near)
     return motion.stands_on(near) | _in_the_middle(face, motion, near, least_kept)
+
+
+def _nearest_to_hidden(face: Face, motion: Motion, near: Flags) -> Flags:
+    """(p,) those `near`; where none is of the skin that its joint owns, as of a neck in a collar,
+    the nearest to that."""
+    owned = motion.shares.owned
+    if owned is None or not near.any() or owned[near].any() or not owned.any():
+        return near
+    points = face.trajectories.surface.points[motion.points]
+    apart = np.linalg.norm(points - owned @ points / owned.sum(), axis=1)
+    return np.asarray(near & (apart <= _BESIDE * apart[near].min()))
 
 
 def _in_the_middle(face: Face, motion: Motion, near: Flags, least_kept: float) -> Flags:
@@ -280,18 +295,6 @@ def _pruned(
         if arc[kept].max(initial=0.0) >= _MOST * peak:
             return motion.points[kept]
     return motion.points[seen & moving]
-
-
-def _unseen(motion: Motion, some: Flags, prune_at: float, peak_share: float) -> Indices:
-    """Candidates of a control that no view sees but that is to stand on the face all the same; none
-    where it stands nowhere, as on a mesh that is smaller than the distance at which points are
-    welded."""
-    if not some.any():
-        return np.zeros(0, dtype=np.int64)
-    arc = motion.arc_length
-    peak = float(arc[some].max())
-    least = max(prune_at * float(arc[some].mean()), peak_share * peak)
-    return motion.points[some & (arc >= min(least, peak))]
 
 
 def _seen(face: Face, points: Indices, space: str) -> Flags:

@@ -189,11 +189,14 @@ def _variable(
     requests: Requests,
 ) -> tuple[Variable, Choice]:
     """The variable of group `index`, with loosened candidates where its copies collide at all
-    others, or its members share none; of a group that the face needs also where they are one spot,
-    which another one may take."""
+    others, or its members share none; of a group that the face needs, or of a joint, also where
+    they are one spot, which another one may take."""
     face, group = costs.face, groups[index]
     settings, objective = costs.settings.layout.candidates, costs.settings.layout.objective
     min_track = costs.settings.output.min_track
+    roomy = _needed(face, group.controls) or all(
+        face.trajectories.motion_of(control).shares.owned is not None for control in group.controls
+    )
     for least in (None, settings.least_kept, SHARED_LEAST)[: 3 if len(group.controls) > 1 else 2]:
         used = sets
         if least is not None:
@@ -218,7 +221,7 @@ def _variable(
         )
         kept = np.isfinite(cost)
         spot = np.ptp(handles[kept][:, 0], axis=0).max() if kept.any() else 0.0
-        if kept.any() and (not _needed(face, group.controls) or spot >= costs.separation):
+        if kept.any() and (not roomy or spot >= costs.separation):
             break
     choice = Choice(index, choice.controls, choice.anchors[kept], choice.sources[kept])
     stay, leave = penalties_of_leaving(face, requests, choice)

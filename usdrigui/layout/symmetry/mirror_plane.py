@@ -17,8 +17,8 @@ from usdrigui.character import Flags, Floats, Indices, Record, Rig
 from usdrigui.layout.motion.similarity import DisplacementFields
 from usdrigui.layout.motion.trajectory import total_motion
 from usdrigui.layout.symmetry.front import front
-from usdrigui.layout.symmetry.sides_of_joints import ACROSS, ahead_of_head, plane_of_names
-from usdrigui.layout.symmetry.twins import agreements, pairable, paired
+from usdrigui.layout.symmetry.sides_of_joints import ACROSS, plane_of_names
+from usdrigui.layout.symmetry.twins import paired
 from usdrigui.model import MirrorPlane, Symmetry, Trajectories
 from usdrigui.settings import Settings
 from usdrigui.ties import axis_across, rounded, towards
@@ -66,7 +66,7 @@ def find_symmetry(
     if mirror.enabled and trajectories.motions:
         named = plane_of_names(rig.body.skeletons, rig.body.joints)
         search = _search(trajectories, tolerance)
-        plane = search.best(rig.skel_root.up, fields) if search is not None else None
+        plane = search.best(rig.skel_root.up) if search is not None else None
         # A robot may be as symmetric from front to back.
         if named is not None and not _agree(named, plane):
             plane = named
@@ -96,9 +96,7 @@ def _search(trajectories: Trajectories, tolerance: float) -> _Search | None:
         return None
     # All places, not only those that move: a control of one side must not tilt the plane.
     places = trajectories.surface.points[np.unique(trajectories.surface.places)]
-    return _Search(
-        trajectories, tolerance, (region, weights), cKDTree(places), _thinned(region, weights)
-    )
+    return _Search(tolerance, (region, weights), cKDTree(places), _thinned(region, weights))
 
 
 def _thinned(points: Floats, weights: Floats) -> Floats:
@@ -130,7 +128,6 @@ def _moving_region(trajectories: Trajectories) -> tuple[Floats, Floats]:
 class _Search(Record):
     """Candidate planes, compared on a sample of what the rig moves."""
 
-    trajectories: Trajectories
     tolerance: float
     region: tuple[Floats, Floats]
     """As of `_moving_region`."""
@@ -139,7 +136,7 @@ class _Search(Record):
     sample: Floats
     """(p, 3) of the region."""
 
-    def best(self, up: Floats, fields: DisplacementFields) -> MirrorPlane | None:
+    def best(self, up: Floats) -> MirrorPlane | None:
         """The best mirror plane, or None where the character has none."""
         rough = replace(self, sample=self.sample[::_THINNED])
         starts = [rough.fitted(plane, 2) for plane in self._starts(up)]
@@ -151,7 +148,8 @@ class _Search(Record):
             for plane in found
             if (self._apart(plane)[0] <= self.tolerance).mean() >= LEAST_SHARE
         ]
-        return self._by_motions(whole, up, fields) if len(whole) > 1 else next(iter(whole), None)
+        # Of those that fit alike (a face as symmetric upside down) the most upright one.
+        return min(whole, key=lambda plane: round(abs(float(plane.normal @ up)), 3), default=None)
 
     def ranked(self, planes: list[MirrorPlane]) -> tuple[list[MirrorPlane], int]:
         """The distinct planes, the best first: those that fit as well as the best, of which the
@@ -221,22 +219,6 @@ class _Search(Record):
                 kept.append((plane, image))
         return [plane for plane, _ in kept]
 
-    def _by_motions(
-        self, planes: list[MirrorPlane], up: Floats, fields: DisplacementFields
-    ) -> MirrorPlane:
-        """Of planes that the surface fits equally well (a face as symmetric upside down as left to
-        right), the one whose mirror maps the controls' motions to each other best; of those alike
-        in this, the one most along the up axis.
-        """
-
-        def preference(plane: MirrorPlane) -> tuple[float, float]:
-            partner = _partners(plane, self.trajectories, self.tolerance)
-            raw = agreements(fields, partner, plane.normal)
-            agreed = np.maximum(pairable(raw, self.trajectories.motions).max(axis=1), 0.0)
-            return -round(float(agreed.mean()), 3), round(abs(float(plane.normal @ up)), 3)
-
-        return min(planes, key=preference)
-
 
 def _level(up: Floats) -> list[Floats]:
     """Eight directions about the up axis."""
@@ -270,16 +252,14 @@ def _towards_left(
     """The plane with its normal to the character's left.
 
     What controls of skin move faces ahead.  The skin that a joint turns lies all around it: where
-    joints alone are controls, the names of the joints decide, and then the face on the head, which
-    hair hangs behind and a muzzle reaches beyond.
+    joints alone are controls, the names of the joints decide.
     """
-    up, ahead = rig.skel_root.up, None
-    if all(rig.controls[motion.control].kind == "joint" for motion in trajectories.motions):
-        if named is not None and _agree(named, plane):
-            return replace(plane, normal=towards(plane.normal, named.normal))
-        ahead = ahead_of_head(rig, trajectories)
-    if ahead is None:
-        ahead = front(up, trajectories, plane.normal)
+    if named is not None and all(
+        rig.controls[motion.control].kind == "joint" for motion in trajectories.motions
+    ):
+        return replace(plane, normal=towards(plane.normal, named.normal))
+    up = rig.skel_root.up
+    ahead = front(up, trajectories, plane.normal)
     return replace(plane, normal=towards(plane.normal, np.cross(up, ahead)))
 
 

@@ -1,5 +1,5 @@
-"""Left, right and the front of the skeleton, and which joint mirrors which: by the sides in names
-of joints, their places in the tree, and the face on its head."""
+"""Left and right of the skeleton, and which joint mirrors which: by the sides in names of joints
+and their places in the tree."""
 
 from __future__ import annotations
 
@@ -9,12 +9,11 @@ from itertools import product
 
 import numpy as np
 
-from usdrigui.character import Body, Floats, Joint, Rig, Skeleton
+from usdrigui.character import Body, Joint, Skeleton
 from usdrigui.character.joint_tree import Tree, unit
 from usdrigui.conventions.sides import mirrored, side_of
 from usdrigui.layout.motion.owned_skin import joint_places
-from usdrigui.layout.parts.joint_regions import FACE, joint_regions, owner_of_points
-from usdrigui.model import MirrorPlane, Trajectories
+from usdrigui.model import MirrorPlane
 
 ACROSS = 0.7
 """Cosine from which pairs, of joints or of actions, lie across a plane, and two planes are one."""
@@ -94,19 +93,3 @@ def mirrored_joints(body: Body, plane: MirrorPlane) -> dict[int, int]:
                 found[a], found[b] = b, a
                 pending.append(([*tree.children[a]], [*tree.children[b]]))
     return found
-
-
-def ahead_of_head(rig: Rig, trajectories: Trajectories) -> Floats | None:
-    """(3,) horizontal vector from the middle of the head to that of the joints of its face; None
-    without them."""
-    regions = joint_regions(rig, trajectories)
-    if regions is None:
-        return None
-    facial = [i for i, name in enumerate(regions.of_joint) if name == FACE]
-    head = np.array([name == FACE for name in (*regions.of_skin, "")])
-    points = trajectories.surface.points[head[owner_of_points(rig.body.meshes)]]
-    if not facial or not len(points):
-        return None
-    middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
-    way = joint_places(rig.body.skeletons, rig.body.joints)[facial].mean(axis=0) - middle
-    return np.asarray(way - (way @ rig.skel_root.up) * rig.skel_root.up)

@@ -109,16 +109,13 @@ def row(
     """The frames beside each other in a box (left, top, width, height) of a page, all at one scale
     of at most `most` pixels per scene unit.
 
-    Without such a limit they are views of one thing: level with each other, and what is left of the
-    width shows more of it.
+    Without such a limit they are views of one thing: what is left of the width shows more of it.
     """
     if not frames:
         return ()
     left, top, width, height = box
     lows = np.array([frame.low[1] for frame in frames])
     highs = np.array([frame.high[1] for frame in frames])
-    if np.isinf(most):
-        lows, highs = np.full_like(lows, lows.min()), np.full_like(highs, highs.max())
     free = width - _GAP * (len(frames) - 1) - sum(2 * frame.column for frame in frames)
     wide = sum(float(frame.high[0] - frame.low[0]) for frame in frames)
     tall = float((highs - lows).max())
@@ -136,9 +133,9 @@ def row(
 
 def trimmed(views: Sequence[View]) -> tuple[View, ...]:
     """Views of a row without what is empty above and below their frames and the rows of names."""
-    low = min(float(view.frame.low[1]) for view in views)
-    high = max(float(view.frame.high[1]) for view in views)
-    tall = max(views[0].camera.scale * (high - low), *(names_height(view.frame) for view in views))
+    extent = max(float(view.frame.high[1] - view.frame.low[1]) for view in views)
+    names = [names_height(view.frame) for view in views]
+    tall = max(views[0].camera.scale * extent, *names)
     height = min(views[0].camera.height, max(round(tall), 1))
     return tuple(replace(view, camera=replace(view.camera, height=height)) for view in views)
 

@@ -299,7 +299,7 @@ def _sections(rig: Rig, layout: Layout) -> list[Json]:
     skin = posed.points[corners] if len(corners) else posed.points
     packed: list[Json] = []
     tracks: list[Floats] = []
-    for each in sections(layout, posed, up):
+    for each in sections(rig, layout, posed):
         # Tongue and teeth have no handle on the character: they are looked at in its face.
         own = [t for i in on_character(each.layout) for t in each.posed.elements[i].tracks]
         tracks = own or tracks

@@ -1,8 +1,14 @@
 """A symmetric control with two lobes gets a handle on each, both of one value."""
 
+from dataclasses import replace
+
 import chain
+import limbs
 import makers
+import numpy as np
 import pytest
+
+from usdrigui.character import Skin
 
 POINTS, QUADS = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
@@ -57,3 +63,16 @@ def test_a_control_that_is_expected_on_the_sides_alone_has_no_handle_on_one_of_t
     found = [each for each in line.layout.elements if any(m.control == "jawClench" for m in each.manipulator.members)]
     across = [round(each.anchor.position[0], 3) for each in found]
     assert min(across) < 0.0 < max(across)
+
+
+def test_the_joint_of_both_lids_has_a_handle_on_each():
+    """Of two joints the second holds what lies at the eyes."""
+    lids = sum(makers.bump(POINTS, (side * 0.35, 0.35), (0, 0, 1.0), 0.15)[:, 2] for side in (-1, 1))[:, None]
+    lids = np.minimum(lids / lids.max(), 1.0)
+    skin = Skin(np.tile([0, 1], (len(POINTS), 1)), np.hstack([1.0 - lids, lids]), "classicLinear", np.eye(4), False)
+    rig = limbs.chain_rig(2)
+    rig = makers.changed(rig, meshes=(makers.mesh(POINTS, QUADS, skin=skin),))
+    line = chain.lay_out(replace(rig, controls=tuple(c for c in rig.controls if c.name == "j1:rx")))
+    across = sorted(round(each.anchor.position[0], 3) for each in line.layout.elements)
+    assert len(across) == 2
+    assert across[0] == -across[1] < -0.2

@@ -51,17 +51,8 @@ def test_the_plane_is_found_wherever_the_face_stands(matrix, offset):
     assert apart(rig, symmetry).max() < 1e-5 * scale
 
 
-@pytest.mark.parametrize("seed", range(6))
-def test_the_controls_decide_where_the_face_is_as_symmetric_upside_down(seed):
-    # The mask itself has both planes to the last bit, and which one rounding favours differs by turn and processor.
-    turn = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0]
-    face = makers.moved(makers.face(17, 21), turn)
-    for up in (turn[:, 1], turn[:, 0]):
-        assert abs(symmetry_of(makers.changed(face, up=up)).plane.normal @ turn[:, 0]) == pytest.approx(1.0, abs=1e-9)
-
-
 @pytest.mark.parametrize("up", [0, 1])
-def test_the_up_axis_decides_where_the_controls_leave_it_open(up):
+def test_the_up_axis_decides_where_the_surface_leaves_it_open(up):
     points, quads = makers.mask(17, 21)
     alike = makers.rig(points, quads, {"pout": makers.bump(points, (0, 0), (0, 0, 1), 0.6)}, up=np.eye(3)[up])
     assert abs(symmetry_of(alike).plane.normal[1 - up]) == pytest.approx(1.0, abs=1e-9)

@@ -10,10 +10,8 @@ import pytest
 from makers import changed
 
 from usdrigui.character.rotation import rotations
-from usdrigui.layout.motion.trajectory import trajectories
-from usdrigui.layout.symmetry.sides_of_joints import ahead_of_head, mirrored_joints
+from usdrigui.layout.symmetry.sides_of_joints import mirrored_joints
 from usdrigui.model import MirrorPlane
-from usdrigui.settings import Settings
 
 ACROSS = MirrorPlane(np.zeros(3), np.array([1.0, 0.0, 0.0]))
 
@@ -65,14 +63,6 @@ def test_the_names_tell_which_side_is_left_where_nothing_else_does():
     assert chain.face_of(robot(swapped=True)).views.ahead == pytest.approx([0.0, 0.0, -1.0], abs=0.05)
 
 
-@pytest.mark.parametrize("ahead", [1.0, -1.0])
-def test_the_face_on_the_head_tells_the_front_of_a_body(ahead):
-    about_up = rotations(np.array([0.0, 2.0, 0.0]))
-    made = limbs.moved(limbs.whole_body(ahead=ahead), about_up, 1.0, None)
-    face = chain.face_of(limbs.with_default_controls(made))
-    assert face.views.ahead == pytest.approx(np.array([0.0, 0.0, ahead]) @ about_up, abs=0.05)
-
-
 def test_names_of_joints_tell_the_front_before_hair_behind_the_head():
     made = limbs.whole_body(ahead=-1.0)
     sides = {"/a": "/l_arm", "/b": "/r_arm"}
@@ -119,9 +109,3 @@ def test_controls_of_unpaired_joints_are_no_twins_however_alike_they_move():
     pairs = [(of[i], of[twin]) for i, twin in enumerate(face.symmetry.twins.tolist()) if twin >= 0]
     assert pairs
     assert all(images[a] == b for a, b in pairs)
-
-
-def test_the_face_lies_straight_ahead_of_the_middle_of_a_symmetric_head():
-    rig = limbs.whole_body()
-    way = ahead_of_head(rig, trajectories(rig, Settings().character.trajectories))
-    assert way / np.linalg.norm(way) == pytest.approx([0.0, 0.0, 1.0], abs=0.05)
