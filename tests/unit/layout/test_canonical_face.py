@@ -108,13 +108,6 @@ def test_names_that_say_too_little_expect_nothing():
     assert set(found.values()) == {None}
 
 
-def test_near_is_seven_tenths_of_the_region_around_a_place():
-    here = Expectation(np.eye(3)[:2], np.array([0.0, 0, 5]), np.ones(2), np.zeros(2), False, 2.0)
-    near, around = here.regions(np.array([[0.0, y, 7.0] for y in (0.0, 1.4, 1.5, 2.0, 2.1)]))
-    assert near.tolist() == [True, True, False, False, False]
-    assert around.tolist() == [True, True, True, True, False]
-
-
 def test_the_mirrored_place_is_as_good_where_both_sides_are_expected():
     points = np.array([[2.0, 0, 0], [-2.0, 0, 0], [-3.0, 0.5, 0]])
     both = Expectation(np.eye(3)[:2], np.zeros(3), np.array([2.0, 1.0]), np.array([1.0, 0.5]), True, 1.0)
