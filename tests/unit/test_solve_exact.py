@@ -30,10 +30,11 @@ from usdrigui.model import (
 )
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import Progress, branching, exact, milp, partition, reduce, solve
+from usdrigui.solve import Progress, exact, joining, milp, partition, reduce, solve
 from usdrigui.solve.assignment import assignment
 from usdrigui.solve.budget import LOWERED_AIM, Budget
 from usdrigui.solve.exact import infeasible_penalty, solve_whole
+from usdrigui.solve.joining import Joint
 from usdrigui.solve.label_geometry import LabelSet, all_labels
 from usdrigui.solve.local_search import LocalSearch
 from usdrigui.solve.milp import program, solve_milp
@@ -105,19 +106,17 @@ def by_triplets(monkeypatch: pytest.MonkeyPatch) -> None:
 def by_program(monkeypatch: pytest.MonkeyPatch) -> None:
     """All that dual ascent leaves goes to HiGHS."""
     monkeypatch.setattr(reduce.Reduction, "_thinned", lambda *_: True)
-    monkeypatch.setattr(exact, "FEW_PAIRS", 10**9)
-    monkeypatch.setattr(exact, "FIRST_TURN", 1.0)
+    monkeypatch.setattr(exact, "SMALL", 10**9)
 
 
-def by_branching(monkeypatch: pytest.MonkeyPatch) -> None:
-    """HiGHS gets nothing; a few partial layouts are gone on from at a time."""
-    monkeypatch.setattr(exact, "FEW_PAIRS", -1)
-    monkeypatch.setattr(reduce, "BRANCHING", 100.0)
-    monkeypatch.setattr(branching, "ENTRIES", 100)
-    monkeypatch.setattr(branching, "SAMPLE", 2)
+def by_joining(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Variables are joined two at a time, for as long as there are two that interact."""
+    monkeypatch.setattr(exact, "SMALL", -1)
+    monkeypatch.setattr(joining, "MOST", 0)
+    monkeypatch.setattr(reduce.Reduction, "_thinned", lambda left: left._excluded())
 
 
-WAYS = [one_matrix, by_blocks, by_triplets, by_program, by_branching]
+WAYS = [one_matrix, by_blocks, by_triplets, by_program, by_joining]
 
 
 @pytest.mark.parametrize("way", WAYS)
@@ -147,21 +146,27 @@ def test_the_solver_named_is_the_one_that_closed_the_problem(monkeypatch: pytest
     figures = dict(next(each.figures for each in found.steps if each.name == "highs"))
     assert figures["columns"] > figures["labels"] > 0
     assert figures["rows"] > 0
-    by_branching(monkeypatch)
+    by_joining(monkeypatch)
     found = solve(problem, HIGHS)
-    assert (found.method, found.closed_by) == ("branching", "branching")
+    assert (found.method, found.closed_by) == ("joining", "joining")
 
 
-def test_triplets_come_between_two_turns_of_highs(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The first is a share of the work, and takes what bounds leave as it is."""
-    monkeypatch.setattr(exact, "FEW_PAIRS", 10**9)
-    monkeypatch.setattr(reduce.Reduction, "branched", lambda *_: False)
-    found = solve(crowd(1, variables=5, candidates=30), replace(HIGHS, work_limit=1_000_000))
-    work = [(each.name, dict(each.figures)["work"]) for each in found.steps[-4:]]
-    assert [name for name, _ in work] == ["reduce", "highs", "triplets", "highs"]
-    (_, before), (_, first), *_ = work
-    share = exact.FIRST_TURN * (1_000_000 - before)
-    assert share < first - before < 1.2 * share
+def test_highs_finds_the_best_layout_among_joint_labels(monkeypatch: pytest.MonkeyPatch) -> None:
+    by_joining(monkeypatch)
+    monkeypatch.setattr(reduce, "couples", lambda left: [(0, 1)] * (left.count == 4))
+    for step in ("_thinned", "tightened"):
+        monkeypatch.setattr(reduce.Reduction, step, lambda _: True)
+    problem = crowd(0, variables=4, candidates=14)
+    found = solve(problem, HIGHS)
+    assert found.method == "highs"
+    assert faults(problem, found, best_of_all(problem)) == []
+
+
+def test_a_joint_label_that_is_dearer_than_its_members_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    honest = Joint.together
+    monkeypatch.setattr(Joint, "together", lambda joint, pairs: honest(joint, pairs) + 0.3)
+    by_joining(monkeypatch)
+    assert overstated(random_problems(), monkeypatch, HIGHS.work_limit) > 0
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -24,10 +24,8 @@ TRIES = 4
 CROWD = 16, 0.2
 """First tries where pair costs are at hand, and how much worse they may get: a crowd has many
 traps."""
-FIRST_TURN = 0.05
-"""Share of the work that is left for HiGHS before triplets."""
-FEW_PAIRS = 6000
-"""Pairs that cost anything, up to which HiGHS has that turn: of more it closes few in it."""
+SMALL = 1000
+"""Labels and pairs that cost anything, of which HiGHS closes nearly all at its root."""
 
 
 def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
@@ -118,30 +116,38 @@ def _first_layout(
 
 
 def _solve_reduced(left: Reduction, incumbent: LocalSearch, budget: Budget) -> str:
-    """Give what is left to the solver that the settings name, before and after triplets of
-    variables raise its bound; the name of the step that had the last turn."""
-    method = budget.settings.method
-    if method == "highs" and left.plain().costly_pairs() <= FEW_PAIRS:
-        _take_turn(left, incumbent, budget, FIRST_TURN)
-    if not budget.closed() and not budget.stopped():
-        if left.tightened():
-            left.branched(FIRST_TURN * budget.work_left)
-        name, nodes = ("branching", {"nodes": left.nodes}) if left.nodes else ("triplets", {})
-        budget.note(name, **left.figures(), **nodes, bound=budget.bound, work=budget.work)
-    if not budget.closed() and not budget.stopped():
-        _take_turn(left, incumbent, budget, 1.0)
+    """Raise the bound of what is left by joining variables, by triplets of them where labels are
+    too many for that, and give it to the solver that the settings name once its program is small;
+    the name of the step that had the last turn."""
+
+    def open_() -> bool:
+        return not budget.closed() and not budget.stopped()
+
+    name, before = "", 0
+    while open_() and left.plain().size() > SMALL:
+        if left.joined():
+            name = "joining"
+        elif (now := len(left.problem.costs)) == before:
+            break
+        else:
+            name, before = "triplets", now
+            left.tightened()
+    if name:
+        budget.note(name, **left.figures(), bound=budget.bound, work=budget.work)
+    if open_():
+        _search(left, incumbent, budget)
     return budget.steps[-1].name
 
 
-def _take_turn(left: Reduction, incumbent: LocalSearch, budget: Budget, share: float) -> None:
-    """Search what is left with a share of the work."""
+def _search(left: Reduction, incumbent: LocalSearch, budget: Budget) -> None:
+    """Search what is left with all the work that is."""
     method, cutoff, rest = budget.settings.method, budget.cutoff, left.plain()
     if method == "toulbar2":
         found = solve_by_toulbar2(rest, cutoff, budget)
     else:
         from usdrigui.solve.milp import solve_milp
 
-        found = solve_milp(rest, cutoff, budget, budget.work + int(share * budget.work_left))
+        found = solve_milp(rest, cutoff, budget, budget.settings.work_limit)
     if found.chosen is not None:
         incumbent.improve_from(left.representatives(found.chosen))
     budget.found(method, bound=found.bound)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
+from scipy.sparse import csr_array
 
 from usdrigui.character import Floats, Indices
 from usdrigui.model import LayoutProblem
-from usdrigui.solve.branching import solve_by_branching
 from usdrigui.solve.budget import Budget
+from usdrigui.solve.joining import Joint, couples
 from usdrigui.solve.label_geometry import LabelSet
 from usdrigui.solve.local_search import KnownRows, LocalSearch
 from usdrigui.solve.pair_costs import NearPairs, near_blocks, pair_costs, refined
@@ -36,8 +37,6 @@ NEAR = 0.02
 """Share of the way to the cutoff in which blocks are split while the bound rises well."""
 SLOW = 0.1
 """Share of the labels, or of what the bound misses, that a step must take for another to pay."""
-BRANCHING = 1 / 16
-"""Share of the work done so far that is worth a try to search all that is left."""
 TRIES = 20
 """Of local search per variable where all pair costs are at hand: thousands take a second."""
 
@@ -84,11 +83,13 @@ class Reduction:
         self._near = near_blocks(problem, self.block_set, budget) if near is None else near
         self.pairs = pair_costs(problem, self.block_set, self._near)
         """Pair costs of the problem's labels, without messages."""
+        self.linear = self.block_set.cost
+        """What they cost alone."""
+        self._joined: Indices | None = None
+        """(labels, variables) the blocks that joint labels stand for, -1 for other variables."""
         numbers, cost = np.arange(len(self.block_set.cost)), self.block_set.cost.copy()
         self.problem = ReducedProblem(self.block_set.variable, numbers, cost, self.pairs)
         """Its labels are blocks."""
-        self.nodes = 0.0
-        """Of branch and bound, where it has searched all that was left."""
 
     @property
     def exact(self) -> bool:
@@ -97,20 +98,36 @@ class Reduction:
 
     def representatives(self, chosen: Indices) -> Indices:
         """(variables,) the labels of least linear cost of the blocks that a solution chooses."""
-        return cheapest(self._labels, self.blocks)[self.problem.labels[chosen]]
+        blocks = self._members()[chosen].max(axis=0)
+        return np.asarray(cheapest(self._labels, self.blocks)[blocks])
+
+    def _members(self) -> Indices:
+        """(labels, variables) the block of every variable that a label stands for, or -1."""
+        left = self.problem
+        if self._joined is not None:
+            return np.asarray(self._joined[left.labels])
+        found = np.full((len(left.labels), left.count), -1)
+        found[np.arange(len(left.labels)), left.owner] = left.labels
+        return found
 
     def plain(self) -> PlainProblem:
         """What is left with the problem's own costs, and the pairs that bounds exclude."""
-        left, pairs = self.problem, self.pairs.toarray()
-        pairs = np.where(np.isinf(left.both_ways()), np.inf, pairs + pairs.T)
-        return PlainProblem(left.start, self.block_set.cost[left.labels], pairs)
+        left = self.problem
+        pairs = np.where(np.isinf(left.both_ways()), np.inf, self._all_pairs())
+        return PlainProblem(left.start, self.linear[left.labels], pairs)
+
+    def _all_pairs(self) -> Floats:
+        """(n, n) the problem's own pair costs, the same both ways."""
+        pairs = self.pairs.toarray()
+        return np.asarray(pairs + pairs.T)
 
     def figures(self) -> dict[str, int]:
         """How much is left, for the report."""
         excluded = sum(int(np.isinf(each.costs).sum()) for each in self.problem.tables)
+        members = np.unique(self._members())
         return {
             "blocks": len(self.problem.labels),
-            "labels": int(self.blocks.sizes[self.problem.labels].sum()),
+            "labels": int(self.blocks.sizes[members[members >= 0]].sum()),
             "excluded_pairs": excluded,
             "triplets": len(self.problem.messages),
         }
@@ -142,7 +159,7 @@ class Reduction:
         """Look for a good layout of the blocks; whether it is far above the bound."""
         left = self.problem
         first = np.array([each.start + int(left.costs[each].argmin()) for each in left.slices])
-        linear, penalty = self.block_set.cost[left.labels], self._incumbent.penalty
+        linear, penalty = self.linear[left.labels], self._incumbent.penalty
         found = LocalSearch(left.start, linear, KnownRows(self.pairs), self._budget, penalty)
         found.improve_from(first)
         if self.exact:
@@ -207,10 +224,8 @@ class Reduction:
         if len(left.costs) > LARGEST_TESTED:
             return
         self._budget.spend(len(left.costs) * int(np.square(np.diff(left.start)).sum()) // 64)
-        both = self.pairs.toarray()
-        both += both.T
-        linear = self.block_set.cost[left.labels]
-        alive = undominated(left.start, linear, both, np.isinf(left.both_ways()))
+        linear = self.linear[left.labels]
+        alive = undominated(left.start, linear, self._all_pairs(), np.isinf(left.both_ways()))
         self._keep(left.restricted(alive))
 
     def _excluded(self) -> bool:
@@ -223,9 +238,8 @@ class Reduction:
 
     def tightened(self) -> bool:
         """Raise the bound by triplets and take away what it excludes, as long as this gains
-        more than a share of what the bound misses; of single labels search what is left before
-        each.  Whether any are left."""
-        while not (self.exact and self.branched(BRANCHING * self._budget.work)):
+        more than a share of what the bound misses; whether any are left."""
+        while True:
             before, bound = len(self.problem.costs), self.problem.bound()
             raise_bound(self.problem, self._budget)
             if not (self._reduced() and self._excluded()):
@@ -244,20 +258,21 @@ class Reduction:
                 self._frustrated()  # A better layout of few labels excludes more.
             if stopped or (few_gone and now - bound <= SLOW * (self._budget.cost - now)):
                 return True
-        return False
 
-    def branched(self, most: float) -> bool:
-        """Branch and bound with so much work, where it is likely to do; whether all is searched."""
-        budget = self._budget
-        if len(self.problem.costs) > LARGEST_TESTED or budget.stopped():
-            return False
-        found = solve_by_branching(self.problem, budget.cutoff, budget, int(most))
-        if found.chosen is not None:
-            self._incumbent.improve_from(self.representatives(found.chosen))
-        budget.found("branching", bound=found.bound)
-        if searched := found.bound > -np.inf:
-            self.nodes = found.figures["nodes"]
-        return searched
+    def joined(self) -> bool:
+        """Join variables and take away what bounds then exclude; whether there are any to join."""
+        left = self.problem
+        found = couples(left) if len(left.costs) <= LARGEST_TESTED else []
+        if found:
+            joint, pairs = Joint(left, found), self._all_pairs()
+            self._budget.spend(len(joint.owner) ** 2 // 32)
+            self.linear = joint.alone(self.linear[left.labels], pairs)
+            self.pairs = csr_array(np.triu(joint.together(pairs)))
+            self._joined = joint.members(self._members())
+            self.problem = joint.problem
+            if not (self._swept() and self._thinned()):
+                self._budget.found("joining", bound=self._budget.cutoff)
+        return bool(found)
 
     def _split(self, share: float) -> bool:
         """Split blocks and go on from the messages of their parents; whether memory allows it."""
@@ -273,5 +288,5 @@ class Reduction:
         place = np.searchsorted(self.problem.labels, parent)
         more = self.block_set.cost - older.cost[parent]
         self.problem = self.problem.refined(place, more, self.pairs, pairs)
-        self.pairs = pairs
+        self.pairs, self.linear = pairs, self.block_set.cost
         return True
