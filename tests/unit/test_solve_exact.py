@@ -30,7 +30,7 @@ from usdrigui.model import (
 )
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import Progress, exact, joining, milp, partition, reduce, solve
+from usdrigui.solve import Progress, exact, milp, partition, reduce, solve
 from usdrigui.solve.assignment import assignment
 from usdrigui.solve.budget import LOWERED_AIM, Budget
 from usdrigui.solve.exact import infeasible_penalty, solve_whole
@@ -110,9 +110,8 @@ def by_program(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def by_joining(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Variables are joined two at a time, for as long as there are two that interact."""
+    """Variables are joined for as long as there are two that interact."""
     monkeypatch.setattr(exact, "SMALL", -1)
-    monkeypatch.setattr(joining, "MOST", 0)
     monkeypatch.setattr(reduce.Reduction, "_thinned", lambda left: left._excluded())
 
 
