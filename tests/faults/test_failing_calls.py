@@ -13,5 +13,5 @@ def test_the_first_call_of_every_kind_fails():
 
 
 @pytest.mark.slow
-def test_one_call_in_61_fails():
-    assert failing.campaign(61)["faults"] == []
+def test_one_call_in_127_fails():
+    assert failing.campaign(127)["faults"] == []
