@@ -186,13 +186,13 @@ def _of_mirror(
         yield invalid_at(prim, f"{where} has another number of controls")
         return
     reflect = layout.frame.plane.reflected
-    on_face = not (element.anchor.on_board or other.anchor.on_board)
-    if not on_face or not layout.frame.mirrors(element.placement.part):
+    on_board = element.anchor.on_board or other.anchor.on_board
+    if on_board or not layout.frame.mirrors(element.placement.part):
         return
     width = layout.frame.handle_width_of(element.placement.part)
-    away = reflect(element.anchor.position) - other.anchor.position
-    if np.linalg.norm(away) > 3.0 * width:
-        yield _doubtful_at(prim, f"{where} is {np.linalg.norm(away):.3g} from its mirror image")
+    away = np.linalg.norm(reflect(element.anchor.position) - other.anchor.position)
+    if away > 3.0 * width:
+        yield _doubtful_at(prim, f"{where} is {away:.3g} from its mirror image")
         return
     if element.manipulator.kind == "fan":
         return
@@ -220,12 +220,15 @@ def _unpaired(by_name: Mapping[str, tuple[Usd.Prim, Element]], layout: Layout) -
     ]
     for prim, element in alone:
         width = layout.frame.handle_width_of(element.placement.part)
+        # Far from the origin single precision does not tell such places apart.
+        near = _MIRRORED * width - author.TOLD * np.abs(element.anchor.position).sum()
         for twin_prim, twin in alone:
             pair = (element.look.side, twin.look.side) == ("left", "right")
             alike = len(element.manipulator.members) == len(twin.manipulator.members)
-            if pair and alike and _apart(layout.frame.plane, element, twin) < _MIRRORED * width:
-                what = f"rigUI:element:mirror is missing: {twin_prim.GetPath()} is its image"
-                yield invalid_at(prim, what)
+            if pair and alike and _apart(layout.frame.plane, element, twin) < near:
+                yield invalid_at(
+                    prim, f"rigUI:element:mirror is missing: {twin_prim.GetPath()} is its image"
+                )
 
 
 def _apart(plane: MirrorPlane, element: Element, twin: Element) -> float:
