@@ -143,22 +143,18 @@ def test_a_point_means_the_mesh_on_which_it_was_given(folder, capsys):
     out = folder / "out.rigui.usda"
     told = run(capsys, "process", with_another_mesh(folder), "--previous", layer, "-o", out)
     assert not [each for each in told["issues"] if each["code"].startswith("PIN_")]
-    found = elements(out)["smile_L"]
-    assert (found.anchor.mesh, found.anchor.point, found.placement.pinned) == (mesh, point, ("anchor",))
-
-
-def test_diff_tells_what_process_told(folder, capsys):
-    """Of a rename that only the layout before knows, in other units."""
-    newer = folder / "newer.usda"
-    shutil.copy(folder / "char.usda", newer)
-    text = Sdf.Layer.FindOrOpen(str(newer)).ExportToString().replace("chin", "jut")
-    newer.write_text(text)
-    out = folder / "out.rigui.usda"
-    told = run(capsys, "process", newer, "--previous", folder / "char.rigui.usda", "-o", out)
-    changes = told["characters"][0]["difference"]["changes"]
-    assert [(each["was"], each["control"], each["kind"]) for each in changes] == [("chin", "jut", "renamed")]
-    found = run(capsys, "diff", folder / "char.rigui.usda", out)["characters"][0]["changes"]
-    assert found == changes
+    found = elements(out)
+    left, right = found["smile_L"], found["smile_R"]
+    assert (left.anchor.mesh, left.anchor.point, left.placement.pinned) == (mesh, point, ("anchor",))
+    assert right.placement.pinned == ("anchor",), "the twin follows"
+    np.testing.assert_allclose(right.anchor.position, left.anchor.position * [-1.0, 1.0, 1.0], atol=1e-5)
+    layer.rename(folder / "first.usda")
+    out.rename(folder / "char.rigui.usda")
+    layer = over(folder, "/World/Char/RigUI/FaceControls/smile_L", another_point(folder, "smile_L")[1])
+    run(capsys, "process", folder / "newer.usda", "--previous", layer, "-o", out)
+    moved, right = elements(out)["smile_L"].anchor, elements(out)["smile_R"].anchor
+    assert moved.point not in (left.anchor.point, point)
+    np.testing.assert_allclose(right.position, moved.position * [-1.0, 1.0, 1.0], atol=1e-5)
 
 
 def test_an_open_stage_is_laid_out_with_the_corrections_that_it_has(folder, capsys):

@@ -1,4 +1,4 @@
-"""The conformance suite of the contract: it is current, our three readers pass it, and a broken one does not."""
+"""The conformance suite of the contract: it is current, our readers and the example pass it, a broken one does not."""
 
 import importlib
 import json
@@ -37,11 +37,17 @@ def readers(tmp_path_factory):
     blender_extension.write_extension(folder / "one.zip")
     zipfile.ZipFile(folder / "one.zip").extractall(folder)
     page, blender = ((sys.executable, str(READERS / f"{name}.py")) for name in ("page", "blender"))
-    return {"library": (LIBRARY, 0), "page": (page, 1), "blender": ((*blender, str(folder)), 3)}
+    example = (sys.executable, str(SUITE / "reader.py"))
+    return {
+        "library": (LIBRARY, 0),
+        "page": (page, 1),
+        "blender": ((*blender, str(folder)), 3),
+        "example": (example, 11),
+    }
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["blender", "page", "library"])
+@pytest.mark.parametrize("name", ["blender", "example", "page", "library"])
 def test_a_reader_of_ours_passes(readers, name):
     command, most = readers[name]
     found = [*conform(command)]

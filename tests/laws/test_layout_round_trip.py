@@ -89,6 +89,7 @@ def changed(draw, element):
             track=each.track + draw(VECTORS),
             arc_length=draw(st.floats(0, 9)),
             magnification=draw(st.floats(1, 9)),
+            peak=draw(st.floats(0, 9)),
         )
         for each in element.manipulator.members
     )

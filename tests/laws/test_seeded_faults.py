@@ -43,20 +43,21 @@ class Layout:
     def __init__(self, stage):
         self.stage = stage
 
+    def prim(self, name):
+        return self.stage.GetPrimAtPath(name if name.startswith("/") else f"{MESH}/{name}")
+
     def attribute(self, name, prim=SMILE):
         """Of an element, by the end of its name, or of any prim by its path."""
-        path = prim if prim.startswith("/") else f"{MESH}/{prim}"
-        return self.stage.GetPrimAtPath(path).GetAttribute(name)
+        return self.prim(prim).GetAttribute(name)
 
     def set(self, name, change, prim=SMILE):
         """Let a function of the value, or a value, take its place."""
-        path = prim if prim.startswith("/") else f"{MESH}/{prim}"
         found, declared = self.attribute(name, prim), DECLARED.get(plain(name))
         value = found.Get() if found and found.HasValue() else declared and declared.fallback
         new = change(value) if callable(change) else change
         if not found:
             kind = Sdf.ValueTypeNames.Find(declared.type_name)
-            found = self.stage.GetPrimAtPath(path).CreateAttribute(name, kind, False, Sdf.VariabilityUniform)
+            found = self.prim(prim).CreateAttribute(name, kind, False, Sdf.VariabilityUniform)
         if isinstance(new, np.ndarray):
             new = type(value).FromNumpy(np.ascontiguousarray(new, dtype=np.asarray(value).dtype))
         assert found.Set(new), name
@@ -65,8 +66,7 @@ class Layout:
         self.set(f"rigUI:control:{instance}:{name}", change, prim)
 
     def target(self, name, *targets, prim=SMILE):
-        path = prim if prim.startswith("/") else f"{MESH}/{prim}"
-        self.stage.GetPrimAtPath(path).CreateRelationship(name).SetTargets([Sdf.Path(each) for each in targets])
+        self.prim(prim).CreateRelationship(name).SetTargets([Sdf.Path(each) for each in targets])
 
     def faces(self, prim):
         return np.array(self.attribute("indices", prim).Get())

@@ -84,8 +84,11 @@ class Body(Record):
         return np.cumsum([0, *(len(mesh.points) for mesh in self.meshes)], dtype=np.int64)
 
     def point_of(self, path: str, local: int) -> int:
-        """Point of a local point of the mesh at a path, which the body must have."""
-        return int(self.starts[[mesh.path for mesh in self.meshes].index(path)]) + local
+        """Point of a local point of the mesh at a path; -1 where there is no such mesh or point."""
+        for start, mesh in zip(self.starts.tolist(), self.meshes, strict=False):
+            if mesh.path == path and 0 <= local < len(mesh.points):
+                return int(start + local)
+        return -1
 
     def mesh_of(self, point: int) -> tuple[int, int]:
         """Mesh index and local point of a point."""

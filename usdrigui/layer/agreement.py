@@ -8,7 +8,7 @@ along its track, then all of them half way together.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import cached_property
 
@@ -309,18 +309,18 @@ def _drawings(scope: Usd.Prim) -> list[Usd.Prim]:
 def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _Scene | None:
     """None where nothing can be evaluated; `found` takes what is not as the character has it."""
     prims, drawings = element_prims(scope), _drawings(scope)
-    starts = dict(zip((mesh.path for mesh in body.meshes), body.starts.tolist(), strict=False))
     topologies = {mesh.path: (mesh.topology.hash, len(mesh.points)) for mesh in body.meshes}
     found += [
         invalid_at(mesh, "its arrays contradict each other: it draws nothing")
         for mesh in drawings
-        if str(mesh.GetPath()) not in starts
+        if body.point_of(str(mesh.GetPath()), 0) < 0
     ]
     rig, drawn = read_controls(scope, prims, body, found), []
     for prim, element in zip(prims, layout.elements, strict=True):
         members = [member.control for member in element.manipulator.members]
         known, count = topologies.get(element.anchor.mesh, ("gone", 0))
-        fits = bool(count) and element.anchor.fits(known)
+        point = body.point_of(element.anchor.mesh, element.anchor.point)
+        fits = point >= 0 and element.anchor.fits(known)
         if fits and element.anchor.point_count not in (0, count):
             found.append(invalid_at(prim, f"rigUI:anchor:pointCount is not {count}"))
         if fits and rig.control_names >= {*members}:
@@ -329,9 +329,9 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
                     prim,
                     element,
                     layout.frame.handle_width_of(element.placement.part),
-                    starts[element.anchor.mesh] + element.anchor.point,
-                    _rows(starts, drawings, prim, "handle"),
-                    _rows(starts, drawings, prim, "track"),
+                    point,
+                    _rows(body, drawings, prim, "handle"),
+                    _rows(body, drawings, prim, "track"),
                     np.array([rig.control_indices[name] for name in members]),
                 )
             )
@@ -349,18 +349,15 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
     ]
     base = dict(zip(base_controls(scope), layout.character.base_values.tolist(), strict=True))
     values = [base.get(control.name, control.default) for control in rig.controls]
-    spans = [np.ptp(mesh.points, axis=0) for mesh in body.meshes]
-    size = float(np.linalg.norm(spans, axis=1).max())
+    size = max(float(np.linalg.norm(np.ptp(mesh.points, axis=0))) for mesh in body.meshes)
     return _Scene(subset(rig, rows)[0], tuple(drawn), np.array(values), size)
 
 
-def _rows(
-    starts: Mapping[str, int], drawings: list[Usd.Prim], prim: Usd.Prim, role: str
-) -> Indices:
+def _rows(body: Body, drawings: list[Usd.Prim], prim: Usd.Prim, role: str) -> Indices:
     """Points of the body that draw an element in a role, in all meshes."""
     found = [np.zeros(0, dtype=np.int64)]
     for mesh in drawings:
-        part = mesh.GetChild(prim.GetName())
-        if str(mesh.GetPath()) in starts and part and part.IsA(UsdGeom.Subset):
-            found.append(starts[str(mesh.GetPath())] + points_by_role(part, role))
+        part, start = mesh.GetChild(prim.GetName()), body.point_of(str(mesh.GetPath()), 0)
+        if start >= 0 and part and part.IsA(UsdGeom.Subset):
+            found.append(start + points_by_role(part, role))
     return np.concatenate(found)

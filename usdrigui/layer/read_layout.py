@@ -120,14 +120,27 @@ def with_corrections(stage: Usd.Stage, layouts: tuple[Layout, ...]) -> tuple[Lay
     For those that succeed them; a check judges the composed stage, whichever layer has the opinion.
     """
     scopes = {str(scope.GetPath().GetParentPath()): scope for scope in layout_scopes(stage)}
-    return tuple(
-        replace(
-            layout,
-            elements=tuple(
-                map(corrected, layout.elements, element_prims(scopes[layout.character.root]))
-            ),
-        )
-        for layout in layouts
+    return tuple(_corrected(layout, scopes[layout.character.root]) for layout in layouts)
+
+
+def _corrected(layout: Layout, scope: Usd.Prim) -> Layout:
+    """The layout with those decisions; what was pinned as the mirror image of an element follows it
+    again, unless somebody says more of it."""
+    elements = tuple(map(corrected, layout.elements, element_prims(scope)))
+    said = (new for old, new in zip(layout.elements, elements, strict=True) if new is not old)
+    names = {name for each in said for name in each.manipulator.controls}
+    free = layout.follow(names) - names
+
+    def following(element: Element) -> Element:
+        kept = tuple(each for each in element.placement.pinned if each != "anchor")
+        return replace(element, placement=replace(element.placement, pinned=kept))
+
+    return replace(
+        layout,
+        elements=tuple(
+            each if free.isdisjoint(each.manipulator.controls) else following(each)
+            for each in elements
+        ),
     )
 
 
@@ -390,6 +403,7 @@ def _member(prim: Usd.Prim, instance: str) -> Member:
         track=points,
         arc_length=float(get("arcLength")),
         magnification=float(get("magnification")),
+        peak=float(get("peak")),
         attribute=f"{prim.GetPath()}.rigUI:control:{instance}:value",
     )
 

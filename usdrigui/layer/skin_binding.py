@@ -109,22 +109,19 @@ class SkinBinding:
         self.rig = rig
         self.values = layout.character.base_values
         self.weights = channel_state(rig, self.values)[0]
-        self._controls = {control.name: control for control in rig.controls}
         self._meshes = {mesh.path: mesh for mesh in rig.body.meshes}
         self.size = _size(rig.body)
         self._positions = rig.control_indices
         on_face = [self._anchored(each) for each in layout.elements if not each.anchor.on_board]
-        # There is one more start than meshes.
-        starts = dict(zip(self._meshes, rig.body.starts.tolist(), strict=False))
-        anchored = map(self._anchored, layout.elements)
-        rows = np.array([starts[mesh.path] + point for mesh, point in anchored], dtype=np.int64)
-        on_board = np.array([each.anchor.on_board for each in layout.elements], dtype=bool)
+        anchors = [each.anchor for each in layout.elements]
+        rows = np.array([rig.body.point_of(each.mesh, each.point) for each in anchors])
+        on_board = np.array([each.on_board for each in anchors], dtype=bool)
         self._all_of = shared(rig, [*map(self._own, layout.elements)], rows, on_board)
         self._shapes = _shapes_of(rig.body, on_face, self.size)
 
     def control(self, name: str) -> Control:
         """The rig's control of that name."""
-        return self._controls[name]
+        return self.rig.controls[self._positions[name]]
 
     def value(self, name: str) -> float:
         """Value of a control in the base pose."""

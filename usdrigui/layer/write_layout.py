@@ -378,6 +378,7 @@ def _track(member: Member, control: Control) -> dict[str, Any]:
         "trackValues": () if plain else member.values,
         "arcLength": member.arc_length,
         "magnification": member.magnification,
+        "peak": member.peak,
     }
 
 

@@ -31,6 +31,7 @@ from usdrigui.model.correction import (
     Correction as Correction,
 )
 from usdrigui.model.layout import (
+    ONE_PLACE as ONE_PLACE,
     SURE as SURE,
     Anchor as Anchor,
     Decision as Decision,

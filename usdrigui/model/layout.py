@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
+import numpy as np
+
 from usdrigui.character.record import Floats, Indices, Record
 from usdrigui.character.rig import Glyph, LeftOff
 from usdrigui.errors import Issue, issue
@@ -16,6 +18,8 @@ from usdrigui.model.motion import MirrorPlane
 
 SURE = 0.9
 """Confidence from which a match is acted upon; less sure matches are reported only."""
+ONE_PLACE = 0.5
+"""Handle widths within which two anchors are at one place."""
 Side = Literal["left", "right", "middle", "none"]
 Decision = Literal["anchor", "place", "grouping"]
 """What a person may decide about an element: its point; on the character or on the board; which
@@ -35,6 +39,20 @@ class Layout(Record):
     def controls(self) -> frozenset[str]:
         """Names of all controls that have an element."""
         return frozenset().union(*(each.manipulator.controls for each in self.elements))
+
+    def follow(self, controls: set[str]) -> set[str]:
+        """The controls that are pinned as the mirror image of these: a new place of one side is one
+        of both."""
+        found, by_name = set[str](), {element.name: element for element in self.elements}
+        for element in self.elements:
+            twin = by_name.get(element.manipulator.mirror)
+            if twin is None or controls.isdisjoint(element.manipulator.controls):
+                continue
+            mine, other = (np.array(each.placement.pinned_position) for each in (element, twin))
+            apart = np.linalg.norm(self.frame.plane.reflected(mine) - other)
+            if apart <= ONE_PLACE * self.frame.handle_width_of(twin.placement.part):
+                found |= twin.manipulator.controls
+        return found
 
     def mesh_gone(self, mesh: str, controls: int = 0) -> Issue:
         """LAYOUT_MESH_GONE of a mesh that is not there, with the number of its elements;
@@ -248,6 +266,8 @@ class Member(Record):
     """Of the anchor's true trajectory."""
     magnification: float
     """Drawn length over true length: 1 unless the trajectory is too small to be used."""
+    peak: float = 0.0
+    """`arc_length` of the point that the control moves farthest; 0 where no layer says it."""
     attribute: str = field(default="", compare=False)
     """Path of the property that holds the control's value; empty where no layer has it yet."""
 

@@ -77,7 +77,7 @@ def prepare(rig: Rig, layout: Layout) -> Poser:
     mesh or a control is missing, or the topology has changed.
     """
     points = np.array(
-        [_anchor_point(rig.body.meshes, rig.body.starts, element) for element in layout.elements],
+        [_anchor_point(rig.body, element) for element in layout.elements],
         dtype=np.int64,
     )
     anchors, rows = subset(rig, points)
@@ -271,21 +271,16 @@ def _map(body: Body, at: Posed, row: int) -> Floats:
 # --- matching -------------------------------------------------------------------------------------
 
 
-def _anchor_point(meshes: tuple[RigMesh, ...], starts: Indices, element: Element) -> int:
+def _anchor_point(body: Body, element: Element) -> int:
     """The point that an element is anchored at."""
-    anchor = element.anchor
-    for start, mesh in zip(starts.tolist(), meshes, strict=False):
-        if mesh.path == anchor.mesh:
-            if not anchor.fits(mesh.topology.hash) or not 0 <= anchor.point < len(mesh.points):
-                raise refuse(
-                    "LAYOUT_STALE",
-                    mesh.path,
-                    f"its topology is not that which {element.name} is anchored to",
-                )
-            return int(start) + anchor.point
-    raise refuse(
-        "LAYOUT_STALE", anchor.mesh, f"the mesh that {element.name} is anchored to does not exist"
-    )
+    anchor, hashes = element.anchor, {mesh.path: mesh.topology.hash for mesh in body.meshes}
+    point = body.point_of(anchor.mesh, anchor.point)
+    if point >= 0 and anchor.fits(hashes[anchor.mesh]):
+        return point
+    what = f"its topology is not that which {element.name} is anchored to"
+    if anchor.mesh not in hashes:
+        what = f"the mesh that {element.name} is anchored to does not exist"
+    raise refuse("LAYOUT_STALE", anchor.mesh, what)
 
 
 def _controls(names: Mapping[str, int], element: Element) -> Indices:

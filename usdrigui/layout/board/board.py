@@ -252,9 +252,8 @@ def _member(face: Face, control: int, place: Floats, length: float, direction: F
     values = np.unique([ours.minimum, ours.default, ours.maximum])
     share = (values - ours.default) / (values[-1] - values[0])
     peak = float(face.trajectories.motion_of(control).arc_length.max())
-    return Member(
-        ours.name, values, place + length * share[:, None] * direction, peak, length / peak
-    )
+    track = place + length * share[:, None] * direction
+    return Member(ours.name, values, track, peak, length / peak, peak)
 
 
 def _anchor(drawing: _Drawing, place: Floats) -> Anchor:

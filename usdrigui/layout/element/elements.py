@@ -194,7 +194,8 @@ def _member(face: Face, control: int, point: int, source: int, least: float) -> 
     (length,), (path,) = arc_lengths(motion, one).tolist(), paths(motion, one)
     (factor,) = drawn_magnification(face, motion, one, least).tolist()
     track = face.trajectories.surface.points[point] + factor * path
-    return Member(face.control_name(control), motion.polylines.values, track, length, factor)
+    name, peak = face.control_name(control), float(motion.arc_length.max())
+    return Member(name, motion.polylines.values, track, length, factor, peak)
 
 
 def anchor_at(face: Face, point: int) -> Anchor:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.layout.face import Face
-from usdrigui.layout.reuse.carrying import ONE_PLACE
 from usdrigui.layout.reuse.partial_layout import MIRROR, fixed_anchor
 from usdrigui.layout.reuse.requests import Requests
+from usdrigui.model import ONE_PLACE
 from usdrigui.settings import ControlSettings
 
 

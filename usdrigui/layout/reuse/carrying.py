@@ -10,8 +10,6 @@ from usdrigui.character import Floats, Indices, Record, Rig
 from usdrigui.model import Anchor, Correction, Trajectories
 from usdrigui.ties import first_smallest
 
-ONE_PLACE = 0.5
-"""Handle widths within which two anchors are at one place."""
 MOVES = 0.05
 """Share of its peak by which a control moves a point to which it may be carried."""
 
@@ -42,11 +40,11 @@ class Today(Record):
 def point_named(rig: Rig, hint: Anchor | Correction) -> int:
     """The point that an anchor names, or the one of this mesh and number; -1 where the mesh is gone
     or is known to have other points or faces."""
-    for start, mesh in zip(rig.body.starts.tolist(), rig.body.meshes, strict=False):
-        if mesh.path == hint.mesh and 0 <= hint.point < len(mesh.points):
-            fits = isinstance(hint, Correction) or hint.fits(mesh.topology.hash)
-            return start + hint.point if fits else -1
-    return -1
+    point = rig.body.point_of(hint.mesh, hint.point)
+    if point < 0 or isinstance(hint, Correction):
+        return point
+    mesh = rig.body.meshes[rig.body.mesh_of(point)[0]]
+    return point if hint.fits(mesh.topology.hash) else -1
 
 
 def carried(

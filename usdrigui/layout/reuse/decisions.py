@@ -8,9 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from usdrigui.character import Floats, Rig
-from usdrigui.layout.reuse.carrying import ONE_PLACE
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.model import Decision, Element, Layout
+from usdrigui.model import ONE_PLACE, Decision, Element, Layout
 from usdrigui.model.levels import with_levels
 
 

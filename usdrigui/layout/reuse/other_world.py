@@ -75,7 +75,12 @@ def _moved(element: Element, scale: float, turn: Floats) -> Element:
     anchor, placement, manipulator = element.anchor, element.placement, element.manipulator
     x, y, z = (scale * turn @ np.array(placement.pinned_position)).tolist()
     members = tuple(
-        replace(m, track=scale * m.track @ turn.T, arc_length=scale * m.arc_length)
+        replace(
+            m,
+            track=scale * m.track @ turn.T,
+            arc_length=scale * m.arc_length,
+            peak=scale * m.peak,
+        )
         for m in manipulator.members
     )
     return replace(

@@ -29,9 +29,8 @@ def anchored_point(rig: Rig, where: str, anchor: str) -> int | None:
     if not mark or not number.isdecimal():
         raise refuse("CONFIG_VALUE", where, f"{anchor!r} is not MESH_PATH#POINT")
     local = int(number)
-    for start, mesh in zip(rig.body.starts, rig.body.meshes, strict=False):
-        if mesh.path == path and local < len(mesh.points):
-            return int(start + local)
+    if (point := rig.body.point_of(path, local)) >= 0:
+        return point
     counts = {mesh.path: len(mesh.points) for mesh in rig.body.meshes}
     what = (
         f"the mesh {path} has the points 0 to {counts[path] - 1}, not {local}"

@@ -16,10 +16,11 @@ import numpy as np
 from usdrigui.character import Rig
 from usdrigui.character.deform import posed
 from usdrigui.errors import Issue, RigUIError, issue, refuse
-from usdrigui.layout.reuse.carrying import MOVES, ONE_PLACE, Today, carried, point_named
+from usdrigui.layout.reuse.carrying import MOVES, Today, carried, point_named
 from usdrigui.layout.reuse.other_world import turn_between
 from usdrigui.layout.reuse.partial_layout import MIRROR, fixed_anchor, place_of
 from usdrigui.model import (
+    ONE_PLACE,
     Anchor,
     Correction,
     Decision,
@@ -87,7 +88,8 @@ def pins_of(layout: Layout, today: Today, corrections: Sequence[Correction] = ()
     """
     pins, issues = [], []
     names = today.rig.control_names
-    free = _freed(layout, frozenset(each.control for each in corrections if each.place))
+    corrected = {each.control for each in corrections if each.place}
+    free = corrected | layout.follow(corrected)
     for element, inner in with_levels(layout.elements):
         placement, on_board = element.placement, element.anchor.on_board
         every = [m.control for m in element.manipulator.members]
@@ -113,32 +115,17 @@ def pins_of(layout: Layout, today: Today, corrections: Sequence[Correction] = ()
 def with_rest_places(layout: Layout, rig: Rig) -> Layout:
     """The layout with the rest positions on `rig`, which its own stage has, of the anchors that a
     person gave as a point alone."""
-    points, meshes = posed(rig, None).points, {mesh.path: mesh for mesh in rig.body.meshes}
+    points = posed(rig, None).points
 
     def placed(element: Element) -> Element:
         anchor, placement = element.anchor, element.placement
-        mesh = meshes.get(anchor.mesh)
-        known = mesh is not None and 0 <= anchor.point < len(mesh.points)
-        if np.isfinite(placement.pinned_position).all() or not known:
+        point = rig.body.point_of(anchor.mesh, anchor.point)
+        if point < 0 or np.isfinite(placement.pinned_position).all():
             return element
-        x, y, z = points[rig.body.point_of(anchor.mesh, anchor.point)].tolist()
+        x, y, z = points[point].tolist()
         return replace(element, placement=replace(placement, pinned_position=(x, y, z)))
 
     return replace(layout, elements=tuple(map(placed, layout.elements)))
-
-
-def _freed(layout: Layout, corrected: frozenset[str]) -> frozenset[str]:
-    """The corrected controls, and those on the other side that are pinned as their mirror image."""
-    found, by_name = set(corrected), {element.name: element for element in layout.elements}
-    for element in layout.elements:
-        twin = by_name.get(element.manipulator.mirror)
-        if twin is None or corrected.isdisjoint(element.manipulator.controls):
-            continue
-        mine, other = (np.array(each.placement.pinned_position) for each in (element, twin))
-        apart = np.linalg.norm(layout.frame.plane.reflected(mine) - other)
-        if apart <= ONE_PLACE * layout.frame.handle_width_of(twin.placement.part):
-            found |= twin.manipulator.controls
-    return frozenset(found)
 
 
 def pins_of_fixed(layout: Layout, rig: Rig) -> list[Pin]:

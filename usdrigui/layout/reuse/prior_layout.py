@@ -128,15 +128,14 @@ def kept_groups(elements: tuple[Element, ...], rig: Rig) -> tuple[KeptGroup, ...
     index = rig.control_indices
     groups: list[KeptGroup] = []
     taken: set[int] = set()
-    of_mirror = {element.name: element.manipulator.controls for element in elements}
+    by_name = {element.name: element.manipulator.controls for element in elements}
     for element in outer_first(elements):
         members = element.manipulator.members
         kept = [
             place
             for place, member in enumerate(members)
-            if index.get(member.control, -1) not in taken
+            if member.control in index and index[member.control] not in taken
         ]
-        kept = [place for place in kept if members[place].control in index]
         if not kept:
             continue
         controls = tuple(index[members[place].control] for place in kept)
@@ -146,7 +145,7 @@ def kept_groups(elements: tuple[Element, ...], rig: Rig) -> tuple[KeptGroup, ...
             if a in kept and b in kept
         )
         name = element.name if len(kept) == len(members) else ""
-        doubled = of_mirror.get(element.manipulator.mirror) == element.manipulator.controls
+        doubled = by_name.get(element.manipulator.mirror) == element.manipulator.controls
         groups.append(KeptGroup(name, controls, opposed, doubled))
         taken |= set(controls)
     return tuple(groups)

@@ -19,6 +19,8 @@ _KINDS: tuple[ChangeKind, ...] = get_args(ChangeKind)
 
 _STILL = 1e-3
 """Handles nearer to where they were than this many handle widths have not moved."""
+_RESHAPED = 0.02
+"""Share of its peak by which a shape that was sculpted again differs at least."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -205,14 +207,15 @@ def _reasons(pair: _Pair, kind: ChangeKind) -> Iterator[str]:
     if pair.handles[0] != pair.handles[1]:
         plural = "s" * (pair.handles[1] != 1)
         yield f"has {pair.handles[1]} handle{plural} now, {pair.handles[0]} before"
-    ranges = [
-        f"{m.values[0]:.4g} to {m.values[-1]:.4g}"
+    then, today = (
+        next(m for m in each.manipulator.members if m.control == pair.control)
         for each in pair.elements
-        for m in each.manipulator.members
-        if m.control == pair.control
-    ]
+    )
+    ranges = [f"{m.values[0]:.4g} to {m.values[-1]:.4g}" for m in (then, today)]
     if ranges[0] != ranges[1]:
         yield f"its range is {ranges[1]} now, {ranges[0]} before"
+    elif abs(today.peak - then.peak) > _RESHAPED * then.peak > 0.0:
+        yield f"its shape moves its farthest point {today.peak / then.peak:.2f} times as far"
 
 
 def _with_cause(change: Change, every: Sequence[Change], layouts: tuple[Layout, Layout]) -> Change:

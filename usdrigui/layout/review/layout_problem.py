@@ -62,12 +62,11 @@ def sound_elements(face: Face, elements: tuple[Element, ...]) -> tuple[Element, 
     move it."""
     rig = face.rig
     moving = {rig.controls[motion.control].name for motion in face.trajectories.motions}
-    meshes = {mesh.path: len(mesh.points) for mesh in rig.body.meshes}
     return tuple(
         element
         for element in elements
         if not element.anchor.on_board
-        and 0 <= element.anchor.point < meshes.get(element.anchor.mesh, 0)
+        and rig.body.point_of(element.anchor.mesh, element.anchor.point) >= 0
         and all(member.control in moving for member in element.manipulator.members)
     )
 

@@ -134,16 +134,6 @@ def test_a_control_with_two_handles_counts_once(line):
     assert all("no longer the one that a person had decided" in each.why[-1] for each in found.displaced)
 
 
-def test_a_control_that_was_renamed_and_moved_is_told_so_once(line):
-    element = chain.by_name(line)["chin"]
-    anchor = replace(element.anchor, point=element.anchor.point + 1, position=element.anchor.position + 0.01)
-    moved = replace(
-        line.layout, elements=tuple(replace(e, anchor=anchor) if e is element else e for e in line.layout.elements)
-    )
-    (change,) = difference(line.layout, respelt(moved, {"chin": "chinUp"})).changes
-    assert (change.was, change.control, change.kind) == ("chin", "chinUp", "moved")
-
-
 def test_elements_of_a_layout_take_the_new_names_where_they_refer_to_each_other(line):
     both = with_names(line.layout, {"smile_L": "a", "smile_R": "b"})
     elements = {each.name: each for each in both.elements}

@@ -7,9 +7,7 @@ import makers
 import numpy as np
 import pytest
 from laid_out_again import lay_out
-from rig_copies import renamed, reordered, resculpted, spelt_otherwise
 
-from usdrigui.layout.review.difference import difference
 from usdrigui.layout.review.review import review
 from usdrigui.settings import load
 
@@ -45,43 +43,10 @@ def test_decisions_of_the_configuration_are_recorded_with_their_places(decided):
     assert np.allclose(left.placement.pinned_position, left.anchor.position, atol=1e-6)
 
 
-def without(rig, *names):
-    return replace(rig, controls=tuple(each for each in rig.controls if each.name not in names))
-
-
 def another_mesh(columns, rows):
     """The same face on other points."""
     points, quads = makers.mask(columns, rows)
     return makers.rig(points, quads, makers.face_shapes(points))
-
-
-def versions():
-    """Versions of the rig, one after the other, and the names of its controls by the first ones."""
-    face = makers.face()
-    respelt, names = renamed(face, spelt_otherwise)
-    named = {name: name for name in names}
-    yield without(face, "blink_L", "blink_R"), named
-    yield another_mesh(81, 101), named
-    yield reordered(resculpted(respelt, 4), 5), names
-
-
-def test_five_decisions_stand_through_versions_of_a_rig(decided):
-    """Each lays out the rig with the layout before it and nothing else; what moves besides says why."""
-    settings = load({"solve": {"gap": 1e-2}})
-    before = decided
-    for number, (rig, names) in enumerate(versions()):
-        inputs, _, layout = lay_out(rig, settings, previous={rig.skel_root.path: before})
-        half = 0.6 * inputs.face.handle_width
-        for control in ("brow_L", "brow_R", "jawRight"):
-            apart = np.linalg.norm(place(layout, names[control]) - place(decided, control))
-            assert apart <= half, (number, control)
-        assert place(layout, names["sneer_R"]) is None, number
-        together = {frozenset(each.manipulator.controls) for each in layout.elements}
-        assert frozenset({names["pucker"], names["chin"]}) in together, number
-        assert len(pinned(layout)) == len(pinned(decided)), number
-        assert not [each for each in inputs.issues if each.code.startswith("PIN_")], number
-        assert all(change.why for change in difference(before, layout).displaced), number
-        before = layout
 
 
 def test_one_side_moves_the_other_unless_that_is_left_to_itself():
