@@ -6,14 +6,15 @@ not what they show.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel
 
-from usdrigui.errors import Issue, RigUIError
+from usdrigui.character import Floats
+from usdrigui.errors import Issue, RigUIError, refuse
 from usdrigui.layer import author
 from usdrigui.layer.agreement import disagreements, length
 from usdrigui.layer.baking import apart, valued
@@ -21,7 +22,6 @@ from usdrigui.layer.properties import (
     applied,
     control_instances,
     has,
-    integers_of,
     targets,
 )
 from usdrigui.layer.read_controls import invalid_at
@@ -32,7 +32,7 @@ from usdrigui.layer.read_layout import (
     layout_scopes,
     points_by_role,
 )
-from usdrigui.model import Element, Layout, MirrorPlane
+from usdrigui.model import Element, Layout
 from usdrigui.settings import ReadSettings
 from usdrigui.stages import schema
 
@@ -56,11 +56,11 @@ def contradictions(stage: Usd.Stage, settings: ReadSettings) -> tuple[Issue, ...
     for scope in layout_scopes(stage):
         found: list[Issue] = []
         try:
-            if has(scope, schema.LAYOUT):
-                layout = layout_at(scope)
-                found.extend(_of_layout(scope, layout))
-                found.extend(disagreements(scope, layout, settings))
-                found.extend(apart(valued(scope, settings)))
+            layout = layout_at(scope)
+            found.extend(_of_prims(scope))
+            found.extend(_of_layout(scope, layout))
+            found.extend(disagreements(scope, layout, settings))
+            found.extend(apart(valued(scope, settings)))
         except RigUIError as error:
             found.append(error.issue)
         issues += (replace(each, character=str(scope.GetPath().GetParentPath())) for each in found)
@@ -77,8 +77,10 @@ def _of_layout(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
         if mesh.IsA(UsdGeom.Mesh):
             yield from _of_drawing(mesh)
     for prim, element in by_name.values():
-        if UsdGeom.Subset(prim):
-            yield from _of_subset(prim)
+        if UsdGeom.Subset(prim) and not len(points_by_role(prim, "handle")):
+            yield invalid_at(prim, f"no face has the role 'handle': see primvars:{schema.ROLE}")
+        if UsdGeom.Subset(prim) and prim.GetAttribute("familyName").Get() != _FAMILY:
+            yield _doubtful_at(prim, f"familyName is not {_FAMILY!r}")
         yield from _of_manipulator(prim, element)
         yield from _of_side(prim, element, layout)
         mirror = element.manipulator.mirror
@@ -87,6 +89,23 @@ def _of_layout(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
         elif mirror:
             yield invalid_at(prim, f"rigUI:element:mirror is {mirror}, which is no element")
     yield from _unpaired(by_name, layout)
+
+
+def _of_prims(scope: Usd.Prim) -> Iterator[Issue]:
+    """What no prim of a layout has: what changes in time, and targets on another character."""
+    root, beside = scope.GetParent().GetPath(), scope.GetParent().GetChildren()
+    if root.IsAbsoluteRootPath() or sum(has(each, schema.LAYOUT) for each in beside) > 1:
+        raise refuse("LAYOUT_INVALID", str(scope.GetPath()), "is not the one layout of a SkelRoot")
+    for prim in Usd.PrimRange(scope, Usd.TraverseInstanceProxies()):
+        for attribute in prim.GetAuthoredAttributes():
+            still = attribute.GetBaseName() not in ("value", "visibility")
+            if still and attribute.GetNumTimeSamples():
+                yield invalid_at(prim, f"{attribute.GetName()} has time samples: it is uniform")
+        for relation in prim.GetAuthoredRelationships():
+            name = relation.GetName()
+            free = not name.startswith("rigUI:") or name.endswith(":animation")
+            if not (free or all(each.HasPrefix(root) for each in relation.GetTargets())):
+                yield invalid_at(prim, f"{name} names what is not of {root}")
 
 
 def _of_listing(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
@@ -102,14 +121,10 @@ def _of_listing(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
             if not known:
                 yield invalid_at(scope, f"rigUI:layout:{name} names {path}, which is none")
     names = base_controls(scope)
-    for name, count in Counter(names).items():
-        if count > 1:
-            yield invalid_at(scope, f"rigUI:layout:baseControls lists {name!r} {count} times")
-    if names:
-        for name in sorted(layout.controls - {*names}):
-            yield invalid_at(
-                scope, f"rigUI:layout:baseControls lacks {name!r}, which has an element"
-            )
+    if len({*names}) < len(names):
+        yield invalid_at(scope, "rigUI:layout:baseControls lists a control twice")
+    for name in sorted(layout.controls - {*names}) if names else ():
+        yield invalid_at(scope, f"rigUI:layout:baseControls lacks {name!r}, which has an element")
 
 
 def _of_drawing(mesh: Usd.Prim) -> Iterator[Issue]:
@@ -124,20 +139,19 @@ def _of_drawing(mesh: Usd.Prim) -> Iterator[Issue]:
         for each in mesh.GetAllChildren()
         if each.GetAttribute("familyName").Get() == _FAMILY or has(each, schema.ELEMENT)
     ]
-    faces = len(integers_of(UsdGeom.Mesh(mesh).GetFaceVertexCountsAttr()))
-    drawn = [integers_of(each.GetIndicesAttr()) for each in subsets]
-    count = np.bincount(np.concatenate([*drawn, np.zeros(0, dtype=np.int64)]), minlength=faces)
-    if (count > 1).any():
-        first = int(np.flatnonzero(count > 1)[0])
-        yield invalid_at(mesh, f"its face {first} belongs to {count[first]} elements")
-
-
-def _of_subset(prim: Usd.Prim) -> Iterator[Issue]:
-    if not len(points_by_role(prim, "handle")):
-        what = f"no face has the role 'handle': see primvars:{schema.ROLE} of its mesh"
-        yield invalid_at(prim, what)
-    if UsdGeom.Subset(prim).GetFamilyNameAttr().Get() != _FAMILY:
-        yield _doubtful_at(prim, f"familyName is not {_FAMILY!r}")
+    if mesh.GetAttribute("xformOpOrder").Get():
+        yield invalid_at(mesh, "xformOpOrder moves it out of the space of its SkelRoot")
+    faces, points = UsdGeom.Mesh(mesh).GetFaceCount(), mesh.GetAttribute("points").Get() or ()
+    counts = {"constant": 1, "uniform": faces, "vertex": len(points)}
+    for primvar in UsdGeom.PrimvarsAPI(mesh).GetPrimvarsWithAuthoredValues():
+        kind = primvar.GetInterpolation()
+        held = primvar.GetIndices() if primvar.IsIndexed() else primvar.Get()
+        wanted = counts.get(kind, 0) * primvar.GetElementSize()
+        if wanted and primvar.GetTypeName().isArray and len(held) != wanted:
+            yield invalid_at(mesh, f"{primvar.GetName()} has {len(held)} values, and is {kind}")
+    sound, why = UsdGeom.Subset.ValidateSubsets(subsets, faces, UsdGeom.Tokens.nonOverlapping)
+    if not sound:
+        yield invalid_at(mesh, why)
 
 
 def _of_manipulator(prim: Usd.Prim, element: Element) -> Iterator[Issue]:
@@ -145,10 +159,8 @@ def _of_manipulator(prim: Usd.Prim, element: Element) -> Iterator[Issue]:
     least, most = _MEMBERS[element.manipulator.kind]
     axes = len(element.manipulator.axes)
     if not least <= axes <= most:
-        what = f"is a {element.manipulator.kind}, with {axes} axes"
-        yield invalid_at(prim, f"rigUI:element:elementType {what}")
-    for index, name in enumerate(control_instances(prim)):
-        member = element.manipulator.members[index]
+        yield invalid_at(prim, f"its rigUI:element:elementType has not {axes} axes")
+    for name, member in zip(control_instances(prim), element.manipulator.members, strict=True):
         drawn = length(member.track)
         meant = member.arc_length * member.magnification
         grain = author.TOLD * float(np.abs(member.track).sum())
@@ -166,8 +178,8 @@ def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue
     # Far from the origin the layer tells places less exactly than a handle is wide.
     told = 2.0 * author.TOLD * float(np.abs(element.anchor.position).max())
     width = _ASIDE * layout.frame.handle_width_of(element.placement.part) + told
-    if side == "none" or (away < -width and side == "left") or (away > width and side == "right"):
-        where = "left" if away > 0.0 else "right"
+    where = "left" if away > 0.0 else "right"
+    if side == "none" or (abs(away) > width and side == _OPPOSITE[where]):
         yield invalid_at(prim, f"rigUI:element:side is {side}, its anchor is on the {where}")
 
 
@@ -199,44 +211,32 @@ def _of_mirror(
     for index, (one, twin) in enumerate(
         zip(element.manipulator.members, other.manipulator.members, strict=True)
     ):
-        mine = reflect(one.track[-1]) - reflect(one.track[0])
-        theirs = twin.track[-1] - twin.track[0]
-        lengths = float(np.linalg.norm(mine) * np.linalg.norm(theirs))
-        alike = float(mine @ theirs) / lengths if lengths else 0.0
-        if one.control == twin.control:
-            continue
+        mine, theirs = (track[-1] - track[0] for track in (reflect(one.track), twin.track))
+        clear = _CLEAR * float(np.linalg.norm(mine) * np.linalg.norm(theirs))
         reversed_ = index in element.manipulator.reversed
-        if (alike > _CLEAR and reversed_) or (alike < -_CLEAR and not reversed_):
+        if one.control != twin.control and mine @ (-theirs if reversed_ else theirs) < -clear:
             yield invalid_at(prim, f"rigUI:control:{one.control}:mirrorReversed is {reversed_}")
 
 
 def _unpaired(by_name: Mapping[str, tuple[Usd.Prim, Element]], layout: Layout) -> Iterator[Issue]:
-    """Elements that are each other's mirror image, and do not say so."""
-    alone = [
-        (prim, element)
-        for prim, element in by_name.values()
-        if not (element.manipulator.mirror or element.anchor.on_board)
-        and layout.frame.mirrors(element.placement.part)
-    ]
-    for prim, element in alone:
-        width = layout.frame.handle_width_of(element.placement.part)
-        # Far from the origin single precision does not tell such places apart.
-        near = _MIRRORED * width - author.TOLD * np.abs(element.anchor.position).sum()
-        for twin_prim, twin in alone:
-            pair = (element.look.side, twin.look.side) == ("left", "right")
-            alike = len(element.manipulator.members) == len(twin.manipulator.members)
-            if pair and alike and _apart(layout.frame.plane, element, twin) < near:
-                yield invalid_at(
-                    prim, f"rigUI:element:mirror is missing: {twin_prim.GetPath()} is its image"
-                )
-
-
-def _apart(plane: MirrorPlane, element: Element, twin: Element) -> float:
-    """How far the anchor and the tracks of an element are from those of another in the mirror."""
-    pairs = [(element.anchor.position, twin.anchor.position)]
-    for one, other in zip(element.manipulator.members, twin.manipulator.members, strict=True):
-        pairs += [(one.track[0], other.track[0]), (one.track[-1], other.track[-1])]
-    return max(float(np.linalg.norm(plane.reflected(here) - there)) for here, there in pairs)
+    """Elements that are each other's mirror image, with the ends of their tracks, and do not say
+    so."""
+    plane, frame = layout.frame.plane, layout.frame
+    sides: dict[str, list[tuple[Usd.Prim, Floats, float]]] = {"left": [], "right": []}
+    for prim, element in by_name.values():
+        held, part, side = element.manipulator, element.placement.part, element.look.side
+        if not (held.mirror or element.anchor.on_board) and frame.mirrors(part) and side in sides:
+            ends = (end for member in held.members for end in (member.track[0], member.track[-1]))
+            places = np.stack([element.anchor.position, *ends])
+            # Far from the origin single precision does not tell such places apart.
+            near = _MIRRORED * frame.handle_width_of(part) - author.TOLD * np.abs(places[0]).sum()
+            sides[side].append((prim, places, near))
+    for (prim, mine, near), (twin, theirs, _) in product(*sides.values()):
+        images = plane.reflected(mine) if len(mine) == len(theirs) else theirs + np.inf
+        if np.linalg.norm(images - theirs, axis=1).max() < near:
+            yield invalid_at(
+                prim, f"rigUI:element:mirror is missing: {twin.GetPath()} is its image"
+            )
 
 
 def _doubtful_at(prim: Usd.Prim, message: str) -> Issue:

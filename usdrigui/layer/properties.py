@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import replace
+from functools import partial
+from itertools import pairwise
 from typing import Any, get_args
 
 import numpy as np
@@ -138,9 +140,7 @@ def array_of(values: Any) -> Floats:
 def read_anchor(prim: Usd.Prim) -> Anchor:
     """Where an element holds on; raises LAYOUT_INVALID."""
 
-    def get(name: str) -> Any:
-        return value_of(prim, schema.ANCHOR, name)
-
+    get = partial(value_of, prim, schema.ANCHOR)
     on_face = targets(prim, schema.ANCHOR, "prim")
     meshes = on_face or targets(prim, schema.ANCHOR, "carrier")
     if on_face and get("pointIndex") < 0:
@@ -161,13 +161,9 @@ def read_anchor(prim: Usd.Prim) -> Anchor:
 
 
 _DECIDED: Mapping[Decision, frozenset[str]] = {
-    "anchor": frozenset(
-        author.properties(schema.ANCHOR)[name].name for name in ("prim", "pointIndex")
-    ),
-    "place": frozenset({author.properties(schema.ANCHOR)["carrier"].name}),
-    "grouping": frozenset(
-        author.properties(schema.ELEMENT)[name].name for name in ("controls", "elementType")
-    ),
+    "anchor": frozenset({"rigUI:anchor:prim", "rigUI:anchor:pointIndex"}),
+    "place": frozenset({"rigUI:anchor:carrier"}),
+    "grouping": frozenset({"rigUI:element:controls", "rigUI:element:elementType"}),
 }
 """Properties that hold the decisions of a layout."""
 
@@ -189,12 +185,12 @@ def corrected(element: Element, prim: Usd.Prim) -> Element:
     """
     authored = _authored_above(prim)
     found = {decision for decision, names in _DECIDED.items() if authored & names}
-    if not found or author.properties(schema.ELEMENT)["pinned"].name in authored:
+    if not found or "rigUI:element:pinned" in authored:
         return element
     own = element.placement
     position = own.pinned_position
     if "anchor" in found:
-        known = author.properties(schema.ANCHOR)["position"].name in authored
+        known = "rigUI:anchor:position" in authored
         x, y, z = element.anchor.position.tolist() if known else (np.nan,) * 3
         position = (x, y, z)
     both = found | set(own.pinned)
@@ -205,7 +201,7 @@ def corrected(element: Element, prim: Usd.Prim) -> Element:
 def chosen_point(prim: Usd.Prim) -> set[str]:
     """The name of the point of an element's anchor where a stronger layer chooses it, which may be
     beyond those of the mesh."""
-    return _authored_above(prim) & {author.properties(schema.ANCHOR)["pointIndex"].name}
+    return _authored_above(prim) & {"rigUI:anchor:pointIndex"}
 
 
 def _authored_above(prim: Usd.Prim) -> set[str]:
@@ -233,30 +229,16 @@ def checked_glyph(prim: Usd.Prim, glyph: Glyph) -> Glyph:
 
 def check_elements(scope: Usd.Prim, elements: tuple[Element, ...]) -> None:
     """Refuse elements that contradict each other with LAYOUT_INVALID."""
-    _check_unique(scope, [element.name for element in elements])
-    _check_levels(scope, elements)
-
-
-def _check_unique(scope: Usd.Prim, names: list[str]) -> None:
-    twice = sorted({name for name in names if names.count(name) > 1})
-    if twice:
-        raise refuse(
-            "LAYOUT_INVALID", str(scope.GetPath()), f"two elements are called {twice[0]!r}"
-        )
-
-
-def _check_levels(scope: Usd.Prim, elements: tuple[Element, ...]) -> None:
-    known = {element.name for element in elements}
+    names = sorted(element.name for element in elements)
     coarse = {element.name for element in elements if element.look.inner}
+    faults = [f"two elements are called {one!r}" for one, next_ in pairwise(names) if one == next_]
     for element in elements:
         for name in element.look.inner:
-            if name not in known or name in coarse:
+            if name not in names or name in coarse:
                 what = "is coarse itself" if name in coarse else "is not an element of the layout"
-                raise refuse(
-                    "LAYOUT_INVALID",
-                    str(scope.GetPath()),
-                    f"{name!r}, a member of {element.name!r}, {what}",
-                )
+                faults.append(f"{name!r}, a member of {element.name!r}, {what}")
+    if faults:
+        raise refuse("LAYOUT_INVALID", str(scope.GetPath()), faults[0])
 
 
 # --- arrays of USD's own schemas ------------------------------------------------------------------

@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -93,9 +94,7 @@ def _without(stage: Usd.Stage, name: str) -> RigUIError:
     if not off:
         return refuse("LAYOUT_MISSING", name, f"no prim has {schema.LAYOUT}")
     selections = [f"rigUI = {selected} on {listed(paths)}" for selected, paths in off.items()]
-    count = sum(map(len, off.values()))
-    layouts = "1 layout is" if count == 1 else f"{count} layouts are"
-    return refuse("LAYOUT_OFF", name, f"{layouts} switched off, by {' and '.join(selections)}")
+    return refuse("LAYOUT_OFF", name, f"is switched off, by {' and '.join(selections)}")
 
 
 def switched_off(stage: Usd.Stage) -> dict[str, list[str]]:
@@ -270,9 +269,7 @@ def layout_at(scope: Usd.Prim, *, carried: bool = False) -> Layout:
             known = each.partition("_")[0]
             raise refuse("LAYOUT_VERSION", str(prim.GetPath()), f"{each}; known: {known}")
 
-    def get(name: str) -> Any:
-        return value_of(scope, schema.LAYOUT, name)
-
+    get = partial(value_of, scope, schema.LAYOUT)
     refuse_broken(scope, schema.LAYOUT)
     proof, proofs, left_off, matches = _recorded(scope)
     parts = _parts(scope, proofs)
@@ -315,9 +312,7 @@ def _parts(scope: Usd.Prim, proofs: Sequence[Any]) -> tuple[LayoutPart, ...]:
 
 
 def _part(scope: Usd.Prim, instance: str, proof: Any) -> LayoutPart:
-    def get(name: str) -> Any:
-        return value_of(scope, schema.PART, name, instance)
-
+    get = partial(value_of, scope, schema.PART, instance=instance)
     refuse_broken(scope, schema.PART, instance)
     name = str(get("name")) or instance
     return LayoutPart(name, get("handleWidth"), array_of(get("viewDirection")), *proof)
@@ -352,9 +347,7 @@ def _recorded(
 
 
 def _element(prim: Usd.Prim, *, carried: bool) -> Element:
-    def get(name: str) -> Any:
-        return value_of(prim, schema.ELEMENT, name)
-
+    get = partial(value_of, prim, schema.ELEMENT)
     instances, name = control_instances(prim), element_name(prim)
     free = chosen_point(prim) if carried else ()
     for api in (schema.ELEMENT, schema.ANCHOR, schema.HANDLE):
@@ -390,9 +383,7 @@ def _element(prim: Usd.Prim, *, carried: bool) -> Element:
 
 
 def _member(prim: Usd.Prim, instance: str) -> Member:
-    def get(name: str) -> Any:
-        return value_of(prim, schema.CONTROL, name, instance)
-
+    get = partial(value_of, prim, schema.CONTROL, instance=instance)
     refuse_broken(prim, schema.CONTROL, instance)
     points, values = array_of(get("trackPoints")), array_of(get("trackValues"))
     if not len(values):
@@ -426,9 +417,7 @@ def _opposed(prim: Usd.Prim, instances: list[str]) -> tuple[tuple[int, int], ...
 def _glyph(prim: Usd.Prim) -> Glyph | None:
     """The custom shape of a handle; None for the usual one."""
 
-    def get(name: str) -> Any:
-        return value_of(prim, schema.HANDLE, name)
-
+    get = partial(value_of, prim, schema.HANDLE)
     points = array_of(get("glyphOffsets")).reshape(-1, 3)
     if not len(points):
         return None
