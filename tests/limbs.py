@@ -189,14 +189,14 @@ def as_control(draft):
     )
 
 
-def whole_body(ahead=1.0):
-    """Hips, spine and neck, a head with nine small joints on its front, which lies `ahead` along z, arms
+def whole_body(ahead=1.0, head="Head"):
+    """Hips, spine and neck, a head called `head` with nine small joints on its front, which lies `ahead` along z, arms
     with hands of four fingers, and legs; with the controls that its joints have by default.  No other name says what it
     is of."""
     at = {"h": (0, 0, 0), "h/s": (0, 0.4, 0), "h/s/t": (0, 0.8, 0), "h/s/t/n": (0, 1.32, 0)}
-    at["h/s/t/n/Head"] = (0, 1.4, 0)
+    at[f"h/s/t/n/{head}"] = (0, 1.4, 0)
     for k, (x, y) in enumerate((x, y) for x in (-1, 0, 1) for y in (-1, 0, 1)):
-        at[f"h/s/t/n/Head/k{k}"] = (0.08 * x, 1.5 + 0.08 * y, ahead * (0.12 - 0.02 * abs(x)))
+        at[f"h/s/t/n/{head}/k{k}"] = (0.08 * x, 1.5 + 0.08 * y, ahead * (0.12 - 0.02 * abs(x)))
     for side, name in ((1, "a"), (-1, "b")):
         arm = "h/s/t"
         for k, x in enumerate((0.25, 0.85, 1.4)):

@@ -1,7 +1,8 @@
 """Which joints and which skin are the face, the eyes, the hands, the feet and the body.
 
-A head is known by its joint's name; without one by the skin that the blend shapes move.  Fans of
-chains that carry on a limb are fingers and toes.
+A head is known by its joint's name; without one by the many joints without joints below that hang
+on it (a face driven by joints), or by the skin that the blend shapes move.  Fans of chains that
+carry on a limb are fingers and toes.
 """
 
 from __future__ import annotations
@@ -27,6 +28,8 @@ FLAT = (FACE, EYES, HEAD, INTERIOR)
 """Parts that are looked at from the front alone: their elements are kept apart on its screen."""
 
 _HEAD = ("head", "頭")
+_FACIAL = 6
+"""Joints without joints below on one joint that make it a head."""
 _LIMB = 3
 """Joints with skin in a chain beside the spine, the hands and the feet that make a body."""
 _LOW = 0.2
@@ -103,6 +106,12 @@ def _heads(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
     }
     if named:
         return frozenset(i for i in named if not named & set(tree.above(i)))
+    leaves = [
+        sum(tree.depth[child] == 1 for child in children) * (parent >= 0)
+        for children, parent in zip(tree.children, tree.parents, strict=True)
+    ]
+    if max(leaves) >= _FACIAL:
+        return frozenset({int(np.argmax(leaves))})
     return _by_shapes(rig, tree, found)
 
 

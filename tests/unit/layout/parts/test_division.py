@@ -60,8 +60,8 @@ def test_joints_of_a_face_that_shapes_move_are_a_part_of_their_own():
 
 @pytest.mark.parametrize(
     "rig",
-    [BODY, posed(BODY), limbs.with_default_controls(limbs.flattened(limbs.hand_rig()))],
-    ids=["head named", "posed", "hand alone"],
+    [BODY, limbs.whole_body(head="e"), posed(BODY), limbs.with_default_controls(limbs.flattened(limbs.hand_rig()))],
+    ids=["head named", "no name", "posed", "hand alone"],
 )
 def test_joints_are_told_apart_into_face_hands_and_body(rig):
     found = named(rig)
