@@ -4,6 +4,7 @@ By command, page, configuration and stronger layer, through files as a studio ke
 """
 
 import base64
+import re
 from dataclasses import dataclass, field, replace
 
 import makers
@@ -130,11 +131,13 @@ def element_of(layout, name):
 
 def with_opinion(layer, control, mesh, point):
     """A stronger layer that names another point for the element of a control, and nothing else."""
-    name, over = element_of(loaded(layer)[1], control).name, Sdf.Layer.CreateNew(str(layer.with_suffix(".over.usda")))
+    name = re.sub(r"\W", "_", element_of(loaded(layer)[1], control).name)
+    over = Sdf.Layer.CreateNew(str(layer.with_suffix(".over.usda")))
     over.subLayerPaths.append(f"./{layer.name}")
+    stage = Usd.Stage.Open(str(layer))
     (path,) = [
         prim.GetPath()
-        for prim in Usd.Stage.Open(str(layer)).TraverseAll()
+        for prim in stage.TraverseAll()
         if prim.GetName() == name and "RigUIElementAPI" in prim.GetPrimTypeInfo().GetAppliedAPISchemas()
     ]
     spec = Sdf.CreatePrimInLayer(over, path)

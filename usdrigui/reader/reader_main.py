@@ -43,7 +43,7 @@ from usdrigui.reader.reader_records import (
     Response,
     Task,
 )
-from usdrigui.reading.character import Characters, read_characters
+from usdrigui.reading.character import Characters, metres_per_unit, read_characters
 from usdrigui.reading.clips import read_performances
 from usdrigui.settings import Settings
 from usdrigui.stages.opening import check_archive, listening, open_layer, open_stage
@@ -105,8 +105,15 @@ def _layouts_in(asset: _Asset, *, carried: bool = False) -> LayoutsResult:
         composed_layouts(stage),
         _as_text(ignored_opinions(stage)),
         read_corrections(stage),
-        UsdGeom.GetStageMetersPerUnit(stage),
+        _unit(stage),
     )
+
+
+def _unit(stage: Usd.Stage) -> float:
+    """Meters of a unit of the strongest layer that says it: a layer of opinions, which says none,
+    means those of the layout that it is about."""
+    layers = [each for each in stage.GetLayerStack() if each.pseudoRoot.HasInfo("metersPerUnit")]
+    return (layers and metres_per_unit(layers[0])) or 0.01
 
 
 def _composed(path: Path, settings: Settings) -> Response:

@@ -186,7 +186,7 @@ def _read(root: Usd.Prim, settings: RigSettings, faults: Faults, *, instances: b
             path=str(root.GetPath()),
             variant_path=path,
             up=_up(root),
-            metres_per_unit=_metres_per_unit(root.GetStage()) or 0.01,
+            metres_per_unit=metres_per_unit(root.GetStage().GetRootLayer()) or 0.01,
             clip=scene.clip or read_still(scene.animated, rate),
             time_codes=time_codes(root.GetStage()),
         ),
@@ -334,12 +334,12 @@ def _up(root: Usd.Prim) -> Floats:
     return Frames(root, Usd.TimeCode.Default()).direction(vertical)
 
 
-def _metres_per_unit(stage: Usd.Stage) -> float | None:
-    """metersPerUnit of the root layer, 0.01 if unauthored, None if unusable.
+def metres_per_unit(layer: Sdf.Layer) -> float | None:
+    """metersPerUnit of a layer, 0.01 if unauthored, None if unusable.
 
     Read from the layer, as the UsdGeom function raises where it was authored as float.
     """
-    info = stage.GetRootLayer().pseudoRoot
+    info = layer.pseudoRoot
     try:
         value = float(info.GetInfo("metersPerUnit")) if info.HasInfo("metersPerUnit") else 0.01
     except (TypeError, ValueError):
@@ -348,7 +348,7 @@ def _metres_per_unit(stage: Usd.Stage) -> float | None:
 
 
 def _unit_issues(stage: Usd.Stage) -> tuple[Issue, ...]:
-    if _metres_per_unit(stage) is not None:
+    if metres_per_unit(stage.GetRootLayer()) is not None:
         return ()
     layer = stage.GetRootLayer()
     what = f"metersPerUnit is {layer.pseudoRoot.GetInfo('metersPerUnit')!r}; 0.01 is taken"
