@@ -34,7 +34,7 @@ from usdrigui.solve import Progress, exact, milp, partition, reduce, solve
 from usdrigui.solve.assignment import assignment
 from usdrigui.solve.budget import LOWERED_AIM, Budget
 from usdrigui.solve.exact import infeasible_penalty, solve_whole
-from usdrigui.solve.joining import Joint
+from usdrigui.solve.joint_labels import Joint
 from usdrigui.solve.label_geometry import LabelSet, all_labels
 from usdrigui.solve.local_search import LocalSearch
 from usdrigui.solve.milp import program, solve_milp

@@ -22,8 +22,15 @@ from usdrigui.errors import RigUIError, refuse
 _KEPT_TEXT = 1 << 16
 """Bytes kept of what a process prints: USD can complain without end."""
 _BLOCK = 1 << 20
-_OUT_OF_MEMORY = (b"bad_alloc", b"MemoryError", b"Memory allocation", b"Cannot allocate memory")
-"""What C++, Python, OpenBLAS and the C library print when there is no more."""
+_OUT_OF_MEMORY = (
+    b"bad_alloc",
+    b"MemoryError",
+    b"Memory allocation",
+    b"Cannot allocate memory",
+    b"Resource temporarily unavailable",
+)
+"""What C++, Python, OpenBLAS and the C library print when there is no more; the last for a thread
+whose stack finds no room."""
 
 
 class Process(Protocol):

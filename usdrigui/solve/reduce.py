@@ -8,7 +8,7 @@ from scipy.sparse import csr_array
 from usdrigui.character import Floats, Indices
 from usdrigui.model import LayoutProblem
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.joining import Joint, couples
+from usdrigui.solve.joint_labels import Joint, couples
 from usdrigui.solve.label_geometry import LabelSet
 from usdrigui.solve.local_search import KnownRows, LocalSearch
 from usdrigui.solve.pair_costs import NearPairs, near_blocks, pair_costs, refined
