@@ -100,7 +100,10 @@ def _of_prims(scope: Usd.Prim) -> Iterator[Issue]:
         for attribute in prim.GetAuthoredAttributes():
             still = attribute.GetBaseName() not in ("value", "visibility")
             if still and attribute.GetNumTimeSamples():
-                yield invalid_at(prim, f"{attribute.GetName()} has time samples: it is uniform")
+                yield invalid_at(
+                    prim,
+                    f"{attribute.GetName()} has time samples: only values and visibility change",
+                )
         for relation in prim.GetAuthoredRelationships():
             name = relation.GetName()
             free = not name.startswith("rigUI:") or name.endswith(":animation")
@@ -159,7 +162,7 @@ def _of_manipulator(prim: Usd.Prim, element: Element) -> Iterator[Issue]:
     least, most = _MEMBERS[element.manipulator.kind]
     axes = len(element.manipulator.axes)
     if not least <= axes <= most:
-        yield invalid_at(prim, f"its rigUI:element:elementType has not {axes} axes")
+        yield invalid_at(prim, f"rigUI:element:elementType does not fit its {axes} axes")
     for name, member in zip(control_instances(prim), element.manipulator.members, strict=True):
         drawn = length(member.track)
         meant = member.arc_length * member.magnification

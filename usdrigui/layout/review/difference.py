@@ -20,7 +20,7 @@ _KINDS: tuple[ChangeKind, ...] = get_args(ChangeKind)
 _STILL = 1e-3
 """Handles nearer to where they were than this many handle widths have not moved."""
 _RESHAPED = 0.02
-"""Share of its peak by which a shape that was sculpted again differs at least."""
+"""Share of its peak by which a motion that was made anew differs at least."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -215,7 +215,7 @@ def _reasons(pair: _Pair, kind: ChangeKind) -> Iterator[str]:
     if ranges[0] != ranges[1]:
         yield f"its range is {ranges[1]} now, {ranges[0]} before"
     elif abs(today.peak - then.peak) > _RESHAPED * then.peak > 0.0:
-        yield f"its shape moves its farthest point {today.peak / then.peak:.2f} times as far"
+        yield f"it moves its farthest point {today.peak / then.peak:.2f} times as far as before"
 
 
 def _with_cause(change: Change, every: Sequence[Change], layouts: tuple[Layout, Layout]) -> Change:

@@ -219,7 +219,7 @@ def test_every_move_between_two_layouts_has_a_reason(before):
     chin = chain.by_name(before)["chin"].manipulator
     half = replace(chin, members=(replace(chin.members[0], peak=0.5 * chin.members[0].peak),))
     told = {
-        "its shape moves its farthest point 0.50 times as far": replace(
+        "it moves its farthest point 0.50 times as far as before": replace(
             before.layout,
             elements=tuple(replace(e, manipulator=half) if e.name == "chin" else e for e in before.layout.elements),
         ),
