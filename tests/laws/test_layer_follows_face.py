@@ -286,4 +286,4 @@ def test_layouts_of_another_base_pose_stand_where_the_pose_puts_them(tmp_path):
             rig
         )
         rim = handle_of(stage, rig, element, 0)[2:] - element.anchor.position
-        assert np.allclose(np.linalg.norm(rim, axis=1), np.hypot(0.35, 0.6) * layout.frame.handle_width, rtol=1e-3)
+        assert np.allclose(np.linalg.norm(rim, axis=1), np.hypot(0.35, 0.6) * layout.frame.handle_width, rtol=2e-2)

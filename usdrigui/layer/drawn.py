@@ -45,9 +45,7 @@ must be on the skin.  What is small beside its character, or beside a mesh that 
 needs its own measure."""
 _HAIR_STEP, _EXACT_STEP, _FINE_STEP = 0.05, 3e-7, 5e-4
 """Of the same lengths: offsets and points are whole numbers of decimal steps below these, so that
-they are short to write."""
-_DOME_STEP = 3.5
-"""Times as long are those of offsets of the dome: only the anchor must be on the skin."""
+they are short to write.  Of a handle only the anchor is on the skin: its dome goes as tracks do."""
 _SIDES = 6
 _RADIUS, _HEIGHT = 0.6, 0.4
 """Of a handle's width: a hexagon of this radius covers the circle around a handle, and its dome is
@@ -100,7 +98,10 @@ class Drawn(Record):
 def drawn_parts(skin: SkinBinding, element: Element, frame: LayoutFrame) -> tuple[Drawn, Drawn]:
     """Everything to draw of one element: the handle, and the tracks with the areas between them."""
     part = element.placement.part
-    width, view = frame.handle_width_of(part), frame.view_of(part)
+    width, view, across = frame.handle_width_of(part), frame.view_of(part), frame.plane.normal
+    # Hands that hang are seen from the side, each from its own.
+    views = (view, view - 2.0 * (view @ across) * across)
+    view = max(views, key=lambda each: float(each @ element.anchor.normal))
     binding = skin.at_anchor(element)
     step = min(_EXACT_STEP * skin.size, _FINE_STEP * width)
     felt = _felt(binding.shapes, min(_EXACT * skin.size, _FINE * width))
@@ -110,7 +111,7 @@ def drawn_parts(skin: SkinBinding, element: Element, frame: LayoutFrame) -> tupl
     )
     form = _form(element, width, view)
     handle = (
-        _follower(binding, form, step if element.look.glyph is not None else _DOME_STEP * step)
+        _follower(binding, form, step if element.look.glyph is not None else _HAIR_STEP * width)
         if binding.deforms
         else _slider(skin, binding, element, form, step)
     )

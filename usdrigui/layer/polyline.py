@@ -18,22 +18,16 @@ def fewest_points(line: Floats, tolerance: float) -> Indices:
     Of several such choices, the one whose largest departure is least.  All points with a tolerance
     below zero.
     """
-    count, unit = len(line), tolerance if tolerance > 0.0 else 1.0
-    before = np.zeros(count, dtype=np.int64)
-    best: list[tuple[int, float]] = [(0, 0.0)]
-    for last in range(1, count):
-        ways: list[tuple[int, float, int]] = []
-        for first in range(last):
+    unit = tolerance if tolerance > 0.0 else 1.0
+    best: list[tuple[int, float, int, tuple[int, ...]]] = [(0, 0.0, 0, (0,))]
+    for last in range(1, len(line)):
+        ways = []
+        for first, (pieces, worst, _, kept) in enumerate(best):
             departure = round(_departure(line[first : last + 1]) / unit, _DIGITS)
             if departure <= tolerance / unit or last - first == 1:
-                pieces, worst = best[first]
-                ways.append((pieces + 1, max(worst, departure), first))
-        pieces, worst, before[last] = min(ways)
-        best.append((pieces, worst))
-    kept = [count - 1]
-    while kept[-1] > 0:
-        kept.append(int(before[kept[-1]]))
-    return np.array(kept[::-1], dtype=np.int64)
+                ways.append((pieces + 1, max(worst, departure), first, (*kept, last)))
+        best.append(min(ways))
+    return np.array(best[-1][3], dtype=np.int64)
 
 
 def _departure(line: Floats) -> float:
