@@ -8,8 +8,8 @@ the folder gets ``ablation_NAME.csv`` and ``ablation_NAME.md`` (rewritten row by
 cut short leaves what it has) and ``ablation_NAME.png``.  The rows follow the figures of Kim & Singh
 2021: random, peak only, overlap only, centroid of influence and full (figure 6); lambda 1, 0.85,
 0.4 (figure 9); 100, 20, 5, 0.5 % of the candidates (figure 10); 1, 2, 4, 6 clusters by single
-linkage, and two by the printed sum (figure 11).  The last rows leave out one cost each of what is
-seen (decision 127).
+linkage, and two by the printed sum (figure 11).  The last rows leave out, halve or double one cost
+each of what is seen (decision 127).
 
 All rows choose among the candidates of the full problem, and every cost is the default objective's,
 except that handles nearer than a handle's width cost no more than their overlap: ``nearest``
@@ -186,11 +186,13 @@ def by_weight(weight: float) -> Rule:
     return rule
 
 
-def without(cost: str) -> Rule:
-    """The default objective without one cost of what is seen."""
+def scaled(cost: str, factor: float) -> Rule:
+    """The default objective with one cost of what is seen left out, halved or doubled."""
 
     def rule(inputs: ProblemInputs, limits: SolveSettings) -> Indices:
-        return solve(_with_settings(inputs, **{f"{cost}_weight": 0.0}), limits).labels
+        name = f"{cost}_weight"
+        weight = factor * getattr(inputs.settings.layout.objective, name)
+        return solve(_with_settings(inputs, **{name: weight}), limits).labels
 
     return rule
 
@@ -222,7 +224,8 @@ RULES: tuple[tuple[str, str, Rule], ...] = (
     ),
     ("11", "2 clusters by sums", by_paper(1.0, 2, "sum")),
     *(
-        ("127", f"without {cost}", without(cost))
+        ("127", f"{word} {cost}", scaled(cost, factor))
+        for word, factor in (("without", 0.0), ("half", 0.5), ("double", 2.0))
         for cost in ("near", "room", "track", "crossing", "along", "short")
     ),
 )

@@ -65,6 +65,7 @@ class CommandLine(argparse.ArgumentParser):
         self.exit(int(Exit.USAGE), "\n".join(lines) + "\n")
 
 
+@cache
 def parser() -> CommandLine:
     """The parser of all commands; `run` of what it parses names the function of the command,
     `light` whether that needs no worker."""
@@ -89,7 +90,7 @@ def _add_command(commands: Any, name: str, about: Mapping[str, Any]) -> None:
     command = commands.add_parser(
         name, help=summary, description=summary[0].upper() + summary[1:] + "."
     )
-    light = about.get("light", False)
+    light = about.get("light")
     command.set_defaults(command=name, run=about["run"], parser=command, light=light)
     if about.get("reads"):
         command.set_defaults(written="")
