@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import io
 import shutil
 import time
 
+import numpy as np
 import pytest
+from PIL import Image
 
 FLAGS = (
     "--no-sandbox",
@@ -17,6 +20,13 @@ FLAGS = (
     "--disable-component-update",
     "--disable-sync",
 )
+
+DRAWN_BY = {"canvas": "processor", "webgl": "graphics card"}
+
+
+def decoded(png):
+    """(height, width, 3) of a picture."""
+    return np.asarray(Image.open(io.BytesIO(png)).convert("RGB"), dtype=np.int64)
 
 
 def chromium_path():

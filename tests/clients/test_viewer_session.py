@@ -8,7 +8,7 @@ from dataclasses import replace
 import makers
 import numpy as np
 import pytest
-from browser_pages import Viewer
+from browser_pages import DRAWN_BY, Viewer, decoded
 from viewer_layouts import animated, peak_layout
 
 from usdrigui.character.deform import deform
@@ -287,17 +287,6 @@ def test_processor_and_graphics_card_draw_the_same(browser, page_path):
     off = np.abs(pixels["canvas"] - pixels["webgl"]).max(axis=2)
     assert np.ptp(pixels["canvas"]) > 150
     assert (off > 12).mean() < 0.004, "only pixels of the outline may differ"
-
-
-DRAWN_BY = {"canvas": "processor", "webgl": "graphics card"}
-
-
-def decoded(png):
-    import io
-
-    from PIL import Image
-
-    return np.asarray(Image.open(io.BytesIO(png)).convert("RGB"), dtype=np.int64)
 
 
 def test_losing_the_graphics_card_does_not_end_the_session(browser, page_path):

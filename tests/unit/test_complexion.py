@@ -16,7 +16,7 @@ from usdrigui.character.deform import deform
 from usdrigui.character.rays import make_caster
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
-from usdrigui.stages.colours import point_colours
+from usdrigui.stages.colours import colours_and_images
 from usdrigui.view.body import complexion, shading
 
 SAMPLE = Path(__file__).resolve().parents[2] / "sample_assets" / "char.usda"
@@ -36,8 +36,13 @@ def quads():
     return stage
 
 
+def looks_of(stage):
+    topology = Topology(COUNTS, INDICES, False, "")
+    return colours_and_images(stage.GetPrimAtPath("/Mesh"), 6, topology, Usd.TimeCode.Default())
+
+
 def colours_of(stage):
-    return point_colours(stage.GetPrimAtPath("/Mesh"), 6, Topology(COUNTS, INDICES, False, ""), Usd.TimeCode.Default())
+    return looks_of(stage)[0]
 
 
 def material(stage, name, **inputs):
@@ -112,6 +117,16 @@ def test_a_small_texture_is_read_at_the_points(tmp_path, readable):
     UsdShade.MaterialBindingAPI.Apply(mesh.GetPrim()).Bind(made)
     found = colours_of(stage)
     assert (found.tolist() == [list(each) for each in HALVES]) if readable else found is None
+    surface.CreateInput("opacity", Sdf.ValueTypeNames.Float).ConnectToSource(texture.ConnectableAPI(), "a")
+    if readable:
+        Image.new("RGBA", (5000, 500), (0, 255, 0, 9)).save(path.with_name("card.png"))
+        texture.GetInput("file").Set("./card.png")
+        uv = UsdGeom.PrimvarsAPI(mesh).GetPrimvar("uv")
+        uv.Set([(x - 3.0, y + 7.0) for x, y in uv.Get()])
+        _, seen = looks_of(stage)
+        assert [image.shape for image in seen.images] == [(102, 1024, 4)], "scaled down to what a page has room for"
+        assert seen.images[0][0, 0].tolist() == [0, 255, 0, 9], "what opacity cuts out"
+        assert (seen.uv[:4] == [(0.25, 0.5), (0.25, 0.5), (0.75, 0.5), (0.25, 0.5)]).all() or seen.uv.max() <= 1.0
 
 
 # --- found by layout and form ------------------------------------------------------------------------

@@ -18,6 +18,7 @@ from usdrigui.character.mesh import (
     Shape as Shape,
     Skin as Skin,
     Subset as Subset,
+    Texturing as Texturing,
     Topology as Topology,
 )
 from usdrigui.character.record import (
@@ -26,6 +27,7 @@ from usdrigui.character.record import (
     Indices as Indices,
     Record as Record,
     Singles as Singles,
+    Texels as Texels,
     freeze as freeze,
 )
 from usdrigui.character.rig import (

@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 from scipy.sparse import csc_array
 
-from usdrigui.character.record import Floats, Indices, Record, Singles
+from usdrigui.character.record import Floats, Indices, Record, Singles, Texels
 
 
 class RigMesh(Record):
@@ -55,6 +55,21 @@ class MeshDisplay(Record):
     colours: Floats | None = None
     """(n, 3) linear colours from 0 to 1 at the points; None where neither a material nor
     displayColor has."""
+    texturing: Texturing | None = None
+    """None where no image gives the colours."""
+
+
+class Texturing(Record):
+    """Images that give the faces of a mesh their colours."""
+
+    uv: Floats
+    """(c, 2) where each corner of the faces lies in its image, from the left and from below, from
+    0 to 1."""
+    image: Indices
+    """(f,) of each face, by index into `images`; -1 for a face of none."""
+    images: tuple[Texels, ...]
+    """(tall, wide, 4) each, encoded as sRGB, with opacity; scaled down as `usdrigui.stages.colours`
+    says.  A material of one colour is an image of one texel."""
 
 
 class Subset(Record):

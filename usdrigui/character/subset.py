@@ -100,7 +100,7 @@ def _part(mesh: RigMesh, kept: Indices) -> RigMesh:
         points=mesh.points[kept],
         topology=replace(mesh.topology, face_counts=none, face_indices=none),
         binding=replace(mesh.binding, skin=skin, shapes=shapes),
-        display=replace(mesh.display, colours=None),
+        display=replace(mesh.display, colours=None, texturing=None),
     )
 
 

@@ -37,7 +37,7 @@ from usdrigui.stages.arrays import (
     value_at,
     vectors,
 )
-from usdrigui.stages.colours import point_colours
+from usdrigui.stages.colours import colours_and_images
 
 _DRAWN = (UsdGeom.Tokens.default_, UsdGeom.Tokens.render)
 """Purposes of what a default render draws."""
@@ -128,13 +128,13 @@ def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found)
         topology_hash(len(points), counts, indices),
         _subsets(mesh, counts, indices, len(points), found),
     )
-    colours = point_colours(prim, len(points), topology, time)
+    colours, texturing = colours_and_images(prim, len(points), topology, time)
     return RigMesh(
         path,
         points,
         topology,
         MeshBinding(to_root, skin, shapes),
-        MeshDisplay(_visible(mesh, time), colours),
+        MeshDisplay(_visible(mesh, time), colours, texturing),
     )
 
 

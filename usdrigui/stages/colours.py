@@ -1,4 +1,5 @@
-"""Colours of a mesh at its points: the base colour of its materials, or else its displayColor."""
+"""Colours of a mesh at its points, the base colour of its materials or else its displayColor, and
+the images that these come from."""
 
 from __future__ import annotations
 
@@ -8,14 +9,17 @@ from typing import Any
 import numpy as np
 from pxr import Ar, Usd, UsdGeom, UsdShade
 
-from usdrigui.character import Floats, Indices, Record, Topology
+from usdrigui.character import Floats, Indices, Record, Texels, Texturing, Topology
+from usdrigui.character.srgb import decoded, encoded
 from usdrigui.stages.arrays import value_at
 
 _BASE_COLOURS = ("diffuseColor", "base_color", "baseColor", "diffuse_color_constant")
 """Inputs of UsdPreviewSurface, of MaterialX's standard surface, of glTF's and of MDL's."""
 _CONTEXTS = ("", "mtlx", "mdl")
-_MOST_PIXELS = 2048 * 2048
+_MOST_PIXELS = 4096 * 4096
 """Of a texture that is read; larger ones take longer than all other reading."""
+_MOST_SIDE = 1024
+"""Texels of an image along a side, once it is read: a page has no room for more."""
 
 
 class _Corners(Record):
@@ -51,23 +55,43 @@ class _Corners(Record):
         return values.astype(np.float64)[index] if size == len(values) else None
 
 
-def point_colours(
+class _Painted(Record):
+    """What a material gives the corners of a mesh."""
+
+    colours: Floats
+    """(corners, 3) linear."""
+    uv: Floats
+    """(corners, 2)."""
+    image: Texels
+
+
+def colours_and_images(
     prim: Usd.Prim, points: int, topology: Topology, time: Usd.TimeCode
-) -> Floats | None:
-    """(points, 3) linear colours from 0 to 1, None where the mesh has none.
+) -> tuple[Floats | None, Texturing | None]:
+    """(points, 3) linear colours from 0 to 1, None where the mesh has none, and the images that
+    they come from, where there are any.
 
     Colours per face or per corner are averaged at each point.  A primvar whose length does not fit,
-    a shader that is not known, and a texture that cannot be read or has more than four million
+    a shader that is not known, and a texture that cannot be read or has more than sixteen million
     pixels give no colour.
     """
     corners, counts = _Corners(prim, points, topology, time), topology.face_counts
-    colours = corners.values("displayColor", 3)
+    colours, uv = corners.values("displayColor", 3), np.zeros((len(topology.face_indices), 2))
+    image, images = np.full(len(counts), -1), list[Texels]()
     for material, faces in _bindings(prim, len(counts)):
         painted = _material_colours(material, corners)
         if painted is not None:
             chosen = np.repeat(faces, counts)[:, None]
-            colours = np.where(chosen, painted, np.nan if colours is None else colours)
-    return None if colours is None else _at_points(colours, points, topology.face_indices)
+            colours = np.where(chosen, painted.colours, np.nan if colours is None else colours)
+            uv, image = np.where(chosen, painted.uv, uv), np.where(faces, len(images), image)
+            images.append(painted.image)
+    if colours is None:
+        return None, None
+    textured = any(each.size > 4 for each in images)
+    return (
+        _at_points(colours, points, topology.face_indices),
+        Texturing(uv, image, tuple(images)) if textured else None,
+    )
 
 
 def _at_points(corners: Floats, points: int, indices: Indices) -> Floats | None:
@@ -103,20 +127,23 @@ def _bindings(prim: Usd.Prim, faces: int) -> list[tuple[UsdShade.Material, Any]]
     return found
 
 
-def _material_colours(material: UsdShade.Material, corners: _Corners) -> Floats | None:
-    """(corners, 3) base colour of a material on the mesh, None where it has none."""
+def _material_colours(material: UsdShade.Material, corners: _Corners) -> _Painted | None:
+    """The base colour of a material on the mesh, None where it has none."""
     base = _base_colour(material)
     sources = base.GetValueProducingAttributes() if base else []
     if not sources:
         return None
     shader = UsdShade.Shader(sources[0].GetPrim())
     if shader and shader.GetIdAttr().Get() == "UsdUVTexture":
-        return _textured(shader, corners)
+        return _textured(shader, corners, cut=_is_cut_by(base.GetPrim(), shader))
     value = value_at(sources[0], corners.time) if len(sources) == 1 else None
     colour = np.asarray(() if value is None else value, dtype=np.float64)
     if colour.shape != (3,) or not np.isfinite(colour).all():
         return None
-    return np.broadcast_to(colour, (len(corners.topology.face_indices), 3))
+    image = np.full((1, 1, 4), 255, dtype=np.uint8)
+    image[0, 0, :3] = np.rint(255.0 * encoded(colour))
+    count = len(corners.topology.face_indices)
+    return _Painted(np.broadcast_to(colour, (count, 3)), np.full((count, 2), 0.5), image)
 
 
 def _base_colour(material: UsdShade.Material) -> Any:
@@ -128,15 +155,33 @@ def _base_colour(material: UsdShade.Material) -> Any:
     return None
 
 
-def _textured(shader: UsdShade.Shader, corners: _Corners) -> Floats | None:
-    """(corners, 3) the texture at the corners, by the primvar that its reader names."""
+def _is_cut_by(surface: Usd.Prim, shader: UsdShade.Shader) -> bool:
+    """Whether the opacity of a surface is that of the texture which colours it: hair cards."""
+    source = _source(UsdShade.Shader(surface), "opacity")
+    return bool(source and source.GetPrim() == shader.GetPrim() and source.GetBaseName() == "a")
+
+
+def _textured(shader: UsdShade.Shader, corners: _Corners, *, cut: bool) -> _Painted | None:
+    """The texture on the corners, by the primvar that its reader names."""
     uv, image = corners.values(_uv_name(shader), 2), _image(shader)
     if uv is None or image is None or not np.isfinite(uv).all():
         return None
+    uv = _in_one_tile(uv, corners.topology.face_counts)
     tall, wide = image.shape[:2]
-    column = np.floor((uv[:, 0] % 1.0) * wide).astype(np.int64).clip(0, wide - 1)
-    row = np.floor((1.0 - uv[:, 1] % 1.0) * tall).astype(np.int64).clip(0, tall - 1)
-    return _linear(image[row, column].astype(np.float64) / 255.0)
+    column = np.floor(uv[:, 0] * wide).astype(np.int64).clip(0, wide - 1)
+    row = np.floor((1.0 - uv[:, 1]) * tall).astype(np.int64).clip(0, tall - 1)
+    if not cut:
+        image[..., 3] = 255
+    return _Painted(decoded(image[row, column, :3].astype(np.float64) / 255.0), uv, image)
+
+
+def _in_one_tile(uv: Floats, counts: Indices) -> Floats:
+    """The coordinates with each face moved by whole tiles to where the image is; what a face has
+    beyond one tile is cut off."""
+    face = np.repeat(np.arange(len(counts)), counts)
+    low = np.full((len(counts), 2), np.inf)
+    np.minimum.at(low, face, uv)
+    return np.asarray(np.clip(uv - np.floor(low[face]), 0.0, 1.0))
 
 
 def _uv_name(shader: UsdShade.Shader) -> str:
@@ -152,7 +197,7 @@ def _source(shader: UsdShade.Shader, name: str) -> Usd.Attribute | None:
 
 
 def _image(shader: UsdShade.Shader) -> Any:
-    """(tall, wide, 3) bytes of the texture file, None where it cannot be read or is too large."""
+    """(tall, wide, 4) bytes of the texture file, None where it cannot be read or is too large."""
     source = _source(shader, "file")
     asset = source.Get() if source else None
     if not asset or not asset.resolvedPath:
@@ -164,12 +209,11 @@ def _image(shader: UsdShade.Shader) -> Any:
 
     try:
         with Image.open(io.BytesIO(bytes(opened.GetBuffer()))) as image:
-            is_small = image.width * image.height <= _MOST_PIXELS
-            return np.asarray(image.convert("RGB")) if is_small else None
+            if image.width * image.height > _MOST_PIXELS:
+                return None
+            image.draft("RGB", (_MOST_SIDE, _MOST_SIDE))  # a JPEG is read smaller at once
+            small = image.convert("RGBA")
+            small.thumbnail((_MOST_SIDE, _MOST_SIDE))
+            return np.array(small)
     except (UnidentifiedImageError, OSError, ValueError, SyntaxError, Image.DecompressionBombError):
         return None
-
-
-def _linear(encoded: Floats) -> Floats:
-    """sRGB, as the files of colour textures hold it, to linear light."""
-    return np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)

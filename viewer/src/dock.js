@@ -58,14 +58,14 @@ export class Dock {
     const columns = Math.max(1, Math.floor(rect.width / WIDE));
     const share = Math.max(rect.height, this.tall(rect.width));
     const at = { column: 0, top: PAD };
-    const step = (height) => {
-      if (at.top + height > share && at.column + 1 < columns) Object.assign(at, { column: at.column + 1, top: PAD });
+    const step = (height, needed = height) => {
+      if (at.top + needed > share && at.column + 1 < columns) Object.assign(at, { column: at.column + 1, top: PAD });
       at.top += height;
       return { left: rect.left + (at.column * rect.width) / columns + PAD, top: rect.top + at.top - height - this.scroll };
     };
     let category = null;
     for (const element of [...this.elements].sort(inRows)) {
-      if (element.category !== category || !this.cells.size) this.headings.push({ ...step(HEAD), text: headingOf(element) });
+      if (element.category !== category || !this.cells.size) this.headings.push({ ...step(HEAD, HEAD + heightOf(element)), text: headingOf(element) });
       category = element.category;
       const height = heightOf(element);
       this.cells.set(element, { ...step(height), height, ...this.shape(element) });

@@ -9,6 +9,8 @@ const FARTHER = 2; // a handle leaves its branch for another that is this many t
 const STRAY = 4; // ...and this many pixels besides
 const STAY = 0.02; // pixels that a whole range costs: decides between axes that lie on one line
 const TIE = 1.02;
+const BENT = 0.25; // pixels by which half of a step may lie beside its middle
+const FINEST = 6; // times that a step is halved at most
 const SAME = 1e-9; // coordinates nearer to each other than this are one
 
 /**
@@ -16,7 +18,7 @@ const SAME = 1e-9; // coordinates nearer to each other than this are one
  * `rest` and `values` are all control values in the base pose and at the start.
  */
 export function beginDrag(element, controls, rest, values, project) {
-  const tracks = element.tracks.map((track) => track.map((point) => project(point).slice(0, 2)));
+  const tracks = element.members.map(({ values: knots }, m) => onScreen(knots, element.tracks[m], (point) => project(point).slice(0, 2)));
   const axes = longEnough(element.axes.map((members) => screenAxis(element, members, tracks, controls, rest)));
   const start = axes.map(({ ends }) => coordinateOf(ends, (control) => values[control]));
   return { axes, start, current: start };
@@ -65,14 +67,32 @@ export function axisToward({ axes }, direction) {
 const endsOf = (element, members, controls, rest) =>
   members.map((m, k) => axisEnd(element.members[m].control, members.length > 1 ? 2 * k - 1 : 0, controls, rest));
 
+/** A track in pixels: with more corners than its own where it comes so near to the viewer that its steps grow on the way. */
+function onScreen(knots, track, project) {
+  const places = track.map((point, i) => ({ value: knots[i], point, at: project(point) }));
+  const found = [places[0]];
+  const goTo = (from, to, finer) => {
+    const point = from.point.map((value, axis) => between(value, to.point[axis], 0.5));
+    const half = { value: between(from.value, to.value, 0.5), point, at: project(point) };
+    const off = half.at.map((value, axis) => value - between(from.at[axis], to.at[axis], 0.5));
+    if (!finer || Math.hypot(...off) <= BENT) found.push(to);
+    else {
+      goTo(from, half, finer - 1);
+      goTo(half, to, finer - 1);
+    }
+  };
+  places.slice(1).forEach((place, i) => goTo(places[i], place, FINEST));
+  return { values: found.map(({ value }) => value), points: found.map(({ at }) => at) };
+}
+
 /** Corners of an axis: ascending coordinates `at`, and pixels from the handle's place in the base pose. */
 function screenAxis(element, members, tracks, controls, rest) {
   const ends = endsOf(element, members, controls, rest);
   const base = coordinateOf(ends, (control) => rest[control]);
-  const corners = ends.flatMap((end, k) => element.members[members[k]].values.map((value) => end.sign * shareOf(end, value)));
+  const corners = ends.flatMap((end, k) => tracks[members[k]].values.map((value) => end.sign * shareOf(end, value)));
   const sorted = [base, ...ends.flatMap(({ sign }) => [0, sign]), ...corners].sort((a, b) => a - b);
   const at = sorted.filter((each, i) => i + 1 === sorted.length || sorted[i + 1] - each > SAME);
-  const onTrack = (k, value) => alongKnots(element.members[members[k]].values, tracks[members[k]], value);
+  const onTrack = (k, value) => alongKnots(tracks[members[k]].values, tracks[members[k]].points, value);
   const moved = (coordinate) => (sum, end, k) => plus(sum, minus(onTrack(k, valueOf(end, coordinate)), onTrack(k, end.base)));
   return { ends, base, at, points: at.map((each) => ends.reduce(moved(each), [0, 0])), follows: true };
 }

@@ -40,6 +40,7 @@ export class Painter {
     this.colours = null;
     this.changed = null; // per point, whether it is drawn otherwise than before
     this.used = Uint32Array.from(new Set(surface.triangles));
+    this.mapped = new Float64Array(7);
     this.view = [];
     this.resize(1, 1, 1);
   }
@@ -122,6 +123,7 @@ export class Painter {
     const { length } = skin.points;
     [this.screen, this.before] = [this.before ?? new Float32Array(length), this.screen ?? new Float32Array(length)];
     (this.changed ??= new Uint8Array(length / 3)).fill(0);
+    this.paint = skin.paint;
     this.project(skin.points, column, orbit);
     this.light(skin, orbit);
   }
@@ -285,7 +287,8 @@ export class Painter {
   /** All triangles of open tiles that face the viewer (or have two sides) into the pixels of `frame`. */
   fill(frame) {
     const { screen } = this;
-    const { triangles, facing, eyes } = this.surface;
+    const { triangles, facing, eyes, texturing } = this.surface;
+    const on = texturing?.on;
     const [left, top, right, bottom] = frame;
     for (let t = 0, k = 0; t < triangles.length; t += 3, k++) {
       const a = 3 * triangles[t];
@@ -305,15 +308,16 @@ export class Painter {
       const y1 = Math.min(bottom - 1, Math.floor(Math.max(screen[a + 1], screen[b + 1], screen[c + 1])));
       if (y0 > y1 || !this.isOpen(x0, x1, y0, y1)) continue;
       if (eyes[k]) this.eye(a, b, c, 1 / area, x0, x1, y0, y1);
-      else this.triangle(a, b, c, 1 / area, x0, x1, y0, y1);
+      else this.triangle(a, b, c, 1 / area, x0, x1, y0, y1, on?.[k] ? t : -1);
     }
   }
 
   /**
    * One triangle over the rows y0..y1 between the columns x0 and x1: from its left edge to its right one.  Nearness and
-   * colours grow linearly along the row, in 1/256; blue and red share one number, sixteen bits apart.
+   * colours grow linearly along the row, in 1/256; blue and red share one number, sixteen bits apart.  `t` is the first
+   * of its corners on the texture, -1 where it has none.
    */
-  triangle(a, b, c, unit, x0, x1, y0, y1) {
+  triangle(a, b, c, unit, x0, x1, y0, y1, t) {
     const { screen, colours, pixels, nearness, wide } = this;
     const ax = screen[a];
     const ay = screen[a + 1];
@@ -344,6 +348,8 @@ export class Painter {
     const blueY = by * blueB + cy * blueC;
     const stepG = greenX | 0;
     const stepBR = (((blueX | 0) << 16) + (redX | 0)) | 0;
+    const { mapped } = this;
+    if (t >= 0) this.mapping(a, b, c, t, bx, by, cx, cy);
     // corners from the highest to the lowest
     let p = a;
     let q = b;
@@ -373,6 +379,12 @@ export class Painter {
       let n = near + right * nearX + down * nearY;
       let g = (green + right * greenX + down * greenY) | 0;
       let l = (((blue + right * blueX + down * blueY) << 16) + ((red + right * redX + down * redY) | 0)) | 0;
+      if (t >= 0) {
+        const u = (mapped[0] + right * mapped[1] + down * mapped[2]) | 0;
+        const v = (mapped[3] + right * mapped[4] + down * mapped[5]) | 0;
+        this.texturedRow(y * wide + first, y * wide + last, n, nearX, g, stepG, l, stepBR, u, mapped[1] | 0, v, mapped[4] | 0, mapped[6]);
+        continue;
+      }
       for (let at = y * wide + first, stop = y * wide + last; at <= stop; at++) {
         if (n > nearness[at]) {
           nearness[at] = n;
@@ -382,6 +394,52 @@ export class Painter {
         g = (g + stepG) | 0;
         l = (l + stepBR) | 0;
       }
+    }
+  }
+
+  /** The texture between the corners at `t` of the surface, by its growth to the right and down, in 1/65536 texels. */
+  mapping(a, b, c, t, bx, by, cx, cy) {
+    const { mapped, paint } = this;
+    const { corners, places, width, height } = this.surface.texturing;
+    const first = 2 * corners[t];
+    const second = 2 * corners[t + 1];
+    const third = 2 * corners[t + 2];
+    for (let axis = 0; axis < 2; axis++) {
+      const size = 65536 * (axis ? height : width);
+      const start = size * places[first + axis];
+      const toB = size * places[second + axis] - start;
+      const toC = size * places[third + axis] - start;
+      mapped[3 * axis] = start;
+      mapped[3 * axis + 1] = bx * toB + cx * toC;
+      mapped[3 * axis + 2] = by * toB + cy * toC;
+    }
+    const heat = paint[(4 * a) / 3] + paint[(4 * b) / 3] + paint[(4 * c) / 3];
+    mapped[6] = heat > 8 ? Math.round(255 * 0.85 * smooth(0.01, 0.2, heat / 765)) : 0;
+  }
+
+  /**
+   * A row of a triangle as `triangle` has it, from pixel to pixel: its light times the texels, as far as the heat map, of
+   * which `white` parts of 255, leaves them; what they cut out is not drawn.
+   */
+  texturedRow(at, stop, n, nearX, g, stepG, l, stepBR, u, stepU, v, stepV, white) {
+    const { pixels, nearness } = this;
+    const { texels, width } = this.surface.texturing;
+    for (; at <= stop; at++) {
+      if (n > nearness[at]) {
+        let texel = texels[(v >> 16) * width + (u >> 16)];
+        if (texel < 0) { // its highest bit: more than half opaque
+          nearness[at] = n;
+          if (white) texel = whitened(texel, white);
+          const blue = (((texel >> 16) & 255) * (l >>> 16)) & 0xff0000;
+          const green = ((((texel >> 8) & 255) * g) >> 8) & 0xff00;
+          pixels[at] = -16777216 | blue | green | (((texel & 255) * (l & 0xffff)) >> 16);
+        }
+      }
+      n += nearX;
+      g = (g + stepG) | 0;
+      l = (l + stepBR) | 0;
+      u = (u + stepU) | 0;
+      v = (v + stepV) | 0;
     }
   }
 
@@ -414,6 +472,12 @@ export class Painter {
       }
     }
   }
+}
+
+/** A texel mixed with so many parts of 255 of white. */
+function whitened(texel, white) {
+  const mixed = (channel) => (((texel >> channel) & 255) * (255 - white) + 255 * white) / 255;
+  return -16777216 | (mixed(16) << 16) | (mixed(8) << 8) | mixed(0);
 }
 
 /** The pixels between which some points are: [left, top, right, bottom). */

@@ -21,7 +21,18 @@ export async function readScene(base64) {
   const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
   const body = bytes.subarray(4 + length);
   header.characters.forEach((character) => decodeCharacter(character, body));
+  for (const character of header.characters) if (character.texture) character.texture = await pictured(decodeArray(character.texture, body));
   return header;
+}
+
+/** The texels of an image file, one number each (alpha, blue, green, red); null where nothing decodes images. */
+async function pictured(file) {
+  if (typeof createImageBitmap === 'undefined') return null;
+  const image = await createImageBitmap(new Blob([file]), { colorSpaceConversion: 'none' });
+  const { width, height } = image;
+  const pen = /** @type {CanvasRenderingContext2D} */ (Object.assign(document.createElement('canvas'), { width, height }).getContext('2d'));
+  pen.drawImage(image, 0, 0);
+  return { width, height, texels: new Int32Array(pen.getImageData(0, 0, width, height).data.buffer) };
 }
 
 function decodeCharacter(character, body) {
@@ -34,6 +45,12 @@ function decodeCharacter(character, body) {
     mesh.start = start;
     start += mesh.count;
     mesh.triangles = decodeArray(mesh.triangles, body);
+    if (mesh.doubles) {
+      mesh.doubles = decodeArray(mesh.doubles, body);
+      mesh.places = decodeArray(mesh.places, body);
+      mesh.corners = mesh.triangles;
+      mesh.triangles = mesh.corners.map((vertex) => (vertex < mesh.count ? vertex : mesh.doubles[vertex - mesh.count]));
+    }
     mesh.colours = decodeArray(mesh.colours, body);
     mesh.gaze = mesh.gaze && Float32Array.from(decodeArray(mesh.gaze, body), (steps) => steps * GAZE_STEP);
     for (const shape of mesh.shapes) {

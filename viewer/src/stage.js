@@ -3,7 +3,7 @@
 import { make } from './dom.js';
 import { Painter } from './painter.js';
 import { onEyes, tints } from './eye.js';
-import { facings, looks, seams, sumNormals, visibleTriangles } from './surface.js';
+import { facings, looks, seams, sumNormals, texturing, visibleTriangles } from './surface.js';
 import { Webgl, webglOf } from './webgl.js';
 
 const TARGET = [0.8, 0.95, 1.08]; // a cooler face, so that it is not taken for one's own
@@ -23,6 +23,7 @@ export class Stage {
     this.gaze = gaze;
     this.eyes = onEyes(this.triangles, gaze);
     this.tints = tints(character.eye);
+    this.texturing = texturing(character);
     this.skin = makeSkin(points, colours);
     this.target = null;
     this.size = [1, 1, 1];

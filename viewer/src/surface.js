@@ -11,6 +11,38 @@ export function visibleTriangles(character) {
   return out;
 }
 
+/**
+ * Where the texture of a character lies on its visible triangles, null where it has none.  `corners` has a vertex for
+ * each of their corners: the points, and after all of them the `doubles` of points at which the texture is cut.
+ * `places` (2 per vertex, from the left and from above, 0 to 1) are negative off the texture; so `on` is, per triangle.
+ */
+export function texturing({ meshes, texture, pointCount }) {
+  if (!texture) return null;
+  const doubles = meshes.flatMap((mesh) => Array.from(mesh.doubles ?? [], (point) => mesh.start + point));
+  const places = new Float32Array(2 * (pointCount + doubles.length)).fill(-1);
+  const corners = [];
+  let more = pointCount;
+  for (const { start, count, triangles, ...mesh } of meshes) {
+    const beyond = more - count;
+    const numbered = (vertex) => vertex + (vertex < count ? start : beyond);
+    if (mesh.visible) for (const vertex of mesh.corners ?? triangles) corners.push(numbered(vertex));
+    mesh.places?.forEach((step, i) => (places[2 * numbered(i >> 1) + (i & 1)] = (step - 1) / 65534));
+    more += mesh.doubles?.length ?? 0;
+  }
+  const on = Uint8Array.from({ length: corners.length / 3 }, (_, k) => (places[2 * corners[3 * k]] < 0 ? 0 : 1));
+  return { ...texture, corners: Uint32Array.from(corners), doubles, places, on };
+}
+
+/** An array of some numbers per point with those of its doubles after them. */
+export function doubled(array, size, doubles, out = new array.constructor(array.length + size * doubles.length)) {
+  if (out === array) return out;
+  out.set(array);
+  doubles.forEach((point, k) => {
+    for (let i = 0; i < size; i++) out[array.length + size * k + i] = array[size * point + i];
+  });
+  return out;
+}
+
 /** Colours (3 per point, 0 to 1) of all points, and where they lie on eyeballs (2 per point; see eye.js). */
 export function looks(character) {
   const colours = new Float32Array(3 * character.pointCount);
@@ -165,9 +197,9 @@ function rimLengths(triangles, part, count) {
 
 /**
  * Write into `seen` the triangles that face the camera (or have two sides) and are not wholly outside a
- * picture `wide` times as wide as high; returns how many indices were written.
+ * picture `wide` times as wide as high, by the vertices at their `corners`; returns how many indices were written.
  */
-export function seenTriangles(points, triangles, facing, camera, wide, seen) {
+export function seenTriangles(points, triangles, facing, camera, wide, seen, corners = triangles) {
   const eye = camera.position;
   const outside = outsides(points, camera, eye, wide);
   let count = 0;
@@ -175,9 +207,9 @@ export function seenTriangles(points, triangles, facing, camera, wide, seen) {
     const [i, j, l] = [triangles[t], triangles[t + 1], triangles[t + 2]];
     if (outside[i] & outside[j] & outside[l]) continue;
     if (facing[k] !== 0 && facing[k] * towardsEye(points, 3 * i, 3 * j, 3 * l, eye) <= 0) continue;
-    seen[count++] = i;
-    seen[count++] = j;
-    seen[count++] = l;
+    seen[count++] = corners[t];
+    seen[count++] = corners[t + 1];
+    seen[count++] = corners[t + 2];
   }
   return count;
 }

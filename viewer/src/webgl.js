@@ -1,7 +1,7 @@
 // The skin drawn by the graphics card: three.js draws one geometry per pose into the columns of a canvas.
 
 import * as THREE from 'three';
-import { seenTriangles } from './surface.js';
+import { doubled, seenTriangles } from './surface.js';
 
 // Colours here are what the screen shows; three.js is not to convert them.
 THREE.ColorManagement.enabled = false;
@@ -15,8 +15,10 @@ const VERTEX = `
   attribute vec2 paint;
   attribute vec3 own;
   attribute vec2 gaze;
+  attribute vec2 place;
   varying vec3 colour;
   varying vec2 ball;
+  varying vec3 on;
   vec3 ramp(float heat) {
     vec3 low = mix(vec3(0.20, 0.24, 0.62), vec3(0.78, 0.20, 0.44), smoothstep(0.0, 0.5, heat));
     return mix(low, vec3(1.0, 0.82, 0.30), smoothstep(0.45, 1.0, heat));
@@ -29,10 +31,12 @@ const VERTEX = `
     float key = max(dot(n, vec3(-0.40, 0.52, 0.755)), 0.0);
     float fill = max(dot(n, vec3(0.70, -0.05, 0.71)), 0.0);
     float sky = 0.5 + 0.5 * n.y;
-    vec3 base = mix(own, ramp(paint.x), 0.85 * smoothstep(0.01, 0.2, paint.x));
+    float heat = 0.85 * smoothstep(0.01, 0.2, paint.x);
+    vec3 base = mix(own, ramp(paint.x), heat);
     vec3 light = vec3(0.20, 0.21, 0.23) * sky + vec3(0.80, 0.77, 0.73) * key + vec3(0.20, 0.22, 0.26) * fill;
     colour = base * sqrt(light) + pow(1.0 - abs(n.z), 3.0) * 0.035;
     ball = gaze;
+    on = vec3(place, heat);
   }`;
 
 const FRAGMENT = `
@@ -40,8 +44,19 @@ const FRAGMENT = `
   uniform float perRadius;
   varying vec3 colour;
   varying vec2 ball;
+  varying vec3 on;
+  #ifdef TEXTURED
+  uniform sampler2D skin;
+  #endif
   void main() {
     vec3 tint = max(abs(ball.x), abs(ball.y)) < 3.0 ? texture2D(tints, vec2(length(ball) * perRadius, 0.5)).rgb : vec3(1.0);
+    #ifdef TEXTURED
+    if (on.x >= 0.0) {
+      vec4 texel = texture2D(skin, on.xy);
+      if (texel.a < 0.5) discard;
+      tint = mix(texel.rgb, vec3(1.0), on.z);
+    }
+    #endif
     gl_FragColor = vec4(colour * tint, 1.0);
   }`;
 
@@ -74,6 +89,7 @@ export class Webgl {
     this.camera = new THREE.PerspectiveCamera();
     this.size = { width: 1, height: 1 };
     this.tints = textureOf(surface.tints);
+    this.skinTexture = surface.texturing && smoothTexture(surface.texturing);
     this.known = new Map(); // skin -> {scene, geometry, material, seen: its counts of changes}
   }
 
@@ -110,14 +126,21 @@ export class Webgl {
 
   /** What draws a skin, with its points, colours and the triangles to be seen from here on the card. */
   sent(skin, orbit, wide) {
-    if (!this.known.has(skin)) this.known.set(skin, made(skin, this.surface, this.tints));
+    if (!this.known.has(skin)) this.known.set(skin, made(skin, this.surface, this.tints, this.skinTexture));
     const drawn = this.known.get(skin);
     const { attributes, index } = drawn.geometry;
-    if (drawn.seen.shape !== skin.changes.shape) attributes.position.needsUpdate = attributes.normal.needsUpdate = true;
-    if (drawn.seen.paint !== skin.changes.paint) attributes.paint.needsUpdate = true;
+    const { triangles, facing, texturing } = this.surface;
+    const renew = (attribute, array) => {
+      doubled(array, attribute.itemSize, texturing?.doubles ?? [], attribute.array);
+      attribute.needsUpdate = true;
+    };
+    if (drawn.seen.shape !== skin.changes.shape) {
+      renew(attributes.position, skin.points);
+      renew(attributes.normal, skin.normals);
+    }
+    if (drawn.seen.paint !== skin.changes.paint) renew(attributes.paint, skin.paint);
     drawn.seen = { ...skin.changes };
-    const { triangles, facing } = this.surface;
-    const count = seenTriangles(skin.points, triangles, facing, orbit, wide, index.array);
+    const count = seenTriangles(skin.points, triangles, facing, orbit, wide, index.array, texturing?.corners);
     index.clearUpdateRanges();
     index.addUpdateRange(0, count);
     index.needsUpdate = true;
@@ -145,21 +168,31 @@ function textureOf({ factors, perRadius, last }) {
   return { texture, perRadius: perRadius / (last + 1) };
 }
 
-function made(skin, { triangles, gaze }, tints) {
+/** The texture of a skin, its first row above. */
+function smoothTexture({ texels, width, height }) {
+  const texture = new THREE.DataTexture(new Uint8Array(texels.buffer), width, height);
+  Object.assign(texture, { magFilter: THREE.LinearFilter, minFilter: THREE.LinearMipmapLinearFilter, generateMipmaps: true, needsUpdate: true });
+  return texture;
+}
+
+function made(skin, { triangles, gaze, texturing }, tints, texture) {
+  const all = (array, size) => (texturing?.doubles.length ? doubled(array, size, texturing.doubles) : array);
   const geometry = new THREE.BufferGeometry();
   const dynamic = (array, size, normalised = false) =>
     new THREE.BufferAttribute(array, size, normalised).setUsage(THREE.DynamicDrawUsage);
   geometry.setIndex(dynamic(new Uint32Array(triangles.length), 1));
-  geometry.setAttribute('position', dynamic(skin.points, 3));
-  geometry.setAttribute('normal', dynamic(skin.normals, 3));
-  geometry.setAttribute('paint', dynamic(skin.paint, 4, true));
-  geometry.setAttribute('own', new THREE.BufferAttribute(skin.colours, 3));
-  geometry.setAttribute('gaze', new THREE.BufferAttribute(gaze, 2));
+  geometry.setAttribute('position', dynamic(all(skin.points, 3), 3));
+  geometry.setAttribute('normal', dynamic(all(skin.normals, 3), 3));
+  geometry.setAttribute('paint', dynamic(all(skin.paint, 4), 4, true));
+  geometry.setAttribute('own', new THREE.BufferAttribute(all(skin.colours, 3), 3));
+  geometry.setAttribute('gaze', new THREE.BufferAttribute(all(gaze, 2), 2));
+  if (texturing) geometry.setAttribute('place', new THREE.BufferAttribute(texturing.places, 2));
   const material = new THREE.ShaderMaterial({
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
     side: THREE.DoubleSide,
-    uniforms: { tints: { value: tints.texture }, perRadius: { value: tints.perRadius } },
+    defines: texturing ? { TEXTURED: 1 } : {},
+    uniforms: { tints: { value: tints.texture }, perRadius: { value: tints.perRadius }, skin: { value: texture } },
   });
   const mesh = new THREE.Mesh(geometry, material);
   mesh.frustumCulled = false;

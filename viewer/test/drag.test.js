@@ -2,7 +2,8 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { axisToward, beginDrag, movedAlong } from '../src/drag.js';
+import { OrbitCamera } from '../src/camera.js';
+import { axisToward, beginDrag, dragTo, movedAlong } from '../src/drag.js';
 
 const { questions } = JSON.parse(readFileSync(new URL('../../schemas/conformance/drags.json', import.meta.url)));
 
@@ -46,4 +47,23 @@ test('an arrow key takes the axis that carries the handle its way', () => {
   const drag = beginDrag({ members, tracks, axes: [[0], [1]] }, controls, [0, 0], [0, 0], (point) => point);
   const found = [[0, -1], [0, 1], [1, 0], [-1, 0]].map((arrow) => axisToward(drag, arrow));
   assert.deepEqual(found, [[0, -1], [0, 1], [1, -1], [1, 1]]);
+});
+
+test('a handle on a track that comes toward the viewer stays under the pointer', () => {
+  const camera = new OrbitCamera([0, 1, 0], [0, 0, 1]);
+  const column = { left: 0, top: 0, width: 800, height: 600 };
+  camera.frame([[-1, -1, -1], [1, 1, 1]], 800, 600);
+  const project = camera.projector(column);
+  const controls = [{ minimum: 0, default: 0, maximum: 1 }];
+  const track = [[0.35, 0.2, -1.5], [0.5, 0.3, camera.distance - 4]];
+  const element = { members: [{ control: 0, values: [0, 1] }], tracks: [track], axes: [[0]] };
+  const at = (value) => project(track[0].map((from, axis) => from + value * (track[1][axis] - from)));
+  const drag = beginDrag(element, controls, [0], [0], project);
+  const [start, end] = [at(0), at(1)];
+  for (let step = 0; step <= 10; step++) {
+    const goal = [0, 1].map((axis) => (step / 10) * (end[axis] - start[axis]));
+    const [x, y] = at(dragTo(drag, ...goal).get(0));
+    const off = Math.hypot(x - start[0] - goal[0], y - start[1] - goal[1]);
+    assert.ok(off < 0.6, `${off} pixels at step ${step}`);
+  }
 });

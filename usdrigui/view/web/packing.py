@@ -15,6 +15,7 @@ import json
 import math
 import zlib
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -26,13 +27,13 @@ from usdrigui.character import (
     Control,
     Floats,
     Glyph,
-    Indices,
     Rig,
     RigMesh,
     Shape,
     Skin,
 )
 from usdrigui.character.palette import SIDES
+from usdrigui.character.srgb import encoded
 from usdrigui.character.surface import mesh_triangles, triangles
 from usdrigui.errors import Issue, refuse
 from usdrigui.following import following, shared
@@ -40,13 +41,14 @@ from usdrigui.model import Element, Layout, Member
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.settings import OutputSettings
 from usdrigui.view.body.complexion import complexion
-from usdrigui.view.body.shading import EYE, IRIS, PUPIL, Complexion, encoded, look
+from usdrigui.view.body.shading import EYE, IRIS, PUPIL, Complexion, look
 from usdrigui.view.clip import ClipReading, reading
 from usdrigui.view.flat import framing
 from usdrigui.view.flat.callouts import shortened
 from usdrigui.view.flat.columns import heading, rank
 from usdrigui.view.panels import on_character
 from usdrigui.view.sections import sections
+from usdrigui.view.web.atlas import Atlas, atlas, painted, vertices
 
 Json = dict[str, Any]
 
@@ -54,10 +56,13 @@ _POSITION_STEPS = 65535
 _OFFSET_STEPS = 32767
 _WEIGHT_STEPS = 65535
 _GAZE_STEP = 3.0 / 8192
+_TEXTURES = 0.5
+"""Bytes of textures, at most, of those of the page without them."""
 
 
-def pack(rig_layouts: Sequence[tuple[Rig, Layout]], title: str) -> bytes:
-    """Everything the viewer needs to show and pose the characters, deflated.
+def pack(rig_layouts: Sequence[tuple[Rig, Layout]], title: str, around: float = 0.0) -> bytes:
+    """Everything the viewer needs to show and pose the characters, deflated; `around` are the bytes
+    of the page besides, which leave the more room for textures.
 
     The inflated bytes are: the header's length (uint32, little endian), the header (UTF-8 JSON,
     padded with spaces to a multiple of four), the body.  Header entries ``{"at", "kind", "shape"}``
@@ -65,10 +70,17 @@ def pack(rig_layouts: Sequence[tuple[Rig, Layout]], title: str) -> bytes:
     control that its rig does not have.
     """
     arrays = _Arrays()
-    header = {
-        "title": title,
-        "characters": [_character(arrays, rig, layout) for rig, layout in rig_layouts],
-    }
+    atlases = [atlas(rig, layout) for rig, layout in rig_layouts]
+    characters = [
+        _character(arrays, rig, layout, pictures)
+        for (rig, layout), pictures in zip(rig_layouts, atlases, strict=True)
+    ]
+    if any(atlases):
+        room = _TEXTURES * (around + len(zlib.compress(arrays.content))) / len(atlases)
+        for character, pictures in zip(characters, atlases, strict=True):
+            drawn = np.frombuffer(pictures.encoded(room) if pictures else b"", dtype=np.uint8)
+            character["texture"] = arrays.integers(drawn, "u1") if pictures else None
+    header = {"title": title, "characters": characters}
     text = json.dumps(header, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 4)
     return zlib.compress(len(text).to_bytes(4, "little") + text + bytes(arrays.content), 9)
@@ -114,7 +126,7 @@ class _Arrays:
 # --- the rig --------------------------------------------------------------------------------------
 
 
-def _character(arrays: _Arrays, rig: Rig, layout: Layout) -> Json:
+def _character(arrays: _Arrays, rig: Rig, layout: Layout, pictures: Atlas | None) -> Json:
     body = rig.body
     joints, packed = body.joints, _layout(rig, layout)
     return {
@@ -122,7 +134,7 @@ def _character(arrays: _Arrays, rig: Rig, layout: Layout) -> Json:
         "identity": _identity(rig),
         "up": _list(rig.skel_root.up),
         "metresPerUnit": rig.skel_root.metres_per_unit,
-        "meshes": _meshes(arrays, body.meshes, body.starts, complexion(rig, layout)),
+        "meshes": _meshes(arrays, body, complexion(rig, layout), pictures),
         "eye": {**{name: _srgb(colour) for name, colour in EYE.items()}, "radii": [PUPIL, IRIS]},
         "skeletons": [_fields(each, "path animation to_root") for each in body.skeletons],
         "joints": [_fields(each, "path skeleton parent") for each in joints],
@@ -148,26 +160,33 @@ def _identity(rig: Rig) -> str:
     return found.hexdigest()[:32]
 
 
-def _meshes(
-    arrays: _Arrays, meshes: tuple[RigMesh, ...], starts: Indices, seen: Complexion
-) -> list[Json]:
-    spans = [slice(a, b) for a, b in itertools.pairwise(starts.tolist())]
+def _meshes(arrays: _Arrays, body: Body, seen: Complexion, pictures: Atlas | None) -> list[Json]:
+    spans = [slice(a, b) for a, b in itertools.pairwise(body.starts.tolist())]
     looks = [
         Complexion(seen.colours[span], seen.gaze[span], seen.clear[span], seen.open[span])
         for span in spans
     ]
-    return [_mesh(arrays, mesh, own) for mesh, own in zip(meshes, looks, strict=True)]
+    return [
+        _mesh(arrays, mesh, own, pictures) for mesh, own in zip(body.meshes, looks, strict=True)
+    ]
 
 
-def _mesh(arrays: _Arrays, mesh: RigMesh, seen: Complexion) -> Json:
+def _mesh(arrays: _Arrays, mesh: RigMesh, seen: Complexion, pictures: Atlas | None) -> Json:
     low, step, grid = _quantised_positions(mesh.points)
-    corners = triangles(
-        mesh.points,
-        mesh.topology.face_counts,
-        mesh.topology.face_indices,
-        mesh.topology.left_handed,
+    faces, texturing = mesh.topology, mesh.display.texturing
+    points = faces.face_indices
+    at = triangles(
+        mesh.points[points], faces.face_counts, np.arange(len(points)), faces.left_handed
     )
-    corners = corners[~seen.clear[corners].all(axis=1)]
+    at = at[~seen.clear[points[at]].all(axis=1)]
+    corners, doubles, places = points[at], None, None
+    if pictures is not None and texturing is not None:
+        apart = vertices(mesh, at, pictures.places(texturing, faces.face_counts))
+        corners, doubles, places = apart.corners, apart.doubles, apart.places
+        # An image has the colours; points have the shade on them.
+        colours = seen.colours.copy()
+        colours[painted(mesh, texturing)] = 1.0
+        seen = replace(seen, colours=colours)
     on_eye = (np.abs(seen.gaze) < 3.0).any()
     return {
         "path": mesh.path,
@@ -179,6 +198,8 @@ def _mesh(arrays: _Arrays, mesh: RigMesh, seen: Complexion) -> Json:
         "toRoot": _list(mesh.binding.to_root),
         "skin": None if mesh.binding.skin is None else _skin(arrays, mesh.binding.skin),
         "shapes": [_shape(arrays, shape) for shape in mesh.binding.shapes],
+        "doubles": None if doubles is None else arrays.ascending(doubles),
+        "places": None if places is None else arrays.integers(places, "u2"),
         "colours": arrays.integers(np.rint(255.0 * encoded(seen.shaded)), "u1"),
         "gaze": (
             arrays.integers(np.rint(seen.gaze / _GAZE_STEP).clip(-32767, 32767), "i2")

@@ -68,7 +68,7 @@ def page_html(
         title=markup(title),
         style=style,
         flags=(" data-study" if study else "") + (f' data-live="{markup(live)}"' if live else ""),
-        scene=base64.b64encode(pack(rig_layouts, title)).decode("ascii"),
+        scene=base64.b64encode(pack(rig_layouts, title, 0.75 * len(script))).decode("ascii"),
         script=script,
         reviews=_reviews(reviews),
     )

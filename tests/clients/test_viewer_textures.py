@@ -1,0 +1,107 @@
+"""An asset's own textures on the page: of a small one made here, and of one given."""
+
+from __future__ import annotations
+
+import json
+import tempfile
+import zlib
+from pathlib import Path
+
+import numpy as np
+import pytest
+from browser_pages import DRAWN_BY, Viewer, decoded
+from PIL import Image
+from pxr import Sdf, UsdGeom, UsdShade
+from skel_stages import SIDE, head
+from viewer_layouts import peak_layout
+
+from usdrigui.reading.character import read_rigs
+from usdrigui.settings import Settings
+from usdrigui.view.web import packing, page
+
+RED, GREEN = (230, 20, 20, 255), (20, 200, 20, 255)
+
+
+def painted(folder):
+    """A sheet whose left half has the left half of an image and whose right half the right one, cut between them; the
+    lowest row of quads is cut out by the opacity of the image."""
+    texels = np.zeros((64, 64, 4), dtype=np.uint8)
+    texels[:, :32], texels[:, 32:] = RED, GREEN
+    texels[48:, :, 3] = 0
+    Image.fromarray(texels).save(folder / "skin.png")
+
+    def paint(stage):
+        mesh = UsdGeom.Mesh.Get(stage, "/Char/Face")
+        mesh.GetPointsAttr().Set([(x, y, 0.0) for x, y, _ in mesh.GetPointsAttr().Get()])
+        # Counted from either edge, so that the points in the middle lie at two places of the image.
+        column, row = np.arange(SIDE - 1), np.arange(SIDE - 1)
+        left = np.where(column < 2, column / 5.0, (column + 1) / 5.0)
+        corners = [[(left[c], r / 4), (left[c] + 0.2, r / 4), (left[c] + 0.2, r / 4 + 0.25), (left[c], r / 4 + 0.25)]
+                   for r in row for c in column]  # fmt: skip
+        uv = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar("st", Sdf.ValueTypeNames.TexCoord2fArray, "faceVarying")
+        uv.Set([tuple(map(float, each)) for quad in corners for each in quad])
+        material = UsdShade.Material.Define(stage, "/Char/skin")
+        surface, texture = (UsdShade.Shader.Define(stage, f"/Char/skin/{name}") for name in ("surface", "texture"))
+        surface.CreateIdAttr("UsdPreviewSurface")
+        texture.CreateIdAttr("UsdUVTexture")
+        texture.CreateInput("file", Sdf.ValueTypeNames.Asset).Set("./skin.png")
+        for name, kind, output in (("diffuseColor", "Color3f", "rgb"), ("opacity", "Float", "a")):
+            given = surface.CreateInput(name, getattr(Sdf.ValueTypeNames, kind))
+            given.ConnectToSource(texture.ConnectableAPI(), output)
+        material.CreateSurfaceOutput().ConnectToSource(surface.ConnectableAPI(), "surface")
+        UsdShade.MaterialBindingAPI.Apply(mesh.GetPrim()).Bind(material)
+
+    (rig,) = read_rigs(Path(head(str(folder / "char.usda"), edit=paint)), Settings())
+    return rig, peak_layout(rig)
+
+
+def characters():
+    with tempfile.TemporaryDirectory() as folder:
+        return [painted(Path(folder))]
+
+
+def test_a_cut_point_is_a_vertex_at_each_of_its_places():
+    packed = zlib.decompress(packing.pack(characters(), "sheet"))
+    length = int.from_bytes(packed[:4], "little")
+    (mesh,) = json.loads(packed[4 : 4 + length])["characters"][0]["meshes"]
+    assert mesh["doubles"]["shape"] == [SIDE], "the points between both halves"
+    assert mesh["places"]["shape"] == [SIDE * SIDE + SIDE, 2]
+
+
+def test_images_take_at_most_half_of_a_page_without_them(monkeypatch):
+    (rig, layout), whole = characters()[0], len(page.page_html(characters(), "sheet"))
+    noise = np.random.default_rng(0).integers(0, 255, (512, 512, 4), dtype=np.uint8)
+    loud = packing.Atlas((noise,), {})
+    monkeypatch.setattr(packing, "atlas", lambda *_: None)
+    bare = len(page.page_html([(rig, layout)], "sheet"))
+    assert bare < whole <= 1.5 * bare
+    finer, coarser = (len(loud.encoded(room)) for room in (1e9, 30_000))
+    assert coarser <= 30_000 < finer
+
+
+@pytest.mark.parametrize("draw", ["canvas", "webgl"])
+def test_both_drawers_show_the_texture_and_what_it_cuts_out(browser, page_path, draw):
+    viewer = Viewer(browser, page_path, draw=draw)
+    assert viewer.page.evaluate("usdrigui.app.view.stage.drawnBy") == DRAWN_BY[draw]
+    viewer.option("handles", False)
+    viewer.settle()
+    places = [(-0.75, 0.5), (-0.25, 0.5), (0.25, 0.5), (0.75, 0.5), (-0.5, -0.75), (0.5, -0.75)]
+    at = viewer.page.evaluate(
+        """(places) => {
+          const { camera, columns, node } = usdrigui.app.view;
+          const { x, y } = node.getBoundingClientRect();
+          const on = places.map((place) => camera.projector(columns[0])([...place, 0]));
+          return on.map((at) => [Math.round(x + at[0]), Math.round(y + at[1])]);
+        }""",
+        places,
+    )
+    pixels = decoded(viewer.page.screenshot())
+    found = [pixels[y, x] for x, y in at]
+    for colour in found[:2]:
+        assert colour[0] > 3 * max(colour[1:])
+    for colour in found[2:4]:
+        assert colour[1] > 3 * max(colour[0], colour[2])
+    for colour in found[4:]:
+        assert np.ptp(colour) < 12, "the ground is seen where the image cuts the sheet out"
+    assert viewer.trouble == []
+    viewer.close()
