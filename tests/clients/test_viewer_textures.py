@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import tempfile
-import zlib
 from pathlib import Path
 
 import numpy as np
 import pytest
 from browser_pages import DRAWN_BY, Viewer, decoded
+from makers import changed
 from PIL import Image
 from pxr import Sdf, UsdGeom, UsdShade
 from skel_stages import SIDE, head
@@ -39,7 +38,8 @@ def painted(folder):
         corners = [[(left[c], r / 4), (left[c] + 0.2, r / 4), (left[c] + 0.2, r / 4 + 0.25), (left[c], r / 4 + 0.25)]
                    for r in row for c in column]  # fmt: skip
         uv = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar("st", Sdf.ValueTypeNames.TexCoord2fArray, "faceVarying")
-        uv.Set([tuple(map(float, each)) for quad in corners for each in quad])
+        # Whole tiles away, where the image is repeated.
+        uv.Set([(float(u) - 3.0, float(v) + 7.0) for quad in corners for u, v in quad])
         material = UsdShade.Material.Define(stage, "/Char/skin")
         surface, texture = (UsdShade.Shader.Define(stage, f"/Char/skin/{name}") for name in ("surface", "texture"))
         surface.CreateIdAttr("UsdPreviewSurface")
@@ -60,22 +60,14 @@ def characters():
         return [painted(Path(folder))]
 
 
-def test_a_cut_point_is_a_vertex_at_each_of_its_places():
-    packed = zlib.decompress(packing.pack(characters(), "sheet"))
-    length = int.from_bytes(packed[:4], "little")
-    (mesh,) = json.loads(packed[4 : 4 + length])["characters"][0]["meshes"]
-    assert mesh["doubles"]["shape"] == [SIDE], "the points between both halves"
-    assert mesh["places"]["shape"] == [SIDE * SIDE + SIDE, 2]
-
-
-def test_images_take_at_most_half_of_a_page_without_them(monkeypatch):
-    (rig, layout), whole = characters()[0], len(page.page_html(characters(), "sheet"))
-    noise = np.random.default_rng(0).integers(0, 255, (512, 512, 4), dtype=np.uint8)
-    loud = packing.Atlas((noise,), {})
-    monkeypatch.setattr(packing, "atlas", lambda *_: None)
-    bare = len(page.page_html([(rig, layout)], "sheet"))
+def test_images_take_at_most_half_of_a_page_without_them():
+    ((rig, layout),) = characters()
+    (mesh,) = rig.body.meshes
+    plain = changed(rig, meshes=(changed(mesh, texturing=None),))
+    whole, bare = (len(page.page_html([(each, layout)], "sheet")) for each in (rig, plain))
     assert bare < whole <= 1.5 * bare
-    finer, coarser = (len(loud.encoded(room)) for room in (1e9, 30_000))
+    noise = np.random.default_rng(0).integers(0, 255, (256, 256, 4), dtype=np.uint8)
+    finer, coarser = (sum(map(len, packing.image_files([noise, noise], room))) for room in (1e9, 30_000))
     assert coarser <= 30_000 < finer
 
 
@@ -103,5 +95,7 @@ def test_both_drawers_show_the_texture_and_what_it_cuts_out(browser, page_path, 
         assert colour[1] > 3 * max(colour[0], colour[2])
     for colour in found[4:]:
         assert np.ptp(colour) < 12, "the ground is seen where the image cuts the sheet out"
+    doubles = viewer.page.evaluate("usdrigui.app.view.stage.texturing.doubles.length")
+    assert doubles == SIDE, "the points between both halves lie at two places of the image"
     assert viewer.trouble == []
     viewer.close()

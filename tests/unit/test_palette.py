@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from usdrigui.character import palette, srgb
+from usdrigui.character import palette
 from usdrigui.view.body import shading
 
 LEAST = 25.0
@@ -17,7 +17,7 @@ LEAST = 25.0
 ROOT = Path(__file__).resolve().parents[2]
 SIDES = {side: np.array(colour) / 255.0 for side, colour in palette.SIDES.items()}
 SKINS = [
-    srgb.encoded(np.array(albedo)) * light
+    shading.encoded(np.array(albedo)) * light
     for albedo, lights in ((shading.SKIN, (1.0, 0.85, 0.7, 0.55)), ((0.87, 0.66, 0.55), (1.0, 0.8, 0.6)))
     for light in lights
 ]
@@ -59,4 +59,4 @@ def test_no_client_says_the_colours_again():
 
 @pytest.mark.parametrize("side", palette.SIDES)
 def test_layers_hold_the_colours_in_linear_light(side):
-    assert np.abs(srgb.encoded(np.array(palette.linear(side))) - SIDES[side]).max() < 0.002
+    assert np.abs(shading.encoded(np.array(palette.linear(side))) - SIDES[side]).max() < 0.002

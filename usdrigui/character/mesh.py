@@ -63,13 +63,13 @@ class Texturing(Record):
     """Images that give the faces of a mesh their colours."""
 
     uv: Floats
-    """(c, 2) where each corner of the faces lies in its image, from the left and from below, from
-    0 to 1."""
+    """(c, 2) where each corner of the faces lies in its image, from the left and from below; beyond
+    0 to 1 the image is repeated."""
     image: Indices
     """(f,) of each face, by index into `images`; -1 for a face of none."""
     images: tuple[Texels, ...]
     """(tall, wide, 4) each, encoded as sRGB, with opacity; scaled down as `usdrigui.stages.colours`
-    says.  A material of one colour is an image of one texel."""
+    says."""
 
 
 class Subset(Record):

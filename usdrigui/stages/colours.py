@@ -10,7 +10,6 @@ import numpy as np
 from pxr import Ar, Usd, UsdGeom, UsdShade
 
 from usdrigui.character import Floats, Indices, Record, Texels, Texturing, Topology
-from usdrigui.character.srgb import decoded, encoded
 from usdrigui.stages.arrays import value_at
 
 _BASE_COLOURS = ("diffuseColor", "base_color", "baseColor", "diffuse_color_constant")
@@ -20,6 +19,9 @@ _MOST_PIXELS = 4096 * 4096
 """Of a texture that is read; larger ones take longer than all other reading."""
 _MOST_SIDE = 1024
 """Texels of an image along a side, once it is read: a page has no room for more."""
+_Painted = tuple[Floats, Floats, Texels | None]
+"""What a material gives the corners of a mesh: (corners, 3) linear colours, and where (corners, 2)
+these are in an image, if they come from one."""
 
 
 class _Corners(Record):
@@ -55,16 +57,6 @@ class _Corners(Record):
         return values.astype(np.float64)[index] if size == len(values) else None
 
 
-class _Painted(Record):
-    """What a material gives the corners of a mesh."""
-
-    colours: Floats
-    """(corners, 3) linear."""
-    uv: Floats
-    """(corners, 2)."""
-    image: Texels
-
-
 def colours_and_images(
     prim: Usd.Prim, points: int, topology: Topology, time: Usd.TimeCode
 ) -> tuple[Floats | None, Texturing | None]:
@@ -82,15 +74,13 @@ def colours_and_images(
         painted = _material_colours(material, corners)
         if painted is not None:
             chosen = np.repeat(faces, counts)[:, None]
-            colours = np.where(chosen, painted.colours, np.nan if colours is None else colours)
-            uv, image = np.where(chosen, painted.uv, uv), np.where(faces, len(images), image)
-            images.append(painted.image)
-    if colours is None:
-        return None, None
-    textured = any(each.size > 4 for each in images)
+            colours = np.where(chosen, painted[0], np.nan if colours is None else colours)
+            uv = np.where(chosen, painted[1], uv)
+            image = np.where(faces, -1 if painted[2] is None else len(images), image)
+            images += [] if painted[2] is None else [painted[2]]
     return (
-        _at_points(colours, points, topology.face_indices),
-        Texturing(uv, image, tuple(images)) if textured else None,
+        None if colours is None else _at_points(colours, points, topology.face_indices),
+        Texturing(uv, image, tuple(images)) if images else None,
     )
 
 
@@ -135,15 +125,15 @@ def _material_colours(material: UsdShade.Material, corners: _Corners) -> _Painte
         return None
     shader = UsdShade.Shader(sources[0].GetPrim())
     if shader and shader.GetIdAttr().Get() == "UsdUVTexture":
-        return _textured(shader, corners, cut=_is_cut_by(base.GetPrim(), shader))
+        # Opacity that comes from the same image cuts it out: hair cards.
+        cut = _source(UsdShade.Shader(base.GetPrim()), "opacity")
+        return _textured(shader, corners, cut is not None and cut.GetPrim() == shader.GetPrim())
     value = value_at(sources[0], corners.time) if len(sources) == 1 else None
     colour = np.asarray(() if value is None else value, dtype=np.float64)
     if colour.shape != (3,) or not np.isfinite(colour).all():
         return None
-    image = np.full((1, 1, 4), 255, dtype=np.uint8)
-    image[0, 0, :3] = np.rint(255.0 * encoded(colour))
     count = len(corners.topology.face_indices)
-    return _Painted(np.broadcast_to(colour, (count, 3)), np.full((count, 2), 0.5), image)
+    return np.broadcast_to(colour, (count, 3)), np.zeros((count, 2)), None
 
 
 def _base_colour(material: UsdShade.Material) -> Any:
@@ -155,33 +145,17 @@ def _base_colour(material: UsdShade.Material) -> Any:
     return None
 
 
-def _is_cut_by(surface: Usd.Prim, shader: UsdShade.Shader) -> bool:
-    """Whether the opacity of a surface is that of the texture which colours it: hair cards."""
-    source = _source(UsdShade.Shader(surface), "opacity")
-    return bool(source and source.GetPrim() == shader.GetPrim() and source.GetBaseName() == "a")
-
-
-def _textured(shader: UsdShade.Shader, corners: _Corners, *, cut: bool) -> _Painted | None:
-    """The texture on the corners, by the primvar that its reader names."""
+def _textured(shader: UsdShade.Shader, corners: _Corners, cut: bool) -> _Painted | None:
+    """The texture at the corners, by the primvar that its reader names."""
     uv, image = corners.values(_uv_name(shader), 2), _image(shader)
     if uv is None or image is None or not np.isfinite(uv).all():
         return None
-    uv = _in_one_tile(uv, corners.topology.face_counts)
     tall, wide = image.shape[:2]
-    column = np.floor(uv[:, 0] * wide).astype(np.int64).clip(0, wide - 1)
-    row = np.floor((1.0 - uv[:, 1]) * tall).astype(np.int64).clip(0, tall - 1)
+    column = np.floor((uv[:, 0] % 1.0) * wide).astype(np.int64).clip(0, wide - 1)
+    row = np.floor((1.0 - uv[:, 1] % 1.0) * tall).astype(np.int64).clip(0, tall - 1)
     if not cut:
         image[..., 3] = 255
-    return _Painted(decoded(image[row, column, :3].astype(np.float64) / 255.0), uv, image)
-
-
-def _in_one_tile(uv: Floats, counts: Indices) -> Floats:
-    """The coordinates with each face moved by whole tiles to where the image is; what a face has
-    beyond one tile is cut off."""
-    face = np.repeat(np.arange(len(counts)), counts)
-    low = np.full((len(counts), 2), np.inf)
-    np.minimum.at(low, face, uv)
-    return np.asarray(np.clip(uv - np.floor(low[face]), 0.0, 1.0))
+    return _linear(image[row, column, :3].astype(np.float64) / 255.0), uv, image
 
 
 def _uv_name(shader: UsdShade.Shader) -> str:
@@ -217,3 +191,8 @@ def _image(shader: UsdShade.Shader) -> Any:
             return np.array(small)
     except (UnidentifiedImageError, OSError, ValueError, SyntaxError, Image.DecompressionBombError):
         return None
+
+
+def _linear(encoded: Floats) -> Floats:
+    """sRGB, as the files of colour textures hold it, to linear light."""
+    return np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)

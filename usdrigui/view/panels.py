@@ -8,10 +8,9 @@ import numpy as np
 from PIL import Image
 
 from usdrigui.character import Floats
-from usdrigui.character.srgb import encoded
 from usdrigui.model import Layout
 from usdrigui.pose.evaluate import PosedLayout
-from usdrigui.view.body.shading import Camera, Subject, look, shade
+from usdrigui.view.body.shading import Camera, Subject, encoded, look, shade
 from usdrigui.view.flat.columns import RADIUS, board
 from usdrigui.view.flat.marks import mark
 from usdrigui.view.flat.scene import Mark, Panel

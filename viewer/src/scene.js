@@ -21,18 +21,25 @@ export async function readScene(base64) {
   const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
   const body = bytes.subarray(4 + length);
   header.characters.forEach((character) => decodeCharacter(character, body));
-  for (const character of header.characters) if (character.texture) character.texture = await pictured(decodeArray(character.texture, body));
+  const texture = await pictured((header.images ?? []).map((entry) => decodeArray(entry, body)));
+  for (const character of header.characters) character.texture = texture;
   return header;
 }
 
-/** The texels of an image file, one number each (alpha, blue, green, red); null where nothing decodes images. */
-async function pictured(file) {
-  if (typeof createImageBitmap === 'undefined') return null;
-  const image = await createImageBitmap(new Blob([file]), { colorSpaceConversion: 'none' });
-  const { width, height } = image;
+/**
+ * Image files as one picture of squares in rows: its texels, one number each (alpha, blue, green, red), and the `boxes` of
+ * the images in it.  Null where there are none, or nothing decodes them.
+ */
+async function pictured(files) {
+  if (!files.length || typeof createImageBitmap === 'undefined') return null;
+  const images = await Promise.all(files.map((file) => createImageBitmap(new Blob([file]), { colorSpaceConversion: 'none' })));
+  const side = Math.max(...images.flatMap(({ width, height }) => [width, height]));
+  const across = Math.ceil(Math.sqrt(images.length));
+  const [width, height] = [across * side, Math.ceil(images.length / across) * side];
   const pen = /** @type {CanvasRenderingContext2D} */ (Object.assign(document.createElement('canvas'), { width, height }).getContext('2d'));
-  pen.drawImage(image, 0, 0);
-  return { width, height, texels: new Int32Array(pen.getImageData(0, 0, width, height).data.buffer) };
+  const boxes = images.map((image, k) => [(k % across) * side, Math.floor(k / across) * side, image.width, image.height]);
+  images.forEach((image, k) => pen.drawImage(image, boxes[k][0], boxes[k][1]));
+  return { width, height, boxes, texels: new Int32Array(pen.getImageData(0, 0, width, height).data.buffer) };
 }
 
 function decodeCharacter(character, body) {
@@ -45,12 +52,7 @@ function decodeCharacter(character, body) {
     mesh.start = start;
     start += mesh.count;
     mesh.triangles = decodeArray(mesh.triangles, body);
-    if (mesh.doubles) {
-      mesh.doubles = decodeArray(mesh.doubles, body);
-      mesh.places = decodeArray(mesh.places, body);
-      mesh.corners = mesh.triangles;
-      mesh.triangles = mesh.corners.map((vertex) => (vertex < mesh.count ? vertex : mesh.doubles[vertex - mesh.count]));
-    }
+    if (mesh.texture) for (const name of ['uv', 'images']) mesh.texture[name] = decodeArray(mesh.texture[name], body);
     mesh.colours = decodeArray(mesh.colours, body);
     mesh.gaze = mesh.gaze && Float32Array.from(decodeArray(mesh.gaze, body), (steps) => steps * GAZE_STEP);
     for (const shape of mesh.shapes) {

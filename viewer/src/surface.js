@@ -14,23 +14,41 @@ export function visibleTriangles(character) {
 /**
  * Where the texture of a character lies on its visible triangles, null where it has none.  `corners` has a vertex for
  * each of their corners: the points, and after all of them the `doubles` of points at which the texture is cut.
- * `places` (2 per vertex, from the left and from above, 0 to 1) are negative off the texture; so `on` is, per triangle.
+ * `places` (2 per vertex, from the left and from above, 0 to 1) are negative off the texture; `on` tells so per triangle.
  */
 export function texturing({ meshes, texture, pointCount }) {
-  if (!texture) return null;
-  const doubles = meshes.flatMap((mesh) => Array.from(mesh.doubles ?? [], (point) => mesh.start + point));
-  const places = new Float32Array(2 * (pointCount + doubles.length)).fill(-1);
-  const corners = [];
-  let more = pointCount;
-  for (const { start, count, triangles, ...mesh } of meshes) {
-    const beyond = more - count;
-    const numbered = (vertex) => vertex + (vertex < count ? start : beyond);
-    if (mesh.visible) for (const vertex of mesh.corners ?? triangles) corners.push(numbered(vertex));
-    mesh.places?.forEach((step, i) => (places[2 * numbered(i >> 1) + (i & 1)] = (step - 1) / 65534));
-    more += mesh.doubles?.length ?? 0;
+  if (!texture || !meshes.some((mesh) => mesh.texture)) return null;
+  const places = new Array(2 * pointCount).fill(NaN);
+  /** @type {number[][]} */
+  const [doubles, corners, on] = [[], [], []];
+  const known = new Map();
+  const vertexAt = (point, x, y) => {
+    if (Number.isNaN(places[2 * point])) [places[2 * point], places[2 * point + 1]] = [x, y];
+    if (places[2 * point] === x && places[2 * point + 1] === y) return point;
+    const key = `${point} ${x} ${y}`;
+    if (!known.has(key)) {
+      known.set(key, pointCount + doubles.length);
+      doubles.push(point);
+      places.push(x, y);
+    }
+    return known.get(key);
+  };
+  for (const { start, triangles, visible, texture: own } of meshes) {
+    if (!visible) continue;
+    const count = triangles.length / 3;
+    triangles.forEach((point, c) => {
+      const t = Math.floor(c / 3);
+      const image = own ? own.images[t] : -1;
+      if (c % 3 === 0) on.push(image < 0 ? 0 : 1);
+      if (image < 0) corners.push(vertexAt(start + point, -1, -1));
+      else {
+        const [left, top, wide, high] = texture.boxes[image];
+        const [u, v] = [0, 3 * count].map((from) => own.uv[from + (c % 3) * count + t] / 65535);
+        corners.push(vertexAt(start + point, (left + 0.5 + u * (wide - 1)) / texture.width, (top + 0.5 + (1 - v) * (high - 1)) / texture.height));
+      }
+    });
   }
-  const on = Uint8Array.from({ length: corners.length / 3 }, (_, k) => (places[2 * corners[3 * k]] < 0 ? 0 : 1));
-  return { ...texture, corners: Uint32Array.from(corners), doubles, places, on };
+  return { ...texture, corners: Uint32Array.from(corners), doubles, places: Float32Array.from(places), on: Uint8Array.from(on) };
 }
 
 /** An array of some numbers per point with those of its doubles after them. */

@@ -224,6 +224,12 @@ def smooth_step(low: float, high: float, value: Floats) -> Floats:
     return np.asarray(t * t * (3.0 - 2.0 * t))
 
 
+def encoded(linear: Floats) -> Floats:
+    """sRGB of linear light, both from 0 to 1."""
+    clipped = np.clip(linear, 0.0, 1.0)
+    return np.where(clipped <= 0.0031308, 12.92 * clipped, 1.055 * clipped ** (1.0 / 2.4) - 0.055)
+
+
 def _barycentric(corners: Floats, at: Floats) -> Floats:
     """(n, 3) weights of the corners (n, 3, 2) that give the points (n, 2)."""
     x, y = (corners[..., axis] - at[:, axis, None] for axis in (0, 1))

@@ -10,6 +10,7 @@ errors).
 from __future__ import annotations
 
 import hashlib
+import io
 import itertools
 import json
 import math
@@ -20,20 +21,24 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from PIL import Image
 
 from usdrigui.character import (
     Body,
     Clip,
     Control,
+    Flags,
     Floats,
     Glyph,
+    Indices,
     Rig,
     RigMesh,
     Shape,
     Skin,
+    Texels,
+    Texturing,
 )
 from usdrigui.character.palette import SIDES
-from usdrigui.character.srgb import encoded
 from usdrigui.character.surface import mesh_triangles, triangles
 from usdrigui.errors import Issue, refuse
 from usdrigui.following import following, shared
@@ -41,14 +46,13 @@ from usdrigui.model import Element, Layout, Member
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.settings import OutputSettings
 from usdrigui.view.body.complexion import complexion
-from usdrigui.view.body.shading import EYE, IRIS, PUPIL, Complexion, look
+from usdrigui.view.body.shading import EYE, IRIS, PUPIL, Complexion, encoded, look
 from usdrigui.view.clip import ClipReading, reading
 from usdrigui.view.flat import framing
 from usdrigui.view.flat.callouts import shortened
 from usdrigui.view.flat.columns import heading, rank
 from usdrigui.view.panels import on_character
 from usdrigui.view.sections import sections
-from usdrigui.view.web.atlas import Atlas, atlas, painted, vertices
 
 Json = dict[str, Any]
 
@@ -56,13 +60,14 @@ _POSITION_STEPS = 65535
 _OFFSET_STEPS = 32767
 _WEIGHT_STEPS = 65535
 _GAZE_STEP = 3.0 / 8192
-_TEXTURES = 0.5
-"""Bytes of textures, at most, of those of the page without them."""
+_UV_STEPS = 65535
+_IMAGES = 0.5
+"""Bytes of images, at most, of those of the page without them."""
 
 
 def pack(rig_layouts: Sequence[tuple[Rig, Layout]], title: str, around: float = 0.0) -> bytes:
     """Everything the viewer needs to show and pose the characters, deflated; `around` are the bytes
-    of the page besides, which leave the more room for textures.
+    of the page besides, by which images have the more room.
 
     The inflated bytes are: the header's length (uint32, little endian), the header (UTF-8 JSON,
     padded with spaces to a multiple of four), the body.  Header entries ``{"at", "kind", "shape"}``
@@ -70,20 +75,33 @@ def pack(rig_layouts: Sequence[tuple[Rig, Layout]], title: str, around: float = 
     control that its rig does not have.
     """
     arrays = _Arrays()
-    atlases = [atlas(rig, layout) for rig, layout in rig_layouts]
-    characters = [
-        _character(arrays, rig, layout, pictures)
-        for (rig, layout), pictures in zip(rig_layouts, atlases, strict=True)
-    ]
-    if any(atlases):
-        room = _TEXTURES * (around + len(zlib.compress(arrays.content))) / len(atlases)
-        for character, pictures in zip(characters, atlases, strict=True):
-            drawn = np.frombuffer(pictures.encoded(room) if pictures else b"", dtype=np.uint8)
-            character["texture"] = arrays.integers(drawn, "u1") if pictures else None
-    header = {"title": title, "characters": characters}
+    header = {
+        "title": title,
+        "characters": [_character(arrays, rig, layout) for rig, layout in rig_layouts],
+    }
+    if arrays.images:
+        room = _IMAGES * (around + len(zlib.compress(arrays.content)))
+        drawn = image_files([*arrays.images.values()], room)
+        header["images"] = [arrays.numbers(np.frombuffer(each, "u1"), "u1") for each in drawn]
     text = json.dumps(header, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 4)
     return zlib.compress(len(text).to_bytes(4, "little") + text + bytes(arrays.content), 9)
+
+
+def image_files(images: Sequence[Texels], room: float) -> list[bytes]:
+    """Images as WebP files, scaled down by one factor until they take so many bytes together."""
+    share, files = 1.0, [_webp(each, 1.0) for each in images]
+    while sum(map(len, files)) > room and share > 0.02:
+        share *= 0.75
+        files = [_webp(each, share) for each in images]
+    return files
+
+
+def _webp(texels: Texels, share: float) -> bytes:
+    sides = [max(1, round(share * side)) for side in texels.shape[1::-1]]
+    file = io.BytesIO()
+    Image.fromarray(texels).resize((sides[0], sides[1])).save(file, "WEBP")
+    return file.getvalue()
 
 
 class _Arrays:
@@ -91,9 +109,16 @@ class _Arrays:
 
     def __init__(self) -> None:
         self.content = bytearray()
+        self.images: dict[bytes, Texels] = {}
+        """By their content, in the order of their numbers."""
 
-    def integers(self, array: ArrayLike, kind: str) -> Json:
-        """Store whole numbers of the little-endian `kind` (u1, u2, i2, u4, i4)."""
+    def image(self, texels: Texels) -> int:
+        """The number of an image, the same of the same one."""
+        self.images.setdefault(content := texels.tobytes(), texels)
+        return [*self.images].index(content)
+
+    def numbers(self, array: ArrayLike, kind: str = "f4") -> Json:
+        """Store numbers of the little-endian `kind` (u1, u2, i2, u4, i4, f4, f8)."""
         return self._planes(
             np.ascontiguousarray(array, dtype=np.dtype(kind).newbyteorder("<")), kind
         )
@@ -101,19 +126,13 @@ class _Arrays:
     def ascending(self, array: ArrayLike) -> Json:
         """Store an ascending list of indices as differences."""
         values = np.asarray(array, dtype=np.int64)
-        return {**self.integers(np.diff(values, prepend=0), "u4"), "sum": True}
+        return {**self.numbers(np.diff(values, prepend=0), "u4"), "sum": True}
 
     def wandering(self, array: ArrayLike) -> Json:
         """Store indices that stay near each other (triangle corners) as signed differences."""
         values = np.asarray(array, dtype=np.int64)
-        stored = self.integers(np.diff(values.ravel(), prepend=0), "i4")
+        stored = self.numbers(np.diff(values.ravel(), prepend=0), "i4")
         return {**stored, "sum": True, "shape": list(values.shape)}
-
-    def reals(self, array: ArrayLike, kind: str = "f4") -> Json:
-        """Store floating-point numbers as they are."""
-        return self._planes(
-            np.ascontiguousarray(array, dtype=np.dtype(kind).newbyteorder("<")), kind
-        )
 
     def _planes(self, array: NDArray[Any], kind: str) -> Json:
         at = len(self.content)
@@ -126,7 +145,7 @@ class _Arrays:
 # --- the rig --------------------------------------------------------------------------------------
 
 
-def _character(arrays: _Arrays, rig: Rig, layout: Layout, pictures: Atlas | None) -> Json:
+def _character(arrays: _Arrays, rig: Rig, layout: Layout) -> Json:
     body = rig.body
     joints, packed = body.joints, _layout(rig, layout)
     return {
@@ -134,12 +153,12 @@ def _character(arrays: _Arrays, rig: Rig, layout: Layout, pictures: Atlas | None
         "identity": _identity(rig),
         "up": _list(rig.skel_root.up),
         "metresPerUnit": rig.skel_root.metres_per_unit,
-        "meshes": _meshes(arrays, body, complexion(rig, layout), pictures),
+        "meshes": _meshes(arrays, body.meshes, body.starts, complexion(rig, layout)),
         "eye": {**{name: _srgb(colour) for name, colour in EYE.items()}, "radii": [PUPIL, IRIS]},
         "skeletons": [_fields(each, "path animation to_root") for each in body.skeletons],
         "joints": [_fields(each, "path skeleton parent") for each in joints],
-        "bind": arrays.reals(np.array([each.bind for each in joints]).reshape(-1, 4, 4), "f8"),
-        "base": arrays.reals(np.array([each.base for each in joints]).reshape(-1, 4, 4), "f8"),
+        "bind": arrays.numbers(np.array([each.bind for each in joints]).reshape(-1, 4, 4), "f8"),
+        "base": arrays.numbers(np.array([each.base for each in joints]).reshape(-1, 4, 4), "f8"),
         "channels": [_fields(each, "token animation index") for each in body.channels],
         "baseWeights": _list(body.base_weights),
         "controls": _controls(rig.controls, layout),
@@ -160,53 +179,62 @@ def _identity(rig: Rig) -> str:
     return found.hexdigest()[:32]
 
 
-def _meshes(arrays: _Arrays, body: Body, seen: Complexion, pictures: Atlas | None) -> list[Json]:
-    spans = [slice(a, b) for a, b in itertools.pairwise(body.starts.tolist())]
+def _meshes(
+    arrays: _Arrays, meshes: tuple[RigMesh, ...], starts: Indices, seen: Complexion
+) -> list[Json]:
+    spans = [slice(a, b) for a, b in itertools.pairwise(starts.tolist())]
     looks = [
         Complexion(seen.colours[span], seen.gaze[span], seen.clear[span], seen.open[span])
         for span in spans
     ]
-    return [
-        _mesh(arrays, mesh, own, pictures) for mesh, own in zip(body.meshes, looks, strict=True)
-    ]
+    return [_mesh(arrays, mesh, own) for mesh, own in zip(meshes, looks, strict=True)]
 
 
-def _mesh(arrays: _Arrays, mesh: RigMesh, seen: Complexion, pictures: Atlas | None) -> Json:
+def _mesh(arrays: _Arrays, mesh: RigMesh, seen: Complexion) -> Json:
     low, step, grid = _quantised_positions(mesh.points)
-    faces, texturing = mesh.topology, mesh.display.texturing
-    points = faces.face_indices
-    at = triangles(
-        mesh.points[points], faces.face_counts, np.arange(len(points)), faces.left_handed
-    )
+    faces, points = mesh.topology, mesh.topology.face_indices
+    numbered = (faces.face_counts, np.arange(len(points)), faces.left_handed)
+    at = triangles(mesh.points[points], *numbered)
     at = at[~seen.clear[points[at]].all(axis=1)]
-    corners, doubles, places = points[at], None, None
-    if pictures is not None and texturing is not None:
-        apart = vertices(mesh, at, pictures.places(texturing, faces.face_counts))
-        corners, doubles, places = apart.corners, apart.doubles, apart.places
+    corners, colours, texture = points[at], seen.shaded, None
+    if mesh.display.texturing is not None:
+        texture, painted = _texture(arrays, mesh.display.texturing, faces.face_counts, at)
         # An image has the colours; points have the shade on them.
-        colours = seen.colours.copy()
-        colours[painted(mesh, texturing)] = 1.0
-        seen = replace(seen, colours=colours)
+        shade = replace(seen, colours=np.ones_like(seen.colours)).shaded
+        colours[corners[painted]] = shade[corners[painted]]
     on_eye = (np.abs(seen.gaze) < 3.0).any()
     return {
         "path": mesh.path,
         "visible": mesh.display.visible,
         "low": _list(low),
         "step": _list(step),
-        "points": arrays.integers(grid, "u2"),
+        "points": arrays.numbers(grid, "u2"),
         "triangles": arrays.wandering(corners),
         "toRoot": _list(mesh.binding.to_root),
         "skin": None if mesh.binding.skin is None else _skin(arrays, mesh.binding.skin),
         "shapes": [_shape(arrays, shape) for shape in mesh.binding.shapes],
-        "doubles": None if doubles is None else arrays.ascending(doubles),
-        "places": None if places is None else arrays.integers(places, "u2"),
-        "colours": arrays.integers(np.rint(255.0 * encoded(seen.shaded)), "u1"),
+        "texture": texture,
+        "colours": arrays.numbers(np.rint(255.0 * encoded(colours)), "u1"),
         "gaze": (
-            arrays.integers(np.rint(seen.gaze / _GAZE_STEP).clip(-32767, 32767), "i2")
+            arrays.numbers(np.rint(seen.gaze / _GAZE_STEP).clip(-32767, 32767), "i2")
             if on_eye
             else None
         ),
     }
+
+
+def _texture(
+    arrays: _Arrays, texturing: Texturing, counts: Indices, at: Indices
+) -> tuple[Json, Flags]:
+    """Where the images of a mesh are on its triangles, (t, 3) by the corners of its faces, each
+    moved by whole tiles to where the image is; which of them (t,) have one."""
+    numbers = np.array([arrays.image(each) for each in texturing.images])
+    own = np.repeat(texturing.image, counts)[at[:, 0]]
+    uv = texturing.uv[at] - np.floor(texturing.uv[at].min(axis=1, keepdims=True))
+    steps = np.rint(_UV_STEPS * uv.clip(0.0, 1.0)).astype(np.int64)
+    images = np.where(own < 0, -1, numbers[own])
+    packed = {"uv": arrays.wandering(steps.T), "images": arrays.numbers(images, "i2")}
+    return packed, images >= 0
 
 
 def _srgb(colour: tuple[float, float, float]) -> list[Any]:
@@ -233,7 +261,7 @@ def _shape(arrays: _Arrays, shape: Shape) -> Json:
         "weights": _list(shape.weights),
         "step": step,
         "points": arrays.ascending(shape.points[kept]),
-        "offsets": arrays.integers(grid[:, kept], "i2"),
+        "offsets": arrays.numbers(grid[:, kept], "i2"),
     }
 
 
@@ -245,8 +273,8 @@ def _skin(arrays: _Arrays, skin: Skin) -> Json:
         np.flatnonzero((weights > 0.0).any(axis=0)) if len(weights) else np.arange(weights.shape[1])
     )
     return {
-        "joints": arrays.integers(joints[:, used], "u2"),
-        "weights": arrays.integers(np.rint(weights[:, used] * _WEIGHT_STEPS), "u2"),
+        "joints": arrays.numbers(joints[:, used], "u2"),
+        "weights": arrays.numbers(np.rint(weights[:, used] * _WEIGHT_STEPS), "u2"),
         "dualQuaternion": skin.method == "dualQuaternion",
         "geomBind": _list(skin.geom_bind),
     }
@@ -287,8 +315,8 @@ def _clip(arrays: _Arrays, clip: Clip | None, issues: tuple[Issue, ...]) -> Json
         "times": _list(clip.times),
         "framesPerSecond": clip.frames_per_second,
         "thinned": any(each.code == "CLIP_THINNED" for each in issues),
-        "weights": arrays.reals(clip.weights),
-        "locals": arrays.reals(clip.locals),
+        "weights": arrays.numbers(clip.weights),
+        "locals": arrays.numbers(clip.locals),
     }
 
 
