@@ -16,6 +16,10 @@ def test_every_file_named_exists():
     assert [name for name in missing if not list(ROOT.glob(f"*/{name}"))] == []
 
 
+def test_every_room_is_named():
+    assert [path for path in (ROOT / "usdrigui").glob("[a-z]*") if path.stem not in PAGE] == []
+
+
 def test_every_test_named_exists():
     source = "\n".join(path.read_text(encoding="utf-8") for path in (ROOT / "tests").rglob("test_*.py"))
     named = set(re.findall(r"\b(test_[a-z_0-9]+)\b(?!\.py|\*)", PAGE))

@@ -109,4 +109,3 @@ def test_a_new_board_begins_right_of_one_that_exists_and_of_those_of_other_parts
     far, near, skin, old = element(3.1), element(3.0), element(1.0, on_board=False), element(50.0)
     requests = SimpleNamespace(existing=SimpleNamespace(elements=(old, skin)), neighbours=(far, near))
     assert board._boards(requests, 1.0, 2.0, frame[1]) == [old, near]
-    assert board._boards(SimpleNamespace(existing=None, neighbours=(near,)), 1.0, 2.0, frame[1]) == [near]
