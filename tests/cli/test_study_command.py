@@ -91,6 +91,13 @@ def test_a_refusal_names_the_file(tmp_path, capsys):
     assert f"usdrigui: refused {tmp_path / 'none.csv'}; nothing was written" in capsys.readouterr().err
 
 
+def test_results_of_two_layouts_are_not_summed(two, capsys):
+    head, *rows = two[1].read_text().splitlines()
+    two[1].write_text("\n".join([f"{head},layout", *(f"{row},another" for row in rows)]))
+    assert main(["study", *map(str, two)]) == 3
+    assert "another character, layout" in capsys.readouterr().err
+
+
 def test_a_participant_counts_once(two, tmp_path, capsys):
     again = Path(tmp_path / "again.csv")
     again.write_bytes(two[0].read_bytes())

@@ -318,6 +318,12 @@ def study(browser, tmp_path):
     made.close()
 
 
+def agree(page):
+    page.get_by_role("button", name="Evaluate").click()
+    page.locator(".evaluation [type=checkbox]").check()
+    page.get_by_label("Experience").select_option("amateur")
+
+
 def test_the_ordinary_page_offers_no_evaluation(viewer):
     assert viewer.page.get_by_role("button", name="Shortcuts").count() == 1
     assert viewer.page.get_by_role("button", name="Evaluate").count() == 0
@@ -326,7 +332,7 @@ def test_the_ordinary_page_offers_no_evaluation(viewer):
 def test_evaluation_measures_as_the_paper_does(study, tmp_path):
     """Two trials: one left neutral (both errors 1), one matched exactly (both errors 0)."""
     viewer = study
-    viewer.page.get_by_role("button", name="Evaluate").click()
+    agree(viewer.page)
     viewer.page.get_by_label("Participant number").fill("2")
     viewer.page.get_by_role("button", name="Start").click()
     viewer.settle()
@@ -334,7 +340,7 @@ def test_evaluation_measures_as_the_paper_does(study, tmp_path):
     viewer.page.keyboard.press("s")
     assert not viewer.page.evaluate("usdrigui.app.session.options.symmetric"), "no shortcut helps in a trial"
     shown = viewer.page.locator("button:visible").all_inner_texts()
-    assert sorted(shown) == ["Done", "Stop"], "nothing else can be pressed in a trial"
+    assert sorted(shown) == ["Done", "Pause", "Stop"], "nothing else can be pressed in a trial"
     done = viewer.page.get_by_role("button", name="Done")
     done.click()  # the face to practise on is not counted
     done.click()
@@ -361,7 +367,7 @@ def test_a_session_is_gone_on_with_and_ends_with_questions(study, tmp_path):
         for _ in range(times):
             page.get_by_role("button", name=name, exact=True).click()
 
-    press("Evaluate")
+    agree(page)
     press("Start")
     press("Done", 6 + 3)
     page.reload()
@@ -377,7 +383,8 @@ def test_a_session_is_gone_on_with_and_ends_with_questions(study, tmp_path):
     press("Done")
     rows = [line.split(",") for line in saved(study, "Save CSV", tmp_path, "evaluation-1.csv").read_text().splitlines()]
     assert [row[3] for row in rows[1:16]] == [str(i) for i in range(1, 16)]
-    assert {row[-1] for row in rows[16:]} == {"4"}
+    assert {row[12] for row in rows[16:]} == {"4"}
+    assert len({size for row in rows[1:16] for size in row[14:16]}) == 1, "face and target are as large everywhere"
     assert len(rows) == 16 + 8
     press("Close")
     press("Evaluate")

@@ -61,18 +61,19 @@ def view(arguments: argparse.Namespace) -> Exit:
     from usdrigui.pose import evaluate
     from usdrigui.view.web import page, serve
 
-    reviews = [page.read_review(path) for path in arguments.review]
+    more = (*arguments.review, *arguments.targets)
+    reviews = [page.read_review(path) for path in more]
     settings = settings_of(arguments)
     loaded = pipeline.load_layer(arguments.layer, settings)
     for rig, layout in loaded.characters:
         evaluate.prepare(rig, layout)  # refuses a layout made for another version of the character
-    read = _spared((arguments.html,), loaded, arguments, arguments.review)
+    read = _spared((arguments.html,), loaded, arguments, more)
     name = Path(arguments.layer).name
     live = _live(arguments, read)
     html = page.page_html(
         loaded.characters,
         name,
-        arguments.study,
+        arguments.study or bool(arguments.targets),
         arguments.live.name if live else "",
         reviews,
     )
@@ -93,7 +94,7 @@ def _live(arguments: argparse.Namespace, read: Sequence[Path]) -> LiveFile | Non
 
     if arguments.live is None:
         return None
-    if arguments.html or arguments.study:
+    if arguments.html or arguments.study or arguments.targets:
         raise refuse("CONFIG_VALUE", "--live", "needs the page to be served, and not as a study")
     return LiveFile(arguments.live, read)
 

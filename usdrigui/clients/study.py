@@ -67,15 +67,19 @@ class Study:
 
 
 def summed(paths: Sequence[Path]) -> Study:
-    """Sum the results of files, one participant each.  Raises STUDY_RESULTS."""
+    """Sum the results of files, one participant each.  Raises STUDY_RESULTS, for those of different
+    studies, too."""
     found: dict[str, list[Answers]] = {}
-    left_out = []
+    left_out, same = list[str](), list[str]()
     for path in paths:
         rows = _rows(path)
         if len([row for row in rows if row["face"]]) != FACES:
             left_out.append(str(path))
             continue
-        participant = rows[0]["participant"]
+        participant, own = rows[0]["participant"], [rows[0][key] for key in _SAME]
+        if own != (same := same or own):
+            what = "is of another character, layout, version or set of targets than the first"
+            raise refuse("STUDY_RESULTS", str(path), what)
         if participant in found:
             raise refuse(
                 "STUDY_RESULTS",
@@ -139,8 +143,8 @@ _NEEDED = (
     "weight_error_squared",
     "vertex_error_squared",
 )
-_ASKED = ("question", "answer")
-"""In files of later versions."""
+_ASKED, _SAME = ("question", "answer"), ("character", "layout", "version", "targets")
+"""In files of later versions; the second are the same in all that is summed."""
 
 
 def _rows(path: Path) -> list[Answers]:
@@ -148,7 +152,7 @@ def _rows(path: Path) -> list[Answers]:
     try:
         reader = csv.DictReader(io.StringIO(whole_content(path).decode(), newline=""), restval="")
         rows: list[Answers] = [
-            {key: row.get(key) or "" for key in (*_NEEDED, *_ASKED)} for row in reader
+            {key: row.get(key) or "" for key in (*_NEEDED, *_ASKED, *_SAME)} for row in reader
         ]
         known = set(_NEEDED) <= set(reader.fieldnames or ())
         numbers = [float(value) for row in rows for value in _numbers(row)]

@@ -105,16 +105,13 @@ def _at_points(corners: Floats, points: int, indices: Indices) -> Floats | None:
 def _bindings(prim: Usd.Prim, faces: int) -> list[tuple[UsdShade.Material, Any]]:
     """Materials of the mesh and of its subsets, each with the flags (faces,) of where it is
     bound."""
-    found = []
-    whole = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial()[0]
-    if whole:
-        found.append((whole, np.ones(faces, dtype=bool)))
+    parts = [(prim, np.ones(faces, dtype=bool))]
     for subset in UsdShade.MaterialBindingAPI(prim).GetMaterialBindSubsets():
-        material = UsdShade.MaterialBindingAPI(subset.GetPrim()).ComputeBoundMaterial()[0]
         members = np.asarray(subset.GetIndicesAttr().Get() or [], dtype=np.int64)
-        if material:
-            found.append((material, np.isin(np.arange(faces), members)))
-    return found
+        parts.append((subset.GetPrim(), np.isin(np.arange(faces), members)))
+    api = UsdShade.MaterialBindingAPI
+    bound = [(api(part).ComputeBoundMaterial()[0], where) for part, where in parts]
+    return [each for each in bound if each[0]]
 
 
 def _material_colours(material: UsdShade.Material, corners: _Corners) -> _Painted | None:

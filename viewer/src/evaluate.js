@@ -2,8 +2,11 @@
 // face and the controls beside it, then answer questions; time, errors and answers as CSV (`usdrigui study` sums them).
 
 import { download, make } from './dom.js';
+import { Hand } from './hand.js';
+import { posesFromLayer } from './pose_library.js';
 import { History } from './history.js';
 
+const LEVELS = ['amateur', 'professional'];
 export const INTERFACES = {
   list: 'Slider list',
   face: 'Controls on the face',
@@ -24,6 +27,7 @@ const SIMPLE = [1, 2]; // controls in the two simple faces of a block
 const COMPLEX = [6, 8]; // and in the two complex ones that only this block has
 const COMMON = 13; // controls in the face that every block repeats
 const FACES = SIMPLE.length + COMPLEX.length + 1; // of a block
+const NEEDED = 3 * (FACES - 1) + 1; // faces that differ
 const PRACTICE = 2; // controls in the face before each block, which is not counted
 
 /** What is asked at the end, after the paper's figure 14: one answer from 1 to 5 each. */
@@ -42,22 +46,40 @@ export const QUESTIONS = {
  * The trials of one participant, as in section 5.1: per interface two simple and three complex faces, one
  * of which is the same for all; the same faces in the same sequence for everybody.
  */
-export function trialsFor(participant, session) {
-  const order = ORDERS[(participant - 1) % ORDERS.length];
+export function trialsFor(participant, session, poses = null) {
+  const order = orderOf(participant);
   const random = sequence(20230806);
-  const common = randomPose(session, COMMON, random);
-  const own = order.map(() => [...SIMPLE, ...COMPLEX].map((count) => randomPose(session, count, random)));
+  const [common, own] = poses ? dealt(poses, session) : [
+    randomPose(session, COMMON, random),
+    order.map(() => [...SIMPLE, ...COMPLEX].map((count) => randomPose(session, count, random))),
+  ];
   return order.flatMap((name, block) => [
     ...own[block].map((target, i) => ({ block: block + 1, name, face: `${block + 1}${'abcd'[i]}`, target })),
     { block: block + 1, name, face: 'common', target: common },
   ]);
 }
 
+const orderOf = (participant) => ORDERS[(participant - 1) % ORDERS.length];
+
+/**
+ * The common face and those of the blocks from an artist's poses (control -> value): the pose of most controls is the
+ * common one; of the others every block has two of few controls and two of many.
+ */
+export function dealt(poses, session) {
+  const asValues = (pose) => Float64Array.from(session.rest, (value, i) => pose.get(i) ?? value);
+  const moved = (values) => values.reduce((count, value, i) => count + (value !== session.rest[i] ? 1 : 0), 0);
+  const values = poses.map(asValues).map((each, i) => ({ each, i, count: moved(each) }));
+  const faces = values.filter(({ count }) => count).sort((a, b) => a.count - b.count || a.i - b.i).map(({ each }) => each);
+  if (faces.length < NEEDED) throw new Error(`${faces.length} of these poses move a control of this character; the evaluation needs ${NEEDED}.`);
+  const blocks = ORDERS[0].map((_, block) => [0, 1, 2, 3].map((k) => faces[block + 3 * k]));
+  return [faces[faces.length - 1], blocks];
+}
+
 /** The faces of a participant's session in their order: before each block one to practise on. */
-export function sessionFor(participant, session) {
+export function sessionFor(participant, session, poses = null) {
   const random = sequence(20210806);
   const practice = ORDERS[0].map(() => randomPose(session, PRACTICE, random));
-  return trialsFor(participant, session).flatMap((trial, i) => {
+  return trialsFor(participant, session, poses).flatMap((trial, i) => {
     const { block, name } = trial;
     return i % FACES ? [trial] : [{ block, name, face: 'practice', target: practice[block - 1] }, trial];
   });
@@ -106,18 +128,32 @@ export function relativeError(set, target, neutral, ranges = null) {
 
 const COLUMNS = [
   'participant', 'block', 'interface', 'trial', 'face', 'target_controls', 'seconds', 'share_of_time', 'edits',
-  'weight_error_squared', 'vertex_error_squared', 'question', 'answer',
+  'weight_error_squared', 'vertex_error_squared', 'question', 'answer', 'paused', 'face_pixels', 'target_pixels', 'window', 'device',
+  'level', 'order', 'targets', 'character', 'layout', 'version',
 ];
+const OF_A_FACE = 5; // columns from `paused` to `device`; those after them are the same in every row
+const EVENTS = ['participant', 'trial', 'face', 'interface', 'event', 'seconds', 'control', 'x', 'y', 'pixels'];
 
 /** The results as CSV text: a row per face, then one per answer; shares are of the participant's total, as in figure 15. */
-export function toCsv(participant, results, answers = {}) {
+export function toCsv(participant, results, answers = {}, setting = {}) {
+  const same = ['level', 'order', 'targets', 'character', 'layout', 'version'].map((name) => setting[name] ?? '');
   const total = results.reduce((sum, { seconds }) => sum + seconds, 0);
   const faces = results.map((each, i) => [
     participant, each.block, each.name, i + 1, each.face, each.controls, each.seconds.toFixed(2),
     (total ? each.seconds / total : 0).toFixed(5), each.edits, each.weightError.toFixed(6), each.vertexError.toFixed(6), '', '',
+    (each.paused ?? 0).toFixed(2), ...['facePixels', 'targetPixels'].map((name) => (each[name] ?? 0).toFixed(1)), each.window ?? '', each.device ?? '', ...same,
   ]);
-  const answered = Object.entries(answers).map(([question, answer]) => [participant, ...Array(COLUMNS.length - 3).fill(''), question, quoted(answer)]);
+  const answered = Object.entries(answers).map(([question, answer]) => [
+    participant, ...Array(COLUMNS.indexOf('question') - 1).fill(''), question, quoted(answer), ...Array(OF_A_FACE).fill(''), ...same,
+  ]);
   return `${[COLUMNS, ...faces, ...answered].map((row) => row.join(',')).join('\n')}\n`;
+}
+
+/** What the hand did (hand.js) in each trial as CSV text, in seconds from the beginning of the trial. */
+export function eventsCsv(participant, results) {
+  const rows = results.flatMap(({ face, name, events = [] }, i) => events.map(({ event, at, control, x, y, pixels }) =>
+    [participant, i + 1, face, name, event, (at / 1000).toFixed(3), quoted(control), Math.round(x), Math.round(y), Math.round(pixels)].join(',')));
+  return `${[EVENTS.join(','), ...rows].join('\n')}\n`;
 }
 
 const quoted = (answer) => (typeof answer === 'number' ? answer : `"${answer.replace(/"/g, '""').replace(/\s+/g, ' ')}"`);
@@ -132,7 +168,9 @@ export class Evaluation {
     /** @type {any[]} */
     this.results = [];
     this.panel = make('div', { class: 'evaluation', hidden: true, role: 'dialog', 'aria-label': 'Evaluation' });
+    this.hand = new Hand(app);
     app.session.on('edited', () => this.running && this.running.edits++);
+    app.session.on('dragging', () => this.running && app.session.dragging?.members && this.hand.take(app.session.dragging));
   }
 
   open() {
@@ -145,22 +183,48 @@ export class Evaluation {
     number.addEventListener('input', describe);
     describe();
     const button = (label, act, title = '') => make('button', { type: 'button', title, onclick: act }, label);
-    const first = button('Start', () => this.start(Math.max(1, Math.floor(Number(number.value)) || 1)));
+    const agreed = make('input', { type: 'checkbox' });
+    const level = make('select', { 'aria-label': 'Experience' }, ...['', ...LEVELS].map((each) => make('option', { value: each }, each || 'choose')));
+    const sets = this.sets();
+    const chosen = make('select', { 'aria-label': 'Target faces' }, ...[...sets.keys()].map((each) => make('option', { value: each }, each)));
+    const first = button('Start', () => {
+      this.setting = { level: level.value, targets: chosen.value };
+      this.start(Math.max(1, Math.floor(Number(number.value)) || 1));
+    });
     first.classList.add('primary');
+    const allow = () => (first.disabled = !agreed.checked || !level.value);
+    for (const input of [agreed, level]) input.addEventListener('change', allow);
+    allow();
     const kept = this.kept();
     this.show(
       make('h2', {}, 'Match the target face'),
       make('p', {}, 'Fifteen faces, five with each of three interfaces, and one to practise on before each five. Change your face until it looks like the target, then press Done. Pulling the skin, shortcuts and playback are off, so that the interfaces can be compared.'),
       make('label', { class: 'field' }, make('span', {}, 'Participant'), number),
       order,
+      make('label', { class: 'field' }, make('span', {}, 'I animate faces as'), level),
+      make('label', { class: 'field' }, make('span', {}, 'Target faces'), chosen),
+      make('label', { class: 'field' }, agreed, make('span', {}, 'I agree that my times, errors, answers and what my pointer does are saved under this number, without my name, and may be published. I can stop at any time.')),
       make(
         'div',
         { class: 'actions' },
         first,
-        kept && button(`Go on with participant ${kept.participant}`, () => this.start(kept.participant, kept.results), `${kept.results.length} of 15 faces are done`),
+        kept && button(`Go on with participant ${kept.participant}`, () => {
+          this.setting = kept.setting;
+          this.start(kept.participant, kept.results);
+        }, `${kept.results.length} of 15 faces are done`),
         button('Cancel', () => this.close()),
       ),
     );
+  }
+
+  /** The poses (control -> value) that may be matched, by a name for people: null for those drawn from the controls. */
+  sets() {
+    const { session, targets } = this.app;
+    const of = (poses) => poses.map(({ values }) => values);
+    const sets = new Map();
+    if (targets.length) sets.set('the poses given', of(targets.flatMap((layer) => posesFromLayer(layer, session))));
+    if (session.shelf.length >= NEEDED) sets.set('the shelf', of(session.shelf));
+    return sets.set('drawn from the controls', null);
   }
 
   // --- what is done so far, in the browser's storage ---------------------------------------------------
@@ -179,7 +243,7 @@ export class Evaluation {
 
   keep(results) {
     try {
-      if (results) this.app.storage?.setItem(this.slot, JSON.stringify({ participant: this.participant, results }));
+      if (results) this.app.storage?.setItem(this.slot, JSON.stringify({ participant: this.participant, results, setting: this.setting }));
       else this.app.storage?.removeItem(this.slot);
     } catch {
       this.app.say('This browser has no room to keep the session: finish it without closing the page');
@@ -200,7 +264,8 @@ export class Evaluation {
     this.before = { work: session.snapshot(), history: session.history, options: { ...session.options } };
     this.participant = participant;
     this.results = results;
-    this.trials = sessionFor(participant, session).slice(Math.floor(results.length / FACES) * (FACES + 1));
+    this.setting = { ...this.setting, order: orderOf(participant).join('-'), ...this.app.identity() };
+    this.trials = sessionFor(participant, session, this.sets().get(this.setting.targets)).slice(Math.floor(results.length / FACES) * (FACES + 1));
     this.trials.splice(1, results.length % FACES);
     this.next();
   }
@@ -219,25 +284,45 @@ export class Evaluation {
     this.targetPoints = Float32Array.from(session.deformer.pose(trial.target));
     session.reshape();
     this.app.arrangeForTrial(trial.name, this.targetPoints);
-    this.running = { ...trial, began: performance.now(), edits: 0 };
+    this.running = { ...trial, began: performance.now(), paused: 0, edits: 0, events: [] };
+    this.hand.record(this.running.events);
     const progress = trial.face === 'practice' ? 'practice, not counted' : `${this.results.length + 1} of ${ORDERS[0].length * FACES}`;
     this.show(
       make('span', { class: 'strip-title' }, INTERFACES[trial.name]),
       make('span', { class: 'hint' }, progress),
       make('button', { type: 'button', class: 'primary', onclick: () => this.done() }, 'Done'),
+      make('button', { type: 'button', onclick: (event) => this.pause(event.target) }, 'Pause'),
       make('button', { type: 'button', onclick: () => this.finish() }, 'Stop'),
     );
     this.panel.classList.add('strip');
   }
 
+  /** Hide the faces, and count no time until the next press. */
+  pause(button) {
+    const { running } = this;
+    const now = performance.now();
+    if (running.since) running.paused += now - running.since;
+    running.since = running.since ? 0 : now;
+    this.app.node.classList.toggle('paused', Boolean(running.since));
+    button.textContent = running.since ? 'Go on' : 'Pause';
+  }
+
   done() {
     const { session } = this.app;
-    const { target, began, ...rest } = this.running;
+    const { view } = this.app;
+    if (this.running.since) this.pause(make('i'));
+    const { target, began, paused, events, ...rest } = this.running;
     this.running = null;
     if (rest.face !== 'practice') {
       this.results.push({
         ...rest,
-        seconds: (performance.now() - began) / 1000,
+        seconds: (performance.now() - began - paused) / 1000,
+        paused: paused / 1000,
+        facePixels: view.faceHeight(rest.name === 'face' ? 'controls' : 'clean'),
+        targetPixels: view.faceHeight('target'),
+        window: `${window.innerWidth}x${window.innerHeight}@${window.devicePixelRatio}`,
+        device: this.hand.device,
+        events: events.map((each) => ({ ...each, at: each.at - began })),
         controls: [...target.keys()].filter((i) => target[i] !== session.rest[i]).length,
         weightError: relativeError(session.values, target, session.rest, session.controls.map(({ minimum, maximum }) => maximum - minimum)),
         vertexError: relativeError(session.deformer.points, this.targetPoints, this.neutral),
@@ -256,6 +341,8 @@ export class Evaluation {
 
   leave() {
     this.running = null;
+    this.hand.record(null);
+    this.app.node.classList.remove('paused');
     if (this.app.session.trial) this.app.endTrials(this.before);
   }
 
@@ -277,7 +364,7 @@ export class Evaluation {
   }
 
   thank(answers) {
-    const csv = toCsv(this.participant, this.results, answers);
+    const csv = toCsv(this.participant, this.results, answers, this.setting);
     const save = () => {
       download(`evaluation-${this.participant}.csv`, csv, 'text/csv');
       if (Object.keys(answers).length) this.keep(null);
@@ -289,6 +376,7 @@ export class Evaluation {
         'div',
         { class: 'actions' },
         make('button', { type: 'button', class: 'primary', onclick: save }, 'Save CSV'),
+        make('button', { type: 'button', onclick: () => download(`evaluation-${this.participant}-events.csv`, eventsCsv(this.participant, this.results), 'text/csv') }, 'Save events'),
         make('button', { type: 'button', onclick: () => this.close() }, 'Close'),
       ),
     );

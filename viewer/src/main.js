@@ -19,6 +19,8 @@ import { View } from './view.js';
 import { isAllKeys, resume } from './work.js';
 
 const IN_TRIALS = new Set(['Ctrl+z', 'Ctrl+Shift+z', 'Ctrl+y', 'Escape']); // keys that help no interface more than another
+const POSE = 'string pose = '; // stands in every shelf
+const LIST = 320; // pixels that the list of controls takes in a trial
 const ROOMY = 1200; // pixels of width from which the panel is open at first
 
 const SHORTCUTS = [
@@ -64,7 +66,9 @@ class App {
     this.storage = browserStorage();
     this.kept = scene.characters.map(() => null);
     this.roots = scene.characters.map(({ root }) => root);
-    this.reviews = receivedReviews();
+    const received = receivedLayers();
+    this.reviews = received.filter((layer) => !layer.includes(POSE)).flatMap((layer) => notesIn(layer));
+    this.targets = received.filter((layer) => layer.includes(POSE));
     this.live = this.makeLive();
     this.open(0);
     this.live?.run();
@@ -265,6 +269,12 @@ class App {
 
   // --- evaluation ------------------------------------------------------------------------------------
 
+  /** What results belong to: digests of the character and of its layout, and the version that made the page. */
+  identity() {
+    const { identity, layoutDigest } = this.session.character;
+    return { character: identity, layout: layoutDigest, version: this.scene.version };
+  }
+
   /** Show the target beside the face and one interface only. */
   arrangeForTrial(name, targetPoints) {
     const columns = { list: ['target', 'clean'], face: ['target', 'controls'], beside: ['target', 'clean', 'controls'] };
@@ -277,7 +287,7 @@ class App {
     });
     this.view.stage.setTarget(targetPoints);
     this.session.emit('options');
-    this.view.setColumns(columns[name], (kind) => captions[kind]);
+    this.view.setColumns(columns[name], (kind) => captions[kind], () => this.view.commonRoom(LIST));
   }
 
   endTrials({ work, history, options }) {
@@ -293,11 +303,8 @@ class App {
   }
 }
 
-/** Notes that came with the page, as JSON has them. */
-function receivedReviews() {
-  const text = document.getElementById('reviews')?.textContent;
-  return text ? JSON.parse(text).flatMap((layer) => notesIn(layer)) : [];
-}
+/** Layers that came with the page: reviews, and shelves of poses to be matched. */
+const receivedLayers = () => JSON.parse(document.getElementById('reviews')?.textContent ?? '[]');
 
 /** What tests and other pages may use: the pose by control name, and where things are on the screen. */
 function publicInterface(app) {

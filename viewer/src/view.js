@@ -116,13 +116,16 @@ export class View {
     const rect = kinds.includes('controls') ? dock.place(this.width, this.height) : null;
     dock.arrange(rect);
     const [wide, high] = rect && rect.width < this.width ? [rect.left, this.height] : [this.width, rect ? rect.top : this.height];
-    const width = Math.floor(wide / kinds.length);
+    const [most, highest] = this.roomOf?.() ?? [Infinity, Infinity];
+    const width = Math.floor(Math.min(most, wide / kinds.length));
+    const tall = Math.min(high, highest);
+    const start = Math.floor((wide - width * kinds.length) / 2);
     const names = { controls: 'Controls', clean: 'Clean face', target: 'Target' };
-    this.columns = kinds.map((kind, i) => ({ kind, left: i * width, top: 0, width, height: high }));
+    this.columns = kinds.map((kind, i) => ({ kind, left: start + i * width, top: 0, width, height: tall }));
     this.controlsColumn = this.columns.find((column) => column.kind === 'controls') ?? null;
     this.captions.replaceChildren(
       ...(kinds.length > 1 ? kinds : []).map((kind, i) =>
-        make('span', { style: { left: `${i * width}px`, width: `${width}px` } }, this.captionOf?.(kind) ?? names[kind]),
+        make('span', { style: { left: `${start + i * width}px`, width: `${width}px` } }, this.captionOf?.(kind) ?? names[kind]),
       ),
     );
     this.sides.forEach((node) => (node.style.bottom = `${this.height - high + 12}px`));
@@ -131,14 +134,32 @@ export class View {
   }
 
   /**
-   * Show these columns instead of what the options say; null goes back.
+   * Show these columns instead of what the options say, at most as large as `roomOf` says; null goes back.
    * @param {((kind: string) => string) | null} [captionOf]
+   * @param {(() => number[]) | null} [roomOf]
    */
-  setColumns(kinds, captionOf = null) {
+  setColumns(kinds, captionOf = null, roomOf = null) {
     this.kinds = kinds;
+    this.roomOf = roomOf;
     this.captionOf = captionOf;
     this.arrange();
     this.home();
+  }
+
+  /** [width, height] of a column for which three beside each other, and two beside a list so wide, have room. */
+  commonRoom(list) {
+    const whole = this.node.parentElement?.clientWidth ?? this.width;
+    const rect = this.overlay.dock.place(whole, this.height);
+    const beside = rect && rect.width < whole;
+    return [Math.min((beside ? rect.left : whole) / 3, (whole - list) / 2), rect && !beside ? rect.top : this.height];
+  }
+
+  /** Pixels of the page from the highest to the lowest point of the face in a column of some kind. */
+  faceHeight(kind) {
+    const column = this.columns.find((each) => each.kind === kind);
+    if (!column) return 0;
+    const rows = this.session.section.frame.map((point) => this.camera.projector(column)(point)[1]);
+    return Math.max(...rows) - Math.min(...rows);
   }
 
   /** Look at the face: from the front, or from an azimuth and elevation off it. */

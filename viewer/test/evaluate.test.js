@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { QUESTIONS, relativeError, sessionFor, toCsv, trialsFor } from '../src/evaluate.js';
+import { QUESTIONS, dealt, eventsCsv, relativeError, sessionFor, toCsv, trialsFor } from '../src/evaluate.js';
 
 /** Twenty elements of one control each; some controls go to 45, as degrees do. */
 function character() {
@@ -27,8 +27,33 @@ test('answers are rows of the file; what is said in words is quoted', () => {
   const results = [{ block: 1, name: 'list', face: '1a', controls: 1, seconds: 2, edits: 1, weightError: 0, vertexError: 0 }];
   const lines = toCsv(3, results, { direct: 5, comment: 'good, "very"\nindeed' }).trim().split('\n');
   assert.equal(lines.length, 4);
-  assert.ok(lines.slice(0, 3).every((line) => line.split(',').length === 13));
-  assert.ok(lines[2].endsWith(',direct,5'));
-  assert.ok(lines[3].endsWith(',comment,"good, ""very"" indeed"'));
+  assert.ok(lines.slice(0, 3).every((line) => line.split(',').length === 24));
+  assert.ok(lines[2].includes(',direct,5,'));
+  assert.ok(lines[3].includes(',comment,"good, ""very"" indeed",'));
   assert.ok('direct' in QUESTIONS);
+});
+
+test('every row says to which study it belongs', () => {
+  const results = [{ block: 1, name: 'list', face: '1a', controls: 1, seconds: 2, edits: 1, weightError: 0, vertexError: 0, facePixels: 500, targetPixels: 500, window: '1366x768@1', device: 'mouse', paused: 3 }];
+  const setting = { level: 'amateur', order: 'list-face-beside', targets: 'the poses given', character: 'c', layout: 'l', version: '1' };
+  const [heads, ...rows] = toCsv(3, results, { direct: 5 }, setting).trim().split('\n').map((line) => line.split(','));
+  for (const row of rows) for (const name of ['level', 'order', 'targets', 'character', 'layout', 'version']) assert.equal(row[heads.indexOf(name)], setting[name]);
+  for (const [name, value] of [['paused', '3.00'], ['face_pixels', '500.0'], ['target_pixels', '500.0'], ['window', '1366x768@1'], ['device', 'mouse']]) assert.equal(rows[0][heads.indexOf(name)], value);
+});
+
+test('an artist\'s poses are dealt by the number of their controls, the fullest to every block', () => {
+  const session = character();
+  const poses = Array.from({ length: 14 }, (_, i) => new Map(Array.from({ length: i }, (__, control) => [control, 0.5])));
+  const [common, blocks] = dealt(poses.reverse(), session);
+  const count = (face) => face.filter((value) => value).length;
+  assert.equal(count(common), 13);
+  assert.deepEqual(blocks.map((block) => block.map(count)), [[1, 4, 7, 10], [2, 5, 8, 11], [3, 6, 9, 12]]);
+  assert.equal(trialsFor(2, session, poses).length, 15);
+  assert.throws(() => dealt(poses.slice(0, 12), session), /needs 13/);
+});
+
+test('what the hand did is a file of its own', () => {
+  const events = [{ event: 'grab', at: 1500, control: 'jaw', x: 10.4, y: 20, pixels: 99.7 }];
+  const lines = eventsCsv(3, [{ face: '1a', name: 'face', events }, { face: '1b', name: 'face' }]).trim().split('\n');
+  assert.deepEqual(lines.slice(1), ['3,1,1a,face,grab,1.500,"jaw",10,20,100']);
 });

@@ -45,6 +45,7 @@ from usdrigui.following import following, shared
 from usdrigui.model import Element, Layout, Member
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.settings import OutputSettings
+from usdrigui.version import __version__
 from usdrigui.view.body.complexion import complexion
 from usdrigui.view.body.shading import EYE, IRIS, PUPIL, Complexion, encoded, look
 from usdrigui.view.clip import ClipReading, reading
@@ -63,6 +64,8 @@ _GAZE_STEP = 3.0 / 8192
 _UV_STEPS = 65535
 _IMAGES = 0.5
 """Bytes of images, at most, of those of the page without them."""
+_SIDES = (1024, 768, 512, 384, 256, 128, 64, 32)
+"""Texels along the longer side of an image, as there is room."""
 
 
 def pack(rig_layouts: Sequence[tuple[Rig, Layout]], title: str, around: float = 0.0) -> bytes:
@@ -77,6 +80,7 @@ def pack(rig_layouts: Sequence[tuple[Rig, Layout]], title: str, around: float = 
     arrays = _Arrays()
     header = {
         "title": title,
+        "version": __version__,
         "characters": [_character(arrays, rig, layout) for rig, layout in rig_layouts],
     }
     if arrays.images:
@@ -89,18 +93,19 @@ def pack(rig_layouts: Sequence[tuple[Rig, Layout]], title: str, around: float = 
 
 
 def image_files(images: Sequence[Texels], room: float) -> list[bytes]:
-    """Images as WebP files, scaled down by one factor until they take so many bytes together."""
-    share, files = 1.0, [_webp(each, 1.0) for each in images]
-    while sum(map(len, files)) > room and share > 0.02:
-        share *= 0.75
-        files = [_webp(each, share) for each in images]
+    """Images as WebP files, all as large as there is room for so many bytes together."""
+    files: list[bytes] = []
+    for side in _SIDES:
+        files = [_webp(each, side) for each in images]
+        if sum(map(len, files)) <= room:
+            break
     return files
 
 
-def _webp(texels: Texels, share: float) -> bytes:
-    sides = [max(1, round(share * side)) for side in texels.shape[1::-1]]
-    file = io.BytesIO()
-    Image.fromarray(texels).resize((sides[0], sides[1])).save(file, "WEBP")
+def _webp(texels: Texels, side: int) -> bytes:
+    image, file = Image.fromarray(texels), io.BytesIO()
+    image.thumbnail((side, side))
+    image.save(file, "WEBP")
     return file.getvalue()
 
 
@@ -151,6 +156,7 @@ def _character(arrays: _Arrays, rig: Rig, layout: Layout) -> Json:
     return {
         "root": rig.skel_root.path,
         "identity": _identity(rig),
+        "layoutDigest": hashlib.sha256(json.dumps(packed).encode()).hexdigest()[:32],
         "up": _list(rig.skel_root.up),
         "metresPerUnit": rig.skel_root.metres_per_unit,
         "meshes": _meshes(arrays, body.meshes, body.starts, complexion(rig, layout)),

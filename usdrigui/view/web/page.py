@@ -10,6 +10,7 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
+import re
 from collections.abc import Sequence
 from importlib.resources import files
 from pathlib import Path
@@ -21,8 +22,9 @@ from usdrigui.model import Layout
 from usdrigui.report.markup import markup
 from usdrigui.view.web.packing import pack
 
-_NOTE = "string note = "
-"""Stands in every review that a page saves (docs/decisions/142)."""
+_SAVED = re.compile(r"#usda.*string (note|pose) = ", re.DOTALL)
+"""Every review (docs/decisions/142) and every shelf of poses (docs/decisions/141) that a page
+saves."""
 
 _PAGE = """<!DOCTYPE html>
 <html lang="en">
@@ -56,7 +58,8 @@ def page_html(
     The same records and title always give the same text.  With ``study`` the page offers the
     evaluation of the paper's section 5 as well (docs/decisions/073); with the name of a file
     ``live`` it keeps its animation there, by way of the server that it comes from
-    (docs/decisions/079).  `reviews` are layers whose notes it opens (docs/decisions/142).  Raises
+    (docs/decisions/079).  `reviews` are layers whose notes it opens (docs/decisions/142), and
+    shelves whose poses the evaluation has as targets.  Raises
     RigUIError VIEW_MISMATCH when a layout does not belong to its rig, or when there is no character
     at all.
     """
@@ -75,16 +78,14 @@ def page_html(
 
 
 def read_review(path: Path) -> str:
-    """The text of a review.  Raises RigUIError REVIEW_LAYER for a file that is none, or over 16
-    MB."""
+    """The text of a review, or of a shelf of poses.  Raises RigUIError REVIEW_LAYER for a file that
+    is none, or over 16 MB."""
     try:
         text = whole_content(path).decode()
     except (OSError, UnicodeDecodeError) as error:
         raise refuse("REVIEW_LAYER", str(path), f"cannot be read as text: {error}") from error
-    if not text.startswith("#usda") or _NOTE not in text:
-        raise refuse(
-            "REVIEW_LAYER", str(path), "is not a review that Save review in the viewer wrote"
-        )
+    if not _SAVED.match(text):
+        raise refuse("REVIEW_LAYER", str(path), "is not a review or a shelf that the viewer saved")
     return text
 
 
