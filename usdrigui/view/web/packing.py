@@ -94,7 +94,6 @@ def pack(rig_layouts: Sequence[tuple[Rig, Layout]], title: str, around: float = 
 
 def image_files(images: Sequence[Texels], room: float) -> list[bytes]:
     """Images as WebP files, all as large as there is room for so many bytes together."""
-    files: list[bytes] = []
     for side in _SIDES:
         files = [_webp(each, side) for each in images]
         if sum(map(len, files)) <= room:
