@@ -105,29 +105,10 @@ def shift_one_track(layout):
     layout.set("points", lambda old: moved(old, last, 1.0), MESH)
 
 
-def enlarge(layout):
-    rows = layout.points_of(SMILE)
-    middle = np.array(layout.attribute("points", MESH).Get())[rows[0]]
-    layout.set("points", lambda old: scaled(old, rows, middle), MESH)
-
-
-def scaled(old, rows, middle):
-    new = np.array(old)
-    new[rows[1:8]] = middle + 8.0 * (new[rows[1:8]] - middle)
-    return new
-
-
 def swap_faces(layout):
     one, other = layout.faces(SMILE), layout.faces(OTHER)
     layout.set("indices", other, SMILE)
     layout.set("indices", one, OTHER)
-
-
-def swap_tokens(layout):
-    names = list(layout.attribute("skel:blendShapes", MESH).Get())
-    i, j = names.index(SMILE), names.index("jawOpen")
-    names[i], names[j] = names[j], names[i]
-    layout.set("skel:blendShapes", Vt.TokenArray(names), MESH)
 
 
 def drop_shape(layout, name=SMILE):
@@ -206,14 +187,11 @@ FAULTS = {
     # What draws.
     "points shifted": (shift, DRAWN, SMILE),
     "points of a track shifted": (shift_one_track, DRAWN, SMILE),
-    "a handle eight times as large": (enlarge, DRAWN, SMILE),
     "faces of two elements exchanged": (swap_faces, DRAWN, SMILE),
     "a face of two elements": (beside, INVALID, MESH),
     "faces beyond the mesh": (lambda each: each.set("indices", lambda old: np.array(old) + 10**6), INVALID, SMILE),
     "a wrong number of corners": (mesh("faceVertexCounts", lambda old: np.array(old) + 1), INVALID, MESH),
     "a shape twice as far": (shape(SMILE, lambda old: 2.0 * old), DRAWN, SMILE),
-    "a shape the other way": (shape("jawOpen", lambda old: -old), DRAWN, "jawOpen"),
-    "shapes exchanged": (swap_tokens, DRAWN, SMILE),
     "a shape left out": (drop_shape, DRAWN, SMILE),
     "a shape of the board left out": (lambda each: drop_shape(each, SQUASH), DRAWN, SQUASH),
     "skinned to another joint": (other_joint, DRAWN, SMILE),
@@ -237,6 +215,10 @@ FAULTS = {
         INVALID,
         MESH,
     ),
+    "smooth handles": (mesh("subdivisionScheme", "catmullClark"), INVALID, MESH),
+    "holes": (lambda each: UsdGeom.Mesh(each.prim(MESH)).CreateHoleIndicesAttr([0]), INVALID, MESH),
+    "faces inside out": (lambda each: UsdGeom.Mesh(each.prim(MESH)).CreateOrientationAttr("leftHanded"), INVALID, MESH),
+    "another extent": (mesh("extent", lambda old: 0.5 * np.array(old)), INVALID, MESH),
     "another family of subsets": (lambda each: each.set("familyName", "materialBind"), INVALID, SMILE),
     # Elements.
     "the anchor's place moved": (element("anchor:position", GONE), DRAWN, SMILE),
@@ -244,6 +226,8 @@ FAULTS = {
     "another number of points": (element("anchor:pointCount", 99999), INVALID, SMILE),
     "another topology": (element("anchor:topologyHash", "0123"), "LAYOUT_TOPOLOGY", SMILE),
     "a mesh that is not there": (relation("rigUI:anchor:prim", "/Char/Nose"), "LAYOUT_MESH_GONE", "/Char/Nose"),
+    "a heading on the face": (element("element:category", "viseme"), INVALID, SMILE),
+    "a carrier on the face": (relation("rigUI:anchor:carrier", "/Char/Geometry/Head"), INVALID, SMILE),
     "a point without its index": (element("anchor:pointIndex", -1), INVALID, SMILE),
     "another lift": (element("handle:lift", 3.0), DRAWN, SMILE),
     "the wrong side": (element("element:side", "right"), INVALID, SMILE),
@@ -267,8 +251,13 @@ FAULTS = {
     "a control that is not applied": (element("element:controls", Vt.TokenArray(["grin"])), INVALID, SMILE),
     "its own member": (relation("rigUI:element:members", f"{MESH}/{SMILE}"), INVALID, SCOPE),
     # Controls.
-    "another's shape": (control("blendShapes", Vt.TokenArray(["browInnerUp"])), TRACK, SMILE),
+    "another's shape": (
+        both(control("blendShapes", Vt.TokenArray(["browInnerUp"])), control("source", "browInnerUp")),
+        TRACK,
+        SMILE,
+    ),
     "a shape of no mesh": (control("blendShapes", Vt.TokenArray(["grin"])), INVALID, SMILE),
+    "names exchanged": (both(control("name", OTHER), control("name", SMILE, OTHER, OTHER)), INVALID, SMILE),
     "no shape": (control("blendShapes", Vt.TokenArray()), INVALID, SMILE),
     "two shapes without keys": (control("blendShapes", Vt.TokenArray([SMILE, "jawOpen"])), INVALID, SMILE),
     "another joint": (control("joints", Vt.TokenArray(["Neck/Head/Jaw"]), EYE, "EyeLeft_ry"), TRACK, EYE),
@@ -284,11 +273,6 @@ FAULTS = {
         TRACK,
         EYE,
     ),
-    "half a turn": (
-        control("jointRotationVectors", lambda old: 0.5 * np.array(old), EYE, "EyeLeft_ry"),
-        TRACK,
-        EYE,
-    ),
     "weights for degrees": (control("unit", "weight", EYE, "EyeLeft_ry"), INVALID, EYE),
     "degrees for weights": (control("unit", "degrees"), INVALID, SMILE),
     "twice the range": (control("maximum", 2.0), TRACK, SMILE),
@@ -301,6 +285,9 @@ FAULTS = {
     "narrow handles": (layout("handleWidth", lambda old: 0.1 * old), DRAWN, SMILE),
     "the plane the other way": (layout("planeNormal", lambda old: -old), INVALID, SMILE),
     "the plane elsewhere": (layout("planeOrigin", Gf.Vec3f(5, 0, 0)), INVALID, SMILE),
+    "the view from behind": (layout("viewDirection", lambda old: -old), INVALID, SQUASH),
+    "no Skeleton of the layout": (relation("rigUI:layout:skeleton", prim=SCOPE), INVALID, SCOPE),
+    "a character that is none": (lambda each: each.prim("/Char").SetTypeName("Xform"), INVALID, SCOPE),
     "a list without a control": (
         layout("baseControls", lambda old: Vt.TokenArray([each if each != SMILE else "grin" for each in old])),
         INVALID,
@@ -386,7 +373,10 @@ def test_a_value_that_breaks_a_rule_of_the_schema_is_refused(stage, api, declare
         stage.GetPrimAtPath(where).AddAppliedSchema(f"{schema.PART}:EyeLeft_ry")
         Layout(stage).set("rigUI:part:EyeLeft_ry:handleWidth", 0.1, where)
     name = declared.name.replace("__INSTANCE_NAME__", "EyeLeft_ry")
-    Layout(stage).set(name, value, where)
+    if declared.type_name:
+        Layout(stage).set(name, value, where)
+    else:
+        Layout(stage).target(name, MESH, SCOPE, prim=where)
     (found,) = layout_faults(stage)
     assert (found.code, found.path.partition(".")[0]) == (INVALID, where)
     named = found.path.partition(".")[2].replace("EyeLeft_ry", "__INSTANCE_NAME__")

@@ -8,7 +8,7 @@ along its track, then all of them half way together.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import replace
 from functools import cached_property
 
@@ -98,30 +98,27 @@ class _Scene(Record):
         maps = at.maps[mesh]
         return np.asarray(maps[local if len(maps) > 1 else 0])
 
-    def with_ignored(self, controls: Indices, anchors: Indices) -> Indices:
+    def with_ignored(self, controls: Collection[int], anchors: Iterable[int]) -> list[int]:
         """Some controls, and all that what ignores these cannot follow: those that move joints
         which they carry, as it hangs on the joints above, or joints above some influences of the
         `anchors` and not above all; where they turn joints, those of shapes, as what these do turns
         along the track; and those that share a weight with them, such as poses, as a weight has one
         value (docs/decisions/051)."""
         drives = [control.drive for control in self.rig.controls]
-        turned = np.zeros(len(self.rig.body.joints), dtype=bool)
-        weighed = np.zeros(len(self.rig.body.channels), dtype=bool)
-        for control in controls:
-            turned[drives[control].joints] = True
-            weighed[drives[control].channels] = True
-        carried = with_descendants(self.rig.body.joints, np.flatnonzero(turned))
-        if carried.any():
-            above = [self._above(int(anchor)) & ~carried for anchor in anchors]
-            carried |= np.any([one.any(axis=0) & ~one.all(axis=0) for one in above], axis=0)
-        others = [
+        turned = [joint for control in controls for joint in drives[control].joints]
+        weighed = {channel for control in controls for channel in drives[control].channels}
+        carried = with_descendants(self.rig.body.joints, np.array(turned, dtype=np.int64))
+        if turned:
+            for above in map(self._above, anchors):
+                carried |= above.any(axis=0) & ~above.all(axis=0)
+        return [
             index
             for index, drive in enumerate(drives)
-            if carried[drive.joints].any()
-            or weighed[drive.channels].any()
-            or (carried.any() and len(drive.channels))
+            if index in controls
+            or carried[drive.joints].any()
+            or not weighed.isdisjoint(drive.channels)
+            or (turned and len(drive.channels))
         ]
-        return np.union1d(controls, others).astype(np.int64)
 
     def _above(self, point: int) -> Flags:
         """(influences of a point, joints) which joints move each of them: itself, and those
@@ -136,7 +133,7 @@ class _Scene(Record):
                 joint = joints[joint].parent
         return above
 
-    def halfway(self, towards: str, but: Indices) -> Floats:
+    def halfway(self, towards: str, but: list[int]) -> Floats:
         """Values (controls,) of a pose: every control half way from the base pose to its
         ``minimum`` or ``maximum``, those of `but` at the base pose."""
         ends = np.array([getattr(each, towards) for each in self.rig.controls])
@@ -170,12 +167,11 @@ def disagreements(scope: Usd.Prim, layout: Layout, settings: ReadSettings) -> It
 def _at_rest(scene: _Scene, drawn: _Drawn) -> Iterator[Issue]:
     """What is wrong with an element in the base pose."""
     element, points, width = drawn.element, scene.base.points, drawn.width
-    position, near = element.anchor.position, scene.grain + _NEAR * width
     handle = points[drawn.handle]
     if element.look.glyph is None:
         yield from _as_wide(drawn, handle, scene.grain)
-        away = float(np.linalg.norm(handle[0] - position)) if len(handle) else 0.0
-        if away > near:
+        away = _worst(handle[:1] - element.anchor.position)
+        if away > scene.grain + _NEAR * width:
             yield _astray(drawn.prim, f"its handle is {away:.3g} from rigUI:anchor:position")
     tracks = [member.track for member in element.manipulator.members]
     beside = scene.grain + _BESIDE * width + _LONG * max(map(length, tracks))
@@ -183,7 +179,7 @@ def _at_rest(scene: _Scene, drawn: _Drawn) -> Iterator[Issue]:
     if len(ways):
         pieces = ((track[:-1, :, None], track[1:, :, None]) for track in tracks)
         apart = np.concatenate([segment_distances(ways.T[None], *each) for each in pieces])
-        away = float(apart.min(axis=0).max())
+        away = apart.min(axis=0).max()
         if away > beside:
             yield _astray(drawn.prim, f"its tracks are drawn {away:.3g} from their trackPoints")
 
@@ -194,10 +190,10 @@ def _as_wide(drawn: _Drawn, handle: Floats, grain: float) -> Iterator[Issue]:
     if len(handle) < 2:
         return
     shell, width = handle[1:], drawn.width
-    across = float(np.linalg.norm(np.ptp(shell, axis=0)))
+    across = _worst(np.ptp(shell, axis=0))
     if not width / _SIZES - grain < across < width * _SIZES + grain:
         yield _astray(drawn.prim, f"its handle is {across:.3g} wide, the layout's {width:.3g}")
-    middle = float(np.linalg.norm(shell.mean(axis=0) - handle[0]))
+    middle = _worst(shell.mean(axis=0) - handle[0])
     if abs(middle - value_of(drawn.prim, schema.HANDLE, "lift")) > width + grain:
         yield _astray(
             drawn.prim, f"its handle is {middle:.3g} from its anchor, not rigUI:handle:lift"
@@ -206,7 +202,7 @@ def _as_wide(drawn: _Drawn, handle: Floats, grain: float) -> Iterator[Issue]:
 
 def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterator[Issue]:
     """What is wrong with an element while one of its controls goes along its track."""
-    values, element = np.append(scene.base_values[control], member.values), drawn.element
+    values = np.append(scene.base_values[control], member.values)
     start, _ = sweep_start(scene.rig, scene.base, scene.base_values, control)
     moved, offsets = sweep(scene.rig, start, control, values)
     motion = np.zeros((len(values) - 1, len(scene.base.points), 3))
@@ -223,13 +219,12 @@ def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterat
         if _worst(handle - expected[:, None]) > slack:
             yield _astray(drawn.prim, f"its handle does not go along it, {steps}")
         return
-    way = float(np.linalg.norm(anchor, axis=1).max())
-    off = _worst(along / (member.magnification or 1.0) - anchor)
-    if off > scene.grain + _ALONG * drawn.width + _SHARE * way:
+    off = _worst(along / member.magnification - anchor)
+    if off > scene.grain + _ALONG * drawn.width + _SHARE * _worst(anchor):
         clause = f"{off:.3g} from rigUI:control:*:trackPoints, {steps}"
         yield issue("LAYOUT_TRACK", str(drawn.prim.GetPath()), f"its anchor is up to {clause}")
     away = _worst(handle[:, :1] - anchor[:, None])
-    if element.look.glyph is None and away > tolerance:
+    if drawn.element.look.glyph is None and away > tolerance:
         yield _astray(drawn.prim, f"its handle leaves its anchor by {away:.3g}, {steps}")
     if _worst(motion[:, drawn.track]) > scene.grain + _STILL * drawn.width:
         yield _astray(drawn.prim, f"its tracks move, {steps}")
@@ -238,12 +233,11 @@ def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterat
 def _together(scene: _Scene) -> Iterator[Issue]:
     """What does not follow the character while many controls are away from the base pose."""
     told: set[int] = set()
-    none = np.zeros(0, dtype=np.int64)
     on_board = [each for each in scene.drawn if each.element.anchor.on_board]
-    board = np.unique(np.concatenate([none, *(each.members for each in on_board)]))
-    anchors = np.array([each.anchor for each in on_board], dtype=np.int64)
+    board = {control for each in on_board for control in each.members.tolist()}
+    anchors = [each.anchor for each in on_board]
     for towards in ("maximum", "minimum"):
-        whole = posed(scene.rig, scene.halfway(towards, none))
+        whole = posed(scene.rig, scene.halfway(towards, []))
         still = posed(scene.rig, scene.halfway(towards, scene.with_ignored(board, anchors)))
         for index, each in enumerate(scene.drawn):
             if index in told or each.element.look.adapt == "static":
@@ -269,7 +263,7 @@ def _departures(
         return
     yield "handle", _off(scene, drawn, whole, drawn.handle[:1]), _EXACT * drawn.width
     yield "handle", _off(scene, drawn, whole, drawn.handle), loose
-    ignored = scene.with_ignored(drawn.members, np.array([drawn.anchor]))
+    ignored = scene.with_ignored(drawn.members, [drawn.anchor])
     others = posed(scene.rig, scene.halfway(towards, ignored))
     yield "track", _off(scene, drawn, others, drawn.track), loose
 
@@ -349,7 +343,7 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
     ]
     base = dict(zip(base_controls(scope), layout.character.base_values.tolist(), strict=True))
     values = [base.get(control.name, control.default) for control in rig.controls]
-    size = max(float(np.linalg.norm(np.ptp(mesh.points, axis=0))) for mesh in body.meshes)
+    size = max(_worst(np.ptp(mesh.points, axis=0)) for mesh in body.meshes)
     return _Scene(subset(rig, rows)[0], tuple(drawn), np.array(values), size)
 
 

@@ -19,7 +19,6 @@ from usdrigui.layer import author
 from usdrigui.layer.agreement import disagreements, length
 from usdrigui.layer.baking import apart, valued
 from usdrigui.layer.properties import (
-    applied,
     control_instances,
     has,
     targets,
@@ -93,9 +92,11 @@ def _of_layout(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
 
 def _of_prims(scope: Usd.Prim) -> Iterator[Issue]:
     """What no prim of a layout has: what changes in time, and targets on another character."""
-    root, beside = scope.GetParent().GetPath(), scope.GetParent().GetChildren()
-    if root.IsAbsoluteRootPath() or sum(has(each, schema.LAYOUT) for each in beside) > 1:
+    parent = scope.GetParent()
+    root, several = parent.GetPath(), sum(has(each, schema.LAYOUT) for each in parent.GetChildren())
+    if several > 1 or not parent.IsA(UsdSkel.Root):
         raise refuse("LAYOUT_INVALID", str(scope.GetPath()), "is not the one layout of a SkelRoot")
+    skeletons = {*targets(scope, schema.LAYOUT, "skeleton")}
     for prim in Usd.PrimRange(scope, Usd.TraverseInstanceProxies()):
         for attribute in prim.GetAuthoredAttributes():
             still = attribute.GetBaseName() not in ("value", "visibility")
@@ -106,6 +107,8 @@ def _of_prims(scope: Usd.Prim) -> Iterator[Issue]:
                 )
         for relation in prim.GetAuthoredRelationships():
             name = relation.GetName()
+            if name.endswith(":skeleton") and {*relation.GetTargets()} - skeletons:
+                yield invalid_at(scope, f"rigUI:layout:skeleton lacks {name} of {prim.GetPath()}")
             free = not name.startswith("rigUI:") or name.endswith(":animation")
             if not (free or all(each.HasPrefix(root) for each in relation.GetTargets())):
                 yield invalid_at(prim, f"{name} names what is not of {root}")
@@ -117,12 +120,10 @@ def _of_listing(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
         if UsdGeom.Imageable(prim).ComputePurpose() != UsdGeom.Tokens.guide:
             yield invalid_at(prim, "purpose is not guide: final pictures show the controls")
             break
-    for name, kind in (("elements", None), ("skeleton", UsdSkel.Skeleton)):
-        for path in targets(scope, schema.LAYOUT, name):
-            prim = scope.GetStage().GetPrimAtPath(path)
-            known = prim and (prim.IsA(kind) if kind else has(prim, schema.ELEMENT))
-            if not known:
-                yield invalid_at(scope, f"rigUI:layout:{name} names {path}, which is none")
+    for path in targets(scope, schema.LAYOUT, "elements"):
+        prim = scope.GetStage().GetPrimAtPath(path)
+        if not (prim and has(prim, schema.ELEMENT)):
+            yield invalid_at(scope, f"rigUI:layout:elements names {path}, which is none")
     names = base_controls(scope)
     if len({*names}) < len(names):
         yield invalid_at(scope, "rigUI:layout:baseControls lists a control twice")
@@ -133,7 +134,7 @@ def _of_listing(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
 def _of_drawing(mesh: Usd.Prim) -> Iterator[Issue]:
     """Whether a mesh that draws elements moves with a Skeleton, and says of each face what it
     draws."""
-    if schema.DRAWING not in applied(mesh):
+    if not has(mesh, schema.DRAWING):
         yield invalid_at(mesh, f"{schema.DRAWING} is missing: it draws elements")
     if not UsdSkel.BindingAPI(mesh).GetInheritedSkeleton():
         yield invalid_at(mesh, "skel:skeleton is missing: nothing moves its handles")
@@ -144,7 +145,15 @@ def _of_drawing(mesh: Usd.Prim) -> Iterator[Issue]:
     ]
     if mesh.GetAttribute("xformOpOrder").Get():
         yield invalid_at(mesh, "xformOpOrder moves it out of the space of its SkelRoot")
-    faces, points = UsdGeom.Mesh(mesh).GetFaceCount(), mesh.GetAttribute("points").Get() or ()
+    drawn = UsdGeom.Mesh(mesh)
+    faces, points = drawn.GetFaceCount(), drawn.GetPointsAttr().Get() or ()
+    flat = drawn.GetSubdivisionSchemeAttr().Get() in ("none", "bilinear")
+    right = drawn.GetOrientationAttr().Get() == "rightHanded"
+    if not (flat and right) or drawn.GetHoleIndicesAttr().Get():
+        yield invalid_at(mesh, "subdivisionScheme, orientation or holeIndices: it looks otherwise")
+    box = drawn.GetExtentAttr().Get()
+    if box and not np.allclose(box, UsdGeom.PointBased.ComputeExtent(points)):
+        yield invalid_at(mesh, "extent is not that of its points: viewers may leave it out")
     counts = {"constant": 1, "uniform": faces, "vertex": len(points)}
     for primvar in UsdGeom.PrimvarsAPI(mesh).GetPrimvarsWithAuthoredValues():
         kind = primvar.GetInterpolation()
@@ -166,21 +175,27 @@ def _of_manipulator(prim: Usd.Prim, element: Element) -> Iterator[Issue]:
     for name, member in zip(control_instances(prim), element.manipulator.members, strict=True):
         drawn = length(member.track)
         meant = member.arc_length * member.magnification
-        grain = author.TOLD * float(np.abs(member.track).sum())
+        grain = author.TOLD * np.abs(member.track).sum()
         if meant and abs(drawn - meant) > 0.02 * max(drawn, meant) + grain:
             what = f"trackPoints have length {drawn:.4g}, arcLength by magnification is {meant:.4g}"
             yield invalid_at(prim, f"rigUI:control:{name}:{what}")
 
 
 def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue]:
-    """Whether an element on the character is on the side that it names."""
+    """Whether an element on the character is on the side that it names, and has nothing of those
+    on the board, which face the viewer."""
     plane, side = layout.frame.plane, element.look.side
-    if element.anchor.on_board or not layout.frame.mirrors(element.placement.part):
+    on_board, part = element.anchor.on_board, element.placement.part
+    if on_board and element.anchor.normal @ layout.frame.view_of(part) < 0.0:
+        yield invalid_at(prim, "rigUI:anchor:normal on the board is not the viewDirection")
+    if not on_board and (targets(prim, schema.ANCHOR, "carrier") or element.placement.category):
+        yield invalid_at(prim, "has rigUI:anchor:prim, and a carrier or category of the board")
+    if on_board or not layout.frame.mirrors(part):
         return
-    away = float(plane.distance(element.anchor.position))
+    away = plane.distance(element.anchor.position)
     # Far from the origin the layer tells places less exactly than a handle is wide.
-    told = 2.0 * author.TOLD * float(np.abs(element.anchor.position).max())
-    width = _ASIDE * layout.frame.handle_width_of(element.placement.part) + told
+    told = 2.0 * author.TOLD * np.abs(element.anchor.position).max()
+    width = _ASIDE * layout.frame.handle_width_of(part) + told
     where = "left" if away > 0.0 else "right"
     if side == "none" or (abs(away) > width and side == _OPPOSITE[where]):
         yield invalid_at(prim, f"rigUI:element:side is {side}, its anchor is on the {where}")
@@ -215,7 +230,7 @@ def _of_mirror(
         zip(element.manipulator.members, other.manipulator.members, strict=True)
     ):
         mine, theirs = (track[-1] - track[0] for track in (reflect(one.track), twin.track))
-        clear = _CLEAR * float(np.linalg.norm(mine) * np.linalg.norm(theirs))
+        clear = _CLEAR * np.linalg.norm(mine) * np.linalg.norm(theirs)
         reversed_ = index in element.manipulator.reversed
         if one.control != twin.control and mine @ (-theirs if reversed_ else theirs) < -clear:
             yield invalid_at(prim, f"rigUI:control:{one.control}:mirrorReversed is {reversed_}")

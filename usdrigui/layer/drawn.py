@@ -15,7 +15,7 @@ from typing import Literal
 
 import numpy as np
 
-from usdrigui.character import Drive, Floats, Indices, Record
+from usdrigui.character import Floats, Indices, Record
 from usdrigui.character.deform import keyed
 from usdrigui.layer.polyline import fewest_points
 from usdrigui.layer.skin_binding import AnchorBinding, JointBinding, PointShape, SkinBinding
@@ -109,14 +109,14 @@ def drawn_parts(skin: SkinBinding, element: Element, frame: LayoutFrame) -> tupl
         replace(binding, shapes=tuple(_short(shape, step) for shape in felt)),
         replace(binding, shapes=_felt(binding.shapes, _HAIR * width)),
     )
-    form = _form(element, width, view)
+    form, plain = _form(element, width, view), element.look.glyph is None
     handle = (
-        _follower(binding, form, step if element.look.glyph is not None else _HAIR_STEP * width)
+        _follower(binding, form, _HAIR_STEP * width if plain else step)
         if binding.deforms
         else _slider(skin, binding, element, form, step)
     )
     tracks = _tracks(skin, still, element, width)
-    lift = 0.0 if element.look.glyph is not None else _LIFT * width
+    lift = _LIFT * width if plain else 0.0
     return (
         replace(handle, points=in_steps(handle.points, step), lift=lift),
         replace(tracks, points=in_steps(tracks.points, step)),
@@ -124,7 +124,7 @@ def drawn_parts(skin: SkinBinding, element: Element, frame: LayoutFrame) -> tupl
 
 
 def _short(shape: PointShape, step: float) -> PointShape:
-    return PointShape(shape.channel, shape.weights, in_steps(shape.offsets, step))
+    return replace(shape, offsets=in_steps(shape.offsets, step))
 
 
 def _felt(shapes: tuple[PointShape, ...], budget: float) -> tuple[PointShape, ...]:
@@ -176,9 +176,8 @@ def _bent(member: Member, normal: Floats, width: float) -> Member:
     They are lifted along the normal until no piece passes below a point that is left out: a piece
     that cuts a corner would lie in the skin.
     """
-    steps = np.diff(member.track, axis=0)
     # By the way to it, as the samples at in-betweens are not at equal steps.
-    places = np.append(0.0, np.sqrt((steps * steps).sum(axis=1))).cumsum()
+    places = np.append(0.0, np.linalg.norm(np.diff(member.track, axis=0), axis=1)).cumsum()
     tolerance = max(_BEND * width, _LONG_BEND * float(places[-1]))
     shift = _to_the_middle(member.track, normal, tolerance)
     ends = np.array([0, len(places) - 1])
@@ -203,7 +202,7 @@ def _to_the_middle(line: Floats, normal: Floats, tolerance: float) -> Floats | N
     above = (away * normal).sum(axis=1)
     beside = away - above[:, None] * normal
     shift = _ARCH * beside.mean(axis=0)
-    farthest = float(np.sqrt(((beside - shift) ** 2).sum(axis=1)).max())
+    farthest = np.linalg.norm(beside - shift, axis=1).max()
     return shift if farthest <= tolerance and np.ptp(above) <= 2.0 * tolerance else None
 
 
@@ -250,7 +249,7 @@ def _still(
     else:
         spread = [np.repeat(shape.offsets[:, None], len(values), axis=1) for shape in others]
     shapes = tuple(
-        PointShape(shape.channel, shape.weights, in_steps(offsets, _HAIR_STEP * width))
+        replace(shape, offsets=in_steps(offsets, _HAIR_STEP * width))
         for shape, offsets in zip(others, spread, strict=True)
     )
     points = bound.unposed(positions) - _blended(skin, shapes)
@@ -363,17 +362,7 @@ def _follower(binding: AnchorBinding, form: Form, step: float) -> Drawn:
     offsets all points but the first have in steps below `step`."""
     around, faces = form
     points = binding.rest + around @ binding.handle.inverse
-    shapes = tuple(
-        PointShape(
-            shape.channel,
-            shape.weights,
-            np.concatenate(
-                [shape.offsets[:, None], _uniform(_short(shape, step), len(around) - 1).offsets],
-                axis=1,
-            ),
-        )
-        for shape in binding.shapes
-    )
+    shapes = tuple(_uniform(shape, len(around), step) for shape in binding.shapes)
     return Drawn("handle", points, faces, binding.handle, shapes)
 
 
@@ -434,7 +423,7 @@ def _slider(
     now = _blended(skin, tuple(shapes.values()))
     centre = binding.track.unposed(element.anchor.position[None])[0] - now
     points = centre + around @ binding.track.inverse
-    spread = tuple(_uniform(shapes[channel], len(around)) for channel in sorted(shapes))
+    spread = tuple(_uniform(shapes[channel], len(around), step) for channel in sorted(shapes))
     return Drawn("handle", points, faces, binding.track, spread)
 
 
@@ -447,11 +436,8 @@ def _along_track(skin: SkinBinding, binding: AnchorBinding, member: Member) -> P
         return None
     channel = int(drive.channels[0])
     base = skin.value(member.control)
-    weights = (
-        skin.weights[channel]
-        + _driven(control.drive, member.values)
-        - _driven(control.drive, np.array([base]))
-    )
+    driven = keyed(drive.values, drive.weights, np.append(base, member.values))[:, 0]
+    weights = skin.weights[channel] + driven[1:] - driven[0]
     rests = binding.track.unposed(member.track)
     if weights[0] > weights[-1]:
         weights, rests = weights[::-1], rests[::-1]
@@ -462,11 +448,6 @@ def _along_track(skin: SkinBinding, binding: AnchorBinding, member: Member) -> P
     )
     rest = keyed(weights, rests, np.zeros(1))
     return PointShape(channel, nodes, keyed(weights, rests, nodes) - rest)
-
-
-def _driven(drive: Drive, values: Floats) -> Floats:
-    """Weight of a control's only channel at its values."""
-    return keyed(drive.values, drive.weights, values)[:, 0]
 
 
 def _blended(skin: SkinBinding, shapes: tuple[PointShape, ...]) -> Floats:
@@ -480,11 +461,11 @@ def _blended(skin: SkinBinding, shapes: tuple[PointShape, ...]) -> Floats:
     return total
 
 
-def _uniform(shape: PointShape, count: int) -> PointShape:
-    """The same offset for each of `count` points."""
-    return PointShape(
-        shape.channel, shape.weights, np.repeat(shape.offsets[:, None], count, axis=1)
-    )
+def _uniform(shape: PointShape, count: int, step: float) -> PointShape:
+    """The same offset for each of `count` points; of all but the first in steps below `step`."""
+    offsets = np.repeat(shape.offsets[:, None], count, axis=1)
+    offsets[:, 1:] = in_steps(offsets[:, 1:], step)
+    return replace(shape, offsets=offsets)
 
 
 def in_steps(values: Floats, step: float) -> Floats:

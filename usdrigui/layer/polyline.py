@@ -19,13 +19,13 @@ def fewest_points(line: Floats, tolerance: float) -> Indices:
     below zero.
     """
     unit = tolerance if tolerance > 0.0 else 1.0
-    best: list[tuple[int, float, int, tuple[int, ...]]] = [(0, 0.0, 0, (0,))]
+    best = [(0, 0.0, 0, [0])]
     for last in range(1, len(line)):
         ways = []
         for first, (pieces, worst, _, kept) in enumerate(best):
             departure = round(_departure(line[first : last + 1]) / unit, _DIGITS)
             if departure <= tolerance / unit or last - first == 1:
-                ways.append((pieces + 1, max(worst, departure), first, (*kept, last)))
+                ways.append((pieces + 1, max(worst, departure), first, [*kept, last]))
         best.append(min(ways))
     return np.array(best[-1][3], dtype=np.int64)
 
@@ -33,7 +33,7 @@ def fewest_points(line: Floats, tolerance: float) -> Indices:
 def _departure(line: Floats) -> float:
     """The largest distance of points of a line from the straight piece between its ends."""
     chord, away = line[-1] - line[0], line - line[0]
-    squared = float((chord * chord).sum())
+    squared = (chord * chord).sum()
     along = (away * chord).sum(axis=1) / squared if squared > 0.0 else np.zeros(len(line))
     feet = np.clip(along, 0.0, 1.0)[:, None] * chord
-    return float(np.sqrt(((away - feet) ** 2).sum(axis=1)).max(initial=0.0))
+    return float(np.linalg.norm(away - feet, axis=1).max(initial=0.0))

@@ -78,8 +78,9 @@ def refuse_broken(
         value = sibling(name)
         where = declared.name.replace("__INSTANCE_NAME__", instance)
         held = declared.rules and value is not None and where not in free
-        for clause in broken(declared.rules, value, sibling) if held else ():
-            missing = not prim.GetAttribute(where).HasAuthoredValue()
+        numbers = value if declared.type_name else np.zeros(len(value))
+        for clause in broken(declared.rules, numbers, sibling) if held else ():
+            missing = where not in prim.GetAuthoredPropertyNames()
             what = "is missing" if missing else clause
             raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.{where}", what)
 

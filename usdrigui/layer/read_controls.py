@@ -98,12 +98,14 @@ class _Reader:
         elif not len(self.get("keys")) and (len(shapes) != 1 or joints):
             yield "keys are missing: without, it is one blend shape"
         # Of its own shape the rig shows that it is gone.
-        own = {self.instance, str(self.get("name")), str(self.get("source"))}
-        for token in sorted(shapes - tokens - own):
+        own = [str(self.get("source")), str(self.get("name")), self.instance]
+        for token in sorted(shapes.difference(tokens, own)):
             yield f"blendShapes names {token!r}, which no mesh has"
         there = {joint.path for joint in self.body.joints}
         for token in sorted(joints - there) if there else ():
             yield f"joints names {token!r}, which its Skeleton lacks"
+        if self.get("kind") == "blendShape" and next(filter(None, own)) not in shapes:
+            yield "source, or its name, is not one of its blendShapes"
         if joints and not self.targets("skeleton"):
             yield "skeleton is missing: it moves joints"
         degrees = self.get("unit") == "degrees"
