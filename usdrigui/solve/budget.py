@@ -13,6 +13,8 @@ from usdrigui.settings import SolveSettings
 
 LOWERED_AIM = "aim of the work limit"
 """Names the limit where the bound came to an aim that was lowered for the work that was left."""
+ROUNDED = 2e-9
+"""Share of a cost that a proof leaves: what HiGHS may round in a bound is taken off it."""
 WITHIN_REACH = 0.25
 """Share of the way from the bound to the cutoff that half of the work may go."""
 
@@ -115,8 +117,8 @@ class Budget:
         """Whether the gap is within the setting, or it is proved that no layout is allowed."""
         if not np.isfinite(self.cost):
             return self.bound >= self.ceiling
-        rounding = 1e-11 * max(abs(self.cost), GAP_FLOOR)  # of a proof with no gap allowed
-        return self.cost - self.bound <= self.allowed + rounding
+        # No more than rounding is left of a proof with no gap allowed.
+        return self.cost - self.bound <= self.allowed + ROUNDED * (1.0 + abs(self.cost))
 
     @property
     def allowed(self) -> float:

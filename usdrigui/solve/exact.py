@@ -24,8 +24,6 @@ TRIES = 4
 CROWD = 16, 0.2
 """First tries where pair costs are at hand, and how much worse they may get: a crowd has many
 traps."""
-SMALL = 1000
-"""Labels and pairs that cost anything, of which HiGHS closes nearly all at its root."""
 
 
 def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
@@ -116,22 +114,22 @@ def _first_layout(
 
 
 def _solve_reduced(left: Reduction, incumbent: LocalSearch, budget: Budget) -> str:
-    """Raise the bound of what is left by joining variables, by triplets of them where labels are
-    too many for that, and give it to the solver that the settings name once its program is small;
-    the name of the step that had the last turn."""
+    """Give what is left to the solver that the settings name as soon as its program is small: until
+    then variables are joined, as long as there are any to join, and triplets of them raise the
+    bound; the name of the step that had the last turn."""
 
     def open_() -> bool:
         return not budget.closed() and not budget.stopped()
 
-    name, before = "", 0
-    while open_() and left.plain().size() > SMALL:
+    name = ""
+    while open_() and not left.small():
         if left.joined():
             name = "joining"
-        elif (now := len(left.problem.costs)) == before:
-            break
         else:
-            name, before = "triplets", now
+            last, name = name, "triplets"
             left.tightened()
+            if last:
+                break
     if name:
         budget.note(name, **left.figures(), bound=budget.bound, work=budget.work)
     if open_():

@@ -37,6 +37,9 @@ NEAR = 0.02
 """Share of the way to the cutoff in which blocks are split while the bound rises well."""
 SLOW = 0.1
 """Share of the labels, or of what the bound misses, that a step must take for another to pay."""
+SMALL = 500
+"""Labels and pairs that cost anything, of which HiGHS closes nearly all at its root, sooner than
+bounds."""
 TRIES = 20
 """Of local search per variable where all pair costs are at hand: thousands take a second."""
 
@@ -115,6 +118,10 @@ class Reduction:
         left = self.problem
         pairs = np.where(np.isinf(left.both_ways()), np.inf, self._all_pairs())
         return PlainProblem(left.start, self.linear[left.labels], pairs)
+
+    def small(self) -> bool:
+        """Whether what is left is a program that HiGHS closes at once."""
+        return len(self.problem.costs) <= SMALL and self.plain().size() <= SMALL
 
     def _all_pairs(self) -> Floats:
         """(n, n) the problem's own pair costs, the same both ways."""
@@ -207,9 +214,9 @@ class Reduction:
         self.problem = left
 
     def _thinned(self) -> bool:
-        """Take single labels away that others dominate, of which bounds then exclude more, in turn;
-        whether any are left."""
-        while not self._budget.stopped():
+        """Take single labels away that others dominate, of which bounds then exclude more, in turn,
+        until the rest is small; whether any are left."""
+        while not self._budget.stopped() and not self.small():
             before = len(self.problem.costs)
             self._take_dominated()
             if not (self._swept() and self._excluded()):
