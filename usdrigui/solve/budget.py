@@ -120,6 +120,10 @@ class Budget:
         # No more than rounding is left of a proof with no gap allowed.
         return self.cost - self.bound <= self.allowed + ROUNDED * (1.0 + abs(self.cost))
 
+    def over(self) -> bool:
+        """Whether there is nothing left to prove, or a limit is reached."""
+        return self.closed() or self.stopped()
+
     @property
     def allowed(self) -> float:
         """How far the bound may stay below the best cost."""

@@ -53,7 +53,7 @@ def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
     figures = {"labels": 0} if left is None else left.figures()
     found = {"cutoff": budget.cutoff, "cost": incumbent.cost, "bound": budget.bound}
     budget.note("reduce", **figures, **found, work=budget.work)
-    if left is not None and left.exact and not budget.closed() and not budget.stopped():
+    if left is not None and left.exact and not budget.over():
         method = _solve_reduced(left, incumbent, budget)
     return assignment(problem, labels, labels.candidate[incumbent.chosen], budget, method)
 
@@ -117,12 +117,8 @@ def _solve_reduced(left: Reduction, incumbent: LocalSearch, budget: Budget) -> s
     """Give what is left to the solver that the settings name as soon as its program is small: until
     then variables are joined, as long as there are any to join, and triplets of them raise the
     bound; the name of the step that had the last turn."""
-
-    def open_() -> bool:
-        return not budget.closed() and not budget.stopped()
-
     name = ""
-    while open_() and not left.small():
+    while not (budget.over() or left.small()):
         if left.joined():
             name = "joining"
         else:
@@ -132,7 +128,7 @@ def _solve_reduced(left: Reduction, incumbent: LocalSearch, budget: Budget) -> s
                 break
     if name:
         budget.note(name, **left.figures(), bound=budget.bound, work=budget.work)
-    if open_():
+    if not budget.over():
         _search(left, incumbent, budget)
     return budget.steps[-1].name
 

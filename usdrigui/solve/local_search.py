@@ -76,7 +76,7 @@ class LocalSearch:
             self._set(self.chosen)
             for _ in range(tries * len(self.chosen)):
                 budget = self._budget
-                if budget.stopped() or budget.closed() or budget.work >= most:
+                if budget.over() or budget.work >= most:
                     return
                 group = self._rivals()
                 for variable in group:

@@ -70,8 +70,11 @@ def solve_milp(problem: PlainProblem, cutoff: float, budget: Budget, most: int) 
     highs.cbMipInterrupt.subscribe(stopped)
     highs.run()
     info = highs.getInfo()
-    nodes = max(0, int(info.mip_node_count))
-    figures = {"rows": len(rows), "columns": highs.getNumCol(), "nodes": nodes}
+    figures = {
+        "rows": len(rows),
+        "columns": highs.getNumCol(),
+        "nodes": max(0, int(info.mip_node_count)),
+    }
     if highs.getModelStatus().name in {"kInfeasible", "kObjectiveBound"}:
         return Solution(cutoff, None, figures)
     chosen = None

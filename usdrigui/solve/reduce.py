@@ -121,7 +121,8 @@ class Reduction:
 
     def small(self) -> bool:
         """Whether what is left is a program that HiGHS closes at once."""
-        return len(self.problem.costs) <= SMALL and self.plain().size() <= SMALL
+        pairs = SMALL - len(self.problem.costs)
+        return pairs >= 0 and self.plain().costly_pairs() <= pairs
 
     def _all_pairs(self) -> Floats:
         """(n, n) the problem's own pair costs, the same both ways."""
@@ -145,7 +146,7 @@ class Reduction:
         budget, share = self._budget, NEAR
         while self._swept() and (not self.exact or self._thinned()):
             frustrated = self._frustrated()
-            if self.exact or budget.closed() or budget.stopped():
+            if self.exact or budget.over():
                 return True
             if frustrated and not self.tightened():
                 return False

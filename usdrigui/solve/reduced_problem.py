@@ -69,10 +69,6 @@ class PlainProblem(Record):
         """How many pairs cost anything and are not excluded."""
         return int(((self.pairs > EPSILON) & (self.pairs < np.inf)).sum()) // 2
 
-    def size(self) -> int:
-        """Labels and pairs that cost anything."""
-        return len(self.linear) + self.costly_pairs()
-
 
 class Solution(Record):
     """What a solver proved of a reduced problem, and found."""
