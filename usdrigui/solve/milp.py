@@ -73,7 +73,7 @@ def solve_milp(problem: PlainProblem, cutoff: float, budget: Budget, most: int) 
     figures = {
         "rows": len(rows),
         "columns": highs.getNumCol(),
-        "nodes": max(0, int(info.mip_node_count)),
+        "nodes": max(0, info.mip_node_count),
     }
     if highs.getModelStatus().name in {"kInfeasible", "kObjectiveBound"}:
         return Solution(cutoff, None, figures)
