@@ -73,20 +73,25 @@ def renamed(rig, naming, rng):
 
 
 def places(rig, layout):
-    """Of every control, by its index, the handles on the character, (k, 3)."""
+    """Of every control, by its index, the points of the character that have its handles."""
     index = {control.name: i for i, control in enumerate(rig.controls)}
     found = {}
     for element in layout.elements:
-        if not element.anchor.on_board:
+        anchor = element.anchor
+        if not anchor.on_board:
             for member in element.manipulator.members:
-                found.setdefault(index[member.control], []).append(element.anchor.position)
+                found.setdefault(index[member.control], []).append(rig.body.point_of(anchor.mesh, anchor.point))
     return found
 
 
-def lost(before, after, reach):
-    """Controls, by index, of places `before` with no handle `after` within `reach`."""
+def lost(before, after, points, reach):
+    """Controls, by index, of places `before` with no handle `after` within `reach`, on a character of `points`."""
+
+    def near(one, other):
+        return np.linalg.norm(points[one] - points[other]) <= reach
+
     return {
         control
         for control, handles in before.items()
-        if not any(np.linalg.norm(one - other) <= reach for one in handles for other in after.get(control, ()))
+        if not any(near(one, other) for one in handles for other in after.get(control, ()))
     }

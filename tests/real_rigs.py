@@ -8,7 +8,7 @@ from pathlib import Path
 import chain
 import makers
 import numpy as np
-from pxr import Gf, Usd, UsdGeom, UsdSkel, Vt
+from pxr import Gf, Usd, UsdGeom
 
 from usdrigui.character import Channel
 from usdrigui.reading.character import read_rigs
@@ -17,9 +17,6 @@ from usdrigui.settings import Settings, load
 ASSETS = Path(__file__).resolve().parents[2] / "shared" / "assets"
 WORK = 100_000
 """Work after which a solve ends: every claim tested must hold without the last per cent of the cost."""
-
-Y_TO_Z = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
-"""Row vectors of a Y-up world in a Z-up one."""
 
 
 def asset(name):
@@ -74,68 +71,6 @@ def referring(name, folder, scale, z_up):
     stage.OverridePrim("/Shot/Char").GetReferences().AddReference(str(asset(name)))
     stage.Save()
     return Path(stage.GetRootLayer().realPath)
-
-
-def rebuilt(name, folder, scale, z_up):
-    """A copy of the rig whose arrays themselves are scaled and turned: points, offsets, joints and animation."""
-    turn = Y_TO_Z if z_up else np.eye(3)
-    stage = Usd.Stage.Open(Usd.Stage.Open(str(asset(name))).Flatten())
-    UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.z if z_up else UsdGeom.Tokens.y)
-    for prim in stage.Traverse():
-        if prim.IsA(UsdGeom.Mesh):
-            _rebuild(prim, scale * turn, "points", "extent")
-            _conjugate(prim, scale, turn, "primvars:skel:geomBindTransform")
-        elif prim.IsA(UsdSkel.BlendShape):
-            _rebuild(prim, scale * turn, "offsets")
-        elif prim.IsA(UsdSkel.Skeleton):
-            _conjugate(prim, scale, turn, "bindTransforms", "restTransforms")
-        elif prim.IsA(UsdSkel.Animation):
-            _rebuild(prim, scale * turn, "translations")
-            _rebuild(prim, np.abs(turn), "scales")
-            _turn(prim, turn)
-    target = folder / f"{name}_rebuilt.usdc"
-    stage.Export(str(target))
-    return target
-
-
-def _edited(prim, names, edit):
-    """Replace the default value and all time samples of the attributes that are authored."""
-    for attribute in map(prim.GetAttribute, names):
-        if attribute and attribute.HasAuthoredValue():
-            times = attribute.GetTimeSamples() or [Usd.TimeCode.Default()]
-            for time, value in [(time, attribute.Get(time)) for time in times]:
-                attribute.Set(edit(value), time)
-
-
-def _rebuild(prim, linear, *names):
-    _edited(
-        prim,
-        names,
-        lambda value: type(value).FromNumpy((np.asarray(value, dtype=np.float64) @ linear).astype(np.float32)),
-    )
-
-
-def _turn(prim, turn):
-    def turned(value):
-        return Vt.QuatfArray(
-            [Gf.Quatf(q.real, Gf.Vec3f(*(np.array(q.imaginary, dtype=np.float64) @ turn))) for q in value]
-        )
-
-    _edited(prim, ["rotations"], turned)
-
-
-def _conjugate(prim, scale, turn, *names):
-    """Matrices as they must be when everything they act on and give is scaled and turned."""
-    there = np.eye(4)
-    there[:3, :3] = scale * turn
-    back = np.linalg.inv(there)
-
-    def conjugated(value):
-        if isinstance(value, Gf.Matrix4d):
-            return Gf.Matrix4d(back @ np.array(value) @ there)
-        return Vt.Matrix4dArray([Gf.Matrix4d(back @ np.array(each) @ there) for each in value])
-
-    _edited(prim, names, conjugated)
 
 
 # --- additions ---------------------------------------------------------------------------------------

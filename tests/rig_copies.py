@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 from makers import changed
+from scipy.spatial.transform import Rotation
 
 from usdrigui.character import RigMesh, Shape
 
@@ -171,3 +172,36 @@ def _resculpted(mesh, random, amount):
         bent = shape.offsets * random.uniform(0.8, 1.25) + amount * length * wave
         shapes.append(replace(shape, offsets=bent.astype(np.float32)))
     return changed(mesh, shapes=tuple(shapes))
+
+
+def _about(axis, degrees):
+    return Rotation.from_euler(axis, degrees, degrees=True).as_matrix()
+
+
+WORLDS = {
+    "on its back": lambda _: _about("x", 90),
+    "on its belly": lambda _: _about("x", -90),
+    "on a side": lambda rng: _about("z", 90 * rng.choice([-1, 1])),
+    "tilted": lambda rng: _about("z", rng.uniform(-35, 35)),
+    "nodding": lambda rng: _about("x", rng.uniform(-40, 40)),
+    "turned": lambda rng: _about("y", rng.uniform(0, 360)),
+    "mirrored": lambda _: np.diag([-1.0, 1.0, 1.0]),
+}
+"""How a Y-up character stands otherwise than its stage has it: rotations (3, 3) of column vectors, of a generator."""
+
+
+def turned(rig, rotation):
+    """The rig under a rotation or reflection (3, 3) of a Y-up world about the origin; its stage stays as it is."""
+    world = np.eye(4)
+    level = Rotation.align_vectors([rig.skel_root.up], [[0.0, 1.0, 0.0]])[0].as_matrix()
+    world[:3, :3] = (level @ rotation @ level.T).T
+    meshes = [
+        changed(
+            mesh,
+            to_root=mesh.binding.to_root @ world,
+            left_handed=mesh.topology.left_handed ^ bool(np.linalg.det(rotation) < 0.0),
+        )
+        for mesh in rig.body.meshes
+    ]
+    skeletons = [replace(each, to_root=each.to_root @ world) for each in rig.body.skeletons]
+    return changed(rig, meshes=tuple(meshes), skeletons=tuple(skeletons))

@@ -15,11 +15,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from usdrigui.character import Flags, Floats, Record
+from usdrigui.character.joint_tree import unit
 from usdrigui.conventions import Action, Meaning
+from usdrigui.layout.symmetry.front import moving_normals
 from usdrigui.layout.symmetry.lobes import ASIDE
 from usdrigui.layout.visibility import Views
 from usdrigui.model import BaseSurface, MirrorPlane, Motion, Symmetry, Trajectories
-from usdrigui.ties import first_largest
+from usdrigui.ties import first_largest, towards
 
 _LEAST = 4
 """Different places that it takes to lay the canonical face over a character."""
@@ -35,8 +37,43 @@ _NEAR = 0.7
 _FAINT = 0.5
 """Share of the largest peak of an action below which another control of it does not fix its
 place."""
-Named = tuple[Motion, Meaning, bool]
-"""A motion, how the name of its control is read, and whether it locates its action."""
+_FACING = 0.2
+"""Mean over the controls of how far what each moves faces one way, from which that is ahead."""
+_STANDING = 0.7
+"""Cosine to the up axis of the stage from which a face stands."""
+_TILTED = 0.005
+"""Sine of the angle between its mirror plane and the up axis from which a face is tilted."""
+_STRAIGHT = 0.85
+"""Cosine to an axis from which a face lies along it."""
+
+
+def own_up(up: Floats, trajectories: Trajectories, plane: MirrorPlane) -> Floats:
+    """(3,) unit up direction of a face in root space: `up`, that of the stage, but where the face
+    lies on its back, its belly or a side, or is tilted.
+
+    The moving skin faces ahead, and up goes across that in the mirror plane.  What moves one side
+    alone, as lids, brows and corners of the mouth do, lies above what moves both, as jaw and lips
+    do.  Faces look down or up a little, and characters are modelled along the axes: the axis near
+    to what was found is meant.
+    """
+    outward = moving_normals(trajectories)
+    ahead = outward - (outward @ plane.normal) * plane.normal
+    upright = unit(np.cross(ahead, plane.normal))
+    if abs(float(upright @ up)) > _STANDING:
+        tilt = plane.normal @ up
+        return unit(up - tilt * plane.normal) if abs(tilt) > _TILTED else up
+    if not upright.any() or np.linalg.norm(ahead) < _FACING * len(trajectories.motions):
+        return up
+    axis = np.eye(3)[first_largest(np.abs(upright))]
+    straight = towards(unit(axis - (axis @ plane.normal) * plane.normal), upright)
+    if straight @ upright > _STRAIGHT:
+        upright = straight
+    surface = trajectories.surface
+    seen = upright, np.ones(len(surface.points), dtype=bool)
+    middles = np.array([_middle(surface, plane, seen, each) for each in trajectories.motions])
+    aside = middles[:, 0] != 0.0
+    above = (aside - aside.mean()) @ middles[:, 1]
+    return np.asarray(np.sign(above) * upright) if above else up
 
 
 class Expectation(Record):
@@ -118,65 +155,64 @@ def expectations(
 ) -> tuple[Expectation | None, ...]:
     """(controls,) where each control is expected; None where its name has no meaning or too few
     names have one."""
-    surface, named = trajectories.surface, _informative(trajectories, meanings)
-    clues = [
-        _Clue(motion, meaning.action, _middle(surface, symmetry.plane, views, motion), tells)
-        for motion, meaning, tells in named
-        if meaning.action.place
-    ]
-    fit = _fit([clue for clue in clues if clue.tells]) if symmetry.plane.normal.any() else None
+    surface, plane = trajectories.surface, symmetry.plane
+    clues = _clues(trajectories, plane, (views.up, views.anywhere), meanings)
+    fit = _fit([clue for clue in clues if clue.tells]) if plane.normal.any() else None
     if fit is None:
         return (None,) * len(meanings)
-    axes = np.stack([symmetry.plane.normal, views.up])
+    axes = np.stack([plane.normal, views.up])
     found: dict[int, Expectation] = {}
     for clue in clues:
-        scale, height = fit.around(clue.place)
         across, place = clue.middle[0], clue.place
+        scale, height = fit.around(place)
         side = np.sign(across) if abs(across) > ASIDE * surface.face_size else 0.0
-        origin = symmetry.plane.origin + (height - symmetry.plane.origin @ views.up) * views.up
+        origin = plane.origin + (height - plane.origin @ views.up) * views.up
         target = np.array([place[0] * side if side else abs(place[0]), place[1]])
-        both = bool(side == 0.0 and place[0] != 0.0)
-        found[clue.motion.control] = Expectation(
-            axes, origin, scale, target, both, clue.action.radius
-        )
+        both = bool(not side and place[0])
+        found[clue.control] = Expectation(axes, origin, scale, target, both, clue.action.radius)
     return tuple(found.get(control) for control in range(len(meanings)))
-
-
-def _informative(trajectories: Trajectories, meanings: Sequence[Meaning | None]) -> list[Named]:
-    """The motions whose names have a meaning, and which of them locate their action: none that is
-    faint beside another one of its action and side.  Where each mesh has controls of its own,
-    lashes follow the lips a little."""
-    placed = [(m, each) for m in trajectories.motions if (each := meanings[m.control]) is not None]
-    largest: dict[tuple[str, str], float] = {}
-    for motion, each in placed:
-        key = (each.action.name, each.side)
-        largest[key] = max(largest.get(key, 0.0), motion.peak)
-    return [
-        (
-            motion,
-            each,
-            each.action.category != "atom"
-            or each.action.vague
-            or motion.peak >= _FAINT * largest[each.action.name, each.side],
-        )
-        for motion, each in placed
-    ]
 
 
 class _Clue(Record):
     """A motion whose name has a place on the canonical face."""
 
-    motion: Motion
+    control: int
     action: Action
+    place: tuple[float, float]
+    """On the canonical face."""
     middle: Floats
     """(2,) see `_middle`."""
     tells: bool
     """Whether it locates its action."""
 
-    @property
-    def place(self) -> tuple[float, float]:
-        """On the canonical face."""
-        return self.action.place or (0.0, 0.0)
+
+def _clues(
+    trajectories: Trajectories,
+    plane: MirrorPlane,
+    seen: tuple[Floats, Flags],
+    meanings: Sequence[Meaning | None],
+) -> list[_Clue]:
+    """The motions whose names have a place.  None locates its action that is faint beside another
+    one of its action and side: where each mesh has controls of its own, lashes follow the lips a
+    little."""
+    named = [(m, each) for m in trajectories.motions if (each := meanings[m.control]) is not None]
+    largest: dict[tuple[str, str], float] = {}
+    for motion, each in named:
+        key = (each.action.name, each.side)
+        largest[key] = max(largest.get(key, 0.0), motion.peak)
+    return [
+        _Clue(
+            motion.control,
+            each.action,
+            each.action.place,
+            _middle(trajectories.surface, plane, seen, motion),
+            each.action.category != "atom"
+            or each.action.vague
+            or motion.peak >= _FAINT * largest[each.action.name, each.side],
+        )
+        for motion, each in named
+        if each.action.place
+    ]
 
 
 class _Fit(Record):
@@ -232,15 +268,19 @@ def _line_through(x: Floats, y: Floats) -> tuple[float, float]:
     return slope, float(np.median(y) - slope * np.median(x))
 
 
-def _middle(surface: BaseSurface, plane: MirrorPlane, views: Views, motion: Motion) -> Floats:
+def _middle(
+    surface: BaseSurface, plane: MirrorPlane, seen: tuple[Floats, Flags], motion: Motion
+) -> Floats:
     """(2,) middle of a motion, by area and squared length: distance from the mirror plane (of the
-    two lobes of a symmetric motion that of one) and height, scene units."""
-    weight = _weights(surface.areas, views.anywhere, motion)
+    two lobes of a symmetric motion that of one) and height, scene units; `seen` are the up
+    direction and the visible points (n,)."""
+    up, visible = seen
+    weight = _weights(surface.areas, visible, motion)
     points = surface.points[motion.points]
     apart = plane.distance(points)
     middle, spread = float(weight @ apart), float(weight @ np.abs(apart))
     one_sided = abs(middle) > 0.5 * spread
-    return np.array([middle if one_sided else 0.0, float(weight @ (points @ views.up))])
+    return np.array([middle if one_sided else 0.0, float(weight @ (points @ up))])
 
 
 def _weights(areas: Floats, visible: Flags, motion: Motion) -> Floats:

@@ -7,15 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from usdrigui.character import Floats, Glyph, Indices
+from usdrigui.character import Glyph, Indices
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.tracks import lengths
+from usdrigui.layout.symmetry.front import seen_from
 from usdrigui.model import Anchor, Member
 from usdrigui.settings import ControlSettings
-from usdrigui.ties import axis_across
-
-_LEVEL = 1e-3
-"""Sine below which a normal points straight up or down."""
 
 
 def fitted_glyph(
@@ -41,25 +38,11 @@ def fitted_glyph(
         width = max(float(lengths(member.track[None])[0]) for member in members)
     points = glyph.points * [-1.0 if reflected else 1.0, 1.0, 1.0]
     toward = face.views.directions[0]
-    frame = _frame(anchor.normal if anchor.normal.any() else toward, face.rig.skel_root.up, toward)
+    out = anchor.normal if anchor.normal.any() else toward
+    frame = seen_from(out, face.rig.skel_root.up, toward)
     placed = 0.5 * width * points @ frame
     turned = reflected and glyph.form == "mesh"
     return replace(glyph, points=placed, indices=_reversed(glyph) if turned else glyph.indices)
-
-
-def _frame(normal: Floats, up: Floats, toward: Floats) -> Floats:
-    """(3, 3) rows: right, up and out of an element that faces along `normal`.
-
-    Where that is straight up or down, the side away from the viewer is up, as on a table.
-    """
-    upright = up - (up @ normal) * normal
-    if np.linalg.norm(upright) < _LEVEL:
-        away = -np.sign(up @ normal) * toward
-        upright = away - (away @ normal) * normal
-    if np.linalg.norm(upright) < _LEVEL:
-        upright = np.cross(normal, axis_across(normal))
-    upright = upright / np.linalg.norm(upright)
-    return np.stack([np.cross(upright, normal), upright, normal])
 
 
 def _reversed(glyph: Glyph) -> Indices:

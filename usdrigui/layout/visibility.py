@@ -7,12 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from usdrigui.character import Flags, Floats, Indices, Record, Rig
+from usdrigui.character.joint_tree import unit
 from usdrigui.character.rays import AROUND, Caster, blocked, hidden_share, make_caster, visible_from
 from usdrigui.character.surface import mesh_triangles
-from usdrigui.layout.symmetry.front import front_of, three_quarter
+from usdrigui.layout.symmetry.front import front, seen_from, three_quarter
 from usdrigui.model import BaseSurface, MirrorPlane, Trajectories
 from usdrigui.settings import view_angles
-from usdrigui.ties import axis_across, first_largest
+from usdrigui.ties import first_largest
 
 _ACROSS = 0.1
 """Sine of the angle to the plane of symmetry up to which a view sees both sides alike."""
@@ -72,7 +73,7 @@ class Views(Record):
     @property
     def axes(self) -> Floats:
         """(3, 3) unit vectors to the right, up and to the viewer of the layout's own view."""
-        return np.vstack([screen(self), self.directions[:1]])
+        return seen_from(self.directions[0], self.up, self.ahead)
 
     def drawing_axes(self, flat: bool) -> Floats:
         """(d, 3) the axes along which drawn elements are measured: those of the screen where the
@@ -112,7 +113,7 @@ def find_views(
     joints faces, each side by itself; and more views show what the usual ones hide of a joint.
     """
     up, surface = rig.skel_root.up, trajectories.surface
-    ahead = front_of(up, trajectories, plane.normal)
+    ahead = front(up, trajectories, plane.normal)
     directions = _directions(viewpoint, ahead, up)
     drawn = np.concatenate(
         [np.full(len(mesh.points), mesh.display.visible) for mesh in rig.body.meshes]
@@ -184,7 +185,7 @@ class _Around(Record):
             faced = self.seen(way @ self.frame.axes) * np.maximum(self.normals @ way, 0.0) * among
             worth[i] = sum(np.sqrt(weight @ faced[points]) for points, weight in self.skins)
         away = self.moved[among].sum(axis=0)
-        back = np.stack(AROUND) @ away / max(float(np.linalg.norm(away)), 1e-300)
+        back = np.stack(AROUND) @ unit(away)
         return np.asarray(AROUND[first_largest(worth - _BACK * worth.max() * back)])
 
     def hidden(self, seen: Flags) -> Flags:
@@ -233,31 +234,20 @@ def clear_handles(views: Views, base: Floats, normals: Floats, width: float) -> 
     found = np.zeros(len(base), dtype=bool)
     for direction, visible in zip(views.directions, views.visible, strict=True):
         ask = np.flatnonzero(visible & ~found & (normals @ direction >= _EDGE_ON))
-        rim = 0.5 * width * _rim(direction, views.up)
+        rim = 0.5 * width * seen_from(direction, views.up, views.ahead)[:2]
         lifted = base[ask] + 0.5 * width * normals[ask]
         toward = views.frame.directions(direction)
-        seen = [~blocked(views.caster, views.frame.points(lifted + each), toward) for each in rim]
+        seen = [
+            ~blocked(views.caster, views.frame.points(lifted + each), toward)
+            for each in (*rim, *-rim)
+        ]
         found[ask] = np.sum(seen, axis=0) >= _RIM_SEEN
     return found
 
 
-def _rim(direction: Floats, up: Floats) -> Floats:
-    """(4, 3) unit vectors across a direction."""
-    aside = axis_across(direction) if abs(float(direction @ up)) > 1.0 - _ACROSS else up
-    right = np.cross(aside, direction)
-    right = right / np.linalg.norm(right)
-    upright = np.cross(direction, right)
-    return np.stack([right, -right, upright, -upright])
-
-
 def screen(views: Views) -> Floats:
     """(2, 3) unit vectors to the right and up as seen by the viewer of the layout's own view."""
-    toward = views.directions[0]
-    upright = views.up - (views.up @ toward) * toward
-    if np.linalg.norm(upright) < 1e-6:
-        upright = -views.ahead * np.sign(views.up @ toward)
-    upright = upright / np.linalg.norm(upright)
-    return np.stack([np.cross(upright, toward), upright])
+    return views.axes[:2]
 
 
 def _directions(viewpoint: Viewpoint, ahead: Floats, up: Floats) -> Floats:
@@ -271,7 +261,7 @@ def _directions(viewpoint: Viewpoint, ahead: Floats, up: Floats) -> Floats:
         return left[None]
     if view.startswith("/"):
         assert camera is not None
-        return (camera / np.linalg.norm(camera))[None]
+        return unit(camera)[None]
     azimuth, elevation = np.radians(view_angles(view))
     level = np.cos(azimuth) * ahead + np.sin(azimuth) * left
     return np.asarray(np.cos(elevation) * level + np.sin(elevation) * up)[None]

@@ -15,7 +15,7 @@ from usdrigui.character import Rig
 from usdrigui.character.deform import posed
 from usdrigui.conventions import meanings
 from usdrigui.errors import RigUIError, refuse
-from usdrigui.layout.canonical_face import believed
+from usdrigui.layout.canonical_face import believed, own_up
 from usdrigui.layout.classify.classification import classify
 from usdrigui.layout.classify.common_motion import with_common_motion
 from usdrigui.layout.element.elements import layout
@@ -24,9 +24,9 @@ from usdrigui.layout.group.coarse_groups import with_levels
 from usdrigui.layout.group.grouping import find_groups
 from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.similarity import displacement_fields, similarity
-from usdrigui.layout.motion.trajectory import of_controls, trajectories
+from usdrigui.layout.motion.trajectory import at_scale_of_a_side, of_controls, trajectories
 from usdrigui.layout.parts.division import divide
-from usdrigui.layout.parts.joint_regions import FLAT, OF_SIDES
+from usdrigui.layout.parts.joint_regions import FACE, FLAT, OF_SIDES
 from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.place.handle_width import handle_width, on_face
 from usdrigui.layout.place.problem import penalty_of, placement_problem
@@ -57,12 +57,16 @@ def character_of(rig: Rig, task: Task, clock: Clock | None = None) -> Character:
         found = trajectories(rig, settings.character.trajectories, base_values)
         if not found.motions:
             raise refuse("CONTROLS_MISSING", root, "none of its controls moves a point")
-    references = own_references(task.references, rig, found, settings)
-    if references.existing is not None:
-        refuse_stale(rig, found, references.existing, settings.rig.read)
     with clock.stage("symmetry"):
         whole = symmetry_at_pose(rig, found, displacement_fields(found), settings)
         parts = _parts(rig, found, whole, settings)
+    # Everything that knows an up direction begins again by that of a face that lies down.
+    up = own_up(rig.skel_root.up, parts[0].trajectories, whole.plane)
+    if parts[0].name == FACE and (up != rig.skel_root.up).any():
+        return character_of(replace(rig, skel_root=replace(rig.skel_root, up=up)), task, clock)
+    references = own_references(task.references, rig, found, settings)
+    if references.existing is not None:
+        refuse_stale(rig, found, references.existing, settings.rig.read)
     requests = requested(rig, parts, settings, references)
     return Character(
         rig, settings, base_values, found, whole, parts, viewpoint, references, requests
@@ -74,12 +78,14 @@ def _parts(
 ) -> tuple[CharacterPart, ...]:
     """The parts of a character with their own trajectories and symmetry."""
     divided, sampling = divide(rig, found, settings), settings.character.trajectories
-    if len(divided) == 1:
-        return (CharacterPart(divided[0].name, found, whole),)
     parts = []
     for part in divided:
-        own = of_controls(rig, found, (part.controls, part.excluded), sampling)
-        symmetry = symmetry_of_part(rig, own, (part.name, whole), settings)
+        own, symmetry = found, whole
+        if len(divided) > 1:
+            own = of_controls(rig, found, (part.controls, part.excluded), sampling)
+            symmetry = symmetry_of_part(rig, own, (part.name, whole), settings)
+        if part.name in OF_SIDES:
+            own = at_scale_of_a_side(own, symmetry.plane)
         parts.append(CharacterPart(part.name, own, symmetry))
     return tuple(parts)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.character import Floats
+from usdrigui.character.joint_tree import unit
 from usdrigui.ties import axis_across
 
 
@@ -26,5 +27,5 @@ def _angles(tangents: Floats, normal: Floats) -> Floats:
     """(k,) angles of the tangents' projections in the tangent plane, from an arbitrary
     direction."""
     across = np.cross(normal, axis_across(normal))
-    across = across / max(float(np.linalg.norm(across)), 1e-300)
+    across = unit(across)
     return np.arctan2(tangents @ np.cross(normal, across), tangents @ across)

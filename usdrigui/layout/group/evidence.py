@@ -31,7 +31,7 @@ Relation = Literal["convention", "open", ""]
 _OPPOSED = -0.5
 """Cosine of directions, weighted by displacement where both act, from which a pair of the
 convention is opposed."""
-_TWIN_LEEWAY = 0.8
+_TWIN_LEEWAY = 0.66
 """Twins of each other (jaw left, jaw right) are called opposed at this share of the usual cosine:
 what they do upward they do alike."""
 _SAME_REGION = 0.5
@@ -93,10 +93,6 @@ class Evidence:
         """Share of the usual cosine from which two controls are opposed."""
         return _TWIN_LEEWAY if self.twin.get(a, -1) == b else 1.0
 
-    def like_ends(self, a: int, b: int) -> bool:
-        """Whether one control moves about as much as the other."""
-        return self._like((a,), (b,))
-
     def crossing(self, first: Sequence[int], second: Sequence[int]) -> tuple[Relation, float]:
         """What makes a joystick of two axes, empty if nothing: of controls whose names are specific
         the convention has to have it, and the motions agree.  And how well they cross, in
@@ -105,7 +101,7 @@ class Evidence:
         known = self._of_axes(found, (*first, *second))
         least = _SAME_REGION if known == "convention" else _SHARED
         shared, across = self._compared(first, second)
-        fits = shared >= least and across <= _ACROSS and self._like(first, second)
+        fits = shared >= least and across <= _ACROSS and self.like(first, second)
         flat = self._flatness(second[0]) if fits else 0.0
         return known if fits else "", shared * (1.0 - across) * flat
 
@@ -120,7 +116,8 @@ class Evidence:
         shared, direction = self.similarity.shared[pick], self.similarity.direction[pick]
         return float(shared.min()), float(np.abs(direction).max())
 
-    def _like(self, first: Sequence[int], second: Sequence[int]) -> bool:
+    def like(self, first: Sequence[int], second: Sequence[int]) -> bool:
+        """Whether the controls of one axis move about as much as those of the other."""
         amounts = [float(self.similarity.norm[list(axis)].max()) for axis in (first, second)]
         return min(amounts) >= _LIKE * max(amounts)
 

@@ -248,7 +248,7 @@ class _Grouping:
         fits = (
             evidence.agrees(a, b)
             if evidence.ends_by_convention(a, b)
-            else evidence.relation(a, b) != "" and self._opposed(a, b) and evidence.like_ends(a, b)
+            else evidence.relation(a, b) != "" and self._opposed(a, b) and evidence.like((a,), (b,))
         )
         return fits and self.share_a_place((a, b))
 

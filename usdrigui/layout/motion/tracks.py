@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from usdrigui.character import Floats, Indices
+from usdrigui.character import Flags, Floats, Indices
 from usdrigui.model import Motion
 
 _ENLARGED = 3.0
@@ -15,17 +15,21 @@ _ENLARGED = 3.0
 def paths(motion: Motion, points: Indices) -> Floats:
     """(p, k, 3) offsets of `points` from their base positions at the motion's knots; zero where
     unmoved."""
-    rows = np.searchsorted(motion.points, points)
-    rows = np.minimum(rows, len(motion.points) - 1)
-    found = motion.points[rows] == points
+    rows, found = _rows(motion, points)
     offsets = motion.polylines.offsets[:, rows].astype(np.float64).transpose(1, 0, 2)
     return np.where(found[:, None, None], offsets, 0.0)
 
 
 def arc_lengths(motion: Motion, points: Indices) -> Floats:
     """(p,) arc lengths at `points`; zero where unmoved."""
+    rows, found = _rows(motion, points)
+    return np.where(found, motion.arc_length[rows], 0.0)
+
+
+def _rows(motion: Motion, points: Indices) -> tuple[Indices, Flags]:
+    """(p,) the rows of `points` in the motion, and whether they are there."""
     rows = np.minimum(np.searchsorted(motion.points, points), len(motion.points) - 1)
-    return np.where(motion.points[rows] == points, motion.arc_length[rows], 0.0)
+    return rows, motion.points[rows] == points
 
 
 def lengths(lines: Floats) -> Floats:

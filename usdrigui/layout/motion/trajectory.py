@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from usdrigui.character import (
     Findings,
     Flags,
     Floats,
+    Indices,
     LeftOff,
     Rig,
     RigMesh,
@@ -30,7 +31,7 @@ from usdrigui.character.surface import (
 from usdrigui.errors import Issue, issue
 from usdrigui.layout.motion.coverage import NOTABLE, coverage_of_smaller
 from usdrigui.layout.motion.owned_skin import owned_skin
-from usdrigui.model import BaseSurface, Motion, Polylines, Shares, Trajectories
+from usdrigui.model import BaseSurface, MirrorPlane, Motion, Polylines, Shares, Trajectories
 from usdrigui.settings import CandidateSettings, TrajectorySettings
 
 STAGE = "trajectories"
@@ -128,18 +129,19 @@ def of_controls(
     controls, excluded = chosen
     motions = tuple(motion for motion in found.motions if motion.control in controls)
     left_out = tuple(motion for motion in found.excluded if motion.control in excluded)
-    scale = _Scale.of(rig, found.surface.points, found.surface.areas, motions, left_out)
+    surface = found.surface
+    face_size, typical_length = _scale(rig, surface.points, surface.areas, motions, left_out)
     return replace(
         found,
-        surface=replace(found.surface, face_size=scale.face_size),
+        surface=replace(found.surface, face_size=face_size),
         motions=motions,
         excluded=left_out,
-        typical_length=scale.typical_length,
+        typical_length=typical_length,
         findings=replace(
             found.findings,
             issues=(
                 *(each for each in found.findings.issues if each.code == "NORMALS_INWARD"),
-                *_doubtful(rig.controls, motions, scale.face_size, settings.tiny),
+                *_doubtful(rig.controls, motions, face_size, settings.tiny),
             ),
         ),
     )
@@ -243,50 +245,43 @@ def _assembled(
     areas = point_areas(base, corners, places)
     normals = vertex_normals(base, corners, weld(base))
     inward = faces_inward(base, corners)
-    scale = _Scale.of(rig, base, areas, motions, excluded)
+    face_size, typical_length = _scale(rig, base, areas, motions, excluded)
     return Trajectories(
-        BaseSurface(base, -normals if inward else normals, places, areas, scale.face_size),
+        BaseSurface(base, -normals if inward else normals, places, areas, face_size),
         motions,
         excluded,
-        scale.typical_length,
+        typical_length,
         Findings(
             left_off,
             (
                 *_inward(rig.skel_root.path, inward),
-                *_doubtful(rig.controls, motions, scale.face_size, settings.tiny),
+                *_doubtful(rig.controls, motions, face_size, settings.tiny),
             ),
         ),
     )
 
 
-@dataclass(frozen=True, slots=True)
-class _Scale:
-    """The units of handle sizes and of displacement."""
-
-    face_size: float
-    typical_length: float
-
-    @staticmethod
-    def of(
-        rig: Rig,
-        base: Floats,
-        areas: Floats,
-        motions: tuple[Motion, ...],
-        excluded: tuple[Motion, ...],
-    ) -> _Scale:
-        """The scale of what the motions move."""
-        local = _local(motions, excluded, areas)
-        peaks = np.array([motion.peak for motion in motions])
-        shown = [motions[i] for i in np.flatnonzero(local)]
-        # A joint may own a single point, and all points may rest in one place.
-        size = (
-            _face_size(shown, base @ rig.skel_root.up)
-            or diagonal(base[np.concatenate([np.zeros(0, int), *(each.points for each in shown)])])
-            or diagonal(base)
-            or float(peaks.max(initial=0.0))
-            or 1.0
-        )
-        return _Scale(size, float(np.median(peaks[local])) if local.any() else size)
+def _scale(
+    rig: Rig,
+    base: Floats,
+    areas: Floats,
+    motions: tuple[Motion, ...],
+    excluded: tuple[Motion, ...],
+) -> tuple[float, float]:
+    """The units of handle sizes and of displacement, of what the motions move: the size of the face
+    and the typical length."""
+    local = _local(motions, excluded, areas)
+    peaks = np.array([motion.peak for motion in motions])
+    shown = [motions[i] for i in np.flatnonzero(local)]
+    # A joint may own a single point, and all points may rest in one place.
+    size = (
+        _face_size(shown, base @ rig.skel_root.up)
+        or diagonal(base[np.concatenate([np.zeros(0, int), *(each.points for each in shown)])])
+        or diagonal(base)
+        or float(peaks.max(initial=0.0))
+        or 1.0
+    )
+    return size, float(np.median(peaks[local])) if local.any() else size
 
 
 def _inward(root: str, inward: bool) -> list[Issue]:
@@ -308,13 +303,30 @@ def _local(motions: tuple[Motion, ...], excluded: tuple[Motion, ...], areas: Flo
     return flags if flags.any() else np.ones(len(motions), dtype=bool)
 
 
-def _face_size(motions: list[Motion], heights: Floats) -> float:
+def at_scale_of_a_side(found: Trajectories, plane: MirrorPlane) -> Trajectories:
+    """The same at the scale of one hand or foot: of the side that `plane` has on the left, how long
+    what moves is along its fingers, wherever they point."""
+    points = found.surface.points[_moved_most(found.motions)]
+    left = plane.distance(points) >= 0.0
+    one = points[left if left.any() else ~left]
+    along = one @ np.linalg.svd(one - one.mean(axis=0), full_matrices=False)[2][0]
+    size = float(np.ptp(along)) or found.surface.face_size
+    return replace(found, surface=replace(found.surface, face_size=size))
+
+
+def _face_size(motions: Sequence[Motion], heights: Floats) -> float:
     """Extent in `heights` of all that the motions move by at least half of their peak."""
-    moved = [
-        motion.points[motion.stands_on() & (motion.arc_length >= 0.5 * motion.peak)]
-        for motion in motions
-    ]
-    return float(np.ptp(heights[np.concatenate(moved)])) if moved else 0.0
+    return float(np.ptp(heights[_moved_most(motions)])) if motions else 0.0
+
+
+def _moved_most(motions: Sequence[Motion]) -> Indices:
+    """The points that some motion moves by at least half of its peak, where it stands on them."""
+    return np.concatenate(
+        [
+            motion.points[motion.stands_on() & (motion.arc_length >= 0.5 * motion.peak)]
+            for motion in motions
+        ]
+    )
 
 
 def _doubtful(

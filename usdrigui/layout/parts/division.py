@@ -42,7 +42,10 @@ _NEAR = 0.5
 the face."""
 
 
-_BESIDE = {INTERIOR: (FACE, BODY), EYES: (FACE, BODY), FACE: (BODY,), HANDS: (BODY,), FEET: (BODY,)}
+_BESIDE = {
+    INTERIOR: (FACE, BODY), EYES: (FACE, BODY), HEAD: (FACE,), FACE: (BODY,), HANDS: (BODY,),
+    FEET: (BODY,),
+}  # fmt: skip
 """What lies beside a part."""
 _FEW = 2
 """Joints, or shapes, of a part that joins the one beside it, at most: one or two elements."""
@@ -103,8 +106,9 @@ def _beside_the_face(controls: tuple[Control, ...], names: Mapping[int, str]) ->
 
 
 def _with_neighbours(controls: tuple[Control, ...], names: Mapping[int, str]) -> dict[int, str]:
-    """The controls of parts too small to be looked at by themselves, in the part beside theirs: no
-    joints in a face that other controls move, nor such a face in a body."""
+    """The controls of parts too small to be looked at by themselves, in the part beside theirs: of
+    joints none but those of the head in a face that other controls move, nor such a face in a
+    body."""
     found = dict(names)
     moved = {name for i, name in found.items() if controls[i].kind != "joint"}
     for part, neighbours in _BESIDE.items():
@@ -112,7 +116,8 @@ def _with_neighbours(controls: tuple[Control, ...], names: Mapping[int, str]) ->
         near = [
             n
             for n in neighbours
-            if n in found.values() and (FACE not in {part, n} & moved or part in moved - {FACE})
+            if n in found.values()
+            and (FACE not in {part, n} & moved or part in {HEAD, *moved} - {FACE})
         ]
         if len({controls[control].source for control in own}) <= _FEW and near:
             found |= dict.fromkeys(own, near[0])

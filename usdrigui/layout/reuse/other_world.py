@@ -8,6 +8,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from usdrigui.character import Floats
+from usdrigui.character.joint_tree import unit
 from usdrigui.model import Element, Layout
 
 _SIDEWAYS = 0.5
@@ -23,7 +24,7 @@ def up_of(layout: Layout) -> Floats | None:
     The layout's view and the left of the character give that direction up to the tilt of the view.
     """
     left = _left(layout.elements, layout.frame.plane.normal)
-    up = np.cross(layout.frame.view, left / max(float(np.linalg.norm(left)), 1e-300))
+    up = np.cross(layout.frame.view, unit(left))
     length = float(np.linalg.norm(up))
     ahead = np.sum([each.anchor.normal for each in layout.elements], axis=0)
     if layout.frame.view @ ahead <= _LYING * np.linalg.norm(ahead) or length < _SIDEWAYS:

@@ -6,38 +6,45 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.character import Floats
+from usdrigui.character.joint_tree import unit
 from usdrigui.model import Trajectories
-from usdrigui.ties import axis_across, towards
+from usdrigui.ties import axis_across
 
 _THREE_QUARTER = np.radians(40.0)
+_LEVEL = 1e-3
+"""Sine below which a direction points straight up or down."""
+_LYING = 1e-6
+"""Length of a direction on the ground below which it is none."""
 
 
 def front(up: Floats, trajectories: Trajectories, plane_normal: Floats) -> Floats:
-    """(3,) unit direction from the face to the viewer: horizontal, in the mirror plane where there
-    is one.
+    """(3,) unit direction from the face to the viewer: horizontal, in the mirror plane where its
+    normal, which points to the character's left, is given.
 
     A face moves most where it looks, so the normals of the moving surface, averaged over what each
     control moves, sum up to the front.
     """
-    outward = _moving_normals(trajectories)
-    if plane_normal.any():
-        ahead = np.cross(plane_normal, up)
-        if np.linalg.norm(ahead) > 1e-6:
-            return towards(ahead / np.linalg.norm(ahead), outward)
-    level = outward - (outward @ up) * up
-    length = float(np.linalg.norm(level))
-    if length > 1e-9:
-        return level / length
-    side = np.cross(up, axis_across(up))
-    return side / np.linalg.norm(side)
-
-
-def front_of(up: Floats, trajectories: Trajectories, plane_normal: Floats) -> Floats:
-    """The same where the sides of the plane are known: its normal (3,) points to the character's
-    left."""
     ahead = np.cross(plane_normal, up)
-    length = float(np.linalg.norm(ahead))
-    return ahead / length if length > 1e-6 else front(up, trajectories, plane_normal)
+    if np.linalg.norm(ahead) < _LYING:
+        outward = moving_normals(trajectories)
+        ahead = outward - (outward @ up) * up
+    if np.linalg.norm(ahead) < _LYING:
+        ahead = np.cross(up, axis_across(up))
+    return unit(ahead)
+
+
+def seen_from(toward: Floats, up: Floats, ahead: Floats) -> Floats:
+    """(3, 3) rows: unit vectors to the right, up and out for a viewer in the direction `toward`.
+
+    Where that is straight up or down, the side away from `ahead` is up, as on a table.
+    """
+    aside = np.cross(toward, axis_across(toward))
+    for way in (up, -np.sign(up @ toward) * ahead, aside):
+        right = np.cross(way, toward)
+        if np.linalg.norm(right) >= _LEVEL:
+            break
+    right = unit(right)
+    return np.stack([right, np.cross(toward, right), toward])
 
 
 def three_quarter(ahead: Floats, up: Floats) -> tuple[Floats, Floats]:
@@ -47,7 +54,7 @@ def three_quarter(ahead: Floats, up: Floats) -> tuple[Floats, Floats]:
     return cos * ahead + sin * side, cos * ahead - sin * side
 
 
-def _moving_normals(trajectories: Trajectories) -> Floats:
+def moving_normals(trajectories: Trajectories) -> Floats:
     """Sum over the controls of the mean normal of what each moves, by area.
 
     Every control has one vote, and casts it as far as its region faces one way: what moves the

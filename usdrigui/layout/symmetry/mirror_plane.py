@@ -14,14 +14,15 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from usdrigui.character import Flags, Floats, Indices, Record, Rig
+from usdrigui.character.rays import AROUND
 from usdrigui.layout.motion.similarity import DisplacementFields
 from usdrigui.layout.motion.trajectory import total_motion
-from usdrigui.layout.symmetry.front import front
+from usdrigui.layout.symmetry.front import moving_normals
 from usdrigui.layout.symmetry.sides_of_joints import ACROSS, plane_of_names
 from usdrigui.layout.symmetry.twins import paired
 from usdrigui.model import MirrorPlane, Symmetry, Trajectories
 from usdrigui.settings import Settings
-from usdrigui.ties import axis_across, rounded, towards
+from usdrigui.ties import rounded, towards
 
 _SAMPLE = 2000
 """Points of the moving region that the search for the plane looks at."""
@@ -42,6 +43,8 @@ _MOTION_WEIGHT = 1e-3
 nearly touch, as closed lips do."""
 _HALF_A_CELL = 0.75
 """Distance of any place of a surface from the nearest point, in spacings of its points, at most."""
+_ACROSS_ALL = [way for way in AROUND if tuple(way) > (0.0, 0.0, 0.0)]
+"""One of either direction along the axes and between them."""
 LEAST_SHARE = 0.5
 """Least share of the points whose mirror image must meet the surface."""
 
@@ -65,10 +68,9 @@ def find_symmetry(
     plane = named = None
     if mirror.enabled and trajectories.motions:
         named = plane_of_names(rig.body.skeletons, rig.body.joints)
-        search = _search(trajectories, tolerance)
-        plane = search.best(rig.skel_root.up) if search is not None else None
+        plane = _best(trajectories, tolerance, rig.skel_root.up)
         # A robot may be as symmetric from front to back.
-        if named is not None and not _agree(named, plane):
+        if named and not (plane and abs(float(named.normal @ plane.normal)) >= ACROSS):
             plane = named
     if plane is None:
         plane = MirrorPlane(np.zeros(3), np.zeros(3))
@@ -81,22 +83,19 @@ def find_symmetry(
     return paired(rig, trajectories.motions, (fields, plane, partner), settings)
 
 
-def _agree(named: MirrorPlane, plane: MirrorPlane | None) -> bool:
-    """Whether the plane between joints `named` left and right is one that was found."""
-    return plane is not None and abs(float(named.normal @ plane.normal)) >= ACROSS
-
-
 # --- the plane ------------------------------------------------------------------------------------
 
 
-def _search(trajectories: Trajectories, tolerance: float) -> _Search | None:
-    """The search for the plane of what the rig moves; None where that is next to nothing."""
+def _best(trajectories: Trajectories, tolerance: float, up: Floats) -> MirrorPlane | None:
+    """The best mirror plane of what the rig moves; None where that is next to nothing, or has
+    none."""
     region, weights = _moving_region(trajectories)
     if len(region) < 4:
         return None
     # All places, not only those that move: a control of one side must not tilt the plane.
     places = trajectories.surface.points[np.unique(trajectories.surface.places)]
-    return _Search(tolerance, (region, weights), cKDTree(places), _thinned(region, weights))
+    sample = _thinned(region, weights)
+    return _Search(tolerance, (region, weights), cKDTree(places), sample).best(up)
 
 
 def _thinned(points: Floats, weights: Floats) -> Floats:
@@ -139,17 +138,22 @@ class _Search(Record):
     def best(self, up: Floats) -> MirrorPlane | None:
         """The best mirror plane, or None where the character has none."""
         rough = replace(self, sample=self.sample[::_THINNED])
-        starts = [rough.fitted(plane, 2) for plane in self._starts(up)]
+        starts = [rough.fitted(plane, 2) for plane in self._starts()]
         finalists = [rough.fitted(plane, 12) for plane in rough.ranked(starts)[0]]
         best, equal = self.ranked(finalists)
-        found = self._distinct(self._polished(self.fitted(plane, 60)) for plane in best[:equal])
-        whole = [
+        # Nearest points lead astray where a plane starts far from the true one.
+        whole = self._whole(best[:equal]) or self._whole(best[equal:])
+        # Of those that fit alike (a face as symmetric upside down) the most upright one.
+        return min(whole, key=lambda plane: round(abs(float(plane.normal @ up)), 3), default=None)
+
+    def _whole(self, planes: list[MirrorPlane]) -> list[MirrorPlane]:
+        """The planes, fitted to an end, that mirror most of the sample to places of the surface."""
+        found = self._distinct(self._polished(self.fitted(plane, 60)) for plane in planes)
+        return [
             plane
             for plane in found
             if (self._apart(plane)[0] <= self.tolerance).mean() >= LEAST_SHARE
         ]
-        # Of those that fit alike (a face as symmetric upside down) the most upright one.
-        return min(whole, key=lambda plane: round(abs(float(plane.normal @ up)), 3), default=None)
 
     def ranked(self, planes: list[MirrorPlane]) -> tuple[list[MirrorPlane], int]:
         """The distinct planes, the best first: those that fit as well as the best, of which the
@@ -161,18 +165,18 @@ class _Search(Record):
         equal = sum(misfits[id(plane)] <= misfits[id(order[0])] + slack for plane in distinct)
         return distinct[: max(_FINALISTS, equal)], equal
 
-    def _starts(self, up: Floats) -> Iterator[MirrorPlane]:
-        """Candidate planes in all directions about the up axis and along the principal axes:
-        through the moving region, and through the middle of the whole character, where a
-        mesh modelled symmetric has it."""
+    def _starts(self) -> Iterator[MirrorPlane]:
+        """Candidate planes in all directions, for heads tilt and lie, and along the principal axes:
+        through the moving region, and through the middle of the whole character, where a mesh
+        modelled symmetric has it."""
         (region, weights), every = self.region, self.tree.data
-        for normal in (*_level(up), *_principal(region, weights)):
+        for normal in (*_ACROSS_ALL, *_principal(region, weights)):
             along = region @ normal
             order = np.argsort(rounded(along), kind="stable")
             share = np.cumsum(weights[order]) / weights.sum()
             for level in _LEVELS:
                 yield MirrorPlane(region[order[np.searchsorted(share, level)]], normal)
-        for normal in (*_level(up), *_principal(every, np.ones(len(every)))):
+        for normal in (*_ACROSS_ALL, *_principal(every, np.ones(len(every)))):
             yield MirrorPlane(every.mean(axis=0), normal)
 
     def _apart(self, plane: MirrorPlane) -> tuple[Floats, Indices]:
@@ -220,14 +224,6 @@ class _Search(Record):
         return [plane for plane, _ in kept]
 
 
-def _level(up: Floats) -> list[Floats]:
-    """Eight directions about the up axis."""
-    side = np.cross(up, axis_across(up))
-    side /= np.linalg.norm(side)
-    ahead = np.cross(up, side)
-    return [np.cos(angle) * side + np.sin(angle) * ahead for angle in np.arange(8) * np.pi / 8.0]
-
-
 def _principal(points: Floats, weights: Floats) -> list[Floats]:
     """The principal axes of weighted points."""
     centred = points - np.average(points, axis=0, weights=weights)
@@ -258,9 +254,8 @@ def _towards_left(
         rig.controls[motion.control].kind == "joint" for motion in trajectories.motions
     ):
         return replace(plane, normal=towards(plane.normal, named.normal))
-    up = rig.skel_root.up
-    ahead = front(up, trajectories, plane.normal)
-    return replace(plane, normal=towards(plane.normal, np.cross(up, ahead)))
+    left = np.cross(rig.skel_root.up, moving_normals(trajectories))
+    return replace(plane, normal=towards(plane.normal, left))
 
 
 # --- points ---------------------------------------------------------------------------------------

@@ -7,8 +7,10 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 from scipy.spatial import cKDTree
+from scipy.spatial.transform import Rotation
 
 from usdrigui.character import Control, Floats, Indices
+from usdrigui.character.joint_tree import unit
 from usdrigui.errors import Faults, meant, refuse
 from usdrigui.model import BaseSurface, Motion, Trajectories
 from usdrigui.settings import ControlSettings
@@ -76,8 +78,8 @@ def orbit_points(
     tree = cKDTree(surface.points[chosen])
     images = [points]
     for step in range(1, len(orbit)):
-        turned = _turned(surface.points[points], centre, axis, 2.0 * np.pi * step / len(orbit))
-        apart, nearest = tree.query(turned)
+        turn = Rotation.from_rotvec(2.0 * np.pi * step / len(orbit) * axis)
+        apart, nearest = tree.query(centre + turn.apply(surface.points[points] - centre))
         images.append(np.where(apart <= tolerance, chosen[nearest], -1))
     return np.stack(images, axis=1)
 
@@ -87,10 +89,9 @@ def _axis(surface: BaseSurface, orbit: Sequence[Motion], up: Floats) -> tuple[Fl
     middles = np.stack([_middle(surface, motion) for motion in orbit])
     centre = middles.mean(axis=0)
     if len(orbit) == 2:
-        apart = middles[1] - middles[0]
-        apart = apart / max(float(np.linalg.norm(apart)), 1e-300)
+        apart = unit(middles[1] - middles[0])
         axis = up - (up @ apart) * apart
-        return centre, axis / max(float(np.linalg.norm(axis)), 1e-300)
+        return centre, unit(axis)
     axis = np.linalg.svd(middles - centre)[2][2]
     turn = np.cross(middles[0] - centre, middles[1] - centre) @ axis
     # With three members 120 degrees apart either sense may be listed; the list decides.
@@ -100,11 +101,3 @@ def _axis(surface: BaseSurface, orbit: Sequence[Motion], up: Floats) -> tuple[Fl
 def _middle(surface: BaseSurface, motion: Motion) -> Floats:
     weights = motion.arc_length * np.maximum(surface.areas[motion.points], 1e-300)
     return np.average(surface.points[motion.points], axis=0, weights=weights)
-
-
-def _turned(points: Floats, centre: Floats, axis: Floats, angle: float) -> Floats:
-    """`points` rotated about the axis through the centre (Rodrigues)."""
-    arm = points - centre
-    along = (arm @ axis)[:, None] * axis
-    turned = along + np.cos(angle) * (arm - along) + np.sin(angle) * np.cross(axis, arm)
-    return np.asarray(centre + turned, dtype=np.float64)

@@ -56,6 +56,15 @@ def test_joints_of_a_face_that_shapes_move_are_a_part_of_their_own():
     found = named(smiling)
     assert found["face"] == {"smile"}
     assert found["head"] == named(BODY)["face"]
+    few = [each for each in smiling.controls if each.name[0] != "k" or each.name[1] in "01"]
+    found = named(makers.changed(smiling, controls=tuple(few)))
+    assert list(found) == ["face", "hands", "body"], "two joints are no page of their own"
+
+
+def test_a_hand_is_as_large_as_it_is_long_however_flat_it_is_held():
+    hands = character_of(BODY, Task(Settings())).parts[1]
+    assert hands.name == "hands"
+    assert hands.trajectories.surface.face_size > 0.12
 
 
 @pytest.mark.parametrize(
