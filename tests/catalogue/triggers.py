@@ -665,7 +665,7 @@ TRIGGERS: Mapping[str, Trigger] = {
         "check", minimal_assets.character(folder, "WEIGHTS_BEYOND_LIMITS")
     ),
     "LAYOUT_INVALID": _checked(_edited((r"uniform int rigUI:anchor:pointIndex = \d+\n", ""))),
-    "LAYOUT_TRACK": _checked(_edited((r'smile:blendShapes = \["smile"\]', 'smile:blendShapes = ["frown"]'))),
+    "LAYOUT_TRACK": _checked(_edited((r"(smile:trackPoints = \[[^)]*\)), \([^)]*\)", r"\1, (0, 9, 0)"))),
     "LAYOUT_DRAWN": _checked(_edited((r"point3f\[\] points = \[\([^)]*\)", "point3f[] points = [(9, 9, 9)"))),
     "LAYOUT_VALUE": _checked(_edited((r"(double rigUI:control:smile:value)", r"\1 = 0.7"))),
     "LAYOUT_VERSION": _checked(_edited(("RigUILayoutAPI", "RigUILayoutAPI_99"))),
