@@ -98,10 +98,10 @@ class Drawn(Record):
 def drawn_parts(skin: SkinBinding, element: Element, frame: LayoutFrame) -> tuple[Drawn, Drawn]:
     """Everything to draw of one element: the handle, and the tracks with the areas between them."""
     part = element.placement.part
-    width, view, across = frame.handle_width_of(part), frame.view_of(part), frame.plane.normal
-    # Hands that hang are seen from the side, each from its own.
-    views = (view, view - 2.0 * (view @ across) * across)
-    view = max(views, key=lambda each: float(each @ element.anchor.normal))
+    width, view = frame.handle_width_of(part), frame.view_of(part)
+    # Hands that hang are seen from the side, each from its own; and all from the front.
+    view = max(view, frame.plane.turned(view), key=element.anchor.normal.dot)
+    view = _unit(view + frame.view, view)
     binding = skin.at_anchor(element)
     step = min(_EXACT_STEP * skin.size, _FINE_STEP * width)
     felt = _felt(binding.shapes, min(_EXACT * skin.size, _FINE * width))

@@ -152,6 +152,10 @@ class MirrorPlane(Record):
         """(..., 3) mirror images of `points`."""
         return np.asarray(points - 2.0 * self.distance(points)[..., None] * self.normal)
 
+    def turned(self, directions: Floats) -> Floats:
+        """(..., 3) mirror images of `directions`."""
+        return np.asarray(directions - 2.0 * (directions @ self.normal)[..., None] * self.normal)
+
     def projected(self, points: Floats) -> Floats:
         """(..., 3) nearest points of the plane; `points` themselves without one."""
         return np.asarray(points - self.distance(points)[..., None] * self.normal)

@@ -46,7 +46,7 @@ def sections(rig: Rig, layout: Layout, posed: PosedLayout) -> tuple[Section, ...
         return (undivided(layout, posed),)
     found: list[Section] = []
     caster = make_caster(posed.points[mesh_triangles(rig.body.meshes, visible_only=True)])
-    up, normal = rig.skel_root.up, layout.frame.plane.normal
+    up, mirrored = rig.skel_root.up, layout.frame.plane.turned
     ahead = directions.ahead_of(layout, up)
     for part in layout.frame.parts:
         own = [i for i, e in enumerate(layout.elements) if e.placement.part == part.name]
@@ -54,7 +54,7 @@ def sections(rig: Rig, layout: Layout, posed: PosedLayout) -> tuple[Section, ...
         sides = _sides(layout.elements, own) if part.name in OF_SIDES else {}
         for side, chosen in (sides or {"": own}).items():
             # The right side is looked at from where the left one is, in the mirror.
-            view = part.view - 2.0 * (part.view @ normal) * normal * (side == "right")
+            view = mirrored(part.view) if side == "right" else part.view
             views = [view, *(() if side else directions.companions(view, ahead, up))]
             shown = [layout.elements[i] for i in chosen if not layout.elements[i].anchor.on_board]
             places = [e.anchor.position + 0.5 * part.handle_width * e.anchor.normal for e in shown]

@@ -268,9 +268,10 @@ def _partners(plane: MirrorPlane, trajectories: Trajectories, tolerance: float) 
     chosen = np.flatnonzero(places == np.arange(len(base)))
     motion = total_motion(trajectories.motions, len(base)).astype(np.float64)
     unit = _MOTION_WEIGHT * trajectories.surface.face_size / (float(np.abs(motion).max()) or 1.0)
-    turned = motion - 2.0 * (motion @ plane.normal)[:, None] * plane.normal
     tree = cKDTree(np.hstack([base[chosen], unit * motion[chosen]]))
-    _, nearest = tree.query(np.hstack([plane.reflected(base[chosen]), unit * turned[chosen]]))
+    _, nearest = tree.query(
+        np.hstack([plane.reflected(base[chosen]), unit * plane.turned(motion[chosen])])
+    )
     partner = np.full(len(base), -1, dtype=np.int64)
     apart = np.linalg.norm(plane.reflected(base[chosen]) - base[chosen[nearest]], axis=1)
     near: Flags = apart <= tolerance
