@@ -287,6 +287,11 @@ FAULTS = {
     "the plane elsewhere": (layout("planeOrigin", Gf.Vec3f(5, 0, 0)), INVALID, SMILE),
     "the view from behind": (layout("viewDirection", lambda old: -old), INVALID, SQUASH),
     "no Skeleton of the layout": (relation("rigUI:layout:skeleton", prim=SCOPE), INVALID, SCOPE),
+    "a Skeleton that is none": (
+        lambda each: each.prim(SCOPE).GetRelationship("rigUI:layout:skeleton").AddTarget("/Char/Geometry/Head"),
+        INVALID,
+        SCOPE,
+    ),
     "a character that is none": (lambda each: each.prim("/Char").SetTypeName("Xform"), INVALID, SCOPE),
     "a list without a control": (
         layout("baseControls", lambda old: Vt.TokenArray([each if each != SMILE else "grin" for each in old])),

@@ -381,6 +381,11 @@ def unit(vector: Floats) -> Floats:
     return vector / max(float(np.linalg.norm(vector)), 1e-30)
 
 
+def level(vector: Floats, along: Floats) -> Floats:
+    """(3,) unit vector of `vector` made perpendicular to the unit vector `along`."""
+    return unit(vector - (vector @ along) * along)
+
+
 # --- flat skeletons -------------------------------------------------------------------------------
 
 

@@ -120,10 +120,12 @@ def _of_listing(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
         if UsdGeom.Imageable(prim).ComputePurpose() != UsdGeom.Tokens.guide:
             yield invalid_at(prim, "purpose is not guide: final pictures show the controls")
             break
-    for path in targets(scope, schema.LAYOUT, "elements"):
-        prim = scope.GetStage().GetPrimAtPath(path)
-        if not (prim and has(prim, schema.ELEMENT)):
-            yield invalid_at(scope, f"rigUI:layout:elements names {path}, which is none")
+    for name, kind in (("elements", None), ("skeleton", UsdSkel.Skeleton)):
+        for path in targets(scope, schema.LAYOUT, name):
+            prim = scope.GetStage().GetPrimAtPath(path)
+            known = prim and (prim.IsA(kind) if kind else has(prim, schema.ELEMENT))
+            if not known:
+                yield invalid_at(scope, f"rigUI:layout:{name} names {path}, which is none")
     names = base_controls(scope)
     if len({*names}) < len(names):
         yield invalid_at(scope, "rigUI:layout:baseControls lists a control twice")
@@ -150,7 +152,9 @@ def _of_drawing(mesh: Usd.Prim) -> Iterator[Issue]:
     flat = drawn.GetSubdivisionSchemeAttr().Get() in ("none", "bilinear")
     right = drawn.GetOrientationAttr().Get() == "rightHanded"
     if not (flat and right) or drawn.GetHoleIndicesAttr().Get():
-        yield invalid_at(mesh, "subdivisionScheme, orientation or holeIndices: it looks otherwise")
+        yield invalid_at(
+            mesh, "subdivisionScheme, orientation or holeIndices is not the contract's"
+        )
     box = drawn.GetExtentAttr().Get()
     if box and not np.allclose(box, UsdGeom.PointBased.ComputeExtent(points)):
         yield invalid_at(mesh, "extent is not that of its points: viewers may leave it out")
@@ -187,7 +191,7 @@ def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue
     plane, side = layout.frame.plane, element.look.side
     on_board, part = element.anchor.on_board, element.placement.part
     if on_board and element.anchor.normal @ layout.frame.view_of(part) < 0.0:
-        yield invalid_at(prim, "rigUI:anchor:normal on the board is not the viewDirection")
+        yield invalid_at(prim, "rigUI:anchor:normal on the board looks away from the viewer")
     if not on_board and (targets(prim, schema.ANCHOR, "carrier") or element.placement.category):
         yield invalid_at(prim, "has rigUI:anchor:prim, and a carrier or category of the board")
     if on_board or not layout.frame.mirrors(part):

@@ -15,7 +15,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from usdrigui.character import Flags, Floats, Record
-from usdrigui.character.joint_tree import unit
+from usdrigui.character.joint_tree import level, unit
 from usdrigui.conventions import Action, Meaning
 from usdrigui.layout.symmetry.front import moving_normals
 from usdrigui.layout.symmetry.lobes import ASIDE
@@ -60,12 +60,11 @@ def own_up(up: Floats, trajectories: Trajectories, plane: MirrorPlane) -> Floats
     ahead = outward - (outward @ plane.normal) * plane.normal
     upright = unit(np.cross(ahead, plane.normal))
     if abs(float(upright @ up)) > _STANDING:
-        tilt = plane.normal @ up
-        return unit(up - tilt * plane.normal) if abs(tilt) > _TILTED else up
+        return level(up, plane.normal) if abs(plane.normal @ up) > _TILTED else up
     if not upright.any() or np.linalg.norm(ahead) < _FACING * len(trajectories.motions):
         return up
     axis = np.eye(3)[first_largest(np.abs(upright))]
-    straight = towards(unit(axis - (axis @ plane.normal) * plane.normal), upright)
+    straight = towards(level(axis, plane.normal), upright)
     if straight @ upright > _STRAIGHT:
         upright = straight
     surface = trajectories.surface

@@ -53,17 +53,19 @@ def character_of(rig: Rig, task: Task, clock: Clock | None = None) -> Character:
     view = settings.layout.candidates
     viewpoint = Viewpoint(view.view, view.occlusion, camera_of(root, view.view, task.cameras))
     base_values = base_values_of(root, rig.controls, settings.rig.read.pose)
-    with clock.stage("trajectories"):
-        found = trajectories(rig, settings.character.trajectories, base_values)
-        if not found.motions:
-            raise refuse("CONTROLS_MISSING", root, "none of its controls moves a point")
-    with clock.stage("symmetry"):
-        whole = symmetry_at_pose(rig, found, displacement_fields(found), settings)
-        parts = _parts(rig, found, whole, settings)
-    # Everything that knows an up direction begins again by that of a face that lies down.
-    up = own_up(rig.skel_root.up, parts[0].trajectories, whole.plane)
-    if parts[0].name == FACE and (up != rig.skel_root.up).any():
-        return character_of(replace(rig, skel_root=replace(rig.skel_root, up=up)), task, clock)
+    # Everything that knows an up direction begins again, once, by that of a face that lies down.
+    for again in (False, True):
+        with clock.stage("trajectories"):
+            found = trajectories(rig, settings.character.trajectories, base_values)
+            if not found.motions:
+                raise refuse("CONTROLS_MISSING", root, "none of its controls moves a point")
+        with clock.stage("symmetry"):
+            whole = symmetry_at_pose(rig, found, displacement_fields(found), settings)
+            parts = _parts(rig, found, whole, settings)
+        up = own_up(rig.skel_root.up, parts[0].trajectories, whole.plane)
+        if again or parts[0].name != FACE or (up == rig.skel_root.up).all():
+            break
+        rig = replace(rig, skel_root=replace(rig.skel_root, up=up))
     references = own_references(task.references, rig, found, settings)
     if references.existing is not None:
         refuse_stale(rig, found, references.existing, settings.rig.read)

@@ -12,7 +12,7 @@ from collections.abc import Collection, Sequence
 import numpy as np
 
 from usdrigui.character import Floats, Record
-from usdrigui.character.joint_tree import FINGERS, Fan, Tree, fans, unit
+from usdrigui.character.joint_tree import FINGERS, Fan, Tree, fans, level, unit
 from usdrigui.character.rotation import rotation_part, rotations
 
 _THUMB = 0.85
@@ -104,9 +104,9 @@ def _fingers(tree: Tree, fan: Fan) -> list[_Finger]:
     palm = np.cross(across, middle)
     fingers = []
     for chain, along, bend, apart in zip(chains, fan.directions, bends, thumb, strict=True):
-        axis = _level(across, along)
+        axis = level(across, along)
         if apart:
-            axis = unit(bend) if np.linalg.norm(bend) > _BENT else _level(palm, along)
+            axis = unit(bend) if np.linalg.norm(bend) > _BENT else level(palm, along)
             towards = bases[~thumb].mean(axis=0) - tree.places[chain[-1]]
             axis = axis if np.cross(axis, along) @ towards >= 0.0 else -axis
         # Legs and strands that hang on the middle of a character have no metacarpals.
@@ -165,7 +165,7 @@ def _hinge_axis(tree: Tree, joints: Sequence[int]) -> Floats:
         return unit(bend)
     lateral = np.eye(3)[tree.mirror[0] if tree.mirror else 0]
     is_across = abs(lateral @ before) < 0.7
-    return _level(lateral if is_across else np.roll(lateral, 1), before)
+    return level(lateral if is_across else np.roll(lateral, 1), before)
 
 
 def _turns(tree: Tree, joint: int, hinges: dict[int, Floats]) -> list[Turn]:
@@ -234,8 +234,3 @@ def _turned(tree: Tree, turn: Turn, degrees: float) -> list[Floats]:
         world[joint] = spin @ tree.world[joint] @ np.linalg.inv(before) @ after
     above = [joint.parent for joint in tree.joints]
     return [world[i] @ np.linalg.inv(world[p]) if p >= 0 else world[i] for i, p in enumerate(above)]
-
-
-def _level(axis: Floats, along: Floats) -> Floats:
-    """(3,) unit vector of `axis` made perpendicular to `along`."""
-    return unit(axis - (axis @ along) * along)

@@ -8,9 +8,9 @@ import numpy as np
 
 from usdrigui.character import Indices
 from usdrigui.errors import refuse
-from usdrigui.model import GAP_FLOOR, Assignment, LayoutProblem
+from usdrigui.model import Assignment, LayoutProblem
 from usdrigui.overlap import ROUNDING, pair_costs, total_cost
-from usdrigui.solve.budget import ROUNDED, Budget
+from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import LabelSet
 
 
@@ -34,8 +34,7 @@ def assignment(
     bound = min(budget.bound - rounding, cost) if np.isfinite(budget.bound) else -np.inf
     # A bound that reaches the cost proves it at a gap of 0, too: neither what is taken off for
     # rounding nor the sums of the two costs, in other orders, keep it open.
-    rounding = 2 * rounding + ROUNDED * (1.0 + abs(cost))
-    closed = cost - bound <= budget.settings.gap * max(abs(cost), GAP_FLOOR) + rounding
+    closed = budget.proves(cost, bound, 2 * rounding)
     return Assignment(
         labels=chosen,
         cost=cost,

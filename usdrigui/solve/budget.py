@@ -117,17 +117,20 @@ class Budget:
         """Whether the gap is within the setting, or it is proved that no layout is allowed."""
         if not np.isfinite(self.cost):
             return self.bound >= self.ceiling
-        # No more than rounding is left of a proof with no gap allowed.
-        return self.cost - self.bound <= self.allowed + ROUNDED * (1.0 + abs(self.cost))
+        return self.proves(self.cost, self.bound)
+
+    def proves(self, cost: float, bound: float, rounding: float = 0.0) -> bool:
+        """Whether a bound is as near to a cost as the settings ask; of a proof with no gap allowed
+        no more may be left than rounding."""
+        return cost - bound <= self.allowed(cost) + ROUNDED * (1.0 + abs(cost)) + rounding
 
     def over(self) -> bool:
         """Whether there is nothing left to prove, or a limit is reached."""
         return self.closed() or self.stopped()
 
-    @property
-    def allowed(self) -> float:
-        """How far the bound may stay below the best cost."""
-        return self.settings.gap * max(abs(self.cost), GAP_FLOOR)
+    def allowed(self, cost: float) -> float:
+        """How far the bound may stay below a cost."""
+        return self.settings.gap * max(abs(cost), GAP_FLOOR)
 
     @property
     def cutoff(self) -> float:
@@ -139,7 +142,7 @@ class Budget:
         """
         if not np.isfinite(self.cost):
             return self.ceiling
-        return min(self.cost - 0.9 * self.allowed, self.aim)
+        return min(self.cost - 0.9 * self.allowed(self.cost), self.aim)
 
     def found(self, step: str, cost: float = np.inf, bound: float = -np.inf) -> None:
         """Tell of a layout or a bound; the best of each is kept."""

@@ -26,6 +26,5 @@ def fan_order(tangents: Floats, normal: Floats) -> tuple[int, ...]:
 def _angles(tangents: Floats, normal: Floats) -> Floats:
     """(k,) angles of the tangents' projections in the tangent plane, from an arbitrary
     direction."""
-    across = np.cross(normal, axis_across(normal))
-    across = unit(across)
+    across = unit(np.cross(normal, axis_across(normal)))
     return np.arctan2(tangents @ np.cross(normal, across), tangents @ across)
