@@ -287,7 +287,7 @@ FAULTS = {
     "the plane elsewhere": (layout("planeOrigin", Gf.Vec3f(5, 0, 0)), INVALID, SMILE),
     "the view from behind": (layout("viewDirection", lambda old: -old), INVALID, SQUASH),
     "no Skeleton of the layout": (relation("rigUI:layout:skeleton", prim=SCOPE), INVALID, SCOPE),
-    "a Skeleton that is none": (
+    "a mesh among the Skeletons": (
         lambda each: each.prim(SCOPE).GetRelationship("rigUI:layout:skeleton").AddTarget("/Char/Geometry/Head"),
         INVALID,
         SCOPE,
