@@ -13,5 +13,6 @@ def test_the_first_call_of_every_kind_fails():
 
 
 @pytest.mark.slow
-def test_one_call_in_127_fails():
-    assert failing.campaign(127)["faults"] == []
+@pytest.mark.parametrize("every", [1021, 127])
+def test_one_call_in_so_many_fails(every):
+    assert failing.campaign(every)["faults"] == []

@@ -148,7 +148,7 @@ def _at(drive: Drive, values: Floats) -> tuple[Floats, Floats]:
 def keyed(keys: Floats, rows: Floats, at: Floats) -> Floats:
     """Rows (k, ...) at values `at` (m,), linear between ascending `keys` (k,), and on beyond
     them."""
-    i = np.clip(np.searchsorted(keys, at, side="right") - 1, 0, len(keys) - 2)
+    i = keys[1:-1].searchsorted(at, side="right")
     share = ((at - keys[i]) / (keys[i + 1] - keys[i])).reshape(-1, *(1,) * (rows.ndim - 1))
     return np.asarray((1.0 - share) * rows[i] + share * rows[i + 1], dtype=np.float64)
 

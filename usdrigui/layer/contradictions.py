@@ -6,9 +6,9 @@ not what they show.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import product
+from itertools import product, zip_longest
 
 import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel
@@ -47,15 +47,17 @@ _CLEAR = 0.5
 """Cosine beyond which two directions are one, or opposite."""
 
 
-def contradictions(stage: Usd.Stage, settings: ReadSettings) -> tuple[Issue, ...]:
+def contradictions(
+    stage: Usd.Stage, settings: ReadSettings, layouts: Sequence[Layout] = ()
+) -> tuple[Issue, ...]:
     """LAYOUT_INVALID, LAYOUT_TRACK, LAYOUT_DRAWN and LAYOUT_VALUE for each element of the layouts
     of today's format, up to a property or a character that cannot be read; `stage` has layouts that
-    `read_layout` reads."""
+    `read_layout` reads, or has read."""
     issues: list[Issue] = []
-    for scope in layout_scopes(stage):
+    for scope, known in zip_longest(layout_scopes(stage), layouts):
         found: list[Issue] = []
         try:
-            layout = layout_at(scope)
+            layout = known or layout_at(scope)
             found.extend(_of_prims(scope))
             found.extend(_of_layout(scope, layout))
             found.extend(disagreements(scope, layout, settings))

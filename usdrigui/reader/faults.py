@@ -94,7 +94,7 @@ def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
                 found.append(issue("LAYOUT_TOPOLOGY", element.name, change, layout.character.root))
     with _collecting(found):
         read_corrections(stage)
-    return tuple(dict.fromkeys((*found, *contradictions(stage, ReadSettings()))))
+    return tuple(dict.fromkeys((*found, *contradictions(stage, ReadSettings(), layouts))))
 
 
 # --- one mesh and its shapes ----------------------------------------------------------------------

@@ -284,7 +284,5 @@ def _partners(plane: MirrorPlane, trajectories: Trajectories, tolerance: float) 
 
 def _spacing(points: Floats, at: Indices) -> Floats:
     """(a,) distance of each of the points `at` from its second nearest neighbour."""
-    if not len(at):
-        return np.zeros(0)
     among = min(3, len(points))
     return np.asarray(cKDTree(points).query(points[at], k=[among])[0][:, 0])
