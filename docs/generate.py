@@ -150,7 +150,8 @@ def schema_page() -> str:
         " explains how they\nbelong together and how versions change. With the folder that"
         " `usdrigui schema-path`"
         " prints in `PXR_PLUGINPATH_NAME`,\nUSD itself knows these schemas; without it every value"
-        " still reads, but for fallbacks.\n"
+        " still reads, but for fallbacks. `usdrigui conform 'READER'` asks a reader of your own the"
+        " questions of the\ncontract's conformance suite.\n"
     )
     return "# The layer\n\n" + NOTE + intro + "".join(map(_schema, _schemas()))
 

@@ -29,12 +29,6 @@ def small_pictures():
         setattr(sheet, name, draw)
 
 
-@pytest.fixture
-def full_pictures(monkeypatch):
-    """Commands draw pictures as users have them."""
-    monkeypatch.setattr(sheet, "render", sheet.render.func)
-
-
 @pytest.fixture(scope="module")
 def laid_out(tmp_path_factory):
     """Folder of a character with its layout, made once a module; to be copied by every test that may spoil it."""

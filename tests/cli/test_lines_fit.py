@@ -62,12 +62,10 @@ def test_what_commands_print_fits(width, capsys):
         with contextlib.suppress(SystemExit):  # a wrong command line
             main(command.split())
         printed = capsys.readouterr()
-        assert printed.out + printed.err
         for text in (printed.out, printed.err):
             assert not too_long(text, width), command
 
 
 def test_help_fits(width):
-    commands = next(each for each in parser()._actions if each.choices and "process" in each.choices)
-    for name, command in commands.choices.items():
+    for name, command in parser().commands.items():
         assert not too_long(command.format_help(), width), name

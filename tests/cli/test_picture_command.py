@@ -29,14 +29,6 @@ def layer(tmp_path_factory):
     return character.with_name("char.rigui.usda")
 
 
-@pytest.mark.usefixtures("full_pictures")
-def test_a_still(layer, tmp_path):
-    assert main(["picture", str(layer), "-o", str(tmp_path / "out.png")]) == 0
-    width, height = Image.open(tmp_path / "out.png").size
-    assert width == 1800
-    assert height > 900  # the board lies below
-
-
 def test_a_film_moves_and_is_the_same_every_time(layer, tmp_path):
     films = [tmp_path / "one.gif", tmp_path / "two.gif"]
     for film in films:

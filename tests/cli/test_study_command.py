@@ -86,11 +86,6 @@ def test_what_holds_no_results_is_refused(two, change, capsys):
     assert "STUDY_RESULTS" in capsys.readouterr().err
 
 
-def test_a_refusal_names_the_file(tmp_path, capsys):
-    assert main(["study", str(tmp_path / "none.csv")]) == 3
-    assert f"usdrigui: refused {tmp_path / 'none.csv'}; nothing was written" in capsys.readouterr().err
-
-
 def test_results_of_two_layouts_are_not_summed(two, capsys):
     head, *rows = two[1].read_text().splitlines()
     two[1].write_text("\n".join([f"{head},layout", *(f"{row},another" for row in rows)]))

@@ -14,11 +14,6 @@ from usdrigui.cli import main
 from usdrigui.view.web import serve
 
 
-def test_writes_one_page(layer, tmp_path):
-    assert main(["view", str(layer), "--html", str(tmp_path / "page.html")]) == 0
-    assert (tmp_path / "page.html").read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
-
-
 def test_a_review_goes_into_the_page_as_text_that_ends_no_element(layer, tmp_path):
     notes = tmp_path / "notes.usda"
     notes.write_text('#usda 1.0\n# string note = "</script><b>"\n')

@@ -4,10 +4,9 @@
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 
 from usdrigui.cli.options import settings_of
-from usdrigui.cli.outcomes import screen_of
+from usdrigui.cli.outcomes import screen_of, wrote
 from usdrigui.errors import Exit, refuse
 
 
@@ -32,7 +31,7 @@ def _pinned(arguments: argparse.Namespace, decisions: dict[str, str], reason: st
 
     layer, output = arguments.layer, arguments.output
     state = pipeline.pin(layer, decisions, output, settings_of(arguments), reason)
-    return _told(arguments, "pin", output, state)
+    return wrote(arguments, {output: state})
 
 
 def bake(arguments: argparse.Namespace) -> Exit:
@@ -40,19 +39,7 @@ def bake(arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline
 
     state, output = pipeline.bake(arguments.layer, settings_of(arguments), arguments.output)
-    return _told(arguments, "bake", output, state)
-
-
-def _told(arguments: argparse.Namespace, command: str, output: Path, state: str) -> Exit:
-    from usdrigui.report.documents import document
-
-    layer = str(arguments.layer)
-    screen_of(arguments).show(
-        lambda: document(command, layer=layer, output=str(output), outcome=state),
-        (),
-        f"usdrigui: {state} {output}",
-    )
-    return Exit.OK
+    return wrote(arguments, {output: state})
 
 
 def pins(arguments: argparse.Namespace) -> Exit:

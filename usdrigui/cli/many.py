@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from usdrigui.cli.options import files_read, passed_on, settings_digest, settings_quietly
-from usdrigui.cli.outcomes import check_ending, say, screen_of
+from usdrigui.cli.outcomes import check_ending, screen_of, wrote
 from usdrigui.errors import Exit, RigUIError, refuse
 from usdrigui.isolation import worker
 
@@ -116,8 +116,7 @@ def openjd(arguments: argparse.Namespace) -> Exit:
     state = pipeline.write_file(
         template.encode(), arguments.output, (*assets, *files_read(arguments))
     )
-    say(f"usdrigui: {state} {arguments.output}: {len(assets)} tasks", arguments)
-    return Exit.OK
+    return wrote(arguments, {arguments.output: state}, more=f": {len(assets)} tasks")
 
 
 def _jobs(arguments: argparse.Namespace) -> tuple[list[Job], list[Path]]:

@@ -7,7 +7,7 @@ import contextlib
 import io
 import os
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -26,19 +26,23 @@ def screen_of(arguments: argparse.Namespace) -> Screen:
     return Screen(quiet=arguments.quiet, machine=arguments.json)
 
 
-def say(line: str, arguments: argparse.Namespace) -> None:
-    """Print one line, unless the command owes a JSON document."""
-    if not arguments.json:
-        tell(line, sys.stdout)
+def wrote(
+    arguments: argparse.Namespace,
+    files: Mapping[Path, str],
+    lines: Iterable[str] = (),
+    more: str = "",
+) -> Exit:
+    """Tell which `files` a command has written and what became of each, and before them its
+    `lines`; the closing line ends with `more`."""
+    from usdrigui.report.documents import document
 
-
-def write(
-    content: bytes, path: Path, read: Iterable[Path | str], arguments: argparse.Namespace
-) -> None:
-    """Write a file that replaces none of those that were `read`, and say so."""
-    from usdrigui.pipeline import write_file
-
-    say(f"usdrigui: {write_file(content, path, tuple(read))} {path}", arguments)
+    told = [*lines, *(f"{state} {path}" for path, state in files.items())]
+    *before, last = (f"usdrigui: {line}" for line in told)
+    outputs = [{"output": str(path), "outcome": state} for path, state in files.items()]
+    screen_of(arguments).show(
+        lambda: document(arguments.command, written=outputs), before, last + more
+    )
+    return Exit.OK
 
 
 def check_ending(option: str, path: Path | None, *endings: str) -> None:

@@ -4,13 +4,12 @@ found."""
 from __future__ import annotations
 
 import argparse
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from usdrigui.cli.options import files_read, settings_of
-from usdrigui.cli.outcomes import check_ending, say, write
+from usdrigui.cli.outcomes import check_ending, screen_of, wrote
 from usdrigui.errors import Exit, refuse
 from usdrigui.isolation import worker
 
@@ -23,10 +22,14 @@ if TYPE_CHECKING:
 
 def study(arguments: argparse.Namespace) -> Exit:
     """Sum results of `view --study` over participants."""
+    from usdrigui.cli.terminal.table import Verbatim
     from usdrigui.clients import study
 
     found = study.summed(arguments.results)
-    sys.stdout.write(study.as_json(found) if arguments.json else study.as_text(found) + "\n")
+    closing = f"usdrigui: summed {len(found.participants)} participants"
+    screen_of(arguments).show(
+        lambda: study.as_json(found), [Verbatim(study.as_text(found))], closing
+    )
     return Exit.OK
 
 
@@ -78,14 +81,13 @@ def view(arguments: argparse.Namespace) -> Exit:
         reviews,
     )
     if arguments.html:
-        write(html.encode(), arguments.html, read, arguments)
-        return Exit.OK
+        state = pipeline.write_file(html.encode(), arguments.html, read)
+        return wrote(arguments, {arguments.html: state})
     worker.budget(0.0, settings.run.memory_limit)  # it ends when the user says so
     serve.serve(
         html, open_browser=not arguments.no_browser, announce=worker.print_now, name=name, live=live
     )
-    say(f"usdrigui: showed {arguments.layer}", arguments)
-    return Exit.OK
+    return wrote(arguments, {arguments.layer: "showed"})
 
 
 def _live(arguments: argparse.Namespace, read: Sequence[Path]) -> LiveFile | None:
@@ -114,10 +116,8 @@ def picture(arguments: argparse.Namespace) -> Exit:
     else:
         pose = settings.rig.read.pose
         content = sheet.sheet_png(characters, labels=arguments.labels, pose=pose)
-    write(content, arguments.output, read, arguments)
-    for line in sheet.spelt_out(characters):
-        say(f"usdrigui: {line}", arguments)
-    return Exit.OK
+    state = pipeline.write_file(content, arguments.output, read)
+    return wrote(arguments, {arguments.output: state}, sheet.spelt_out(characters))
 
 
 def picker(arguments: argparse.Namespace) -> Exit:
@@ -135,14 +135,13 @@ def picker(arguments: argparse.Namespace) -> Exit:
     read = _spared((arguments.svg, arguments.dwpicker, behind), loaded, arguments)
     characters = _visible(loaded.characters, arguments)
     made = picker.picker(characters, labels=arguments.labels)
+    files = {}
     if arguments.svg is not None:
-        write(svg(made).encode(), arguments.svg, read, arguments)
+        files[arguments.svg] = svg(made).encode()
     if arguments.dwpicker is not None:
         name = arguments.layer.name.partition(".")[0]
         place = f"$DWPICKER_PROJECT_DIRECTORY/{behind.name}"
-        content = picker.to_dwpicker(made, name, place).encode()
-        write(picker.background_png(made), behind, read, arguments)
-        write(content, arguments.dwpicker, read, arguments)
-    count = sum(len(layout.elements) for _, layout in characters)
-    say(f"usdrigui: picker of {arguments.layer}: {count} elements", arguments)
-    return Exit.OK
+        files[behind] = picker.background_png(made)
+        files[arguments.dwpicker] = picker.to_dwpicker(made, name, place).encode()
+    states = {path: pipeline.write_file(content, path, read) for path, content in files.items()}
+    return wrote(arguments, states)

@@ -1,0 +1,53 @@
+"""Laws of every command: its one closing line, its one document, and the page that tells of it."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from usdrigui.cli import main
+from usdrigui.cli.parser import parser
+
+DOCS = Path(__file__).resolve().parents[2] / "docs"
+LINES = {
+    "process": "char.usda",
+    "inspect": "char.usda",
+    "check": "char.rigui.usda",
+    "pin": "char.rigui.usda jawLeft=board -o said.usda",
+    "unpin": "char.rigui.usda jawLeft -o said.usda",
+    "pins": "char.rigui.usda",
+    "diff": "char.rigui.usda char.rigui.usda",
+    "view": "char.rigui.usda --html page.html",
+    "bake": "char.rigui.usda",
+    "picture": "char.rigui.usda -o char.png",
+    "picker": "char.rigui.usda --svg picker.svg --dwpicker picker.json",
+    "study": "char.usda",
+    "batch": "char.usda --jobs 1",
+    "openjd": "char.usda -o job.json",
+    "attach": "char.usda char.rigui.usda",
+    "detach": "char.usda char.rigui.usda",
+    "conform": "cat",
+}
+"""One of each; those that are refused say so in a document too."""
+
+
+def test_each_command_is_among_them_and_in_the_documents():
+    commands = parser().commands
+    told = "".join(page.read_text() for page in DOCS.rglob("*.md"))
+    assert [each for each in commands if f"usdrigui {each}" not in told] == []
+    printing = {name for name, command in commands.items() if "--json" in command.format_help()}
+    assert printing == {*LINES}
+
+
+@pytest.mark.parametrize("command", LINES)
+def test_it_prints_its_closing_line_alone_or_one_document(command, laid_out, monkeypatch, capsys):
+    monkeypatch.chdir(laid_out)
+    line = [command, *LINES[command].split()]
+    main([*line, "--quiet"])
+    told = capsys.readouterr()
+    (closing,) = told.out.splitlines() or told.err.splitlines()[-1:]
+    assert closing.startswith("usdrigui: ")
+    main([*line, "--json"])
+    document = json.loads(capsys.readouterr().out)
+    assert document["format"].startswith("usdrigui.")
+    assert document["version"] == 1
