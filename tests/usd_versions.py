@@ -46,7 +46,9 @@ for mesh in root.GetChild("RigUI").GetChildren():
     counts, corners = (list(mesh.GetAttribute("faceVertex" + each).Get()) for each in ("Counts", "Indices"))
     starts = [sum(counts[:face]) for face in range(len(counts))]
     for element in mesh.GetChildren():
-        roles = UsdGeom.PrimvarsAPI(mesh).GetPrimvar("rigUI:role").ComputeFlattened()
+        primvar = UsdGeom.PrimvarsAPI(mesh).GetPrimvar("rigUI:role")
+        said = list(primvar.Get())  # ComputeFlattened knows no indexed tokens in the USD of Blender 4.5 and 5.0
+        roles = [said[i] for i in primvar.GetIndices()] if primvar.IsIndexed() else said
         faces = [face for face in element.GetAttribute("indices").Get() or () if roles[face] == "handle"]
         if not faces:
             continue
