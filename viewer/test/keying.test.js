@@ -1,6 +1,8 @@
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { changedKeys, copiedKeys, flipped, keysGoing, keysWithin, mirroredFrom, movedKeys, pastedKeys, removedKeys, tweened } from '../src/keying.js';
+import { Posing, oppositesOf, twinsOf } from '../src/posing.js';
 
 const sorted = (keys) => [...keys].sort(([a], [b]) => a - b);
 const KEYS = new Map([[0, [[1, 0.1], [5, 0.5]]], [2, [[5, 0.9]]]]);
@@ -54,4 +56,25 @@ test('a flip swaps sides and turns what goes to one side; twice it is the pose i
 test('one side is mirrored on the other', () => {
   assert.deepEqual(mirroredFrom('left', sides([0.2, 0.7, 0, 0, 0, 0])), [[1, 0.2]]);
   assert.deepEqual(mirroredFrom('right', sides([0.2, 0.7, 0, 0, 0, 0])), [[0, 0.7]]);
+});
+
+const FACE = JSON.parse(readFileSync(new URL('../../tests/mirrored_poses.json', import.meta.url)));
+
+test('a face is mirrored and flipped as in Blender', () => {
+  const index = new Map(FACE.controls.map(({ name }, i) => [name, i]));
+  const elements = FACE.elements.map((each) => ({ ...each, members: each.members.map((name) => ({ control: index.get(name) })) }));
+  const [opposites, rest] = [oppositesOf(elements, index.size), FACE.controls.map((control) => control.rest)];
+  const sideOf = (i) => elements.find(({ members }) => members.some(({ control }) => control === i)).side;
+  for (const pose of FACE.poses) {
+    const values = FACE.controls.map(({ name, rest: still }) => pose.values[name] ?? still);
+    const mirrored = (from, to) => Posing.prototype.mirrored.call({ rest, values, controls: FACE.controls }, from, to);
+    const asked = { values, rest, opposites, controls: FACE.controls, twins: twinsOf(elements, opposites), mirrored, sideOf };
+    const given = { flipped: flipped({ ...asked, crosses: (i) => FACE.crosses.includes(FACE.controls[i].name) }) };
+    for (const side of ['left', 'right']) given[side] = mirroredFrom(side, asked);
+    for (const [name, found] of Object.entries(given)) {
+      const after = [...values];
+      for (const [i, value] of found) after[i] = Math.min(FACE.controls[i].maximum, Math.max(FACE.controls[i].minimum, value));
+      assert.deepEqual(after, FACE.controls.map((control, i) => pose[name][control.name] ?? values[i]), name);
+    }
+  }
 });
