@@ -1,13 +1,13 @@
-"""Every element's anchor in Blender: the evaluated mesh, the bones, the shape keys at one
-vertex."""
+"""Every element's anchor in Blender: the evaluated mesh, the bones, the shape keys at one vertex;
+and where controls would take any vertex."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from .inbetweens import offsets_at
-from .joints import drive_at
-from .tracking import AnchorFrame, drawing_of, place
+from .maths.handle_track import along
+from .tracking import drawing_of, place
 
 
 class Anchors:
@@ -18,42 +18,50 @@ class Anchors:
         self.elements = layout.elements
         self.drawings = [drawing_of(element, character.controls) for element in layout.elements]
         self.bones = {
-            path: _Bones(character, path, armature)
-            for path, armature in character.armatures.items()
+            path: Bones(character, path, armature) for path, armature in character.armatures.items()
         }
-        self.bindings = [
-            _AnchorBinding(character, self.bones, element) for element in layout.elements
+        self.spots = [
+            Spot(
+                character,
+                self.bones,
+                element.mesh if element.follows else "",
+                element.point,
+                [member.control for member in element.members],
+                element,
+            )
+            for element in layout.elements
+        ]
+        self.to_skin = [
+            np.linalg.inv(_to_root(character, spot, element.mesh))
+            for spot, element in zip(self.spots, layout.elements, strict=True)
         ]
 
-    def place(self, character, depsgraph, values):
-        """`Placed` elements, None for those whose mesh is not shown."""
-        posed = {path: bones.posed() for path, bones in self.bones.items()}
-        evaluated = {}
+    def place(self, depsgraph, values):
+        """`Placed` elements at these values of all controls, None for those whose mesh is not
+        shown."""
+        posed = self.posed()
         return [
-            self._place(character, depsgraph, values, posed, evaluated, index)
-            for index in range(len(self.elements))
+            self._place(depsgraph, values, posed, *each)
+            for each in zip(self.elements, self.drawings, self.spots, self.to_skin, strict=True)
         ]
 
-    def _place(self, character, depsgraph, values, posed, evaluated, index):
-        element, drawing, binding = self.elements[index], self.drawings[index], self.bindings[index]
+    def posed(self):
+        """By skeleton and bone, the pose matrices in armature space."""
+        return {path: bones.posed() for path, bones in self.bones.items()}
+
+    def _place(self, depsgraph, values, posed, element, drawing, spot, to_skin):
         point = None
         if element.follows:
-            mesh = character.meshes.get(element.mesh)
-            if mesh is None or not mesh.visible_get():
+            point = spot.shown(depsgraph)
+            if point is None:
                 return None
-            if element.mesh not in evaluated:
-                evaluated[element.mesh] = mesh.evaluated_get(depsgraph)
-            shown = evaluated[element.mesh]
-            if element.point >= len(shown.data.vertices):
-                return None
-            point = np.array(
-                shown.matrix_world @ shown.data.vertices[element.point].co, dtype=np.float64
-            )
-        mine = np.array([values[member.control] for member in element.members])
-        return place(drawing, binding.frame(posed, point, values), mine)
+        quiet = {member.control: spot.controls[member.control].base for member in element.members}
+        anchor, skin = spot.carried(posed, point, values, quiet)
+        mine = np.array([values[name] for name in quiet])
+        return place(drawing, point, anchor, skin @ to_skin, mine)
 
 
-class _Bones:
+class Bones:
     """One armature: rest and base poses in its own space."""
 
     def __init__(self, character, skeleton, armature):
@@ -61,51 +69,42 @@ class _Bones:
         rests = next(each for each in character.layout.skeletons if each.path == skeleton)
         self.to_root = np.array(rests.to_root).T
         bones = armature.data.bones
-        self.names = [bone.name for bone in bones]
-        self.rest = {bone.name: _matrix(bone.matrix_local) for bone in bones}
+        self.rest = {bone.name: matrix_of(bone.matrix_local) for bone in bones}
         self.unbound = {name: np.linalg.inv(matrix) for name, matrix in self.rest.items()}
-        self.parents = {bone.name: bone.parent.name if bone.parent else "" for bone in bones}
+        self.above = {bone.name: [bone, *bone.parent_recursive] for bone in bones}
+        self.above = {name: [each.name for each in line] for name, line in self.above.items()}
         self.joints = {each.path: character.bone_name(skeleton, each.path) for each in rests.joints}
         self.frames = {
             name: character.frame(skeleton, joint) for joint, name in self.joints.items()
         }
-        self.base_bases = self._base_bases(character, skeleton)
-        self.base = {}
-        for name in self.names:
-            parent = self.parents[name]
-            local = self.unbound[parent] @ self.rest[name] if parent else self.rest[name]
-            above = self.base[parent] if parent else np.eye(4)
-            self.base[name] = above @ local @ self.base_bases.get(name, np.eye(4))
-
-    def posed(self):
-        """By bone, the pose matrix in armature space and the bone's own basis."""
-        return {
-            bone.name: (_matrix(bone.matrix), _matrix(bone.matrix_basis))
-            for bone in self.armature.pose.bones
-        }
-
-    def without(self, name, drives, values):
-        """(4, 4) the basis of a bone with some controls in the base pose; ``drives`` are (control,
-        drive) pairs."""
-        frame, move = self.frames[name], self.armature.pose.bones[name].matrix_basis.decompose()
-        found = frame.move(np.array(move[0]), np.array(move[1].to_matrix()), np.array(move[2]))
-        for control, drive in drives:
-            for row, table in enumerate((drive.rotations, drive.translations, drive.scales)):
-                value = drive_at(control.keys, table, values[control.name])
-                found[row] -= value - drive_at(control.keys, table, control.base)
-        return _composed(*frame.basis(found))
-
-    def _base_bases(self, character, skeleton):
-        moves = {name: np.zeros((3, 3)) for name in self.frames}
+        self.moves = {name: np.zeros((3, 3)) for name in self.frames}
         for control in character.layout.controls:
             for joint in control.joints:
                 if joint.skeleton == skeleton:
-                    tables = (joint.rotations, joint.translations, joint.scales)
-                    name = self.joints[joint.joint]
-                    moves[name] = moves[name] + [
-                        drive_at(control.keys, table, control.base) for table in tables
-                    ]
-        return {name: _composed(*frame.basis(moves[name])) for name, frame in self.frames.items()}
+                    self.moves[self.joints[joint.joint]] += joint.at(control.keys, control.base)
+        self.base = {}
+        for name, matrix in self.rest.items():
+            line, found = self.above[name], matrix
+            if len(line) > 1:
+                found = self.base[line[1]] @ self.unbound[line[1]] @ matrix
+            if name in self.moves:
+                found = found @ composed(*self.frames[name].basis(self.moves[name]))
+            self.base[name] = found
+
+    def posed(self):
+        """By bone, the pose matrix in armature space."""
+        return {bone.name: matrix_of(bone.matrix) for bone in self.armature.pose.bones}
+
+    def move(self, name):
+        """(3, 3) the move of the joint of a bone now, as `layout.JointDrive` has them."""
+        place, turn, scale = self.armature.pose.bones[name].matrix_basis.decompose()
+        return self.frames[name].move(np.array(place), np.array(turn.to_matrix()), np.array(scale))
+
+    def turned(self, pose, name, move, change):
+        """(4, 4) what takes a bone at ``pose`` and all below it along, once a ``change`` (3, 3) is
+        added to its ``move``."""
+        now, then = (composed(*self.frames[name].basis(each)) for each in (move, move + change))
+        return pose[name] @ np.linalg.inv(now) @ then @ np.linalg.inv(pose[name])
 
     def blend(self, matrices, influences):
         """(4, 4) skinning of weighted bones in armature space."""
@@ -116,155 +115,127 @@ class _Bones:
             weight / total * matrices[name] @ self.unbound[name] for name, weight in influences
         )
 
-    def below(self, name, top):
-        """Whether a bone is ``top`` or hangs on it."""
-        while name and name != top:
-            name = self.parents[name]
-        return name == top
 
-    def depth(self, name):
-        """How many bones there are from a bone to its root."""
-        count = 0
-        while name:
-            name, count = self.parents[name], count + 1
-        return count
+class Spot:
+    """A vertex of a mesh, or for an ``element`` off the skin what carries it; and where the
+    controls of some names take it."""
 
-
-class _AnchorBinding:
-    """What one element's anchor hangs on."""
-
-    def __init__(self, character, bones, element):
-        mesh = character.meshes.get(element.mesh) if element.follows else None
-        self.own = _own_shapes(character, mesh, element) if mesh else ()
-        self.target = mesh
-        self.skeleton = _skeleton(mesh, bones) if mesh else element.skeleton
+    def __init__(self, character, bones, path, point, names, element=None):
+        self.mesh, self.point = character.meshes.get(path), point
+        self.controls = {name: character.controls[name] for name in names}
+        self.skeleton = skeleton_of(self.mesh, bones) if self.mesh else element.skeleton
         self.bones = bones.get(self.skeleton)
         self.influences = self._influences(element)
-        self.own_bones = self._own_bones(character, element)
         self.into = self._into()
-        self.rest = np.linalg.inv(self._to_root(character, element))
+        self.turning = self._turning()
+        self.near = {*self.turning, *(name for name, _ in self.influences)}
+        self.keys = {}
+        for control in self.controls.values() if self.mesh else ():
+            for shape in control.shapes:
+                key = character.shape_key(path, shape.token)
+                if key is not None:
+                    self.keys[shape.token] = (key, *offsets_at(self.mesh, key, point))
 
-    def frame(self, posed, point, values):
-        """`Site` with the bones' ``posed`` matrices, the deformed ``point`` (3,) or None, and all
-        values."""
-        own = sum((shape.now(values) for shape in self.own), np.zeros(3))
+    def shown(self, depsgraph):
+        """(3,) where Blender has the vertex, in the world; None where its mesh is not shown."""
+        if self.mesh is None or not self.mesh.visible_get():
+            return None
+        mesh = self.mesh.evaluated_get(depsgraph)
+        if self.point >= len(mesh.data.vertices):
+            return None
+        return np.array(mesh.matrix_world @ mesh.data.vertices[self.point].co, dtype=np.float64)
+
+    def carried(self, posed, point, values, to, now=None):
+        """(3,) where the skin that is at ``point``, or None off the skin, would be, and (4, 4) its
+        map from before skinning to the world, once some controls go from ``values`` to those of
+        ``to``, by name; ``posed`` is that of `Anchors` now, and ``now`` the map there."""
+        now = self.skin(posed, values, {}) if now is None else now
+        turns = any(control.name in to for drives in self.turning.values() for control, _ in drives)
+        there = self.skin(posed, values, to) if turns else now
+        if point is None:
+            return None, there
+        before = np.linalg.pinv(now[:3, :3]) @ (point - now[:3, 3]) + self._gained(values, to)
+        return there[:3, :3] @ before + there[:3, 3], there
+
+    def skin(self, posed, values, to):
+        """(4, 4) its map, as of `carried`."""
         if self.bones is None:
-            world = _matrix(self.target.matrix_world) if self.target else np.eye(4)
-            return AnchorFrame(point, own, world, world, self.rest)
-        pose = {name: matrix for name, (matrix, _) in posed[self.skeleton].items()}
-        now = self._skinned(pose)
-        if self.own_bones:
-            still = self._skinned(self._without_own(posed[self.skeleton], values))
-            return AnchorFrame(point, own, now, still, self.rest)
-        return AnchorFrame(point, own, now, now, self.rest)
+            return matrix_of(self.mesh.matrix_world) if self.mesh else np.eye(4)
+        pose = dict(posed[self.skeleton])
+        for name, drives in self.turning.items():
+            change = sum(
+                (
+                    drive.at(control.keys, to[control.name])
+                    - drive.at(control.keys, values[control.name])
+                    for control, drive in drives
+                    if control.name in to
+                ),
+                np.zeros((3, 3)),
+            )
+            if change.any():
+                along_it = self.bones.turned(pose, name, self.bones.move(name), change)
+                for other in self.near:
+                    if name in self.bones.above[other]:
+                        pose[other] = along_it @ pose[other]
+        world = matrix_of(self.bones.armature.matrix_world)
+        return world @ self.bones.blend(pose, self.influences) @ self.into
 
-    def _skinned(self, pose):
-        return (
-            _matrix(self.bones.armature.matrix_world)
-            @ self.bones.blend(pose, self.influences)
-            @ self.into
-        )
-
-    def _without_own(self, posed, values):
-        """Pose matrices with the element's own controls in the base pose."""
-        pose = {name: matrix for name, (matrix, _) in posed.items()}
-        for own, drives in self.own_bones.items():
-            basis = posed[own][1]
-            quiet = self.bones.without(own, drives, values)
-            back = pose[own] @ np.linalg.inv(basis) @ quiet @ np.linalg.inv(pose[own])
-            for name in pose:
-                if self.bones.below(name, own):
-                    pose[name] = back @ pose[name]
-        return pose
+    def _gained(self, values, to):
+        """(3,) what shapes add before skinning."""
+        steps = {}
+        for name in to:
+            control = self.controls[name]
+            for shape in control.shapes:
+                step = control.step(shape.weights, values[name], to[name])
+                steps[shape.token] = steps.get(shape.token, 0.0) + step
+        found = np.zeros(3)
+        for token in steps.keys() & self.keys.keys():
+            key, knots, offsets = self.keys[token]
+            found += along(knots, offsets, key.value + steps[token])
+            found -= along(knots, offsets, key.value)
+        return found
 
     def _influences(self, element):
         if self.bones is None:
             return ()
-        if not element.follows:
+        if self.mesh is None:
             named = [(self.bones.joints[joint], weight) for joint, weight in element.carriers]
-            return tuple(pair for pair in named if pair[0] in self.bones.rest)
-        groups = self.target.vertex_groups
-        vertex = self.target.data.vertices[element.point]
-        named = [(groups[each.group].name, each.weight) for each in vertex.groups]
-        return tuple((name, weight) for name, weight in named if weight and name in self.bones.rest)
+        else:
+            groups = self.mesh.vertex_groups
+            mine = self.mesh.data.vertices[self.point].groups
+            named = [(groups[each.group].name, each.weight) for each in mine if each.weight]
+        return tuple(pair for pair in named if pair[0] in self.bones.rest)
 
-    def _own_bones(self, character, element):
-        """Bones that the element's own controls move, parents first, with (control, drive)
+    def _turning(self):
+        """Bones above the influences that the controls move, parents first, with (control, drive)
         pairs."""
         found = {}
-        for member in element.members:
-            control = character.controls[member.control]
-            for drive in control.joints:
-                if drive.skeleton == self.skeleton and self.bones is not None:
-                    name = self.bones.joints[drive.joint]
-                    if name in self.bones.rest:
+        if self.bones is not None:
+            lines = [self.bones.above[name] for name, _ in self.influences]
+            for control in self.controls.values():
+                for drive in control.joints:
+                    name = self.bones.joints.get(drive.joint)
+                    if drive.skeleton == self.skeleton and any(name in line for line in lines):
                         found.setdefault(name, []).append((control, drive))
-        return {
-            name: found[name]
-            for name in sorted(found, key=lambda name: (self.bones.depth(name), name))
-        }
+        return {name: found[name] for name in self.bones.rest if name in found} if found else {}
 
     def _into(self):
         """The mesh's space to the armature's."""
-        if self.bones is None or self.target is None:
+        if self.bones is None or self.mesh is None:
             return np.eye(4)
-        return np.linalg.inv(_matrix(self.bones.armature.matrix_world)) @ _matrix(
-            self.target.matrix_world
-        )
-
-    def _to_root(self, character, element):
-        """Before skinning to root space, in the base pose."""
-        if self.bones is None:
-            rest = next(
-                (each for each in character.layout.meshes if each.path == element.mesh), None
-            )
-            return np.array(rest.to_root).T if rest else np.eye(4)
-        return self.bones.to_root @ self.bones.blend(self.bones.base, self.influences) @ self.into
+        world = matrix_of(self.bones.armature.matrix_world)
+        return np.linalg.inv(world) @ matrix_of(self.mesh.matrix_world)
 
 
-class _OwnShape:
-    """What one token adds to one vertex, as far as the element's own controls account for it."""
-
-    def __init__(self, controls, key, knots, offsets):
-        self.controls = controls
-        self.key = key
-        self.knots = knots
-        self.offsets = offsets
-
-    def now(self, values):
-        share = sum(
-            contribution(control, shape, values[control.name]) for control, shape in self.controls
-        )
-        whole = self.key.value
-        return drive_at(self.knots, self.offsets, whole) - drive_at(
-            self.knots, self.offsets, whole - share
-        )
+def _to_root(character, spot, path):
+    """Before skinning to root space, in the base pose."""
+    if spot.bones is None:
+        rest = next((each for each in character.layout.meshes if each.path == path), None)
+        return np.array(rest.to_root).T if rest else np.eye(4)
+    return spot.bones.to_root @ spot.bones.blend(spot.bones.base, spot.influences) @ spot.into
 
 
-def contribution(control, shape, value):
-    """What a control at ``value`` adds to the weight of a token over the base pose."""
-    if control.plain:
-        return value - control.base
-    return drive_at(control.keys, shape.weights, value) - drive_at(
-        control.keys, shape.weights, control.base
-    )
-
-
-def _own_shapes(character, mesh, element):
-    tokens = {}
-    for member in element.members:
-        control = character.controls[member.control]
-        for shape in control.shapes:
-            tokens.setdefault(shape.token, []).append((control, shape))
-    found = {token: character.shape_key(element.mesh, token) for token in tokens}
-    return tuple(
-        _OwnShape(tokens[token], key, *offsets_at(mesh, key, element.point))
-        for token, key in found.items()
-        if key is not None
-    )
-
-
-def _skeleton(mesh, bones):
+def skeleton_of(mesh, bones):
     """The prim path of the armature that deforms a mesh, or empty."""
     used = [
         modifier.object
@@ -274,11 +245,12 @@ def _skeleton(mesh, bones):
     return next((path for path, each in bones.items() if each.armature in used), "")
 
 
-def _matrix(matrix):
+def matrix_of(matrix):
+    """A matrix of Blender's as an array."""
     return np.array(matrix, dtype=np.float64)
 
 
-def _composed(location, rotation, scale):
+def composed(location, rotation, scale):
     """(4, 4) local transform for column vectors."""
     found = np.eye(4)
     found[:3, :3] = rotation * scale

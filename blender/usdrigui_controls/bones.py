@@ -16,7 +16,7 @@ import mathutils
 import numpy as np
 
 from .anchors import Anchors
-from .character import BONES, Character, at_frames, holders
+from .character import BONES, Character, at_frames, curves_of, holders
 from .inbetweens import drive
 
 _PALETTES = {"right": "THEME01", "left": "THEME04"}
@@ -62,15 +62,16 @@ def move_bones(character, values):
             )
 
 
-def key_bones(character, names, at):
-    """Key the bones of the controls ``names``; returns the names of all others."""
-    left = set(names)
-    for handle in handles_of(character.layout):
-        mine = {control.name for axis in handle.axes for control, _ in axis}
-        if mine & left:
-            character.holder[BONES].pose.bones[handle.name].keyframe_insert("location", **at)
-            left -= mine
-    return left
+def bones_of(character):
+    """By control, the bone that has its value."""
+    bones = character.holder[BONES].pose.bones
+    return {
+        control.name: bones[handle.name]
+        for handle in handles_of(character.layout)
+        for axis in handle.axes
+        for control, _ in axis
+        if handle.name in bones
+    }
 
 
 def make_bones(context, holder):
@@ -78,7 +79,7 @@ def make_bones(context, holder):
     character = Character(holder)
     values, tracks = character.values(), _curves(character)
     anchors = Anchors(character)
-    placed = anchors.place(character, context.evaluated_depsgraph_get(), values)
+    placed = anchors.place(context.evaluated_depsgraph_get(), values)
     handles = [each for each in handles_of(character.layout) if placed[each.element] is not None]
     made = bpy.data.objects.new(f"{holder.name} controls", bpy.data.armatures.new("Controls"))
     made.show_in_front = True
@@ -93,19 +94,19 @@ def make_bones(context, holder):
     for handle in handles:
         bone, element = made.pose.bones[handle.name], anchors.elements[handle.element]
         bone.custom_shape, bone.use_custom_shape_bone_size = shape, False
-        size = 0.5 * placed[handle.element].scale * character.layout.width_of(element)
+        size = 0.5 * placed[handle.element].scale * element.width
         bone.custom_shape_scale_xyz = [size] * 3
         bone.lock_rotation = bone.lock_scale = [True] * 3
         if hasattr(bone, "color"):  # since Blender 4.0
             bone.color.palette = _PALETTES.get(element.side, "THEME03")
         _limit(bone, handle)
-        _carry(bone, anchors.bindings[handle.element])
+        _carry(bone, anchors.spots[handle.element])
         _drive(character, made, handle)
     holder[BONES] = made
     for frame in _frames(tracks.values()):
         then = {name: curve.evaluate(frame) for name, curve in tracks.items()}
         move_bones(character, values | then)
-        key_bones(character, tracks, {"frame": frame})
+        character.insert_keys(tracks, frame)
     move_bones(character, values)
 
 
@@ -147,18 +148,6 @@ def _frames(curves):
     return sorted({point.co.x for curve in curves for point in curve.keyframe_points})
 
 
-def curves_of(block):
-    """The animation curves of a datablock."""
-    animation = block.animation_data
-    if animation is None or animation.action is None:
-        return []
-    if not hasattr(animation.action, "layers"):  # before Blender 4.4
-        return list(animation.action.fcurves)
-    strips = (strip for layer in animation.action.layers for strip in layer.strips)
-    bags = (strip.channelbag(animation.action_slot) for strip in strips)
-    return [curve for bag in bags if bag is not None for curve in bag.fcurves]
-
-
 def _curves(character):
     """By control, the curve of its shape key, of those that have one."""
     controls = [each for each in character.layout.controls if each.plain]
@@ -194,7 +183,7 @@ def _editing(context, armature):
 
 def _add_bone(made, handle, anchors, placed):
     """A bone along its first axis, flat on the skin, where the bone that carries it rests."""
-    element, binding = anchors.elements[handle.element], anchors.bindings[handle.element]
+    element, spot = anchors.elements[handle.element], anchors.spots[handle.element]
     drawing = anchors.drawings[handle.element]
     names = [member.control for member in element.members]
     ways = []
@@ -207,7 +196,7 @@ def _add_bone(made, handle, anchors, placed):
     normal = mathutils.Vector(placed.normal)
     if len(ways) > 1 and normal.dot(mathutils.Vector(np.cross(ways[1][1], along))) < 0.0:
         normal.negate()
-    back = _carried(binding).inverted()
+    back = _carried(spot).inverted()
     length = max(float(np.linalg.norm(along)), 1e-4 * placed.scale)
     bone = made.data.edit_bones.new(handle.name)
     bone.head = back @ mathutils.Vector(base)
@@ -216,24 +205,24 @@ def _add_bone(made, handle, anchors, placed):
     bone.use_deform = False
 
 
-def _carried(binding):
+def _carried(spot):
     """Where the bone that carries an element has taken it from its rest."""
-    if binding.bones is None or not binding.influences:
+    if spot.bones is None or not spot.influences:
         return mathutils.Matrix()
-    armature, name = binding.bones.armature, _carrier(binding)
+    armature, name = spot.bones.armature, _carrier(spot)
     pose, rest = armature.pose.bones[name].matrix, armature.data.bones[name].matrix_local
     world = armature.matrix_world
     return world @ pose @ rest.inverted() @ world.inverted()
 
 
-def _carrier(binding):
-    return max(binding.influences, key=lambda pair: pair[1])[0]
+def _carrier(spot):
+    return max(spot.influences, key=lambda pair: pair[1])[0]
 
 
-def _carry(bone, binding):
-    if binding.bones is not None and binding.influences:
+def _carry(bone, spot):
+    if spot.bones is not None and spot.influences:
         target = bone.constraints.new("ARMATURE").targets.new()
-        target.target, target.subtarget = binding.bones.armature, _carrier(binding)
+        target.target, target.subtarget = spot.bones.armature, _carrier(spot)
 
 
 def _limit(bone, handle):

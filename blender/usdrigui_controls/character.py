@@ -15,7 +15,7 @@ import bpy
 import mathutils
 import numpy as np
 
-from .joints import JointFrame, drive_at, values_behind
+from .joints import JointFrame, values_behind
 from .layout import LayoutError, from_json, to_json
 
 LAYOUT = "usdrigui_layout"
@@ -168,13 +168,11 @@ class Character:
                     key.value = value
                 continue
             for shape in control.shapes:
-                step = _step(control.keys, shape.weights, before[name], value)
+                step = control.step(shape.weights, before[name], value)
                 weights[shape.token] = weights.get(shape.token, 0.0) + step
             for joint in control.joints:
                 moved = moves.setdefault((joint.skeleton, joint.joint), np.zeros((3, 3)))
-                moved += [
-                    _step(control.keys, table, before[name], value) for table in _tables(joint)
-                ]
+                moved += joint.at(control.keys, value) - joint.at(control.keys, before[name])
             if not is_single_joint(control):
                 self.holder[_VALUE + name] = float(value)
         if BONES in self.holder:
@@ -188,30 +186,44 @@ class Character:
             self._add_move(skeleton, joint, move)
         self._tag()
 
+    def channels(self, name):
+        """(owner, property) of all that holds the value of a control, in the order of its drive."""
+        if BONES in self.holder:
+            from .bones import bones_of
+
+            bone = bones_of(self).get(name)
+            if bone is not None:
+                return [(bone, "location")]
+        control = self.controls[name]
+        found = [(key, "value") for shape in control.shapes for key in self.shape_keys(shape.token)]
+        for joint in control.joints:
+            bone = self.bone(joint)
+            if bone is not None:
+                moved = np.any(joint.moves, axis=(0, 2))
+                parts = (_rotation_path(bone), "location", "scale")
+                found += [(bone, part) for part, is_so in zip(parts, moved, strict=True) if is_so]
+        if _VALUE + name in self.holder:
+            found.append((self.holder, f'["{bpy.utils.escape_identifier(_VALUE + name)}"]'))
+        return found
+
     def insert_keys(self, names, frame=None):
         """Insert keyframes for the controls ``names`` at ``frame``, or the current one."""
         at = {} if frame is None else {"frame": frame}
-        if BONES in self.holder:
-            from .bones import key_bones
+        for owner, path in dict.fromkeys(each for name in names for each in self.channels(name)):
+            group = owner.name if isinstance(owner, bpy.types.PoseBone) else ""
+            owner.keyframe_insert(path, group=group, **at)
 
-            names = key_bones(self, names, at)
-        for name in names:
-            control = self.controls[name]
-            for shape in control.shapes:
-                for key in self.shape_keys(shape.token):
-                    key.keyframe_insert("value", **at)
-            for joint in control.joints:
-                bone = self.bone(joint)
-                if bone is not None:
-                    for path, table in zip(
-                        (_rotation_path(bone), "location", "scale"), _tables(joint), strict=True
-                    ):
-                        if np.any(table):
-                            bone.keyframe_insert(path, group=bone.name, **at)
-            if _VALUE + name in self.holder:
-                self.holder.keyframe_insert(
-                    f'["{bpy.utils.escape_identifier(_VALUE + name)}"]', **at
-                )
+    def frames_around(self, name, frame):
+        """The frames of the last key of a control before a frame and of the first one after it;
+        None without both."""
+        found = set()
+        for owner, path in self.channels(name):
+            whole = path if owner == owner.id_data else f"{owner.path_from_id()}.{path}"
+            curves = (each for each in curves_of(owner.id_data) if each.data_path == whole)
+            found |= {point.co.x for curve in curves for point in curve.keyframe_points}
+        before = max((each for each in found if each < frame), default=None)
+        after = min((each for each in found if each > frame), default=None)
+        return None if before is None or after is None else (before, after)
 
     def widen_ranges(self):
         """Let the shape keys take every value of their controls."""
@@ -348,24 +360,28 @@ def _objects(holder, name, records):
     return {path: found for path, found in pairs if found is not None and found.data is not None}
 
 
+def curves_of(block):
+    """The animation curves of a datablock."""
+    animation = block.animation_data
+    if animation is None or animation.action is None:
+        return []
+    if not hasattr(animation.action, "layers"):  # before Blender 4.4
+        return list(animation.action.fcurves)
+    strips = (strip for layer in animation.action.layers for strip in layer.strips)
+    bags = (strip.channelbag(animation.action_slot) for strip in strips)
+    return [curve for bag in bags if bag is not None for curve in bag.fcurves]
+
+
 def is_single_joint(control):
     """Whether the value can be read off one bone: one joint, moving evenly with the value, and
     nothing else."""
     return len(control.joints) == 1 and not control.shapes and len(control.keys) == 2
 
 
-def _tables(joint):
-    return joint.rotations, joint.translations, joint.scales
-
-
 def _slope(control):
     """(9,) moves of the joint per unit of the control."""
-    ends = [np.ravel([table[end] for table in _tables(control.joints[0])]) for end in (0, -1)]
-    return (ends[1] - ends[0]) / (control.keys[-1] - control.keys[0])
-
-
-def _step(keys, table, before, after):
-    return drive_at(keys, table, after) - drive_at(keys, table, before)
+    first, last = np.array(control.joints[0].moves).reshape(-1, 9)[[0, -1]]
+    return (last - first) / (control.keys[-1] - control.keys[0])
 
 
 def _extremes(weights):

@@ -15,17 +15,18 @@ _CORNERS = np.array([(np.cos(a), np.sin(a)) for a in np.linspace(0.0, 2.0 * np.p
 _NEW_NAMES = bpy.app.version >= (4, 0, 0)
 
 
-def draw_elements(screen, shown, radii, opacity, hot):
-    """Draw ``shown`` elements in the 3-D view; ``hot`` is the index of the one in hand, or -1.
+def draw_elements(screen, shown, radii, opacity, lit):
+    """Draw ``shown`` elements in the 3-D view, those whose key is ``lit`` in white.
 
     ``radii`` are the handles' sizes in pixels.  Those that face away are left out.
     """
     lines, faces = _Batch(), _Batch()
     order = [i for i, item in enumerate(shown) if screen.faces(item.placed)]
-    for i in sorted(order, key=lambda i: i == hot):
-        colour = _HOT if i == hot else _side_colour(shown[i].element.side)
+    for i in sorted(order, key=lambda i: shown[i].key in lit):
+        hot = shown[i].key in lit
+        colour = _HOT if hot else _side_colour(shown[i].element.side)
         _add_element(
-            screen, lines, faces, shown[i], radii[i], colour, opacity * (1.0 if i == hot else 0.85)
+            screen, lines, faces, shown[i], radii[i], colour, opacity * (1.0 if hot else 0.85)
         )
     gpu.state.blend_set("ALPHA")
     gpu.state.depth_test_set("NONE")

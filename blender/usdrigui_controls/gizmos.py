@@ -8,24 +8,39 @@ import numpy as np
 from . import visibility
 from .character import Character, holders
 from .drawing import draw_elements, draw_label
-from .screen import Grab, Screen, pick, with_partners
+from .posing import with_partners
+from .screen import FINE, Grab, Screen, pick
 
 
 class Hand:
-    """What the pointer is over and what it holds, for the label, the panel and the operators."""
+    """What the pointer is over, what is chosen and what is pinned, by names: references into
+    Blender do not last."""
 
     hot = None
     """(holder, element) under the pointer."""
-    active = None
-    """(holder, element) dragged or clicked last."""
+    chosen = ()
+    """(holder, element) of the handles used last, that of the moment at the end."""
+
+
+def chosen():
+    """(holder, element) of the handles used last, without those that are gone."""
+    held = {holder.name: holder for holder in holders(bpy.context.scene)}
+    pairs = [(held[name], element) for name, element in Hand.chosen if name in held]
+    found = ((holder, Character(holder).layout.element(name)) for holder, name in pairs)
+    return [pair for pair in found if pair[1] is not None]
 
 
 def active():
-    """The holder and the element dragged or clicked last; None and None where they are gone."""
-    holder = bpy.data.objects.get(Hand.active[0]) if Hand.active else None
-    if holder is None or holder not in holders(bpy.context.scene):
-        return None, None
-    return holder, Character(holder).layout.element(Hand.active[1])
+    """The holder and the element used last; None and None where they are gone."""
+    return (chosen() or [(None, None)])[-1]
+
+
+def give(context, character, changed):
+    """Set values of controls, and keyframes where Blender records."""
+    character.set_values(changed)
+    if changed and context.scene.tool_settings.use_keyframe_insert_auto:
+        character.insert_keys(changed)
+    visibility.touch()
 
 
 class RigControls(bpy.types.Gizmo):
@@ -34,58 +49,43 @@ class RigControls(bpy.types.Gizmo):
 
     bl_idname = "USDRIGUI_GT_controls"
 
-    __slots__ = ("before", "grab", "grabbed", "last")
+    __slots__ = ("before", "grab", "item", "last", "way")
 
     def setup(self):
         """Called by Blender once per view."""
         self.grab = None
 
     def draw(self, context):
-        """Draw everything; what is under the pointer, or held, in white."""
-        screen, found = _screen(context), visibility.items(context)
-        hot = Hand.active if self.grab else Hand.hot if self.is_highlight else None
-        settings = context.scene.usdrigui
-        names = [(item.holder, item.element.name) for item in found]
-        index = names.index(hot) if hot in names else -1
-        draw_elements(screen, found, _radii(screen, found, settings), settings.opacity, index)
+        """Draw everything; what is under the pointer, held, or chosen with others, in white."""
+        lit = {Hand.hot} if self.is_highlight else set()
+        if self.grab or len(Hand.chosen) > 1:
+            lit.update(Hand.chosen)
+        opacity = context.scene.usdrigui.opacity
+        draw_elements(_screen(context), visibility.items(context), _radii(context), opacity, lit)
 
     def test_select(self, context, location):
         """The number of the element under ``location``, or -1."""
         screen, found = _screen(context), visibility.items(context)
         pointer = np.array([location[0], screen.height - location[1]])
-        index = pick(
-            screen,
-            [item.placed for item in found],
-            pointer,
-            _radii(screen, found, context.scene.usdrigui),
-        )
-        hot = (found[index].holder, found[index].element.name) if index >= 0 else None
+        index = pick(screen, [item.placed for item in found], pointer, _radii(context))
+        hot = found[index].key if index >= 0 else None
         if hot != Hand.hot:
             Hand.hot = hot
             context.area.tag_redraw()
         return index
 
     def invoke(self, context, event):
-        """Take hold; with Ctrl, put the element back to the base pose instead."""
-        if Hand.hot is None:
-            return {"CANCELLED"}
-        item = next(
-            (
-                each
-                for each in visibility.items(context)
-                if (each.holder, each.element.name) == Hand.hot
-            ),
-            None,
-        )
+        """Take hold, with Shift beside what is chosen; with Ctrl, put the element back to the base
+        pose instead."""
+        item = self.item = visibility.item(context, Hand.hot)
         if item is None:
             return {"CANCELLED"}
-        Hand.active = Hand.hot
+        kept = [each for each in Hand.chosen if event.shift and each != Hand.hot]
+        Hand.chosen = (*kept, Hand.hot)
         screen = _screen(context)
-        pointer = _pointer(event, screen)
-        self.grabbed = item
+        self.last, self.way = _pointer(event, screen), np.zeros(2)
         self.before = Character(bpy.data.objects[item.holder]).values()
-        self.grab = Grab(screen, item.drawing, item.placed, item.values, pointer)
-        self.last = pointer
+        self.grab = Grab(screen, item.drawing, item.placed, item.values)
         if event.ctrl:
             self._set(context, item.drawing.base)
         return {"RUNNING_MODAL"}
@@ -95,14 +95,15 @@ class RigControls(bpy.types.Gizmo):
         pointer = _pointer(event, _screen(context))
         if self.grab is None or event.ctrl or np.array_equal(pointer, self.last):
             return {"RUNNING_MODAL"}
+        self.way = self.way + (FINE if event.shift else 1.0) * (pointer - self.last)
         self.last = pointer
-        self._set(context, self.grab.to(pointer, fine=event.shift))
+        self._set(context, self.grab.to(self.way))
         return {"RUNNING_MODAL"}
 
     def exit(self, context, cancel):
         """Let go: one step of undo, and keyframes where Blender records; or everything as it
         was."""
-        item, self.grab = self.grabbed, None
+        item, self.grab = self.item, None
         context.area.header_text_set(None)
         character = Character(bpy.data.objects[item.holder])
         after = character.values()
@@ -110,25 +111,18 @@ class RigControls(bpy.types.Gizmo):
         if cancel:
             character.set_values({name: self.before[name] for name in changed})
         elif changed:
-            if context.scene.tool_settings.use_keyframe_insert_auto:
-                character.insert_keys(changed)
+            give(context, character, {name: after[name] for name in changed})
             bpy.ops.ed.undo_push(message=f"Drag {item.element.label}")
-        else:
+        elif len(Hand.chosen) == 1:
             visibility.toggle(item.holder, item.element, character.layout.elements)
         visibility.touch()
 
     def _set(self, context, values):
-        item = self.grabbed
-        character = Character(bpy.data.objects[item.holder])
-        changed = {
-            member.control: float(v) for member, v in zip(item.element.members, values, strict=True)
-        }
+        character = Character(bpy.data.objects[self.item.holder])
+        names = (member.control for member in self.item.element.members)
+        changed = dict(zip(names, map(float, values), strict=True))
         if context.scene.usdrigui.symmetric:
-            ranges = {
-                each.name: (each.minimum, each.default, each.maximum)
-                for each in character.layout.controls
-            }
-            changed = with_partners(changed, character.layout.partners(), ranges)
+            changed = with_partners(changed, character.layout)
         character.set_values(changed)
         visibility.touch()
         context.area.header_text_set(
@@ -162,14 +156,8 @@ class RigControlsGroup(bpy.types.GizmoGroup):
 
 
 def _draw_hot_label():
-    context = bpy.context
-    hot = Hand.hot
-    if hot is None or not context.scene.usdrigui.show or not context.scene.usdrigui.names:
-        return
-    item = next(
-        (each for each in visibility.items(context) if (each.holder, each.element.name) == hot),
-        None,
-    )
+    context, settings = bpy.context, bpy.context.scene.usdrigui
+    item = visibility.item(context, Hand.hot) if settings.show and settings.names else None
     if item is not None:
         screen = _screen(context)
         x, y = screen.project(item.placed.handle[None])[0]
@@ -185,22 +173,13 @@ def _screen(context):
     return Screen(matrix, region.width, region.height, np.array(eye), view.is_perspective)
 
 
-def _radii(screen, found, settings):
+def _radii(context):
     """Pixels of every handle: its true size times the setting, but never too small to be seen."""
-    layouts = _layouts()
+    screen, size = _screen(context), context.scene.usdrigui.size
     return [
-        max(
-            screen.radius(item.placed, layouts[item.holder].width_of(item.element) * settings.size),
-            3.0,
-        )
-        for item in found
+        max(screen.radius(item.placed, item.element.width * size), 3.0)
+        for item in visibility.items(context)
     ]
-
-
-def _layouts():
-    from .character import LAYOUT, parsed
-
-    return {each.name: parsed(each[LAYOUT]) for each in bpy.data.objects if LAYOUT in each}
 
 
 def _pointer(event, screen):

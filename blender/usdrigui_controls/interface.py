@@ -6,12 +6,14 @@ import bpy
 
 from . import visibility
 from .bones import SwitchBones, remove_bones
-from .character import BONES, Character, holders, unbind
+from .character import BONES, Character, at_frames, holders, unbind
 from .environment import MakeEnvironment, Preferences
-from .gizmos import Hand, active
+from .gizmos import Hand, active, chosen, give
 from .importing import add_controls, open_stage
 from .laying_out import LayOutFace, PinElement
 from .layout import LayoutError
+from .posing import flipped, mirrored_from
+from .reach import crossing
 from .saving import SaveAnimation
 
 
@@ -105,9 +107,71 @@ class ResetControls(bpy.types.Operator):
         """Reset the element used last, or all controls of all characters."""
         for holder, names in _chosen(context, self.everything):
             character = Character(holder)
-            character.set_values({name: character.controls[name].base for name in names})
-        visibility.touch()
+            give(context, character, {name: character.controls[name].base for name in names})
         return {"FINISHED"}
+
+
+class MirrorPose(bpy.types.Operator):
+    """The pose of one side on the other, or the pose seen in a mirror; of all controls."""
+
+    bl_idname = "usdrigui.mirror"
+    bl_label = "Mirror Pose"
+    bl_options = {"REGISTER", "UNDO"}
+
+    side: bpy.props.EnumProperty(
+        name="From",
+        items=[
+            ("left", "Left to Right", "The character's left on its right"),
+            ("right", "Right to Left", "The character's right on its left"),
+            ("both", "Flip", "Each side on the other"),
+        ],
+    )
+
+    def execute(self, context):
+        """Pose every character of the scene."""
+        for holder in holders(context.scene):
+            character = Character(holder)
+            layout, values = character.layout, character.values()
+            if self.side == "both":
+                crosses = crossing(character, visibility.anchors_of(character))
+                found = flipped(layout, values, crosses)
+            else:
+                found = mirrored_from(layout, values, self.side)
+            changed = {name: value for name, value in found.items() if value != values[name]}
+            give(context, character, changed)
+        return {"FINISHED"}
+
+
+class Breakdown(bpy.types.Operator):
+    """Put the chosen controls between their keys before and after this frame."""
+
+    bl_idname = "usdrigui.breakdown"
+    bl_label = "Breakdown"
+    bl_options = {"REGISTER", "UNDO"}
+
+    share: bpy.props.FloatProperty(
+        name="Share", default=0.5, soft_min=0.0, soft_max=1.0, description="0 before, 1 after"
+    )
+    everything: bpy.props.BoolProperty(name="All Controls", default=False)
+
+    def execute(self, context):
+        """Of the controls without a key on one of the two sides nothing changes."""
+        frame, count = context.scene.frame_current_final, 0
+        for holder, names in _chosen(context, self.everything):
+            character = Character(holder)
+            sides = {name: character.frames_around(name, frame) for name in names}
+            sides = {name: pair for name, pair in sides.items() if pair}
+            now, frames = character.values(), sorted({f for pair in sides.values() for f in pair})
+            seen = at_frames(context.scene, frames, character.values)
+            there = dict(zip(frames, seen, strict=True))
+            character.set_values(now)
+            ends = {name: [there[f][name] for f in pair] for name, pair in sides.items()}
+            changed = {name: a + self.share * (b - a) for name, (a, b) in ends.items()}
+            give(context, character, changed)
+            count += len(changed)
+        if not count:
+            self.report({"WARNING"}, "use a handle with keys before and after this frame first")
+        return {"FINISHED"} if count else {"CANCELLED"}
 
 
 class KeyControls(bpy.types.Operator):
@@ -143,7 +207,7 @@ class KeyHovered(bpy.types.Operator):
 
     def execute(self, context):
         """Key what the pointer is over."""
-        Hand.active = Hand.hot
+        Hand.chosen = (Hand.hot,)
         return bpy.ops.usdrigui.insert_keys(everything=False)
 
 
@@ -169,6 +233,7 @@ class RigPanel(bpy.types.Panel):
         row = column.row(align=True)
         row.operator(KeyControls.bl_idname, text="Key All", icon="KEY_HLT").everything = True
         row.operator(ResetControls.bl_idname, text="Reset All", icon="LOOP_BACK").everything = True
+        column.operator_menu_enum(MirrorPose.bl_idname, "side", icon="MOD_MIRROR")
         column.operator(SwitchBones.bl_idname, icon="BONE_DATA")
         column.operator(SaveAnimation.bl_idname, icon="EXPORT")
         column.operator(LayOutFace.bl_idname, icon="MESH_MONKEY")
@@ -194,6 +259,7 @@ class RigPanel(bpy.types.Panel):
         row = box.row(align=True)
         row.operator(KeyControls.bl_idname, text="Key", icon="KEY_HLT").everything = False
         row.operator(ResetControls.bl_idname, text="Reset", icon="LOOP_BACK").everything = False
+        row.operator(Breakdown.bl_idname).everything = False
         row = box.row(align=True)
         for place, text in (("", "Pin to Vertex"), ("board", "To Board"), ("free", "Unpin")):
             row.operator(PinElement.bl_idname, text=text).place = place
@@ -203,8 +269,9 @@ def _chosen(context, everything):
     """(holder, names of controls) to act on."""
     if everything:
         return [(holder, list(Character(holder).controls)) for holder in holders(context.scene)]
-    holder, element = active()
-    return [(holder, [member.control for member in element.members])] if element else []
+    return [
+        (holder, [member.control for member in element.members]) for holder, element in chosen()
+    ]
 
 
 def _export_menu(self, _context):
@@ -226,6 +293,8 @@ _CLASSES = (
     SaveAnimation,
     SwitchBones,
     ResetControls,
+    MirrorPose,
+    Breakdown,
     KeyControls,
     KeyHovered,
     RigPanel,

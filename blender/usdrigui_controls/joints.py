@@ -36,15 +36,6 @@ class JointFrame:
         return np.array([turned, self.turn @ np.asarray(location) - self.offset, scales])
 
 
-def drive_at(keys, table, value):
-    """Row of ``table`` (k, ...) at ``value``: linear between the ``keys`` (k,), extrapolated beyond
-    them."""
-    keys, table = np.asarray(keys, dtype=np.float64), np.asarray(table, dtype=np.float64)
-    piece = int(np.clip(np.searchsorted(keys, value, side="right") - 1, 0, len(keys) - 2))
-    share = (value - keys[piece]) / (keys[piece + 1] - keys[piece])
-    return (1.0 - share) * table[piece] + share * table[piece + 1]
-
-
 def values_behind(moves, defaults, slopes):
     """Values of the controls that together make a joint's ``moves`` (9,), nearest in the least
     squares.

@@ -8,11 +8,11 @@ row-vector convention, as nested tuples.  Nothing here knows Blender or USD.
 from __future__ import annotations
 
 import json
-from dataclasses import asdict, dataclass, is_dataclass
-from typing import Any, get_args, get_type_hints
+from dataclasses import asdict, dataclass
 
-Matrix = tuple[tuple[float, float, float, float], ...]
-Place = tuple[float, float, float]
+import numpy as np
+
+from .maths.handle_track import along
 
 
 class LayoutError(Exception):
@@ -25,9 +25,12 @@ class JointDrive:
 
     skeleton: str
     joint: str
-    rotations: tuple[Place, ...]
-    translations: tuple[Place, ...]
-    scales: tuple[Place, ...]
+    moves: tuple
+    """Per key, the rotation vector, the translation and the logarithms of the scales."""
+
+    def at(self, keys, value):
+        """(3, 3) the move at a value of the control, whose ``keys`` (k,) these are."""
+        return along(keys, np.array(self.moves), value)
 
 
 @dataclass(frozen=True)
@@ -35,7 +38,7 @@ class ShapeDrive:
     """The weight that a control adds to one blend-shape token, per key."""
 
     token: str
-    weights: tuple[float, ...]
+    weights: tuple
 
 
 @dataclass(frozen=True)
@@ -49,16 +52,24 @@ class Control:
     maximum: float
     base: float
     """Value in the base pose."""
-    keys: tuple[float, ...]
+    keys: tuple
     """Ascending values of the drive's keys; empty where the weight of the only token is the value
     itself."""
-    shapes: tuple[ShapeDrive, ...]
-    joints: tuple[JointDrive, ...]
+    shapes: tuple
+    joints: tuple
+    peak: float
+    """Length of the longest path that it gives any point; 0 where that is not known."""
 
     @property
-    def plain(self) -> bool:
+    def plain(self):
         """Whether the value is the weight of one blend shape."""
         return not self.keys and len(self.shapes) == 1 and not self.joints
+
+    def step(self, weights, before, after):
+        """What one of its blend-shape weights gains from one value to another."""
+        if not self.keys:
+            return after - before
+        return along(self.keys, weights, after) - along(self.keys, weights, before)
 
 
 @dataclass(frozen=True)
@@ -67,8 +78,8 @@ class Member:
     pose."""
 
     control: str
-    values: tuple[float, ...]
-    track: tuple[Place, ...]
+    values: tuple
+    track: tuple
     magnification: float
 
 
@@ -79,29 +90,31 @@ class Element:
     name: str
     label: str
     kind: str
-    members: tuple[Member, ...]
+    members: tuple
     mesh: str
     """Prim path of the mesh it stands on; empty on the board."""
     point: int
-    position: Place
-    normal: Place
+    position: tuple
+    normal: tuple
     follows: bool
     """Whether it follows the deforming skin; else it hangs rigidly on `carriers`."""
-    carriers: tuple[tuple[str, float], ...]
+    carriers: tuple
     """Joints and weights that carry an element which does not follow the skin."""
     skeleton: str
     side: str
+    category: str
+    """Why it is on the board; empty on the face."""
     mirror: str
-    reversed: tuple[int, ...]
+    reversed: tuple
     """Positions of members that mirror those of `mirror` with the opposite sign."""
-    inner: tuple[str, ...]
+    inner: tuple
     """For a coarse element, the names of those that are shown in its place when it is opened."""
     reason: str
-    axes: tuple[tuple[int, ...], ...]
+    axes: tuple
     """Positions of the members of each axis: one control, or the negative and the positive end of a
     signed axis."""
     width: float
-    """Of its handle, as its part has it; 0 where it is `Layout.handle_width`."""
+    """Of its handle: that of its part."""
 
 
 @dataclass(frozen=True)
@@ -110,7 +123,7 @@ class MeshRest:
 
     path: str
     points: int
-    to_root: Matrix
+    to_root: tuple
     """Mesh space to root space at the bind pose."""
 
 
@@ -119,8 +132,8 @@ class JointRest:
     """One joint: local transforms of the bind pose and of the rest pose."""
 
     path: str
-    bind: Matrix
-    rest: Matrix
+    bind: tuple
+    rest: tuple
 
 
 @dataclass(frozen=True)
@@ -128,8 +141,8 @@ class SkeletonRest:
     """One Skeleton under the SkelRoot."""
 
     path: str
-    to_root: Matrix
-    joints: tuple[JointRest, ...]
+    to_root: tuple
+    joints: tuple
 
 
 @dataclass(frozen=True)
@@ -137,58 +150,49 @@ class Layout:
     """Everything that the controls of one character need."""
 
     root: str
-    handle_width: float
-    controls: tuple[Control, ...]
-    elements: tuple[Element, ...]
-    meshes: tuple[MeshRest, ...]
-    skeletons: tuple[SkeletonRest, ...]
+    normal: tuple
+    """Of the plane of symmetry; zero where there is none."""
+    controls: tuple
+    elements: tuple
+    meshes: tuple
+    skeletons: tuple
 
-    def width_of(self, element: Element) -> float:
-        """Width of the handle of an element: that of its part."""
-        return element.width or self.handle_width
-
-    def element(self, name: str) -> Element | None:
+    def element(self, name):
         """An element by its name, if there is one."""
         return next((each for each in self.elements if each.name == name), None)
 
-    def partners(self) -> dict[str, tuple[str, bool]]:
-        """The twin of each control that has one, and whether it goes the other way; from mirrored
-        elements."""
-        found = {}
-        for element in self.elements:
-            other = self.element(element.mirror)
-            if other is not None and len(other.members) == len(element.members):
-                for i, (mine, theirs) in enumerate(
-                    zip(element.members, other.members, strict=True)
-                ):
-                    found[mine.control] = theirs.control, i in element.reversed
-        return found
+
+_RECORDS = {
+    frozenset(each.__dataclass_fields__): each
+    for each in (
+        *(JointDrive, ShapeDrive, Control, Member, Element),
+        *(MeshRest, JointRest, SkeletonRest, Layout),
+    )
+}
+"""The records by the names of their fields, which tell them apart."""
 
 
-def to_json(layout: Layout) -> str:
+def to_json(layout):
     """The layout as JSON text."""
     return json.dumps(asdict(layout), separators=(",", ":"))
 
 
-def from_json(text: str) -> Layout:
+def from_json(text):
     """The layout that `to_json` wrote.  Raises LayoutError when it is none."""
     try:
-        return _record(Layout, json.loads(text))
-    except (ValueError, TypeError, KeyError, AttributeError) as error:
+        found = json.loads(text, object_hook=_record)
+    except (ValueError, KeyError) as error:
         raise LayoutError(f"the controls stored in this file cannot be read: {error!r}") from error
+    if not isinstance(found, Layout):
+        raise LayoutError("the controls stored in this file are none")
+    return found
 
 
-def _record(kind: Any, values: dict[str, Any]) -> Any:
-    return kind(**{name: _as(said, values[name]) for name, said in get_type_hints(kind).items()})
+def _record(values):
+    kind = _RECORDS[frozenset(values)]
+    return kind(**{name: frozen(value) for name, value in values.items()})
 
 
-def _as(said: Any, value: Any) -> Any:
-    """A value of JSON as the type that a field says: tuples for lists, records within them."""
-    inside = get_args(said)
-    if inside and is_dataclass(inside[0]):
-        return tuple(_record(inside[0], each) for each in value)
-    return _frozen(value)
-
-
-def _frozen(value: Any) -> Any:
-    return tuple(_frozen(each) for each in value) if isinstance(value, list) else value
+def frozen(value):
+    """Lists within lists as tuples."""
+    return tuple(map(frozen, value)) if isinstance(value, list) else value

@@ -12,10 +12,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from .inbetweens import blend_shapes, coordinates, key_offsets, tokens_of
+from .inbetweens import coordinates, tokens_of
 
 _CLOSE = 1e-4
-"""Of the size of a mesh or of a move: points so near are the same."""
+"""Of the size of a mesh: points so near are the same."""
 
 
 @dataclass(frozen=True)
@@ -54,12 +54,13 @@ def names_of(stage, layouts, objects):
     """Names that differ, as in `Match`, of objects that are known."""
     found = {}
     for layout in layouts:
-        for mesh in layout.meshes:
-            if mesh.path in objects:
-                found[mesh.path] = _key_names(stage.GetPrimAtPath(mesh.path), objects[mesh.path])
-        for skeleton in layout.skeletons:
-            if skeleton.path in objects:
-                found[skeleton.path] = _bone_names(skeleton, objects[skeleton.path])
+        for path in (each.path for each in layout.meshes if each.path in objects):
+            block = objects[path].data.shape_keys
+            keys = [key.name for key in block.key_blocks] if block else []
+            found[path] = _paired(tokens_of(stage.GetPrimAtPath(path)), keys)
+        for each in (each for each in layout.skeletons if each.path in objects):
+            bones = [bone.name for bone in objects[each.path].data.bones]
+            found[each.path] = _paired([joint.path for joint in each.joints], bones, _last)
     return {path: names for path, names in found.items() if names}
 
 
@@ -71,9 +72,8 @@ def _like_armature(stage, skeleton, thing, _found):
     joints = [_plain(_last(joint.path)) for joint in skeleton.joints]
     share = sum(joint in bones for joint in joints) / max(len(joints), 1)
     named = _like_names(stage.GetPrimAtPath(skeleton.path), thing)
-    near = _same_places(skeleton, thing)
     chosen = any(each.select_get() for each in (thing, *thing.children_recursive))
-    return (share >= 0.5 or near) and 4.0 * share + named + 2.0 * near + chosen
+    return share >= 0.5 and 4.0 * share + named + chosen
 
 
 def _like_mesh(stage, record, thing, found):
@@ -145,68 +145,21 @@ def armatures_of(mesh):
     return [*found, parent] if parent is not None and parent.type == "ARMATURE" else found
 
 
-def _same_places(skeleton, thing):
-    """Whether the bones stand where the joints do, whatever their names."""
-    here = np.array([bone.head_local for bone in thing.data.bones]).reshape(-1, 3)
-    there = np.array(list(_places(skeleton).values())).reshape(-1, 3)
-    if here.shape != there.shape or len(here) < 2:
-        return False
-    away = np.linalg.norm(here[:, None] - there[None], axis=2).min(axis=0)
-    return bool(away.max() <= 10.0 * _CLOSE * np.ptp(there))
-
-
-def _places(skeleton):
-    """(3,) place of each joint in the bind pose, in the skeleton's space, by path."""
-    bound = {}
-    for joint in skeleton.joints:
-        above = bound.get(joint.path.rpartition("/")[0], np.eye(4))
-        bound[joint.path] = np.array(joint.bind) @ above
-    return {path: matrix[3, :3] for path, matrix in bound.items()}
-
-
 # --- names ----------------------------------------------------------------------------------------
 
 
-def _key_names(prim, mesh):
-    block = mesh.data.shape_keys
-    if block is None:
-        return {}
-    keys = {key.name: key for key in block.key_blocks if key != block.reference_key}
-    named, tokens, left = _paired(tokens_of(prim), list(keys))
-    offered = {name: key_offsets(mesh, keys[name]) for name in left if tokens}
-    for token, offsets in _shape_offsets(prim, tokens if left else ()):
-        alike = next((name for name in offered if _is_same(offsets, offered[name])), None)
-        if alike is not None:
-            named[token] = alike
-            del offered[alike]
-    return {token: name for token, name in named.items() if token != name}
-
-
-def _bone_names(skeleton, armature):
-    places = _places(skeleton)
-    bones = armature.data.bones
-    named, unnamed, left = _paired(list(places), [bone.name for bone in bones], _last)
-    size = np.ptp(list(places.values()))
-    for path in unnamed:
-        away = {name: np.linalg.norm(bones[name].head_local - places[path]) for name in left}
-        nearest = min(away, key=away.get, default=None)
-        if nearest is not None and away[nearest] <= 10.0 * _CLOSE * size:
-            named[path] = nearest
-            left.remove(nearest)
-    return {path: name for path, name in named.items() if _last(path) != name}
-
-
 def _paired(wanted, present, short=str):
-    """Pairs of equal names, then of names that USD would write alike; and what is left of both."""
-    named = {each: short(each) for each in wanted if short(each) in present}
-    left = [name for name in present if name not in named.values()]
+    """The names that are present for those that are wanted, where they differ: as USD would write
+    them alike."""
+    left = {*present} - {short(each) for each in wanted}
+    found = {}
     for plain in (_plain, _ascii):
-        for each in wanted:
-            alike = [name for name in left if plain(name) == plain(short(each))]
-            if each not in named and alike:
-                named[each] = alike[0]
+        for each in (each for each in wanted if short(each) not in present):
+            alike = [name for name in present if name in left and plain(name) == plain(short(each))]
+            if alike and each not in found:
+                found[each] = alike[0]
                 left.remove(alike[0])
-    return named, [each for each in wanted if each not in named], left
+    return found
 
 
 def identifier(name):
@@ -248,22 +201,3 @@ def rest_points(mesh):
     """(n, 3) points of a mesh object's data without any shape."""
     block = mesh.data.shape_keys
     return coordinates(block.reference_key.data if block else mesh.data.vertices)
-
-
-def _shape_offsets(prim, tokens):
-    """(token, (n, 3) offsets) of the blend shapes of a mesh prim that have these tokens."""
-    from .properties import points_of
-
-    count = len(points_of(prim))
-    for token, shape in blend_shapes(prim):
-        if token in tokens:
-            offsets = np.zeros((count, 3))
-            indices = np.array(shape.GetPointIndicesAttr().Get() or (), dtype=np.int64)
-            said = np.array(shape.GetOffsetsAttr().Get() or (), dtype=np.float64).reshape(-1, 3)
-            offsets[indices if len(indices) else slice(len(said))] = said
-            yield token, offsets
-
-
-def _is_same(first, second):
-    size = np.abs(first).max(initial=0.0)
-    return first.shape == second.shape and np.abs(first - second).max() <= 1e-3 * size > 0.0

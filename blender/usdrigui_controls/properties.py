@@ -1,5 +1,5 @@
-"""Properties of prims: their applied schemas, attributes, relationships, and the influences of
-their points."""
+"""Properties of prims: their applied schemas, attributes, relationships, and what a layout has
+under one name."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ def applied(prim):
 
 
 def get(prim, name, fallback):
-    """Authored value of an attribute, or the fallback."""
+    """Authored value of an attribute, of the type of the fallback; or the fallback."""
     attribute = prim.GetAttribute(name)
     value = attribute.Get() if attribute and attribute.HasAuthoredValue() else None
-    return fallback if value is None else value
+    return fallback if value is None else type(fallback)(value)
 
 
 def targets(prim, name):
@@ -32,9 +32,14 @@ def targets(prim, name):
     return relationship.GetTargets() if relationship else []
 
 
-def floats(values):
-    """Numbers as a tuple of Python floats."""
-    return tuple(float(value) for value in values)
+def named(prim, kind, instance):
+    """The true name of a control or a part, where it is no identifier."""
+    return get(prim, f"rigUI:{kind}:{instance}:name", "") or instance
+
+
+def instances(prim, api):
+    """Instance names of a schema in the order in which they are applied."""
+    return [name.split(":", 1)[1] for name in applied(prim) if name.startswith(f"{api}:")]
 
 
 def points_of(prim):
@@ -43,17 +48,21 @@ def points_of(prim):
     return points.Get() or points.Get(Usd.TimeCode.EarliestTime()) or ()
 
 
-def carriers_of(prim, point):
-    """Joints and weights of one point of a gprim, and the skeleton they belong to."""
-    skeleton = targets(prim, "skel:skeleton")
-    tokens = [str(joint) for joint in get(prim, "skel:joints", ())]
-    primvars = UsdGeom.PrimvarsAPI(prim)
-    indices, weights = (primvars.GetPrimvar(f"skel:joint{name}") for name in ("Indices", "Weights"))
-    if not (skeleton and tokens and indices and weights):
-        return (), str(skeleton[0]) if skeleton else ""
-    width = max(1, indices.GetElementSize())
-    rows = slice(width * point, width * (point + 1))
-    pairs = zip(list(indices.Get() or ())[rows], list(weights.Get() or ())[rows], strict=True)
-    return tuple((tokens[index], float(weight)) for index, weight in pairs if weight), str(
-        skeleton[0]
-    )
+def carriers(prim):
+    """Joints and weights that carry an element as a whole, and their skeleton: those of the first
+    point that draws it."""
+    mesh, faces = prim.GetParent(), get(prim, "indices", ())
+    indices, counts = (get(mesh, f"faceVertex{each}", ()) for each in ("Indices", "Counts"))
+    agree(prim, all(0 <= face < len(counts) for face in faces), "faces of its mesh")
+    agree(mesh, sum(counts) == len(indices), "corners of faces")
+    skeleton = [str(path) for path in targets(mesh, "skel:skeleton")]
+    if not faces or not skeleton:
+        return (), "".join(skeleton)
+    point, tokens = indices[sum(counts[: min(faces)])], get(mesh, "skel:joints", ())
+    found = [
+        UsdGeom.PrimvarsAPI(mesh).GetPrimvar(f"skel:joint{name}") for name in ("Indices", "Weights")
+    ]
+    rows = (list(each.Get() or ())[point * each.GetElementSize() :] for each in found)
+    width = found[0].GetElementSize()
+    pairs = zip(*(row[:width] for row in rows), strict=True)
+    return tuple((str(tokens[index]), weight) for index, weight in pairs if weight), skeleton[0]

@@ -6,9 +6,9 @@ does not say takes the schema's fallback.
 
 from __future__ import annotations
 
+import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel
 
-from . import drawn
 from .layout import (
     Control,
     Element,
@@ -20,8 +20,9 @@ from .layout import (
     MeshRest,
     ShapeDrive,
     SkeletonRest,
+    frozen,
 )
-from .properties import agree, applied, floats, get, points_of, targets
+from .properties import agree, applied, carriers, get, instances, named, points_of, targets
 
 FAMILIES = {
     f"RigUI{each}API"
@@ -51,39 +52,33 @@ def _layout(scope):
             family, _, version = name.partition(":")[0].partition("_")
             if family in FAMILIES and version:
                 raise LayoutError(f"{prim.GetPath()} keeps {name}, a later version than {family}")
-    names, values = (
-        get(scope, f"rigUI:layout:{name}", ()) for name in ("baseControls", "baseValues")
-    )
+    names = get(scope, "rigUI:layout:baseControls", ())
+    values = get(scope, "rigUI:layout:baseValues", ())
     agree(scope, len(values) in (0, len(names)), "values of the base pose")
-    base = dict(zip((str(name) for name in names), values or [0.0] * len(names), strict=True))
-    root = scope.GetParent()
-    widths = _part_widths(scope)
+    base, root = dict(zip(names, values or [0.0] * len(names), strict=True)), scope.GetParent()
+    width = get(scope, "rigUI:layout:handleWidth", 0.0)
+    widths = {
+        named(scope, "part", each): get(scope, f"rigUI:part:{each}:handleWidth", 0.0)
+        for each in instances(scope, "RigUIPartAPI")
+    }
     controls, elements = {}, []
     for prim in _elements(scope):
-        instances = _instances(prim)
-        for instance in instances:
+        mine = _controls_of(prim)
+        for instance in mine:
             control = _control(prim, instance, base)
             controls[control.name] = control
-        elements.append(_element(prim, instances, widths.get(drawn.part_of(prim), 0.0)))
-    skeletons = [
-        _skeleton(prim, root) for prim in Usd.PrimRange(root) if prim.IsA(UsdSkel.Skeleton)
-    ]
+        part = get(prim.GetParent(), "rigUI:drawing:part", "")
+        elements.append(_element(prim, mine, widths.get(part) or width))
     return Layout(
         root=str(root.GetPath()),
-        handle_width=get(scope, "rigUI:layout:handleWidth", 0.0),
+        normal=_floats(get(scope, "rigUI:layout:planeNormal", (0.0, 0.0, 0.0))),
         controls=tuple(controls.values()),
         elements=tuple(elements),
         meshes=_meshes(root, scope),
-        skeletons=tuple(skeletons),
+        skeletons=tuple(
+            _skeleton(prim, root) for prim in Usd.PrimRange(root) if prim.IsA(UsdSkel.Skeleton)
+        ),
     )
-
-
-def _part_widths(scope):
-    """Handle width of each part of a character that is laid out in several."""
-    return {
-        _named(scope, "part", each): get(scope, f"rigUI:part:{each}:handleWidth", 0.0)
-        for each in _applied_instances(scope, "RigUIPartAPI")
-    }
 
 
 def _elements(scope):
@@ -99,13 +94,20 @@ def _elements(scope):
 def attributes_of(stage, root):
     """By the name of each control of a character, the prim and the name of the attribute that holds
     its value."""
-    scopes = [each for each in _scopes(stage) if str(each.GetParent().GetPath()) == root]
     return {
-        _named(prim, "control", instance): (prim, f"rigUI:control:{instance}:value")
-        for scope in scopes
+        named(prim, "control", instance): (prim, f"rigUI:control:{instance}:value")
+        for scope in _scopes(stage)
+        if str(scope.GetParent().GetPath()) == root
         for prim in reversed(_elements(scope))
-        for instance in _instances(prim)
+        for instance in _controls_of(prim)
     }
+
+
+def _controls_of(prim):
+    known = instances(prim, "RigUIControlAPI")
+    listed = [*get(prim, "rigUI:element:controls", ())] or known
+    agree(prim, listed and {*listed} <= {*known}, "its controls")
+    return listed
 
 
 # --- controls -------------------------------------------------------------------------------------
@@ -115,124 +117,105 @@ def _control(prim, instance, base):
     def of(name, fallback):
         return get(prim, f"rigUI:control:{instance}:{name}", fallback)
 
-    name = str(of("name", "")) or instance
-    keys = floats(of("keys", ()))
-    default = of("default", 0.0)
+    name, keys, default = named(prim, "control", instance), of("keys", ()), of("default", 0.0)
+    tokens, weights = of("blendShapes", ()), of("blendShapeWeights", ())
+    agree(prim, not keys or len(weights) == len(keys) * len(tokens), "weights of shapes")
     return Control(
         name=name,
-        label=str(of("label", "")) or name,
+        label=of("label", "") or name,
         minimum=of("minimum", 0.0),
         default=default,
         maximum=of("maximum", 1.0),
-        base=float(base.get(name, default)),
+        base=base.get(name, default),
         keys=keys,
-        shapes=_shapes(prim, of, keys),
-        joints=_joints(prim, instance, of, keys),
+        shapes=tuple(
+            ShapeDrive(token, weights[i :: len(tokens)] if keys else ())
+            for i, token in enumerate(tokens)
+        ),
+        joints=_joints(prim, instance, of, len(keys)),
+        peak=of("peak", 0.0),
     )
 
 
-def _shapes(prim, of, keys):
-    tokens = [str(token) for token in of("blendShapes", ())]
-    weights = floats(of("blendShapeWeights", ()))
-    agree(prim, not keys or len(weights) == len(keys) * len(tokens), "weights of shapes")
-    columns = [weights[i :: len(tokens)] if keys else () for i in range(len(tokens))]
-    return tuple(ShapeDrive(token, column) for token, column in zip(tokens, columns, strict=True))
-
-
-def _joints(prim, instance, of, keys):
-    joints = [str(joint) for joint in of("joints", ())]
+def _joints(prim, instance, of, count):
+    joints = of("joints", ())
     skeletons = [str(path) for path in targets(prim, f"rigUI:control:{instance}:skeleton")]
-    which = list(of("jointSkeletons", ())) or [0] * len(joints)
-    tables = [
-        _table(prim, drawn.joint_table(of, name), (len(keys), len(joints)))
-        for name in ("Rotation", "Translation", "Scale")
-    ]
+    which = of("jointSkeletons", ()) or (0,) * len(joints)
+    moves = np.zeros((3, count, len(joints), 3))
+    for i, name in enumerate(("RotationVectors", "Translations", "ScaleFactors")):
+        table = np.array(of(f"joint{name}", ()), dtype=np.float64)
+        agree(prim, table.size in (0, moves[i].size), "vectors of joints")
+        if table.size:
+            moves[i] = (np.radians, np.asarray, np.log)[i](table).reshape(moves[i].shape)
     return tuple(
-        JointDrive(skeletons[which[j]], joint, *(table[j] for table in tables))
+        JointDrive(skeletons[which[j]], joint, frozen(moves[:, :, j].swapaxes(0, 1).tolist()))
         for j, joint in enumerate(joints)
     )
-
-
-def _table(prim, rows, shape):
-    """Per joint, one vector per key; zeros where the layer has none."""
-    keys, joints = shape
-    rows = rows or [(0.0, 0.0, 0.0)] * (keys * joints)
-    agree(prim, len(rows) == keys * joints, "vectors of joints")
-    return [tuple(rows[j::joints]) for j in range(joints)]
 
 
 # --- elements -------------------------------------------------------------------------------------
 
 
-def _element(prim, instances, width):
+def _element(prim, mine, width):
+    def others(name):
+        stage = prim.GetStage()
+        return tuple(
+            _name(stage.GetPrimAtPath(path)) for path in targets(prim, f"rigUI:element:{name}")
+        )
+
     on_face = targets(prim, "rigUI:anchor:prim")
-    mirror = targets(prim, "rigUI:element:mirror")
-    tracks = [drawn.track(prim, instance) for instance in instances]
-    carriers, skeleton = drawn.carriers(prim)
-    members = [
-        _member(prim, instance, *track) for instance, track in zip(instances, tracks, strict=True)
-    ]
-    name = _name(prim)
+    held, skeleton = carriers(prim) if prim.IsA(UsdGeom.Subset) else ((), "")
+    flags = (get(prim, f"rigUI:control:{each}:mirrorReversed", False) for each in mine)
     return Element(
-        name=name,
+        name=_name(prim),
         label=prim.GetMetadata("displayName") or prim.GetName(),
-        kind=str(get(prim, "rigUI:element:elementType", "slider")),
-        members=tuple(members),
+        kind=get(prim, "rigUI:element:elementType", "slider"),
+        members=tuple(_member(prim, instance) for instance in mine),
         mesh=str(on_face[0]) if on_face else "",
         point=get(prim, "rigUI:anchor:pointIndex", -1),
-        position=floats(get(prim, "rigUI:anchor:position", (0.0, 0.0, 0.0))),
-        normal=floats(get(prim, "rigUI:anchor:normal", (0.0, 0.0, 0.0))),
+        position=_floats(get(prim, "rigUI:anchor:position", (0.0, 0.0, 0.0))),
+        normal=_floats(get(prim, "rigUI:anchor:normal", (0.0, 0.0, 0.0))),
         follows=bool(on_face) and get(prim, "rigUI:handle:adapt", "deform") != "static",
-        carriers=carriers,
+        carriers=held,
         skeleton=skeleton,
-        side=str(get(prim, "rigUI:element:side", "none")),
-        mirror=_name(prim.GetStage().GetPrimAtPath(mirror[0])) if mirror else "",
-        reversed=drawn.reversed_members(prim, instances),
-        inner=tuple(
-            _name(prim.GetStage().GetPrimAtPath(path))
-            for path in targets(prim, "rigUI:element:members")
-        ),
+        side=get(prim, "rigUI:element:side", "none"),
+        category=get(prim, "rigUI:element:category", ""),
+        mirror="".join(others("mirror")[:1]),
+        reversed=tuple(i for i, each in enumerate(flags) if each),
+        inner=others("members"),
         reason=prim.GetDocumentation() if prim.HasAuthoredDocumentation() else "",
-        axes=_axes(prim, drawn.opposed(prim, instances), len(instances)),
+        axes=_axes(prim, mine),
         width=width,
     )
 
 
-def _axes(prim, opposed, count):
+def _axes(prim, mine):
     """Positions of each axis: opposed pairs, negative end first, and all others alone."""
+    said = [get(prim, f"rigUI:control:{each}:opposes", "") for each in mine]
+    agree(prim, {*said} <= {"", *mine}, "controls that it opposes")
+    opposed = [(mine.index(each), i) for i, each in enumerate(said) if each]
     ends = [end for pair in opposed for end in pair]
-    agree(prim, len(set(ends)) == len(ends), "controls that it opposes")
-    return tuple(sorted([*opposed, *((i,) for i in range(count) if i not in ends)], key=min))
+    agree(prim, len({*ends}) == len(ends), "controls that it opposes")
+    return tuple(sorted([*opposed, *((i,) for i in range(len(mine)) if i not in ends)], key=min))
 
 
 def _name(prim):
-    return (str(get(prim, "rigUI:element:name", "")) or prim.GetName()) if prim else ""
+    return prim and (get(prim, "rigUI:element:name", "") or prim.GetName())
 
 
-def _applied_instances(prim, api):
-    return [name.split(":", 1)[1] for name in applied(prim) if name.startswith(f"{api}:")]
-
-
-def _named(prim, kind, instance):
-    """The true name of a control or a part, where it is no identifier."""
-    return str(get(prim, f"rigUI:{kind}:{instance}:name", "")) or instance
-
-
-def _instances(prim):
-    known = _applied_instances(prim, "RigUIControlAPI")
-    listed = [str(name) for name in get(prim, "rigUI:element:controls", ())] or known
-    agree(prim, listed and set(listed) <= set(known), "its controls")
-    return listed
-
-
-def _member(prim, instance, points, values):
+def _member(prim, instance):
     control = f"rigUI:control:{instance}"
-    if not values:
-        low, high = get(prim, f"{control}:minimum", 0.0), get(prim, f"{control}:maximum", 1.0)
-        values = tuple(low + (high - low) * i / max(len(points) - 1, 1) for i in range(len(points)))
+    points = tuple(_floats(point) for point in get(prim, f"{control}:trackPoints", ()))
+    low, high = get(prim, f"{control}:minimum", 0.0), get(prim, f"{control}:maximum", 1.0)
+    steps = np.linspace(low, high, len(points)).tolist()
+    values = get(prim, f"{control}:trackValues", ()) or tuple(steps)
     agree(prim, len(values) == len(points) > 1, "points and values of a track")
-    name = _named(prim, "control", instance)
+    name = named(prim, "control", instance)
     return Member(name, values, points, get(prim, f"{control}:magnification", 1.0))
+
+
+def _floats(values):
+    return tuple(float(value) for value in values)
 
 
 # --- the character --------------------------------------------------------------------------------
@@ -268,23 +251,20 @@ def _relative(prim, root, cache):
 def _skeleton(prim, root):
     skeleton = UsdSkel.Skeleton(prim)
     order = [str(joint) for joint in skeleton.GetJointsAttr().Get() or ()]
-    bind = list(skeleton.GetBindTransformsAttr().Get() or ())
+    bind = dict(zip(order, skeleton.GetBindTransformsAttr().Get() or (), strict=False))
+    agree(prim, len(bind) == len(order), "bind transforms of its joints")
+    local = [
+        matrix * bind[above].GetInverse() if (above := path.rpartition("/")[0]) in bind else matrix
+        for path, matrix in bind.items()
+    ]
     rest = list(skeleton.GetRestTransformsAttr().Get() or ())
-    if len(bind) != len(order):
-        raise LayoutError(
-            f"{prim.GetPath()} has {len(bind)} bind transforms for {len(order)} joints"
-        )
-    joints = []
-    for i, path in enumerate(order):
-        parent = path.rpartition("/")[0]
-        local = bind[i] * bind[order.index(parent)].GetInverse() if parent in order else bind[i]
-        joints.append(
-            JointRest(path, _rows(local), _rows(rest[i] if len(rest) == len(order) else local))
-        )
-    return SkeletonRest(
-        str(prim.GetPath()), _rows(_relative(prim, root, UsdGeom.XformCache())), tuple(joints)
-    )
+    rest = rest if len(rest) == len(order) else local
+    joints = [
+        JointRest(path, *map(_rows, each)) for path, *each in zip(order, local, rest, strict=True)
+    ]
+    to_root = _rows(_relative(prim, root, UsdGeom.XformCache()))
+    return SkeletonRest(str(prim.GetPath()), to_root, tuple(joints))
 
 
 def _rows(matrix):
-    return tuple(tuple(float(matrix[i][j]) for j in range(4)) for i in range(4))
+    return frozen(np.array(matrix).tolist())

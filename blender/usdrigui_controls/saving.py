@@ -10,7 +10,6 @@ import os
 from pathlib import Path
 
 import bpy
-import mathutils
 import numpy as np
 from bpy_extras.io_utils import ExportHelper
 
@@ -176,115 +175,82 @@ class _Skeleton:
         self.stage, self.armature = stage, armature
         self.prim = UsdSkel.Skeleton(stage.GetPrimAtPath(path))
         self.keys = self._keys(character)
-        self.bones = self._bones(character)
-        self.rest = [np.array(each).T for each in self.prim.GetRestTransformsAttr().Get() or ()]
+        joints = self.prim.GetJointsAttr().Get() or () if armature else ()
+        self.joints = [str(joint) for joint in joints]
+        self.parents = list(UsdSkel.Topology(self.joints).GetParentIndices())
+        self.rest = np.array(self.prim.GetRestTransformsAttr().Get() or np.eye(4)[None])
+        self.bones = [
+            self._bone(character.bone_name(path, joint), np.array(bind))
+            for joint, bind in zip(
+                self.joints, self.prim.GetBindTransformsAttr().Get() or (), strict=False
+            )
+        ]
         self.weights, self.locals = [], []
 
-    def _deforms(self, mesh):
+    def _keys(self, character):
+        """Each token with the mesh and the name of the shape key that has its weight."""
         from pxr import UsdSkel
 
-        skeleton = UsdSkel.BindingAPI(mesh).GetInheritedSkeleton()
-        return bool(skeleton) and skeleton.GetPath() == self.prim.GetPath()
-
-    def _keys(self, character):
-        """Each token with the shape key that has its weight."""
         found = {}
         for path, mesh in character.meshes.items():
             prim = self.stage.GetPrimAtPath(path)
-            if not self._deforms(prim):
-                continue
-            for token in tokens_of(prim):
-                key = character.shape_key(path, token)
-                if key is not None:
-                    found.setdefault(token, (mesh, key.name))
+            if UsdSkel.BindingAPI(prim).GetInheritedSkeleton().GetPrim() == self.prim.GetPrim():
+                for token in tokens_of(prim):
+                    key = character.shape_key(path, token)
+                    if key is not None:
+                        found.setdefault(token, (mesh, key.name))
         return found
 
-    def _bones(self, character):
-        """Of each joint: path, index of its parent, bone, and from its rest to the bind pose."""
-        joints = [str(joint) for joint in self.prim.GetJointsAttr().Get() or ()]
-        bind = [np.array(each).T for each in self.prim.GetBindTransformsAttr().Get() or ()]
-        if self.armature is None:
-            return []
-        names = {path: character.bone_name(str(self.prim.GetPath()), path) for path in joints}
-        bones = self.armature.data.bones
-        return [
-            (
-                path,
-                joints.index(above) if (above := path.rpartition("/")[0]) in joints else -1,
-                names[path],
-                np.linalg.inv(np.array(bones[names[path]].matrix_local)) @ bind[i]
-                if names[path] in bones
-                else None,
-            )
-            for i, path in enumerate(joints)
-        ]
+    def _bone(self, name, bind):
+        """Its name, and the bind transform seen from where the bone rests; None without a bone."""
+        bone = self.armature.data.bones.get(name)
+        return bone and (name, bind @ np.linalg.inv(np.array(bone.matrix_local)).T)
 
     def look(self):
         """Note weights and local transforms, as Blender has evaluated them."""
         keys = (mesh.data.shape_keys.key_blocks[name] for mesh, name in self.keys.values())
         self.weights.append([0.0 if key.mute else key.value for key in keys])
-        if self.bones:
-            self.locals.append(self._now(self.armature.pose.bones))
-
-    def _now(self, pose):
-        """(joints, 4, 4) local transforms for column vectors."""
-        placed, found = [], []
-        for i, (_, above, name, into) in enumerate(self.bones):
+        placed = []
+        for rest, above, bone in zip(self.rest, self.parents, self.bones, strict=False):
             parent = placed[above] if above >= 0 else np.eye(4)
-            whole = parent @ self.rest[i] if into is None else np.array(pose[name].matrix) @ into
-            placed.append(whole)
-            found.append(np.linalg.inv(parent) @ whole)
-        return found
+            pose = bone and np.array(self.armature.pose.bones[bone[0]].matrix).T
+            placed.append(bone[1] @ pose if bone else rest @ parent)
+        above = [placed[i] if i >= 0 else np.eye(4) for i in self.parents]
+        self.locals.append([now @ np.linalg.inv(up) for now, up in zip(placed, above, strict=True)])
 
     def write(self, frames):
         """Write the weights that are ever away from 0 and the joints that ever leave their rest."""
+        from pxr import UsdSkel, Vt
+
         weights = np.array(self.weights).reshape(len(frames), -1)
         moving = np.flatnonzero(np.abs(weights).max(axis=0, initial=0.0) > _SAME)
-        joints = self._moving()
-        own = self._of_source()
-        if not len(moving) and not joints and own is None:
+        locals_ = np.array(self.locals).reshape(len(frames), -1, 4, 4)
+        away = np.abs(locals_ - self.rest).max(axis=(0, 2, 3)) if self.joints else np.zeros(0)
+        size = np.maximum(np.abs(self.rest).max(axis=(1, 2)), 1.0)
+        joints = np.flatnonzero(away > _NOISE * size[: len(away)])
+        own = UsdSkel.BindingAPI(self.prim.GetPrim()).GetInheritedAnimationSource()
+        if not (len(moving) or len(joints) or own):
             return
         animation = self._animation(own)
         animation.CreateBlendShapesAttr([list(self.keys)[i] for i in moving])
-        _sample(animation.CreateBlendShapeWeightsAttr(), frames, weights[:, moving], list)
-        if joints or own is not None:
-            animation.CreateJointsAttr([self.bones[i][0] for i in joints])
-            parts = zip(_parts(animation), self._parts(joints), strict=True)
-            for (attribute, made), values in parts:
-                _sample(attribute, frames, values, made)
-
-    def _moving(self):
-        """Indices of the joints that are ever away from where they rest."""
-        joints = list(range(len(self.bones)))
-        if len(self.rest) != len(joints) or not joints:
-            return joints
-        away = np.abs(np.array(self.locals) - self.rest).max(axis=(0, 2, 3))
-        return [i for i in joints if away[i] > _NOISE * max(np.abs(self.rest[i]).max(), 1.0)]
-
-    def _parts(self, joints):
-        """Translations, rotations (real part first) and scales of joints, (frames, joints, n)."""
-        shape = (len(self.weights), len(joints))
-        places, turns, scales = np.zeros((*shape, 3)), np.zeros((*shape, 4)), np.ones((*shape, 3))
-        before = {}
-        for frame, row in enumerate(self.locals):
-            for j, joint in enumerate(joints):
-                place, turn, scale = mathutils.Matrix(row[joint].tolist()).decompose()
-                if j in before:
-                    turn.make_compatible(before[j])
-                before[j] = turn
-                places[frame, j], turns[frame, j], scales[frame, j] = place, turn, scale
-        return places, turns, scales
-
-    def _of_source(self):
-        from pxr import UsdSkel
-
-        return UsdSkel.BindingAPI(self.prim.GetPrim()).GetInheritedAnimationSource() or None
+        _sample(animation.CreateBlendShapeWeightsAttr(), frames, weights[:, moving].tolist())
+        if len(joints) or own:
+            animation.CreateJointsAttr([self.joints[i] for i in joints])
+            rows = (np.ascontiguousarray(each[joints]).reshape(-1, 16) for each in locals_)
+            parts = [UsdSkel.DecomposeTransforms(Vt.Matrix4dArray.FromNumpy(row)) for row in rows]
+            attributes = (
+                animation.CreateTranslationsAttr(),
+                animation.CreateRotationsAttr(),
+                animation.CreateScalesAttr(),
+            )
+            for attribute, values in zip(attributes, zip(*parts, strict=True), strict=True):
+                _sample(attribute, frames, values)
 
     def _animation(self, own):
         """The SkelAnimation to write: the source's own, or a new one below the skeleton."""
         from pxr import UsdSkel
 
-        if own is not None:
+        if own:
             return UsdSkel.Animation(self.stage.OverridePrim(own.GetPath()))
         path = self.prim.GetPath().AppendChild("usdrigui_animation")
         binding = UsdSkel.BindingAPI.Apply(self.prim.GetPrim())
@@ -318,9 +284,8 @@ class _Place:
             here = np.array(cache.GetLocalToWorldTransform(xformable.GetPrim()))
             away = max(away, np.abs(world - here).max() / np.abs(here).max())
         if away > 1e-5:
-            matrices = np.array(wanted)
-            attribute = xformable.MakeMatrixXform().GetAttr()
-            _sample(attribute, frames, matrices, lambda rows: Gf.Matrix4d(rows.tolist()))
+            made = [Gf.Matrix4d(matrix.tolist()) for matrix in wanted]
+            _sample(xformable.MakeMatrixXform().GetAttr(), frames, made)
 
 
 class _Values:
@@ -342,37 +307,20 @@ class _Values:
         from pxr import Sdf
 
         for name, control in Character(self.holder).controls.items():
-            values = np.array([row[name] for row in self.seen])[:, None]
-            told = control.plain or is_single_joint(control)
-            if told and name in self.attributes and np.abs(values - control.default).max() > _SAME:
+            values = [row[name] for row in self.seen]
+            told = name in self.attributes and (control.plain or is_single_joint(control))
+            if told and np.abs(np.array(values) - control.default).max() > _SAME:
                 prim, attribute = self.attributes[name]
                 made = prim.CreateAttribute(attribute, Sdf.ValueTypeNames.Double, custom=False)
-                _sample(made, frames, values, lambda row: float(row[0]))
+                _sample(made, frames, values)
 
 
-def _parts(animation):
-    """The attributes for translations, rotations and scales, each with what makes its values."""
-    from pxr import Gf
-
-    return (
-        (animation.CreateTranslationsAttr(), _made_of(Gf.Vec3f)),
-        (animation.CreateRotationsAttr(), _made_of(Gf.Quatf)),
-        (animation.CreateScalesAttr(), _made_of(Gf.Vec3h)),
-    )
-
-
-def _made_of(kind):
-    return lambda rows: [kind(*row) for row in rows.tolist()]
-
-
-def _sample(attribute, frames, values, made):
-    """Samples (frames, ...) of an attribute, without those that lie on a line between others; one
-    default where nothing changes."""
-    kept = needed(values.reshape(len(frames), -1))
-    if len(kept) == 1:
-        attribute.Set(made(values[0]))
-    for i in kept if len(kept) > 1 else ():
-        attribute.Set(made(values[i]), frames[i])
+def _sample(attribute, frames, values):
+    """Samples of an attribute, without those that lie on a line between others; one default where
+    nothing changes."""
+    kept = needed(np.array(values, dtype=np.float64).reshape(len(frames), -1))
+    for i in kept:
+        attribute.Set(values[i], *([frames[i]] if len(kept) > 1 else []))
 
 
 def needed(values):

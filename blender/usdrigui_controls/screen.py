@@ -42,9 +42,13 @@ class Screen:
 
     def faces(self, placed):
         """Whether an element's front is seen."""
-        toward = self.eye - placed.handle if self.perspective else self.eye
+        toward = self.toward(placed.handle)
         length = float(np.linalg.norm(toward)) * float(np.linalg.norm(placed.normal))
         return length == 0.0 or float(placed.normal @ toward) > _BEHIND * length
+
+    def toward(self, point):
+        """(3,) from a world point to the viewer."""
+        return self.eye - point if self.perspective else self.eye
 
     def radius(self, placed, width):
         """Pixels that half of ``width`` scene units take at an element's handle."""
@@ -83,45 +87,15 @@ def pick(screen, elements, pointer, radii, reach=8.0):
 class Grab:
     """One drag of one element, from press to release."""
 
-    def __init__(self, screen, drawing, placed, values, pointer):
+    def __init__(self, screen, drawing, placed, values):
         tracks = [screen.project(track) for track in placed.tracks]
         self.drag = begin_drag(
             tracks, drawing.values, drawing.axes, drawing.ranges, drawing.base, values
         )
         self.at = self.drag.start
-        self.pointer = np.array(pointer, dtype=np.float64)
-        self.moved = np.zeros(2)
 
-    def to(self, pointer, fine=False):
-        """(m,) member values when the pointer has moved to ``pointer`` (2,); within the controls'
+    def to(self, way):
+        """(m,) member values when the pointer has gone a ``way`` (2,); within the controls'
         ranges."""
-        step = np.array(pointer, dtype=np.float64) - self.pointer
-        self.pointer = self.pointer + step
-        self.moved = self.moved + (FINE if fine else 1.0) * step
-        self.at = drag_to(self.drag, self.at, self.moved)
+        self.at = drag_to(self.drag, self.at, way)
         return values_at(self.drag, self.at)
-
-
-def with_partners(changed, partners, ranges):
-    """Values with those of twin controls added: the twin moves by the same share of its own range.
-
-    ``changed`` maps names to values, ``partners`` names to (name, whether it goes the other way),
-    ``ranges`` names to (minimum, default, maximum).  A control that was itself dragged keeps its
-    value.
-    """
-    found = dict(changed)
-    for name, value in changed.items():
-        twin, other_way = partners.get(name, (name, False))
-        if twin not in changed:
-            found[twin] = _same_share(value, ranges[name], ranges[twin], other_way)
-    return found
-
-
-def _same_share(value, mine, theirs, other_way):
-    """The value as far from the default towards its end, measured in the twin's range."""
-    low, rest, high = mine
-    rising = value >= rest
-    end = high if rising else low
-    share = (value - rest) / (end - rest) if end != rest else 0.0
-    other = theirs[2] if rising != other_way else theirs[0]
-    return min(max(theirs[1] + share * (other - theirs[1]), theirs[0]), theirs[2])

@@ -44,22 +44,6 @@ class Drawing:
 
 
 @dataclass(frozen=True)
-class AnchorFrame:
-    """An element's anchor in the application at this moment."""
-
-    point: np.ndarray | None
-    """(3,) the deformed anchor, in world space; None for an element that hangs rigidly."""
-    own: np.ndarray
-    """(3,) what the element's own blend shapes add to the anchor now, before skinning."""
-    now: np.ndarray
-    """(4, 4) from before skinning to the world, as it is."""
-    still: np.ndarray
-    """(4, 4) the same with the element's own joints in the base pose."""
-    rest: np.ndarray
-    """(4, 4) from root space in the base pose to before skinning."""
-
-
-@dataclass(frozen=True)
 class Placed:
     """One element in world space."""
 
@@ -105,20 +89,22 @@ def _area(element, tracks):
     return np.array(found).reshape(-1, 3)
 
 
-def place(drawing, site, values):
-    """`Placed` element at member ``values`` (m,)."""
-    whole = site.still @ site.rest
-    linear = whole[:3, :3]
-    if site.point is None:
-        anchor = linear @ drawing.position + whole[:3, 3]
-    else:
-        before = np.linalg.pinv(site.now[:3, :3]) @ (site.point - site.now[:3, 3]) - site.own
-        anchor = site.still[:3, :3] @ before + site.still[:3, 3]
+def place(drawing, point, anchor, skin, values):
+    """`Placed` element at member ``values`` (m,).
+
+    ``point`` (3,) is the deformed anchor in the world, ``anchor`` where it would be with the
+    element's own controls in the base pose, both None for an element that hangs rigidly; ``skin``
+    (4, 4) is the map of the skin there with these controls so, from root space in the base pose to
+    the world.
+    """
+    linear = skin[:3, :3]
+    if anchor is None:
+        anchor = linear @ drawing.position + skin[:3, 3]
     *tracks, area = (
         carried(each, drawing.position, anchor, linear.T)
         for each in (*drawing.tracks, drawing.area)
     )
-    handle = site.point
+    handle = point
     if handle is None or drawing.enlarged:
         handle = slid(drawing.values, tracks, drawing.base, values)[1]
     scale = float(np.cbrt(abs(np.linalg.det(linear))))

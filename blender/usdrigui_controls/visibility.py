@@ -25,6 +25,11 @@ class Item:
     values: np.ndarray
     """(members,)"""
 
+    @property
+    def key(self):
+        """(holder, element) by name."""
+        return self.holder, self.element.name
+
 
 opened = set()
 """(holder, name) of the coarse elements whose members are shown in their place."""
@@ -40,6 +45,11 @@ def items(context):
         _dirty = False
         _items = _placed(context)
     return _items
+
+
+def item(context, key):
+    """The one of a (holder, element), or None."""
+    return next((each for each in items(context) if each.key == key), None)
 
 
 def forget():
@@ -61,9 +71,9 @@ def _placed(context):
     for holder in holders(context.scene):
         try:
             character = Character(holder)
-            anchors = _anchors_of(character)
+            anchors = anchors_of(character)
             values = character.values()
-            placed = anchors.place(character, depsgraph, values)
+            placed = anchors.place(depsgraph, values)
         except (LayoutError, ReferenceError, KeyError):
             _anchors.pop(holder.name, None)
             continue
@@ -99,7 +109,8 @@ def _members(elements):
     return {element.name: element.inner for element in elements if element.inner}
 
 
-def _anchors_of(character):
+def anchors_of(character):
+    """The `Anchors` of a character, found once."""
     known = _anchors.get(character.holder.name)
     if known is None or known.elements is not character.layout.elements:
         known = _anchors[character.holder.name] = Anchors(character)

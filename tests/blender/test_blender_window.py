@@ -41,6 +41,7 @@ def at_rest(window):
         "one = character()\n"
         "one.set_values({name: control.base for name, control in one.controls.items()})\n"
         "bpy.context.scene.tool_settings.use_keyframe_insert_auto = False\n"
+        "[each.animation_data_clear() for each in bpy.data.shape_keys]\n"
         "for name, value in (('symmetric', False), ('show', True), ('opacity', 0.8)):\n"
         "    setattr(bpy.context.scene.usdrigui, name, value)\n"
         "bpy.ops.ed.undo_push(message='rest')"
@@ -51,6 +52,11 @@ def at_rest(window):
 def away(window):
     """The controls that are not at rest."""
     return {name: value for name, value in window.values().items() if abs(value) > 1e-3}
+
+
+def colour(window, name, at):
+    """(3,) of a pixel, in a picture that is kept under a name."""
+    return np.asarray(window.picture(name))[round(at[1]), round(at[0]), :3].astype(int)
 
 
 def ends(window, element, member=0):
@@ -66,8 +72,7 @@ def test_a_patch_follows_the_mouse_and_its_handle_ends_under_it(window):
     assert away(window) == {"jawOpen": pytest.approx(0.8, abs=0.1)}
     at = np.array(window.ask("result = handles()")["jaw"])
     assert np.linalg.norm(at - goal) < 2.5
-    picture = np.asarray(window.picture("jaw"))
-    assert picture[round(at[1]), round(at[0]), :3].min() > 180, "the handle in hand is white"
+    assert colour(window, "jaw", at).min() > 180, "the handle in hand is white"
 
 
 def test_two_controls_in_one_drag(window):
@@ -159,12 +164,12 @@ def test_auto_keys_and_the_key_i_over_a_handle(window):
 
 def test_hidden_controls_are_neither_drawn_nor_caught(window):
     start, end = ends(window, "mouthSmileLeft")
-    blue = np.asarray(window.picture("shown"))[round(start[1]), round(start[0]), :3].astype(int)
+    blue = colour(window, "shown", start)
     assert blue[2] > blue[0] + 60, "a handle of the character's left is blue"
     window.ask("bpy.context.scene.usdrigui.show = False")
     window.ask("view_region()[0].tag_redraw()")
     window.hover((60, 400))
-    skin = np.asarray(window.picture("hidden"))[round(start[1]), round(start[0]), :3].astype(int)
+    skin = colour(window, "hidden", start)
     assert np.ptp(skin) < 25
     window.drag(start, end)
     assert away(window) == {}
@@ -173,10 +178,10 @@ def test_hidden_controls_are_neither_drawn_nor_caught(window):
 
 def test_opacity(window):
     start, _ = ends(window, "mouthSmileLeft")
-    full = np.asarray(window.picture("opaque"))[round(start[1]), round(start[0]), :3].astype(int)
+    full = colour(window, "opaque", start)
     window.ask("bpy.context.scene.usdrigui.opacity = 0.2\nview_region()[0].tag_redraw()")
     window.settle(0.5)
-    faint = np.asarray(window.picture("faint"))[round(start[1]), round(start[0]), :3].astype(int)
+    faint = colour(window, "faint", start)
     assert np.ptp(faint) < 0.6 * np.ptp(full)
 
 
@@ -239,3 +244,20 @@ def test_a_bone_is_taken_by_the_mouse_moves_its_shape_and_is_undone(window):
     assert not away(window)
     window.ask("bpy.ops.object.mode_set(mode='OBJECT')\nbpy.ops.usdrigui.switch_bones()")
     assert window.ask("result = [each.name for each in bpy.data.armatures]") == ["Skeleton"]
+
+
+def test_handles_that_are_chosen_with_shift_are_keyed_and_broken_down_together(window):
+    both = {"browInnerUp": 0.8, "mouthSmileLeft": 0.6}
+    for element, keys in (("browInnerUp", ()), ("mouthSmileLeft", ("shift",))):
+        at, _ = ends(window, element)
+        window.drag(at, at, steps=1, keys=keys)
+    window.ask(
+        "for each in (1, 11):\n"
+        "    bpy.context.scene.frame_set(each)\n"
+        f"    character().set_values({{name: value * (each > 1) for name, value in {both}.items()}})\n"
+        "    bpy.ops.usdrigui.insert_keys()\n"
+        "bpy.context.scene.frame_set(6)\n"
+        "bpy.ops.usdrigui.breakdown(share=0.25)"
+    )
+    window.picture("broken_down")
+    assert away(window) == pytest.approx({name: 0.25 * value for name, value in both.items()})

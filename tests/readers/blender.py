@@ -39,14 +39,15 @@ def pose(found, question):
     for each in found.elements:
         drawing, still = tracking.drawing_of(each, controls), np.eye(4)
         point = np.array(each.position) if each.follows else None
-        where = tracking.place(drawing, tracking.AnchorFrame(point, np.zeros(3), still, still, still), drawing.base)
+        where = tracking.place(drawing, point, point, still, drawing.base)
         placed[each.name] = {"handle": where.handle.tolist(), "tracks": [track.tolist() for track in where.tracks]}
     return placed
 
 
 def drag(_, question):
     ranges = zip(*(question[name] for name in ("minimum", "default", "maximum", "base")), strict=True)
-    controls = tuple(layout.Control(str(i), "", *each, keys=(), shapes=(), joints=()) for i, each in enumerate(ranges))
+    rest = {"keys": (), "shapes": (), "joints": (), "peak": 0.0}
+    controls = tuple(layout.Control(str(i), "", *each, **rest) for i, each in enumerate(ranges))
     tracks = [tuple((x, y, 0.0) for x, y in track) for track in question["tracks"]]
     members = tuple(
         layout.Member(str(i), tuple(values), track, 1.0)
@@ -56,11 +57,11 @@ def drag(_, question):
     element = layout.Element(
         **{**given, "members": members, "position": (0.0,) * 3, "normal": (0.0,) * 3, "axes": question["axes"]}
     )
-    stored = layout.from_json(layout.to_json(layout.Layout("/Char", 1.0, controls, (element,), (), ())))
+    stored = layout.from_json(layout.to_json(layout.Layout("/Char", (), controls, (element,), (), ())))
     drawing = tracking.drawing_of(stored.elements[0], {control.name: control for control in stored.controls})
     where = tracking.Placed(tuple(map(np.array, tracks)), (), np.zeros(3), np.zeros(3), 1.0)
-    grab = screen.Grab(PIXELS, drawing, where, question["start"], (5.0, 7.0))
-    return [grab.to(np.add((5.0, 7.0), move)).tolist() for move in question["moves"]]
+    grab = screen.Grab(PIXELS, drawing, where, question["start"])
+    return [grab.to(move).tolist() for move in question["moves"]]
 
 
 ASKED = {"layout": elements, "pose": pose, "drag": drag, "findings": lambda *_: None}

@@ -33,7 +33,7 @@ mesh, (shape, *_) = character.meshes[pinned.mesh], character.controls[pinned.mem
 moved = np.linalg.norm(key_offsets(mesh, character.shape_key(pinned.mesh, shape.token)), axis=1)
 vertex = int(np.flatnonzero(moved >= 0.6 * moved.max())[-1])
 mesh.data.vertices.foreach_set("select", [i == vertex for i in range(len(moved))])
-Hand.active = (holder.name, pinned.name)
+Hand.chosen = ((holder.name, pinned.name),)
 assert bpy.ops.usdrigui.pin() == {"FINISHED"}
 assert bpy.ops.usdrigui.lay_out() == {"FINISHED"}
 now = Character(holder).layout.element(pinned.name)

@@ -20,7 +20,7 @@ for number, pose in enumerate(task["poses"]):
     saved[f"values{number}"] = np.array([values[name] for name in pose])
     for i, mesh in enumerate(character.layout.meshes):
         saved[f"mesh{number}_{i}"] = world_points(character.meshes[mesh.path])
-    placed = anchors.place(character, bpy.context.evaluated_depsgraph_get(), values)
+    placed = anchors.place(bpy.context.evaluated_depsgraph_get(), values)
     for element, each in zip(anchors.elements, placed, strict=True):
         saved[f"handle{number}_{element.name}"] = each.handle
         for k, track in enumerate(each.tracks):
