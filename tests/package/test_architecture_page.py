@@ -1,4 +1,4 @@
-"""ARCHITECTURE.md is one page and names files and tests that exist, each file by the noun of its paragraph."""
+"""ARCHITECTURE.md is one page and names files that exist, each file by the noun of its paragraph."""
 
 import re
 from pathlib import Path
@@ -20,13 +20,6 @@ def test_every_room_is_named():
     assert [path for path in (ROOT / "usdrigui").glob("[a-z]*") if path.stem not in PAGE] == []
 
 
-def test_every_test_named_exists():
-    source = "\n".join(path.read_text(encoding="utf-8") for path in (ROOT / "tests").rglob("test_*.py"))
-    named = set(re.findall(r"\b(test_[a-z_0-9]+)\b(?!\.py|\*)", PAGE))
-    assert named
-    assert [name for name in sorted(named) if f"def {name}(" not in source] == []
-
-
 def test_every_decision_named_exists():
     known = {path.name[:3] for path in (ROOT / "docs" / "decisions").glob("*.md")}
     named = set(re.findall(r"\((\d{3})\)", PAGE))
@@ -46,7 +39,7 @@ def test_where_is_the_noun_of_a_paragraph(row):
 
     The records of `model/` answer what a thing is, not where it is made.
     """
-    paragraph, named, _ = row.split(" | ")
+    paragraph, named = row.split(" | ")
     ((noun,), (path,)) = re.findall(r"\*\*(.+?)\*\*", paragraph), re.findall(r"^`(.+)`$", named)
     folder = ROOT / PLACES.get(path.split("/")[0], PLACES[""])
     called = re.compile(rf"(.*_)?{noun.replace(' ', '_')}[a-z_]*\.(py|js)")
@@ -63,6 +56,6 @@ def test_every_paragraph_has_a_row_and_a_file_of_its_own():
 
 
 def test_it_is_one_page_with_one_figure():
-    assert len(PAGE.splitlines()) <= 105
+    assert len(PAGE.splitlines()) <= 115
     assert len(PAGE.replace("|", " ").split()) <= 900
     assert PAGE.count("```") == 2
