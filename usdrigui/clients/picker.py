@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from importlib.resources import files
 from typing import Any
 
 import numpy as np
@@ -247,41 +248,16 @@ def _ink(mark: Mark) -> str:
 def _shape(
     form: str, place: Sequence[float], colour: str, *, background: bool = False
 ) -> dict[str, Any]:
-    """One shape with every key that the format asks for."""
+    """One shape with every key that the format asks for (dwpicker_shape.json)."""
     left, top, width, height = place
-    return {
+    usual: dict[str, Any] = json.loads((files(__package__) / "dwpicker_shape.json").read_bytes())
+    return usual | {
         "background": background,
-        "visibility_layer": None,
         "shape": form,
         "shape.left": left,
         "shape.top": top,
         "shape.width": width,
         "shape.height": height,
-        "shape.cornersx": 4,
-        "shape.cornersy": 4,
         "border": not background,
-        **{
-            f"borderwidth.{state}": width
-            for state, width in (("normal", 1.0), ("hovered", 1.25), ("clicked", 2.0))
-        },
-        **dict.fromkeys(
-            ("bordercolor.normal", "bordercolor.hovered", "bordercolor.clicked"), "#ffffff"
-        ),
-        "bordercolor.transparency": 0,
         **dict.fromkeys(("bgcolor.normal", "bgcolor.hovered", "bgcolor.clicked"), colour),
-        "bgcolor.transparency": 0,
-        "text.content": "",
-        "text.size": 11,
-        "text.bold": False,
-        "text.italic": False,
-        "text.color": "#ffffff",
-        "text.valign": "center",
-        "text.halign": "center",
-        "action.targets": [],
-        "action.commands": [],
-        "action.menu_commands": [],
-        "image.path": "",
-        "image.fit": False,
-        "image.height": 32,
-        "image.width": 32,
     }
