@@ -266,12 +266,9 @@ def _with_settings(
         objective=replace(settings.layout.objective, **objective),
         symmetry=replace(symmetry, plane_weight=plane * symmetry.plane_weight),
     )
+    known = replace(inputs.measured, settings=changed)
     other = placement_problem(
-        inputs.face,
-        candidates or inputs.candidates,
-        inputs.placement.groups,
-        inputs.requests,
-        changed,
+        known, candidates or inputs.candidates, inputs.placement.groups
     ).problem
     same = tuple(map(_same_labels, inputs.placement.problem.variables, other.variables))
     return replace(other, variables=same, extra=inputs.placement.problem.extra)

@@ -7,7 +7,6 @@ from typing import Any
 
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.place.candidates import find_candidates
-from usdrigui.layout.place.terms import LinearTerms
 from usdrigui.layout.reuse.carrying import Today
 from usdrigui.layout.reuse.prior_layout import NO_PRIOR, prior_of_previous
 from usdrigui.pipeline import Task, stages
@@ -87,21 +86,8 @@ def face_of(rig, settings=None, base_values=None):
 
 def with_candidates(rig, settings=None):
     """A face and the candidates on it."""
-    settings = settings or Settings()
     known = measured(rig, settings)
-    return Line(
-        Placing(
-            known.face,
-            find_candidates(
-                known.face,
-                known.classification,
-                known.requests,
-                settings.layout.candidates,
-                LinearTerms.of(settings.layout),
-                settings.layout.objective.samples,
-            ),
-        )
-    )
+    return Line(Placing(known.face, find_candidates(known)))
 
 
 def _character(rig, settings, base_values, fixed=None):

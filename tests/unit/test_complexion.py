@@ -18,6 +18,7 @@ from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
 from usdrigui.stages.colours import colours_and_images
 from usdrigui.view.body import complexion, shading
+from usdrigui.view.directions import camera_rows
 
 SAMPLE = Path(__file__).resolve().parents[2] / "sample_assets" / "char.usda"
 RED, BLUE = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
@@ -244,7 +245,7 @@ def test_elements_are_on_skin_and_eyes_have_pupils(name):
     points = [real_rigs.point_of(line, element) for element in real_rigs.on_face(line)]
     is_trim = (found.colours[points] == complexion._TRIM).all(axis=1) & (found.gaze[points, 0] > 2.0)
     assert is_trim.mean() <= 0.1
-    across = shading.look(layout.frame.view, rig.skel_root.up)[0]
+    across = camera_rows(layout, rig.skel_root.up)[0]
     at = deform(rig, layout.character.base_values) @ across
     on_eye = np.linalg.norm(found.gaze, axis=1) < 1.2 * shading.IRIS
     middle = layout.frame.plane.origin @ across

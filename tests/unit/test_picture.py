@@ -19,7 +19,7 @@ from usdrigui.character.deform import deform
 from usdrigui.errors import RigUIError
 from usdrigui.pipeline.joining import joined
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare
-from usdrigui.view import picture, sheet
+from usdrigui.view import directions, picture, sheet
 from usdrigui.view.body import shading
 from usdrigui.view.body.complexion import complexion
 from usdrigui.view.flat import callouts, framing, lettering, marks, scene as flat
@@ -326,14 +326,15 @@ def test_captions_say_from_where_the_layout_is_seen(rig, layout, view, expected)
     assert captions(page) == expected
 
 
-def test_camera_turns_points_to_pixels_and_back():
-    rows = shading.look(np.array([0.3, -0.2, 0.9]), np.array([0.0, 1.0, 0.0]))
+def test_camera_turns_points_to_pixels_and_back(rig, layout):
+    up = rig.skel_root.up
+    rows = directions.camera_rows(layout, up, np.array([0.3, -0.2, 0.9]))
     assert rows @ rows.T == pytest.approx(np.eye(3), abs=1e-12)
     camera = shading.Camera(rows, np.array([1.0, 2.0, 3.0]), 50.0, 200, 100)
     at = camera.project(camera.unproject(np.array([[13.0, 77.0]]), 0.4))
     assert at[0] == pytest.approx([13.0, 77.0, 0.4])
-    above = shading.look(np.array([0.0, 1.0, 0.0]), np.array([0.0, 1.0, 0.0]))
-    assert above @ above.T == pytest.approx(np.eye(3), abs=1e-12)
+    above = directions.camera_rows(layout, up, up)
+    assert above[1:] == pytest.approx(np.stack([-directions.ahead_of(layout, up), up])), "as on a table"
 
 
 def test_a_body_with_collapsed_and_missing_points_is_still_drawn(rig, layout):

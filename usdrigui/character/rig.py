@@ -11,7 +11,7 @@ import numpy as np
 
 from usdrigui.character.controls import Channel, Control, Joint, Skeleton
 from usdrigui.character.mesh import RigMesh, Shape
-from usdrigui.character.record import Floats, Indices, Record
+from usdrigui.character.record import Flags, Floats, Indices, Record
 from usdrigui.errors import Issue
 
 
@@ -82,6 +82,12 @@ class Body(Record):
     def starts(self) -> Indices:
         """(len(meshes) + 1,) first point of each mesh; the last entry is the number of points."""
         return np.cumsum([0, *(len(mesh.points) for mesh in self.meshes)], dtype=np.int64)
+
+    @property
+    def drawn(self) -> Flags:
+        """(n,) points of visible meshes."""
+        visible = [mesh.display.visible for mesh in self.meshes]
+        return np.repeat(np.array(visible, dtype=bool), np.diff(self.starts))
 
     def point_of(self, path: str, local: int) -> int:
         """Point of a local point of the mesh at a path; -1 where there is no such mesh or point."""

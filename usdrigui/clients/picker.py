@@ -19,7 +19,8 @@ from usdrigui.character import Floats, Rig
 from usdrigui.model import Element, Layout
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.view.body.complexion import complexion
-from usdrigui.view.body.shading import Camera, Subject, look, subject_of
+from usdrigui.view.body.shading import Camera, Subject, subject_of
+from usdrigui.view.directions import camera_rows
 from usdrigui.view.flat.callouts import called_out, column_width, shortened
 from usdrigui.view.flat.framing import framed
 from usdrigui.view.flat.pillow import painted
@@ -118,9 +119,7 @@ def _pages(rig: Rig, layout: Layout, labels: bool) -> Iterator[Page]:
         panels = []
         top, width = _TITLE if section.title else _MARGIN, _BOARD_WIDTH
         if on_character(section.layout):
-            panel = _panel(
-                section, subject, look(section.layout.frame.view, rig.skel_root.up), labels
-            )
+            panel = _panel(section, subject, camera_rows(section.layout, rig.skel_root.up), labels)
             panels.append(replace(panel, corner=(_MARGIN, top)))
             top, width = top + panel.size[1] + _MARGIN, panel.size[0]
         for board in board_of(section, rig.skel_root.up, (_MARGIN, top, width), _BOARD):

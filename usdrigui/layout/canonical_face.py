@@ -56,12 +56,11 @@ def own_up(up: Floats, trajectories: Trajectories, plane: MirrorPlane) -> Floats
     do.  Faces look down or up a little, and characters are modelled along the axes: the axis near
     to what was found is meant.
     """
-    outward = moving_normals(trajectories)
-    ahead = outward - (outward @ plane.normal) * plane.normal
-    upright = unit(np.cross(ahead, plane.normal))
+    across = np.cross(moving_normals(trajectories), plane.normal)
+    upright = unit(across)
     if abs(float(upright @ up)) > _STANDING:
         return level(up, plane.normal) if abs(plane.normal @ up) > _TILTED else up
-    if not upright.any() or np.linalg.norm(ahead) < _FACING * len(trajectories.motions):
+    if np.linalg.norm(across) < _FACING * len(trajectories.motions):
         return up
     axis = np.eye(3)[first_largest(np.abs(upright))]
     straight = towards(level(axis, plane.normal), upright)
@@ -131,7 +130,7 @@ def believed(
         for motion in trajectories.motions
         if (meaning := found[motion.control]) is not None
         and (meaning.numbered or expected[motion.control] is not None)
-        and motion.shares.owned is None
+        and not motion.of_joint
     ]
     if right and 2 * sum(right) <= len(right):
         return (None,) * len(found), (None,) * len(found)
@@ -274,16 +273,11 @@ def _middle(
     two lobes of a symmetric motion that of one) and height, scene units; `seen` are the up
     direction and the visible points (n,)."""
     up, visible = seen
-    weight = _weights(surface.areas, visible, motion)
+    shown = np.where(visible[motion.points], 1.0, 1e-6)
+    weight = surface.areas[motion.points] * np.square(motion.arc_length) * shown
+    weight /= max(float(weight.sum()), 1e-300)
     points = surface.points[motion.points]
     apart = plane.distance(points)
     middle, spread = float(weight @ apart), float(weight @ np.abs(apart))
     one_sided = abs(middle) > 0.5 * spread
     return np.array([middle if one_sided else 0.0, float(weight @ (points @ up))])
-
-
-def _weights(areas: Floats, visible: Flags, motion: Motion) -> Floats:
-    """(p,) of the points of a motion for its middle; their sum is 1."""
-    seen = visible[motion.points]
-    weight = areas[motion.points] * np.square(motion.arc_length) * np.where(seen, 1.0, 1e-6)
-    return weight / max(float(weight.sum()), 1e-300)

@@ -5,11 +5,15 @@ from __future__ import annotations
 
 from functools import cached_property
 
-from usdrigui.character import Flags, Floats, Record, Rig
+import numpy as np
+
+from usdrigui.character import Flags, Floats, Indices, Record, Rig
+from usdrigui.character.surface import components, mesh_triangles
 from usdrigui.conventions import Meaning
 from usdrigui.layout.canonical_face import Expectation
 from usdrigui.layout.visibility import Views, clear_handles
 from usdrigui.model import Symmetry, Trajectories
+from usdrigui.ties import first_largest
 
 
 class Face(Record):
@@ -40,6 +44,27 @@ class Face(Record):
         """(n,) points at which a handle can be seen as a whole."""
         base, normals = self.trajectories.surface.points, self.trajectories.surface.normals
         return clear_handles(self.views, base, normals, self.handle_width)
+
+    @cached_property
+    def twins(self) -> Indices:
+        """(motions,) the mirror motion of each, itself, or -1."""
+        rows = {motion.control: i for i, motion in enumerate(self.trajectories.motions)}
+        found = [rows.get(int(self.symmetry.twins[control]), -1) for control in rows]
+        return np.array(found, dtype=np.int64)
+
+    @cached_property
+    def peaks(self) -> list[int]:
+        """(motions,) the point where each motion is largest, as far as it is seen."""
+        seen = self.views.anywhere
+        return [
+            int(m.points[first_largest(np.where(seen[m.points], m.arc_length, 0.0))])
+            for m in self.trajectories.motions
+        ]
+
+    @cached_property
+    def pieces(self) -> Indices:
+        """(n,) the connected piece of surface of each point."""
+        return components(mesh_triangles(self.rig.body.meshes), self.trajectories.surface.places)
 
     def control_name(self, control: int) -> str:
         """Name of a control by its index."""

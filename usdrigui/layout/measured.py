@@ -7,7 +7,7 @@ from usdrigui.layout.classify.classification import Classification
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.settings import Settings
+from usdrigui.settings import CandidateSettings, Settings
 
 
 class Measured(Record):
@@ -19,3 +19,8 @@ class Measured(Record):
     classification: tuple[Classification, ...]
     """(motions,)."""
     settings: Settings
+
+    @property
+    def pruning(self) -> CandidateSettings:
+        """The settings of the candidates."""
+        return self.settings.layout.candidates

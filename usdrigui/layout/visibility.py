@@ -115,9 +115,7 @@ def find_views(
     up, surface = rig.skel_root.up, trajectories.surface
     ahead = front(up, trajectories, plane.normal)
     directions = _directions(viewpoint, ahead, up)
-    drawn = np.concatenate(
-        [np.full(len(mesh.points), mesh.display.visible) for mesh in rig.body.meshes]
-    )
+    drawn = rig.body.drawn
     frame = _frame(surface, plane, ahead, up)
     if not viewpoint.occlusion:
         return Views(ahead, up, directions, np.tile(drawn, (len(directions), 1)), None, frame)
@@ -166,7 +164,7 @@ class _Around(Record):
         for each in found.motions:
             own = each.on_own_skin()
             weight = own.arc_length * surface.areas[own.points]
-            if each.shares.owned is not None and weight.any():
+            if each.of_joint and weight.any():
                 skins.append((own.points, weight / weight.sum()))
                 moved[own.points] += own.polylines.offsets[[0, -1]].sum(axis=0)
         points, normals = frame.points(surface.points), frame.directions(surface.normals)

@@ -47,6 +47,20 @@ class Trajectories(Record):
     findings: Findings
     """Controls that move nothing; tiny and duplicate ones, which are kept."""
 
+    @property
+    def face_points(self) -> Indices:
+        """Points that controls move notably."""
+        moved = np.zeros(len(self.surface.points), dtype=bool)
+        for motion in self.motions:
+            moved[motion.points[motion.arc_length >= 0.5 * motion.arc_length.max()]] = True
+        return np.flatnonzero(moved)
+
+    @property
+    def middle(self) -> Floats:
+        """(3,) middle of the region that moves notably."""
+        points = self.surface.points[self.face_points]
+        return np.asarray(0.5 * (points.min(axis=0) + points.max(axis=0)))
+
     def motion_of(self, control: int) -> Motion:
         """The motion of a control, which must move something."""
         return next(each for each in self.motions if each.control == control)
@@ -63,6 +77,11 @@ class Motion(Record):
     arc_length: Floats
     """(p,) length of each polyline from minimum to maximum."""
     shares: Shares
+
+    @property
+    def of_joint(self) -> bool:
+        """Whether it is that of a joint that owns skin."""
+        return self.shares.owned is not None
 
     @property
     def peak(self) -> float:

@@ -31,7 +31,6 @@ from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.place.handle_width import handle_width, on_face
 from usdrigui.layout.place.problem import penalty_of, placement_problem
 from usdrigui.layout.place.regions import crowded_regions
-from usdrigui.layout.place.terms import LinearTerms
 from usdrigui.layout.reuse.decisions import with_decisions
 from usdrigui.layout.reuse.existing_layout import drawn_width, of_new_controls
 from usdrigui.layout.review.layout_faults import refuse_stale
@@ -163,21 +162,14 @@ def _problem(
 ) -> ProblemInputs:
     face, requests, settings = known.face, known.requests, known.settings.layout
     with clock.stage("candidates"):
-        candidates = find_candidates(
-            face,
-            known.classification,
-            requests,
-            settings.candidates,
-            LinearTerms.of(settings),
-            settings.objective.samples,
-        )
+        candidates = find_candidates(known)
         candidates = of_new_controls(face, requests, candidates)
     with clock.stage("problem"):
         groups = find_groups(known, candidates)
         most = settings.objective.max_neighbours
         regions = crowded_regions(face, groups, most) if face.crowded else {}
         groups = with_levels(face.rig, groups, settings.levels, requests, regions)
-        placement = placement_problem(face, candidates, groups, requests, known.settings)
+        placement = placement_problem(known, candidates, groups)
     return ProblemInputs(character, part.name, known, candidates, placement)
 
 

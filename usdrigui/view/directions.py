@@ -10,8 +10,9 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.character import Floats
+from usdrigui.character.joint_tree import unit
+from usdrigui.layout.symmetry.front import first_level, seen_from
 from usdrigui.model import Layout
-from usdrigui.view.body.shading import look
 
 TURN = 35.0
 """Azimuth of a three-quarter view."""
@@ -37,10 +38,15 @@ def ahead_of(layout: Layout, up: Floats) -> Floats:
 
     With one the view does not show it: a layout made for the side has the profile there.
     """
-    ahead = np.cross(layout.frame.plane.normal, up)
-    if not np.linalg.norm(ahead) > 1e-6:
-        ahead = np.cross(look(layout.frame.view, up)[0], up)
-    return np.asarray(ahead / np.linalg.norm(ahead))
+    frame = layout.frame
+    return first_level(up, np.cross(frame.plane.normal, up), frame.view)
+
+
+def camera_rows(layout: Layout, up: Floats, toward: Floats | None = None) -> Floats:
+    """(3, 3) camera rows, right, up and out, for a view of a layout against `toward`, its own if
+    none."""
+    view = layout.frame.view if toward is None else toward
+    return seen_from(unit(view), up, ahead_of(layout, up))
 
 
 def turned(direction: Floats, up: Floats, degrees: float) -> Floats:

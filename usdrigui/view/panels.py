@@ -10,7 +10,8 @@ from PIL import Image
 from usdrigui.character import Floats
 from usdrigui.model import Layout
 from usdrigui.pose.evaluate import PosedLayout
-from usdrigui.view.body.shading import Camera, Subject, encoded, look, shade
+from usdrigui.view.body.shading import Camera, Subject, encoded, shade
+from usdrigui.view.directions import camera_rows
 from usdrigui.view.flat.columns import RADIUS, board
 from usdrigui.view.flat.marks import mark
 from usdrigui.view.flat.scene import Mark, Panel
@@ -52,7 +53,7 @@ def board_of(
     layout = section.layout
     on_board = [i for i, element in enumerate(layout.elements) if element.anchor.on_board]
     pixels = 2.0 * scale * RADIUS / layout.frame.handle_width
-    camera = Camera(look(layout.frame.view, up), np.zeros(3), pixels, 0, 0)
+    camera = Camera(camera_rows(layout, up), np.zeros(3), pixels, 0, 0)
     marks = marks_of(layout, section.posed, on_board, camera)
     pairs = [(layout.elements[i], mark) for i, mark in zip(on_board, marks, strict=True)]
     return [board(pairs, box, scale)] if pairs else []

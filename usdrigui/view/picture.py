@@ -19,7 +19,7 @@ from usdrigui.model import Element, Layout, gap_of, proven
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.view import directions
 from usdrigui.view.body.complexion import complexion
-from usdrigui.view.body.shading import Subject, look, subject_of
+from usdrigui.view.body.shading import Subject, subject_of
 from usdrigui.view.flat.callouts import called_out, column_width, shortened
 from usdrigui.view.flat.framing import Frame, View, crowds, framed, names_height, row, trimmed
 from usdrigui.view.flat.lettering import cut, font, legible, width_of
@@ -193,7 +193,7 @@ def _frames(rig: Rig, section: Section, skin: Floats, views: Sequence[str] | Non
     tracks = [track for i in placed for track in section.posed.elements[i].tracks]
     frames = []
     for towards, caption in _directions(rig, section, views):
-        rows = look(towards, rig.skel_root.up)
+        rows = directions.camera_rows(section.layout, rig.skel_root.up, towards)
         low, high = framed(tracks, skin, rows, section.layout.frame.handle_width)
         frames.append(Frame(rows, low, high, caption, placed))
     return frames

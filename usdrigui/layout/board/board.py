@@ -15,7 +15,7 @@ from typing import Literal
 import numpy as np
 
 from usdrigui.character import Control, Floats, Record
-from usdrigui.layout.board.board_place import anchor_point, face_middle, silhouette
+from usdrigui.layout.board.board_place import anchor_point, silhouette
 from usdrigui.layout.face import Face
 from usdrigui.layout.glyph_fitting import fitted_glyph
 from usdrigui.layout.names import common_label, element_name
@@ -62,7 +62,7 @@ def board_elements(
         return []
     rows = _rows(face.rig.controls, board)
     width, height = face.handle_width, _TALL * face.trajectories.surface.face_size
-    middle = face_middle(face.trajectories, face.symmetry.plane)
+    middle = face.symmetry.plane.projected(face.trajectories.middle)
     frame = screen(face.views)
     columns = _columns(rows, max(1, int(height / (_ROW * width))))
     left = silhouette(face, middle, frame, 0.5 * height) + _MARGIN * width

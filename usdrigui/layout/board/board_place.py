@@ -7,14 +7,7 @@ import numpy as np
 
 from usdrigui.character import Body, Floats, Indices, Skin
 from usdrigui.layout.face import Face
-from usdrigui.model import MirrorPlane, Trajectories
 from usdrigui.ties import first_largest
-
-
-def face_middle(trajectories: Trajectories, plane: MirrorPlane) -> Floats:
-    """(3,) middle of the moving region, on the mirror plane where there is one."""
-    points = trajectories.surface.points[_face_points(trajectories)]
-    return plane.projected(0.5 * (points.min(axis=0) + points.max(axis=0)))
 
 
 def silhouette(face: Face, middle: Floats, frame: Floats, half: float) -> float:
@@ -23,10 +16,7 @@ def silhouette(face: Face, middle: Floats, frame: Floats, half: float) -> float:
 
     `frame` (2, 3) are right and up on the screen.
     """
-    drawn = np.concatenate(
-        [np.full(len(mesh.points), mesh.display.visible) for mesh in face.rig.body.meshes]
-    )
-    flat = face.trajectories.surface.points[drawn] @ frame.T
+    flat = face.trajectories.surface.points[face.rig.body.drawn] @ frame.T
     near = flat[np.abs(flat[:, 1] - middle @ frame[1]) <= half, 0]
     return float(near.max()) if len(near) else float(middle @ frame[0])
 
@@ -38,21 +28,13 @@ def anchor_point(face: Face, middle: Floats) -> int:
     total = np.zeros(len(trajectories.surface.points))
     for motion in trajectories.motions:
         total[motion.points] += motion.arc_length
-    firmness = _firmness(face.rig.body, _face_points(trajectories))
+    firmness = _firmness(face.rig.body, trajectories.face_points)
     apart = np.linalg.norm(trajectories.surface.points - middle, axis=1)
     unit = trajectories.surface.face_size
     order = np.lexsort(
         (np.round(apart / unit, 6), np.round(total / unit, 6), -np.round(firmness, 3))
     )
     return int(order[0])
-
-
-def _face_points(trajectories: Trajectories) -> Indices:
-    """Points that controls move notably."""
-    moved = np.zeros(len(trajectories.surface.points), dtype=bool)
-    for motion in trajectories.motions:
-        moved[motion.points[motion.arc_length >= 0.5 * motion.arc_length.max()]] = True
-    return np.flatnonzero(moved)
 
 
 def _firmness(body: Body, face_points: Indices) -> Floats:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.character import Control, Flags, Floats, Record
+from usdrigui.character import Control, Flags, Floats, Indices, Record
 from usdrigui.conventions import Meaning
 from usdrigui.errors import Issue, explained
 from usdrigui.layout.classify.composites import Composite, composites, explanation
@@ -17,7 +17,7 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.motion.coverage import coverage_of_smaller, shares_of_face
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.model import BaseSurface, Category, Motion, Symmetry
+from usdrigui.model import BaseSurface, Category, Motion
 from usdrigui.settings import CandidateSettings
 
 
@@ -71,14 +71,14 @@ def classify(
     vanish = visibility_shapes(face.rig.body.meshes, face.trajectories)
     repeated = composites(face, similarity, shares)
     names = [control.name for control in controls]
-    kept = _kept(motions, face.symmetry, seen)
+    kept = _kept(motions, face.twins, seen)
     # The joints of a chain explain each other, and one holds most of a robot's head; only shapes
     # and poses show what repeats a shape or a pose, and what moves all of a face.
     joints_alone = all(control.kind == "joint" for control in controls)
     found = []
     for index, motion in enumerate(motions):
         own, meaning = motion.on_own_skin(), meanings[index]
-        alone = joints_alone and motion.shares.owned is not None
+        alone = joints_alone and motion.of_joint
         evidence = _Evidence(
             coverage_of_smaller=0.0 if alone else float(covered[index]),
             named_local=_named_local(meaning),
@@ -155,18 +155,16 @@ def _of_sets(
     return found
 
 
-def _kept(motions: tuple[Motion, ...], symmetry: Symmetry, visible: Flags) -> Floats:
+def _kept(motions: tuple[Motion, ...], twins: Indices, visible: Flags) -> Floats:
     """(motions,) largest share of its peak that each keeps at a visible place, the same for twins;
     1 for the control of a joint, whose skin is its place."""
     found = np.ones(len(motions))
     for index, motion in enumerate(motions):
-        if motion.shares.owned is None:
+        if not motion.of_joint:
             found[index] = motion.arc_length[visible[motion.points]].max(initial=0.0) / max(
                 motion.peak, 1e-300
             )
-    by_control = {motion.control: i for i, motion in enumerate(motions)}
-    twins = [by_control.get(int(symmetry.twins[m.control]), i) for i, m in enumerate(motions)]
-    return np.maximum(found, found[twins])
+    return np.maximum(found, np.where(twins < 0, found, found[twins]))
 
 
 def _essential(meaning: Meaning | None) -> bool:

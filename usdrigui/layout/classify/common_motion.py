@@ -51,7 +51,7 @@ def with_common_motion(
     motions = list(trajectories.motions)
     for index in np.flatnonzero(on_face).tolist():
         motion = motions[index]
-        if motion.shares.owned is None:
+        if not motion.of_joint:
             at = row[trajectories.surface.places[motion.points]]
             share = np.ones(len(at))
             share[at >= 0] = _shares(similarity, index, on_face, at[at >= 0])

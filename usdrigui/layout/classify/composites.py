@@ -28,7 +28,7 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.motion.similarity import (
     Similarity,
 )
-from usdrigui.model import Category, Motion
+from usdrigui.model import Category
 
 _UNNAMED_SIDE = 0.5
 """Importance of a control of one side whose name means nothing: less than that of any action."""
@@ -70,7 +70,7 @@ def composites(face: Face, similarity: Similarity, coverage: Floats) -> dict[int
     motions = face.trajectories.motions
     names = [face.control_name(motion.control) for motion in motions]
     meaning = [face.meanings[motion.control] for motion in motions]
-    twins = _twins(motions, face.symmetry.twins)
+    twins = face.twins
     families = find_families(names, meaning, similarity.cosine)
     basis = choose_basis(similarity.cosine, _costs(meaning, coverage, families, twins), twins)
     found = {
@@ -115,13 +115,6 @@ def _costs(
             else:
                 costs[i] = -action.importance
     return np.round(costs, 6)
-
-
-def _twins(motions: tuple[Motion, ...], twins: Indices) -> Indices:
-    """(m,) the mirror motion of each, itself, or -1."""
-    index = {motion.control: i for i, motion in enumerate(motions)}
-    found = [index.get(int(twins[motion.control]), -1) for motion in motions]
-    return np.array(found, dtype=np.int64)
 
 
 def _composite(index: int, basis: Basis, norm: Floats) -> Composite:

@@ -141,11 +141,8 @@ class _Grouping:
         self.names = [face.control_name(control) for control in self.controls]
         # What the only view does not see holds no element, be it the image of one that is seen.
         fold = mirror.fold and not face.views.one_sided(face.symmetry.plane.normal)
-        index = {control: i for i, control in enumerate(self.controls) if i in self.sets}
-        twin = {
-            i: index.get(int(face.symmetry.twins[self.controls[i]]), -1) if fold else -1
-            for i in self.sets
-        }
+        twins = face.twins.tolist()
+        twin = {i: twins[i] if fold and twins[i] in self.sets else -1 for i in self.sets}
         # A control with a place of its own is not folded, and neither is its twin.
         alone = {
             i

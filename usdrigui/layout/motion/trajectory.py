@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from usdrigui.character import (
+    Body,
     Control,
     Findings,
     Flags,
@@ -15,7 +16,6 @@ from usdrigui.character import (
     Indices,
     LeftOff,
     Rig,
-    RigMesh,
     Singles,
 )
 from usdrigui.character.deform import Posed, Sweep, knots, posed, sweep_start
@@ -78,19 +78,17 @@ def trajectories(
             left_off.append(LeftOff(control.name, STAGE, "moves no point of any mesh"))
     excluded = _excluded(rig, chains, size, settings)
     moving = (
-        _without_drift(rig.body.meshes, rig.controls, motions)
-        if settings.noise > 0.0
-        else tuple(motions)
+        _without_drift(rig.body, rig.controls, motions) if settings.noise > 0.0 else tuple(motions)
     )
     return _assembled(rig, base.points, moving, excluded, tuple(left_off), settings)
 
 
 def _without_drift(
-    meshes: tuple[RigMesh, ...], controls: tuple[Control, ...], motions: Sequence[Motion]
+    body: Body, controls: tuple[Control, ...], motions: Sequence[Motion]
 ) -> tuple[Motion, ...]:
     """The motions; shapes that move nearly every point, as solvers and scans leave them that were
     not held to the head, without the points that move no more than the rest."""
-    counts = np.array([len(mesh.points) for mesh in meshes])
+    counts = np.diff(body.starts)
     mesh_of = np.repeat(np.arange(len(counts)), counts)
     return tuple(
         motion
@@ -220,14 +218,11 @@ def _arc_lengths(offsets: Singles) -> Floats:
     return np.asarray(lengths.sum(axis=0, dtype=np.float64), dtype=np.float64)
 
 
-def _apart(meshes: tuple[RigMesh, ...], motion: Floats) -> Floats:
+def _apart(body: Body, motion: Floats) -> Floats:
     """(n, 4) what keeps points at one position apart: moving unlike, or lying on a mesh that is not
     shown."""
-    shown = np.repeat(
-        [mesh.display.visible for mesh in meshes], [len(mesh.points) for mesh in meshes]
-    )
     scale = float(np.abs(motion).max(initial=0.0)) or 1.0
-    return np.column_stack([motion, np.where(shown, scale, 0.0)])
+    return np.column_stack([motion, np.where(body.drawn, scale, 0.0)])
 
 
 def _assembled(
@@ -239,9 +234,7 @@ def _assembled(
     settings: TrajectorySettings,
 ) -> Trajectories:
     corners = mesh_triangles(rig.body.meshes)
-    places = weld(
-        base, _apart(rig.body.meshes, total_motion(motions, len(base)).astype(np.float64))
-    )
+    places = weld(base, _apart(rig.body, total_motion(motions, len(base)).astype(np.float64)))
     areas = point_areas(base, corners, places)
     normals = vertex_normals(base, corners, weld(base))
     inward = faces_inward(base, corners)

@@ -2,25 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
+from scipy.spatial import cKDTree
 
-from usdrigui.character import Flags, Indices, LeftOff
+from usdrigui.character import Flags, Floats, Indices, LeftOff
 from usdrigui.layout.canonical_face import Expectation
-from usdrigui.layout.classify.classification import Classification
 from usdrigui.layout.face import Face
+from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.tracks import polylines
 from usdrigui.layout.place.locality import kept_near, proxies
 from usdrigui.layout.place.terms import LinearTerms, linear_cost
 from usdrigui.layout.reuse.carrying import MOVES
 from usdrigui.layout.reuse.partial_layout import fixed_anchor, moves
-from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.lobes import in_the_middle
 from usdrigui.layout.visibility import mostly_hidden
 from usdrigui.model import Candidates, CandidateSet, Motion
-from usdrigui.settings import CandidateSettings
 from usdrigui.ties import first_largest
 
 STAGE = "candidates"
@@ -40,35 +38,37 @@ _NOTABLE = 1.0 / 3.0
 to hold."""
 _MOST = 0.85
 """The same for standing near the place itself."""
+_ENOUGH = 2.0 / 3.0
+"""The same for leaving the peak where no place is expected."""
+_STRAND = 0.1
+"""Share of what a control moves on the piece where it moves most, below which it moves a strand."""
+_FAR = 1.0 / 3.0
+"""Distance from the places of all other controls, in face sizes, from which a peak is far."""
+_HALF = 0.5
+"""Share of the peak of another control from which that acts in a place, and of that distance from
+which a place is much nearer."""
 
 
-def find_candidates(
-    face: Face,
-    classification: Sequence[Classification],
-    requests: Requests,
-    settings: CandidateSettings,
-    terms: LinearTerms,
-    samples: int,
-) -> Candidates:
+def find_candidates(known: Measured) -> Candidates:
     """The candidates of every control that moves something; a control without any is left off.
 
     Points are pruned below the mean arc length of the control and below a share of its visible
     peak, where no view sees them and where the trajectory runs inside or behind the model.  Where
     pruning would leave nothing, its weaker reasons give way in the reverse order: a control that
-    any view can see always has a candidate.  `samples` are the points of a track that decide
-    whether it runs there.
+    any view can see always has a candidate.
     """
+    face = known.face
     sets: list[CandidateSet] = []
     left_off: list[LeftOff] = []
     for index, (motion, found) in enumerate(
-        zip(face.trajectories.motions, classification, strict=True)
+        zip(face.trajectories.motions, known.classification, strict=True)
     ):
-        if requests.overrides[motion.control].exclude:
+        if known.requests.overrides[motion.control].exclude:
             left_off.append(
                 LeftOff(face.control_name(motion.control), STAGE, "excluded by the configuration")
             )
             continue
-        points, sources = _places(face, motion, found, requests, settings, samples)
+        points, sources = _places(known, motion, found.category)
         if not len(points):
             reason = "moves only points that coincide with points it leaves at rest"
             left_off.append(LeftOff(face.control_name(motion.control), STAGE, reason))
@@ -77,7 +77,7 @@ def find_candidates(
             CandidateSet(
                 motion=index,
                 points=points,
-                cost=linear_cost(face, motion, sources, terms),
+                cost=_cost(known, motion, sources),
                 coverage=found.coverage,
                 sources=sources,
                 category=found.category,
@@ -87,84 +87,57 @@ def find_candidates(
     return Candidates(tuple(sets), tuple(left_off))
 
 
-def loosened(
-    face: Face,
-    found: CandidateSet,
-    requests: Requests,
-    settings: CandidateSettings,
-    terms: LinearTerms,
-    least: float,
-) -> CandidateSet:
+def loosened(known: Measured, found: CandidateSet, least: float) -> CandidateSet:
     """The set with every visible place where a handle keeps at least a share of the control's peak:
     for elements whose copies would collide at all of their better places."""
-    motion = face.trajectories.motions[found.motion]
-    override = requests.overrides[motion.control]
-    seen = _allowed(
-        face, motion, requests, settings.least_kept, _seen(face, motion.points, settings.space)
-    )
-    if override.anchor or not seen.any():
+    motion = known.face.trajectories.motions[found.motion]
+    seen = _allowed(known, motion, _seen(known, motion))
+    if known.requests.overrides[motion.control].anchor or not seen.any():
         return found
     points = motion.points[seen & (motion.arc_length >= _kept(motion, seen, least))]
-    return replace(
-        found,
-        points=points,
-        sources=points,
-        cost=linear_cost(face, motion, points, terms),
-    )
+    return replace(found, points=points, sources=points, cost=_cost(known, motion, points))
 
 
-def candidates_of_axis(
-    face: Face,
-    found: CandidateSet,
-    requests: Requests,
-    settings: CandidateSettings,
-    terms: LinearTerms,
-    samples: int,
-) -> CandidateSet:
-    """The set of a control on the face under `requests` that fix it elsewhere or not at all."""
-    motion = face.trajectories.motions[found.motion]
-    points, sources = _places(face, motion, Classification(), requests, settings, samples)
-    return replace(
-        found,
-        points=points,
-        sources=sources,
-        cost=linear_cost(face, motion, sources, terms),
-    )
+def candidates_of_axis(known: Measured, found: CandidateSet) -> CandidateSet:
+    """The set of a control on the face under requests that fix it elsewhere or not at all."""
+    motion = known.face.trajectories.motions[found.motion]
+    points, sources = _places(known, motion, "")
+    return replace(found, points=points, sources=sources, cost=_cost(known, motion, sources))
 
 
-def _places(
-    face: Face,
-    motion: Motion,
-    found: Classification,
-    requests: Requests,
-    settings: CandidateSettings,
-    samples: int,
-) -> tuple[Indices, Indices]:
+def _cost(known: Measured, motion: Motion, points: Indices) -> Floats:
+    """(p,) the linear terms of a motion at `points`."""
+    return linear_cost(known.face, motion, points, LinearTerms.of(known.settings.layout))
+
+
+def _places(known: Measured, motion: Motion, category: str) -> tuple[Indices, Indices]:
     """Points at which the control may be anchored, ascending, and whose trajectories are drawn
     there."""
-    override, name = requests.overrides[motion.control], face.control_name(motion.control)
+    face, override = known.face, known.requests.overrides[motion.control]
+    name = face.control_name(motion.control)
     peak = motion.points[[first_largest(np.where(motion.stands_on(), motion.arc_length, 0.0))]]
     fixed = fixed_anchor(face.rig, name, override.anchor)
     if fixed is not None:
         point = np.array([fixed], dtype=np.int64)
         return point, point if moves(motion.points, name, override, fixed) else peak
-    if found.category:
+    if category:
         return peak, peak
     if override.place == "proxy":
         points = proxies(face, int(peak[0]))
         sources = np.repeat(peak, len(points))
     else:
-        points = sources = _moving_places(face, motion, requests, settings, samples)
-    return _with_prior(face, motion, requests, (points, sources))
+        points = sources = _moving_places(known, motion)
+    return _with_prior(known, motion, (points, sources))
 
 
 def _with_prior(
-    face: Face, motion: Motion, requests: Requests, places: tuple[Indices, Indices]
+    known: Measured, motion: Motion, places: tuple[Indices, Indices]
 ) -> tuple[Indices, Indices]:
     """The places, points and sources, with the one of the earlier layout: pruning must not drive an
     element away from it.  Where no point is there any more, with all within a handle's width of the
     nearest, as others may want that one."""
-    place, (points, sources) = requests.prior.places.get(motion.control), places
+    face, place = known.face, known.requests.prior.places.get(motion.control)
+    points, sources = places
     own = np.array_equal(points, sources)
     if place is None or place.on_board or not own or place.point not in motion.points:
         return places
@@ -178,36 +151,36 @@ def _with_prior(
     return points, points
 
 
-def _moving_places(
-    face: Face, motion: Motion, requests: Requests, settings: CandidateSettings, samples: int
-) -> Indices:
+def _moving_places(known: Measured, motion: Motion) -> Indices:
     """Points that the control moves and where it may stand, ascending; near what the configuration
     names."""
-    everywhere = np.ones(len(motion.points), dtype=bool)
-    some = _allowed(face, motion, requests, settings.least_kept, everywhere)
-    seen = _allowed(
-        face, motion, requests, settings.least_kept, _seen(face, motion.points, settings.space)
-    )
-    seen = _with_clear_handles(face, motion, requests, settings.least_kept, seen)
+    face, requests = known.face, known.requests
+    some = _allowed(known, motion, np.ones(len(motion.points), dtype=bool))
+    seen = _allowed(known, motion, _seen(known, motion))
+    seen = _with_clear_handles(known, motion, seen)
     # A person's decision, an earlier place and the skin that a joint owns come before the meaning
     # of a name.
     is_asked = requests.overrides[motion.control].near or motion.control in requests.prior.places
-    if not is_asked and motion.shares.owned is None:
-        seen = _where_expected(face, motion, seen, face.expected[motion.control])
-    points = _pruned(face, motion, seen, some, settings, samples)
+    if not (is_asked or motion.of_joint) and seen.any():
+        expected, seen = face.expected[motion.control], _off_strands(face, motion, seen)
+        seen = (
+            _among_others(face, motion, seen)
+            if expected is None
+            else _where_expected(face, motion, seen, expected)
+        )
+    points = _pruned(known, motion, seen, some)
     # What no view sees but is to stand on the face all the same.
-    return points if len(points) else _pruned(face, motion, some, some, settings, samples)
+    return points if len(points) else _pruned(known, motion, some, some)
 
 
-def _allowed(
-    face: Face, motion: Motion, requests: Requests, least_kept: float, among: Flags
-) -> Flags:
+def _allowed(known: Measured, motion: Motion, among: Flags) -> Flags:
     """Those `among` (p,) the moving points where the control may stand, before any pruning: one of
     each place, near what the configuration names, on the skin that its joint owns."""
+    face = known.face
     first = among & (face.trajectories.surface.places[motion.points] == motion.points)
-    near = kept_near(face, motion.control, requests, motion.points, first)
+    near = kept_near(face, motion.control, known.requests, motion.points, first)
     near = _nearest_to_hidden(face, motion, near)
-    return motion.stands_on(near) | _in_the_middle(face, motion, near, least_kept)
+    return motion.stands_on(near) | _in_the_middle(known, motion, near)
 
 
 def _nearest_to_hidden(face: Face, motion: Motion, near: Flags) -> Flags:
@@ -221,26 +194,25 @@ def _nearest_to_hidden(face: Face, motion: Motion, near: Flags) -> Flags:
     return np.asarray(near & (apart <= _BESIDE * apart[near].min()))
 
 
-def _in_the_middle(face: Face, motion: Motion, near: Flags, least_kept: float) -> Flags:
+def _in_the_middle(known: Measured, motion: Motion, near: Flags) -> Flags:
     """(p,) those `near` in the middle where the handle of a joint that is its own mirror image
     stands: on skin that the joint owns, with enough of the displacement."""
+    face = known.face
     middle = near & in_the_middle(
         face.trajectories.surface, face.symmetry, motion, face.handle_width
     )
     if not middle.any():
         return middle
-    enough = motion.arc_length >= _kept(motion, near, least_kept)
+    enough = motion.arc_length >= _kept(motion, near, known.pruning.least_kept)
     return middle & motion.stands_on(near, _OWN_IN_THE_MIDDLE) & enough
 
 
-def _with_clear_handles(
-    face: Face, motion: Motion, requests: Requests, least_kept: float, seen: Flags
-) -> Flags:
+def _with_clear_handles(known: Measured, motion: Motion, seen: Flags) -> Flags:
     """(p,) those `seen` at which the handle itself is seen, if one of them keeps enough of the
     displacement."""
-    clear = _allowed(face, motion, requests, least_kept, seen & face.clear[motion.points])
+    clear = _allowed(known, motion, seen & known.face.clear[motion.points])
     reached = motion.arc_length[clear].max(initial=0.0)
-    return clear if reached >= _kept(motion, seen, least_kept) else seen
+    return clear if reached >= _kept(motion, seen, known.pruning.least_kept) else seen
 
 
 def _kept(motion: Motion, seen: Flags, least: float) -> float:
@@ -249,31 +221,53 @@ def _kept(motion: Motion, seen: Flags, least: float) -> float:
     return min(least * motion.peak, float(motion.arc_length[seen].max(initial=0.0)))
 
 
-def _where_expected(face: Face, motion: Motion, seen: Flags, expected: Expectation | None) -> Flags:
+def _off_strands(face: Face, motion: Motion, seen: Flags) -> Flags:
+    """(p,) those `seen` but for whiskers and hair: pieces of surface with little of what the
+    control moves; all of them where the rest moves too little."""
+    pieces = face.pieces[motion.points]
+    moved = face.trajectories.surface.areas[motion.points] * motion.arc_length * seen
+    by_piece = np.bincount(pieces, moved)
+    return _kept_in(motion, seen, (by_piece >= _STRAND * by_piece.max())[pieces], _NOTABLE)
+
+
+def _among_others(face: Face, motion: Motion, seen: Flags) -> Flags:
+    """(p,) which points count where nothing is expected: those `seen`, or, where the largest motion
+    is far from all that other controls are for, as on ears that go with the brows, those much
+    nearer to that, if it moves them enough."""
+    surface, top = face.trajectories.surface, first_largest(motion.arc_length * seen)
+    others = [
+        peak
+        for other, peak in zip(face.trajectories.motions, face.peaks, strict=True)
+        if other.arc_length[other.points == motion.points[top]].sum() < _HALF * other.peak
+    ]
+    if not others:
+        return seen
+    apart, _ = cKDTree(surface.points[others]).query(surface.points[motion.points])
+    if apart[top] <= _FAR * surface.face_size:
+        return seen
+    return _kept_in(motion, seen, apart <= _HALF * apart[top], _ENOUGH)
+
+
+def _where_expected(face: Face, motion: Motion, seen: Flags, expected: Expectation) -> Flags:
     """(p,) which points count: those `seen` near the place where the control is expected, or in the
     region around it, if it moves them notably.
 
     A sneer that lifts the brow more than the nose stands by the nose all the same.  A control that
     hardly moves the place where its name expects it does something else.
     """
-    if expected is None or not seen.any():
-        return seen
-    arc = motion.arc_length
     near, around = expected.regions(face.trajectories.surface.points[motion.points])
-    for region, least in ((seen & near, _MOST), (seen & around, _NOTABLE)):
-        if arc[region].max(initial=0.0) >= least * arc[seen].max():
-            return region
-    return seen
+    close = _kept_in(motion, seen, near, _MOST)
+    return close if close is not seen else _kept_in(motion, seen, around, _NOTABLE)
 
 
-def _pruned(
-    face: Face,
-    motion: Motion,
-    seen: Flags,
-    some: Flags,
-    settings: CandidateSettings,
-    samples: int,
-) -> Indices:
+def _kept_in(motion: Motion, seen: Flags, region: Flags, least: float) -> Flags:
+    """(p,) those `seen` in a `region`, if the control keeps a share of its visible peak there; all
+    `seen` otherwise."""
+    arc, inside = motion.arc_length, seen & region
+    return inside if arc[inside].max(initial=0.0) >= least * arc[seen].max() else seen
+
+
+def _pruned(known: Measured, motion: Motion, seen: Flags, some: Flags) -> Indices:
     """Points at which the control may be anchored, ascending; empty when no view sees what it
     moves.
 
@@ -281,15 +275,15 @@ def _pruned(
     """
     if not seen.any():
         return np.zeros(0, dtype=np.int64)
-    arc = motion.arc_length
+    arc, settings = motion.arc_length, known.pruning
     peak = float(arc[seen].max())
     large = arc >= max(settings.peak_share * peak, _kept(motion, seen, settings.least_kept))
-    middle = _in_the_middle(face, motion, seen, settings.least_kept)
+    middle = _in_the_middle(known, motion, seen)
     moving = (large & (arc >= min(settings.prune_at * float(arc[some].mean()), peak))) | middle
     large |= middle
     for kept in (seen & moving, seen & large):
         if settings.occlusion:
-            kept = _without_occluded(face, motion, kept, samples)
+            kept = _without_occluded(known, motion, kept)
         # A corner of the mouth that is drawn back runs into the cheek: its handle stands there
         # nevertheless.
         if arc[kept].max(initial=0.0) >= _MOST * peak:
@@ -297,19 +291,19 @@ def _pruned(
     return motion.points[seen & moving]
 
 
-def _seen(face: Face, points: Indices, space: str) -> Flags:
-    """Which points can be seen from where the layout is judged: its own view alone, where that is
-    asked for."""
-    return face.views.visible[0, points] if space == "view" else face.views.anywhere[points]
+def _seen(known: Measured, motion: Motion) -> Flags:
+    """(p,) which points can be seen from where the layout is judged: its own view alone, where that
+    is asked for."""
+    views = known.face.views
+    return (views.visible[0] if known.pruning.space == "view" else views.anywhere)[motion.points]
 
 
-def _without_occluded(face: Face, motion: Motion, kept: Flags, samples: int) -> Flags:
+def _without_occluded(known: Measured, motion: Motion, kept: Flags) -> Flags:
     """(p,) those `kept` whose trajectory does not run largely inside or behind the model."""
-    points = motion.points[kept]
-    tracks = polylines(motion, face.trajectories.surface.points, points, points, samples)
-    hidden = mostly_hidden(
-        face.views, tracks, face.trajectories.surface.normals[points], 0.5 * face.handle_width
-    )
+    face, points = known.face, motion.points[kept]
+    surface, samples = face.trajectories.surface, known.settings.layout.objective.samples
+    tracks = polylines(motion, surface.points, points, points, samples)
+    hidden = mostly_hidden(face.views, tracks, surface.normals[points], 0.5 * face.handle_width)
     clear = kept.copy()
     clear[kept] = ~hidden
     return clear

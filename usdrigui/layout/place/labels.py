@@ -75,9 +75,7 @@ def labels_of(
         cost += worst
         displacement += least
     if own_mirror_image(face, group):
-        of_joint = all(
-            face.trajectories.motion_of(c).shares.owned is not None for c in group.controls
-        )
+        of_joint = all(face.trajectories.motion_of(c).of_joint for c in group.controls)
         cost += off_plane(face, choice.anchors[:, 0], mirror.plane_weight, of_joint=of_joint)
     return choice, cost, displacement
 

@@ -17,6 +17,7 @@ from usdrigui.character import Floats, Indices, Record
 from usdrigui.character.surface import mean_edge_length, mesh_triangles
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.layout.face import Face
+from usdrigui.layout.measured import Measured
 from usdrigui.layout.place.candidates import SHARED_LEAST, candidates_of_axis, loosened
 from usdrigui.layout.place.extensions import user_pairs
 from usdrigui.layout.place.labels import drawn_points, labels_of
@@ -36,7 +37,7 @@ from usdrigui.model import (
     Variable,
 )
 from usdrigui.overlap import own_costs
-from usdrigui.settings import ControlSettings, ObjectiveSettings, Settings
+from usdrigui.settings import ControlSettings, ObjectiveSettings
 
 _NEEDED = 5.0
 """What it costs besides, per copy, that a control leaves the face that is needed there: more than
@@ -61,40 +62,34 @@ class PlacementProblem(Record):
 
 
 def placement_problem(
-    face: Face,
-    candidates: Candidates,
-    groups: tuple[Group, ...],
-    requests: Requests,
-    settings: Settings,
+    known: Measured, candidates: Candidates, groups: tuple[Group, ...]
 ) -> PlacementProblem:
     """One variable for each group that may stand on the face.  Raises TERM_INVALID for a term of
     another package."""
-    layout = settings.layout
+    face, requests, layout = known.face, known.requests, known.settings.layout
     overlap, separation = _constants(face, layout.objective)
     sets = {face.trajectories.motions[each.motion].control: each for each in candidates.sets}
-    samples = layout.objective.samples
     existing = existing_variables(
         requests.fixed_elements,
         face.rig.body,
         face.trajectories.surface.points,
         face.drawing_axes,
-        samples,
+        layout.objective.samples,
     )
-    costs = _Costs(face, settings, LinearTerms.of(layout), overlap, separation, existing)
+    costs = _Costs(known, LinearTerms.of(layout), overlap, separation, existing)
     variables, choices = [], []
     for index, group in enumerate(groups):
         if group.category:
             continue
-        asked, own = (requests, sets)
+        asked, own = costs, sets
         if group.part:
-            asked = requests.of_axes()
+            axes = replace(known, requests=requests.of_axes())
+            asked = replace(costs, known=axes)
             own = {
-                control: candidates_of_axis(
-                    face, sets[control], asked, layout.candidates, costs.terms, samples
-                )
+                control: candidates_of_axis(axes, sets[control])
                 for control in sorted(group.all_controls)
             }
-        variable, choice = _variable(costs, own, groups, index, asked)
+        variable, choice = _variable(asked, own, groups, index)
         variables.append(variable)
         choices.append(choice)
     problem = LayoutProblem(
@@ -172,8 +167,7 @@ def _constants(face: Face, settings: ObjectiveSettings) -> tuple[AnyOverlap, flo
 class _Costs(Record):
     """What every variable is costed with."""
 
-    face: Face
-    settings: Settings
+    known: Measured
     terms: LinearTerms
     overlap: AnyOverlap
     separation: float
@@ -186,35 +180,33 @@ def _variable(
     sets: Mapping[int, CandidateSet],
     groups: tuple[Group, ...],
     index: int,
-    requests: Requests,
 ) -> tuple[Variable, Choice]:
     """The variable of group `index`, with loosened candidates where its copies collide at all
     others, or its members share none; of a group that the face needs, or of a joint, also where
     they are one spot, which another one may take."""
-    face, group = costs.face, groups[index]
-    settings, objective = costs.settings.layout.candidates, costs.settings.layout.objective
-    min_track = costs.settings.output.min_track
+    known, group = costs.known, groups[index]
+    face, requests, objective = known.face, known.requests, known.settings.layout.objective
     roomy = _needed(face, group.controls) or all(
-        face.trajectories.motion_of(control).shares.owned is not None for control in group.controls
+        face.trajectories.motion_of(control).of_joint for control in group.controls
     )
-    for least in (None, settings.least_kept, SHARED_LEAST)[: 3 if len(group.controls) > 1 else 2]:
+    looser = (known.pruning.least_kept, SHARED_LEAST)[: 1 + (len(group.controls) > 1)]
+    for least in (None, *looser):
         used = sets
         if least is not None:
-            used = {
-                c: loosened(face, sets[c], requests, settings, costs.terms, least)
-                for c in group.all_controls
-            }
+            used = {c: loosened(known, sets[c], least) for c in group.all_controls}
         choice, cost, displacement = labels_of(
             face,
             used,
             groups,
             index,
             requests,
-            costs.settings.character.symmetry,
+            known.settings.character.symmetry,
             costs.terms,
             objective.displacement_weight,
         )
-        samples, handles = drawn_points(face, choice, objective.samples, min_track)
+        samples, handles = drawn_points(
+            face, choice, objective.samples, known.settings.output.min_track
+        )
         cost = cost + own_costs(samples, handles, costs.overlap, costs.separation)
         cost += costs_beside_existing(
             costs.existing, costs.overlap, costs.separation, samples, handles

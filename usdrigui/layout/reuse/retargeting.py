@@ -243,12 +243,4 @@ def _by_size(theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories]) -
     (rig, one), (other_rig, other) = theirs, ours
     scale = other.surface.face_size / one.surface.face_size
     rotation = Rotation.align_vectors(other_rig.skel_root.up, rig.skel_root.up)[0].as_matrix()
-    return _Similarity(scale, rotation, _face_middle(other) - scale * rotation @ _face_middle(one))
-
-
-def _face_middle(trajectories: Trajectories) -> Floats:
-    moved = np.zeros(len(trajectories.surface.points), dtype=bool)
-    for motion in trajectories.motions:
-        moved[motion.points[motion.arc_length >= 0.5 * motion.arc_length.max()]] = True
-    points = trajectories.surface.points[moved]
-    return np.asarray(0.5 * (points.min(axis=0) + points.max(axis=0)))
+    return _Similarity(scale, rotation, other.middle - scale * rotation @ one.middle)

@@ -79,13 +79,13 @@ def as_problem(
 ) -> tuple[LayoutProblem, tuple[Choice, ...], Indices]:
     """The problem in which each of the `elements` is one variable, its own anchor among the
     candidates; `every` element of the layout defines of what they are states and parts."""
-    face, settings = known.face, known.settings
+    face = known.face
     groups = _as_groups(face.rig.controls, every, elements)
     points = [
         face.rig.body.point_of(element.anchor.mesh, element.anchor.point) for element in elements
     ]
-    sets = _with_points(face, candidates, groups, points, LinearTerms.of(settings.layout))
-    placement = placement_problem(face, sets, groups, known.requests, settings)
+    sets = _with_points(face, candidates, groups, points, LinearTerms.of(known.settings.layout))
+    placement = placement_problem(known, sets, groups)
     labels, kept = [], []
     for number, choice in enumerate(placement.choices):
         at = np.flatnonzero(choice.anchors[:, 0] == points[choice.group])

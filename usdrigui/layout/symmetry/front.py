@@ -25,12 +25,18 @@ def front(up: Floats, trajectories: Trajectories, plane_normal: Floats) -> Float
     control moves, sum up to the front.
     """
     ahead = np.cross(plane_normal, up)
-    if np.linalg.norm(ahead) < _LYING:
-        outward = moving_normals(trajectories)
-        ahead = outward - (outward @ up) * up
-    if np.linalg.norm(ahead) < _LYING:
-        ahead = np.cross(up, axis_across(up))
-    return unit(ahead)
+    is_level = np.linalg.norm(ahead) > _LYING
+    return first_level(up, ahead if is_level else moving_normals(trajectories))
+
+
+def first_level(up: Floats, *ways: Floats) -> Floats:
+    """(3,) unit vector: the first of `ways` (3,) that does not lie along `up`, made level; any if
+    all do."""
+    for way in (*ways, axis_across(up)):
+        across = way - (way @ up) * up
+        if np.linalg.norm(across) > _LYING:
+            break
+    return unit(across)
 
 
 def seen_from(toward: Floats, up: Floats, ahead: Floats) -> Floats:

@@ -12,6 +12,7 @@ import numpy as np
 
 from usdrigui.character import Flags, Indices
 from usdrigui.model import BaseSurface, MirrorPlane, Motion, Symmetry
+from usdrigui.ties import first_largest
 
 ON_PLANE = 0.5
 """Distance from the plane, in handle widths, up to which a handle covers it."""
@@ -20,9 +21,7 @@ _MIDDLE = 0.01
 _KEPT = 0.8
 """A control has two lobes if it keeps less of its peak in the middle."""
 _KEPT_IN_THE_MIDDLE = 0.5
-"""The same where the conventions expect it in the middle (the lips)."""
-
-
+"""The same where the conventions expect it in the middle (the lips), or it is nearly there."""
 ASIDE = 0.1
 """Distance from the plane, in face sizes, from which a place lies to one side of the face."""
 
@@ -45,17 +44,19 @@ def two_lobed(
     between.
 
     `visible` (n,) are the points that some view sees, `both_sides` is whether the conventions of
-    the field expect the control on both sides; None where they do not know it.  The control of a
-    joint is on the skin that its joint owns, once.
+    the field expect the control on both sides; None where they do not know it: then whether its
+    peak lies to one side.  The control of a joint is on the skin that its joint owns, once.
     """
-    if motion.shares.owned is not None:
+    if motion.of_joint:
         return False
     length = np.where(visible[motion.points], motion.arc_length, 0.0)
     if not length.any():
         length = motion.arc_length
     apart = np.abs(plane.distance(surface.points[motion.points]))
     middle = length[apart <= _MIDDLE * surface.face_size].max(initial=0.0)
-    least = _KEPT_IN_THE_MIDDLE if both_sides is False else _KEPT
+    if both_sides is None:
+        both_sides = bool(apart[first_largest(length)] > ASIDE * surface.face_size)
+    least = _KEPT if both_sides else _KEPT_IN_THE_MIDDLE
     return bool(middle < least * length.max())
 
 
@@ -64,7 +65,7 @@ def in_the_middle(
 ) -> Flags:
     """(p,) which points that a motion moves a handle on the mirror plane covers, where a joint is
     turned about itself that is its own mirror image; none for another control."""
-    own = motion.shares.owned is not None and int(symmetry.twins[motion.control]) == motion.control
+    own = motion.of_joint and int(symmetry.twins[motion.control]) == motion.control
     if not (own and symmetry.plane.normal.any()):
         return np.zeros(len(motion.points), dtype=bool)
     apart = np.abs(symmetry.plane.distance(surface.points[motion.points]))

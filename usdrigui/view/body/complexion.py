@@ -30,11 +30,11 @@ from usdrigui.view.body.shading import (
     IRIS,
     SKIN,
     Complexion,
-    look,
     openness,
     smooth_step,
     subject_of,
 )
+from usdrigui.view.directions import camera_rows
 
 _TRIM, _TEETH, _GUMS, _HAIR = (
     (0.66, 0.63, 0.60),
@@ -197,7 +197,7 @@ def _face(rig: Rig, layout: Layout, start: Posed, actions: Mapping[str, Action])
     anchors = [body.point_of(each.anchor.mesh, each.anchor.point) for each in elements]
     if not free.any() or not len(corners) or not anchors:
         return None
-    rows = look(layout.frame.view, rig.skel_root.up)
+    rows = camera_rows(layout, rig.skel_root.up)
     points = np.where(np.isfinite(start.points), start.points, 0.0)
     places = weld(points)
     used = np.isin(np.arange(len(points)), corners)

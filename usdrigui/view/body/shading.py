@@ -114,16 +114,6 @@ class Shaded(Record):
     """(height, width) as `Camera.project`, at pixel centres; -inf beside the body."""
 
 
-def look(toward: Floats, up: Floats) -> Floats:
-    """(3, 3) camera rows for a view against `toward`; `up` need not be perpendicular to it."""
-    ahead = toward / np.linalg.norm(toward)
-    right = np.cross(up, ahead)
-    if np.linalg.norm(right) < 1e-6:
-        right = np.cross(np.roll(up, 1), ahead)
-    right = right / np.linalg.norm(right)
-    return np.stack([right, np.cross(ahead, right), ahead])
-
-
 def subject_of(meshes: tuple[RigMesh, ...], points: Floats, look: Complexion) -> Subject:
     """The rig's visible meshes (all, if none is visible) at ``points`` (n, 3) in root space,
     without triangles that are clear or not finite."""

@@ -47,8 +47,9 @@ from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.settings import OutputSettings
 from usdrigui.version import __version__
 from usdrigui.view.body.complexion import complexion
-from usdrigui.view.body.shading import EYE, IRIS, PUPIL, Complexion, encoded, look
+from usdrigui.view.body.shading import EYE, IRIS, PUPIL, Complexion, encoded
 from usdrigui.view.clip import ClipReading, reading
+from usdrigui.view.directions import camera_rows
 from usdrigui.view.flat import framing
 from usdrigui.view.flat.callouts import shortened
 from usdrigui.view.flat.columns import heading, rank
@@ -361,7 +362,7 @@ def _sections(rig: Rig, layout: Layout) -> list[Json]:
             {
                 "title": each.title,
                 **_fields(each.layout.frame, "handle_width view"),
-                "frame": _list(framing.corners(tracks, skin, look(each.layout.frame.view, up))),
+                "frame": _list(framing.corners(tracks, skin, camera_rows(each.layout, up))),
                 "elements": [element.name for element in each.layout.elements],
             }
         )
