@@ -2,6 +2,7 @@
 
 import functools
 import os
+import shutil
 
 import failures_at_once
 import pytest
@@ -35,6 +36,18 @@ def laid_out(tmp_path_factory):
     character = skinned_stages.character(tmp_path_factory.mktemp("once") / "char.usda")
     assert main(["process", str(character), "--quiet"]) == 0
     return character.parent
+
+
+@pytest.fixture(scope="module")
+def made(laid_out):
+    """Folder that a module has made, by default a character with its layout."""
+    return laid_out
+
+
+@pytest.fixture
+def folder(made, tmp_path):
+    """A copy of it for a test that may spoil it."""
+    return shutil.copytree(made, tmp_path / "asset")
 
 
 def pytest_addoption(parser):

@@ -51,6 +51,15 @@ def _explicit(generator: np.random.Generator, elements: tuple[Variable, ...]) ->
     return tuple(found)
 
 
+def at_one_spot(problem: LayoutProblem) -> LayoutProblem:
+    """The problem with all candidates at one spot, and none off the face."""
+    forced = tuple(
+        replace(each, off_face_cost=np.inf, handles=each.handles * 0, samples=each.samples * 0)
+        for each in problem.variables
+    )
+    return replace(problem, variables=forced)
+
+
 def crowd(seed: int, variables: int = 6, candidates: int = 40) -> LayoutProblem:
     """Elements that all want the same spot of a flat patch: the pairwise bound is not enough."""
     generator = np.random.default_rng(seed)

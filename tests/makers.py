@@ -204,15 +204,15 @@ def face_with(**more):
     return rig(points, faces, {**face_shapes(points), **more})
 
 
-def face_with_teeth(skin_moves=0.0, visible=True, name="teeth"):
-    """The face with teeth behind it, and a control `name` that moves the teeth, and the skin by `skin_moves`."""
+def face_with_teeth(skin_moves=0.0, visible=True, name="teeth", at=TEETH):
+    """The face with teeth `at` (4, 3), and a control `name` that moves them, and the skin by `skin_moves`."""
     points, faces = mask()
     shapes = face_shapes(points)
     last = len(shapes)
     skin_shapes = [shape(i, offsets) for i, offsets in enumerate(shapes.values())]
     skin_shapes.append(shape(last, skin_moves * shapes["pucker"]))
     moved_teeth = [shape(last, np.full((4, 3), 0.1))]
-    teeth = mesh(TEETH, [[0, 1, 2, 3]], moved_teeth, path="/Root/teeth", visible=visible)
+    teeth = mesh(at, [[0, 1, 2, 3]], moved_teeth, path="/Root/teeth", visible=visible)
     return rig_of_meshes([mesh(points, faces, skin_shapes), teeth], [*shapes, name])
 
 

@@ -15,7 +15,7 @@ import re
 import subprocess
 import sys
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from pathlib import Path
 from queue import SimpleQueue
 from types import SimpleNamespace
@@ -23,6 +23,7 @@ from typing import Any
 
 import minimal_assets
 import numpy as np
+from layout_problems import at_one_spot
 
 import usdrigui
 from usdrigui import pipeline, stages
@@ -430,12 +431,7 @@ def _solved(method: str, **settings: Any) -> Trigger:
 def _infeasible(folder: Path, _: Any) -> Found:
     from usdrigui.solve import solve
 
-    problem = _problem(folder)
-    crowded = tuple(
-        replace(each, off_face_cost=np.inf, handles=each.handles * 0, samples=each.samples * 0)
-        for each in problem.variables
-    )
-    return refused(lambda: solve(replace(problem, variables=crowded), SolveSettings()))
+    return refused(lambda: solve(at_one_spot(_problem(folder)), SolveSettings()))
 
 
 def _without(package: str, trigger: Trigger) -> Trigger:

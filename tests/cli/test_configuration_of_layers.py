@@ -43,12 +43,6 @@ def made(tmp_path_factory):
     return folder
 
 
-@pytest.fixture
-def folder(made, tmp_path):
-    shutil.copytree(made, tmp_path / "asset")
-    return tmp_path / "asset"
-
-
 def shown(layer, *options, by=("check",)):
     """The exit codes of the commands that take a layout: 0 where they can show it and find nothing wrong with it."""
     folder = layer.parent

@@ -11,12 +11,6 @@ import usdrigui
 from usdrigui.layer.read_layout import read_layout
 
 
-@pytest.fixture
-def folder(laid_out, tmp_path):
-    shutil.copytree(laid_out, tmp_path / "asset")
-    return tmp_path / "asset"
-
-
 def elements(layer):
     (layout,) = read_layout(layer)
     return {member.control: each for each in layout.elements for member in each.manipulator.members}

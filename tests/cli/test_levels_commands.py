@@ -1,16 +1,13 @@
 """`[levels]` through the command line: authored, read back, checked, drawn and kept in a shot."""
 
-import shutil
-
 import pytest
 import shot_stages
 import skinned_stages
-from commands import run
+from commands import elements, run
 from PIL import Image
 from pxr import Sdf, Usd, UsdGeom
 
 from usdrigui.cli import main
-from usdrigui.layer.read_layout import read_layout
 from usdrigui.model.levels import inner_names
 
 LEVELS = """
@@ -36,17 +33,6 @@ def made(tmp_path_factory):
     character.with_name("char.rigui.toml").write_text(LEVELS)
     assert main(["process", str(character), "--quiet"]) == 0
     return character.parent
-
-
-@pytest.fixture
-def folder(made, tmp_path):
-    shutil.copytree(made, tmp_path / "asset")
-    return tmp_path / "asset"
-
-
-def elements(layer):
-    (layout,) = read_layout(layer)
-    return {element.name: element for element in layout.elements}
 
 
 def test_members_are_authored_and_come_back(made):

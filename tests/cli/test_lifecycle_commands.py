@@ -14,10 +14,9 @@ from usdrigui.layer.read_layout import read_layout, with_corrections
 
 
 @pytest.fixture
-def folder(laid_out, tmp_path):
-    shutil.copytree(laid_out, tmp_path / "asset")
-    (tmp_path / "asset" / "char.rigui.usda").rename(tmp_path / "asset" / "old.rigui.usda")
-    return tmp_path / "asset"
+def folder(folder):
+    (folder / "char.rigui.usda").rename(folder / "old.rigui.usda")
+    return folder
 
 
 def anchors(layer):

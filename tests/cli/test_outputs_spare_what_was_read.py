@@ -28,7 +28,7 @@ def Mesh "Star" {
 
 
 @pytest.fixture(scope="module")
-def once(tmp_path_factory):
+def made(tmp_path_factory):
     """Everything that a run can read."""
     folder = tmp_path_factory.mktemp("once")
     minimal_assets.character(folder)
@@ -43,10 +43,9 @@ def once(tmp_path_factory):
 
 
 @pytest.fixture
-def folder(once, tmp_path, monkeypatch):
-    shutil.copytree(once, tmp_path / "asset")
-    monkeypatch.chdir(tmp_path / "asset")
-    return tmp_path / "asset"
+def folder(folder, monkeypatch):
+    monkeypatch.chdir(folder)
+    return folder
 
 
 PROCESS = ("process", "char.usda", "-o", "new.rigui.usda", "--animation", "take.usda", "--pose", "pose.toml")

@@ -1,11 +1,9 @@
 """`process SHOT --base LAYER`: what a shot adds gets a layer of its own, and the asset's layout stays."""
 
-import shutil
-
 import numpy as np
 import pytest
 import shot_stages
-from commands import run
+from commands import elements, run
 from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
 
 from usdrigui.cli import main
@@ -26,17 +24,6 @@ def made(laid_out):
     shot_stages.shot(laid_out / "shot.usda", "./char.usda", FACE, SHAPES)
     assert main(["process", str(laid_out / "shot.usda"), "--base", str(laid_out / "char.rigui.usda"), "-q"]) == 0
     return laid_out
-
-
-@pytest.fixture
-def folder(made, tmp_path):
-    shutil.copytree(made, tmp_path / "asset")
-    return tmp_path / "asset"
-
-
-def elements(layer):
-    (layout,) = read_layout(layer)
-    return {element.name: element for element in layout.elements}
 
 
 def handles(stage):

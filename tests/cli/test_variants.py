@@ -1,7 +1,6 @@
 """Assets as studios build them: a layout for every level of detail, in its variant, and what commands make of it."""
 
 import json
-import shutil
 
 import numpy as np
 import pytest
@@ -27,9 +26,9 @@ def made(tmp_path_factory):
 
 
 @pytest.fixture
-def folder(made, tmp_path, monkeypatch):
-    monkeypatch.chdir(shutil.copytree(made, tmp_path / "asset"))
-    return tmp_path / "asset"
+def folder(folder, monkeypatch):
+    monkeypatch.chdir(folder)
+    return folder
 
 
 def selected(path, **variants):

@@ -27,12 +27,6 @@ def laid_out(tmp_path_factory):
     return folder
 
 
-@pytest.fixture
-def folder(laid_out, tmp_path):
-    shutil.copytree(laid_out, tmp_path / "asset")
-    return tmp_path / "asset"
-
-
 def refusal(asset, layer, *, in_variant=False):
     before = asset.read_bytes() if asset.is_file() else b""
     with pytest.raises(RigUIError) as caught:

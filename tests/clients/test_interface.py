@@ -15,11 +15,6 @@ ROOT = Path(__file__).resolve().parents[2]
 QUICK = {"solve": {"gap": 5e-2}}
 
 
-@pytest.fixture
-def folder(laid_out, tmp_path):
-    return shutil.copytree(laid_out, tmp_path / "asset")
-
-
 def contents(folder):
     return {path.name: path.read_bytes() for path in folder.iterdir()}
 

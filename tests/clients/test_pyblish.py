@@ -1,7 +1,6 @@
 """A real Pyblish publish, headless.  Its command exits 0 on errors, so the results themselves are looked at."""
 
 import re
-import shutil
 import sys
 import types
 
@@ -18,14 +17,13 @@ from usdrigui.clients import publish  # noqa: E402
 
 
 @pytest.fixture
-def asset(laid_out, tmp_path):
+def asset(folder):
     """A character with its layout, and Pyblish with nothing but our plug-ins."""
-    shutil.copytree(laid_out, tmp_path / "asset")
     pyblish_api.deregister_all_paths()
     pyblish_api.deregister_all_plugins()
     pyblish_api.register_host("shell")
     publish.register()
-    yield tmp_path / "asset" / "char.usda"
+    yield folder / "char.usda"
     pyblish_api.deregister_all_paths()
 
 

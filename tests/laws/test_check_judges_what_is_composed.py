@@ -6,7 +6,6 @@ The table says which issues each stage deserves; the law says that a stage and i
 import os
 import random
 import re
-import shutil
 from pathlib import Path
 
 import pytest
@@ -28,11 +27,6 @@ def made(tmp_path_factory):
     character = skinned_stages.character(tmp_path_factory.mktemp("once") / "char.usda", meshes=2)
     assert main(["process", str(character), "--quiet"]) == 0
     return character.parent
-
-
-@pytest.fixture
-def folder(made, tmp_path):
-    return shutil.copytree(made, tmp_path / "asset")
 
 
 def over(folder, layer="./char.rigui.usda", name="stage.usda"):

@@ -1,12 +1,17 @@
 """What a layout must be on real rigs: mirrored, visible, graspable, telling; whatever the search's limit."""
 
+import re
+
 import numpy as np
 import pytest
 from real_rigs import ASSETS, asset, homes, laid_out, line_of, on_face, point_of
 
+from usdrigui.pipeline import Task, stages
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
 
+LIMBS = {"hands": "finger|thumb|index|pinky|hand(middle|ring)|f[23][ab]_", "feet": "toe"}
+"""What joints of a limb are called, by the title of its part."""
 RIGS = ("godette", "mh_expr34", "mh_poseunits", "ict_face57", "vitruvian")
 
 pytestmark = [
@@ -28,6 +33,20 @@ def test_pairs_mirror_where_the_mesh_does(name):
         image = one.anchor.position - 2.0 * apart * symmetry.plane.normal
         missed = float(np.linalg.norm(image - other.anchor.position)) / line.face.trajectories.surface.face_size
         assert missed <= 5e-5, "the meshes of these rigs mirror everywhere"
+
+
+@pytest.mark.parametrize("name", ["godette", "mh_poseunits", "rocketbox_male17", "rpm_xr", "vitruvian"])
+def test_titles_name_the_limbs_of_nine_in_ten_joints(name):
+    """By the names of the joints, which no part is known by."""
+    (rig,) = read_rigs(asset(name), load({}))
+    for part in stages.character_of(rig, Task(load({}))).parts:
+        joints = [rig.controls[i].source.rsplit("/", 1)[-1] for i in part.controls if rig.controls[i].kind == "joint"]
+        told = [
+            bool(re.search(limb, joint, re.IGNORECASE)) == (part.name == title)
+            for joint in joints
+            for title, limb in LIMBS.items()
+        ]
+        assert sum(told) >= 0.9 * len(told), part.name
 
 
 @pytest.mark.parametrize("name", RIGS)

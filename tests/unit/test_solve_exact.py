@@ -16,7 +16,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from enumeration import best_of_all
-from layout_problems import crowd, random_problem
+from layout_problems import at_one_spot, crowd, random_problem
 
 from usdrigui.character import Floats, Indices
 from usdrigui.errors import RigUIError
@@ -348,24 +348,16 @@ def test_elimination_off_by_one_is_caught(monkeypatch: pytest.MonkeyPatch) -> No
         return  # a variable lost all its entries
 
 
-def test_infeasible_names_the_variables() -> None:
-    problem = crowd(3, variables=3, candidates=1)
-    forced = tuple(
-        replace(each, off_face_cost=np.inf, handles=each.handles * 0, samples=each.samples * 0)
-        for each in problem.variables
-    )
-    with pytest.raises(RigUIError, match=r"SOLVE_INFEASIBLE.*v0, v1, v2"):
-        solve(replace(problem, variables=forced), HIGHS)
-
-
-def test_a_limit_before_the_first_layout_is_named() -> None:
-    problem = crowd(3, variables=3, candidates=1)
-    alike = tuple(
-        replace(each, off_face_cost=np.inf, handles=each.handles * 0, samples=each.samples * 0)
-        for each in problem.variables
-    )
-    with pytest.raises(RigUIError, match=r"no layout before the work limit: no place apart .* v0, v1, v2 yet"):
-        solve(replace(problem, variables=alike), replace(HIGHS, work_limit=0))
+@pytest.mark.parametrize(
+    ("settings", "named"),
+    [
+        (HIGHS, r"SOLVE_INFEASIBLE.*v0, v1, v2"),
+        (replace(HIGHS, work_limit=0), r"no layout before the work limit: no place apart .* v0, v1, v2 yet"),
+    ],
+)
+def test_variables_without_a_place_are_named(settings: SolveSettings, named: str) -> None:
+    with pytest.raises(RigUIError, match=named):
+        solve(at_one_spot(crowd(3, variables=3, candidates=1)), settings)
 
 
 def test_infeasible_problems_are_reported_at_once_however_their_bound_is_rounded() -> None:

@@ -55,3 +55,19 @@ def test_a_trajectory_into_the_skin_is_drawn_where_others_keep_much_less(outward
     lifts = makers.bump(POINTS, (0.35, 0.3), (0, 0, 1), 0.2, outward)
     found = chain.chosen(makers.face_with(both=draws + lifts))("both")
     assert (POINTS[found.points, 1] < 0.0).any() == inside
+
+
+@pytest.mark.parametrize(("share", "on_skin"), [(1.0, True), (0.5, False)])
+def test_a_strand_holds_no_handle_where_the_skin_moves_enough(share, on_skin):
+    strand = 0.05 * makers.TEETH + np.array([1.0, 0.0, 0.8])
+    found = chain.chosen(makers.face_with_teeth(share, name="inside", at=strand))("inside")
+    assert (found.points < len(POINTS)).all() == on_skin
+
+
+@pytest.mark.parametrize(("share", "among"), [(0.75, True), (0.6, False)])
+def test_what_lifts_an_ear_too_stands_among_the_others_where_that_keeps_enough(share, among):
+    lifts = makers.bump(POINTS, (0.75, 0.95), (0, 1, 0), 0.2) + makers.bump(
+        POINTS, (0.35, 0.5), (0, share, 0), 0.2, 0.1 * share
+    )
+    found = chain.chosen(makers.face_with(target=lifts))("target")
+    assert (POINTS[found.points, 1] > 0.75).any() != among
