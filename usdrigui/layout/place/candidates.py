@@ -162,12 +162,8 @@ def _moving_places(known: Measured, motion: Motion) -> Indices:
     # of a name.
     is_asked = requests.overrides[motion.control].near or motion.control in requests.prior.places
     if not (is_asked or motion.of_joint) and seen.any():
-        expected, seen = face.expected[motion.control], _off_strands(face, motion, seen)
-        seen = (
-            _among_others(face, motion, seen)
-            if expected is None
-            else _where_expected(face, motion, seen, expected)
-        )
+        seen = _off_strands(face, motion, seen)
+        seen = _where_expected(face, motion, seen, face.expected[motion.control])
     points = _pruned(known, motion, seen, some)
     # What no view sees but is to stand on the face all the same.
     return points if len(points) else _pruned(known, motion, some, some)
@@ -248,13 +244,15 @@ def _among_others(face: Face, motion: Motion, seen: Flags) -> Flags:
     return _kept_in(motion, seen, apart <= _HALF * apart[top], _ENOUGH)
 
 
-def _where_expected(face: Face, motion: Motion, seen: Flags, expected: Expectation) -> Flags:
+def _where_expected(face: Face, motion: Motion, seen: Flags, expected: Expectation | None) -> Flags:
     """(p,) which points count: those `seen` near the place where the control is expected, or in the
-    region around it, if it moves them notably.
+    region around it, if it moves them notably; `_among_others` where none is expected.
 
     A sneer that lifts the brow more than the nose stands by the nose all the same.  A control that
     hardly moves the place where its name expects it does something else.
     """
+    if expected is None:
+        return _among_others(face, motion, seen)
     near, around = expected.regions(face.trajectories.surface.points[motion.points])
     close = _kept_in(motion, seen, near, _MOST)
     return close if close is not seen else _kept_in(motion, seen, around, _NOTABLE)
