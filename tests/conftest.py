@@ -3,6 +3,7 @@
 import functools
 import os
 import shutil
+import signal
 
 import failures_at_once
 import pytest
@@ -63,6 +64,8 @@ def pytest_configure(config):
     # readline, which pytest loads, sets it behind Python's back: what is printed here goes to no terminal.
     os.environ.pop("COLUMNS", None)
     os.unsetenv("COLUMNS")
+    # A shell lets what it runs in the background ignore it, and so would every command that a test interrupts.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     if config.option.suite is None:
         named = config.args_source is pytest.Config.ArgsSource.ARGS or config.option.markexpr
         config.option.suite = "all" if named else "quick"
