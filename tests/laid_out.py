@@ -108,9 +108,13 @@ def _element(rig, names, members, position, point, beside, adapt):
 
 
 def validation_errors(stage):
-    """What UsdValidation finds on a stage; skips the test where USD is too old to have it."""
+    """What USD's own validators find on a stage; skips the test where USD is too old to have them.
+
+    Ours, which a test before may have registered for the whole process, find that layouts at random are no good ones.
+    """
     validation = pytest.importorskip("pxr.UsdValidation", exc_type=ImportError)
-    validators = validation.ValidationRegistry().GetOrLoadAllValidators()
+    known = validation.ValidationRegistry().GetOrLoadAllValidators()
+    validators = [each for each in known if not each.GetMetadata().name.startswith("usdrigui")]
     return [error.GetMessage() for error in validation.ValidationContext(validators).Validate(stage)]
 
 
