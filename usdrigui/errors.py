@@ -137,10 +137,10 @@ class Faults:
             raise RigUIError(self.issues[0], self._found[0].exit_code, self.issues[1:])
 
 
-def issue(code: str, path: str, message: str, character: str = "") -> Issue:
-    """Record a finding; `code` must be in the catalogue."""
+def issue(code: str, path: object, message: str, character: str = "") -> Issue:
+    """Record a finding; `code` must be in the catalogue, and the text of `path` is its path."""
     entry = catalogue()[code]
-    return Issue(code, entry.severity, path, message, entry.repair, character)
+    return Issue(code, entry.severity, str(path), message, entry.repair, character)
 
 
 def of_character(character: str, found: Iterable[Issue]) -> tuple[Issue, ...]:
@@ -148,10 +148,11 @@ def of_character(character: str, found: Iterable[Issue]) -> tuple[Issue, ...]:
     return tuple(each if each.character else replace(each, character=character) for each in found)
 
 
-def refuse(code: str, path: str, message: str) -> RigUIError:
-    """Build (not raise) the error for a finding that ends the run: ``raise refuse(...)``."""
+def refuse(code: str, path: object, message: str) -> RigUIError:
+    """Build (not raise) the error for a finding that ends the run: ``raise refuse(...)``; `path` as
+    in `issue`."""
     entry = catalogue()[code]
-    return RigUIError(Issue(code, "error", path, message, entry.repair), entry.exit)
+    return RigUIError(Issue(code, "error", str(path), message, entry.repair), entry.exit)
 
 
 def raised_at(error: BaseException) -> str:

@@ -60,9 +60,7 @@ def test_rigid_motion_scale_and_other_own_axes_of_the_joints_change_no_turn():
 def test_curled_fingers_reach_into_the_palm_and_stay_in_one_piece(made):
     tree = Tree(made.body.joints, made.body.meshes)
     for turn in (turn for turn in default_turns(tree) if turn.name == "curl"):
-        locals_, world = posed_locals(tree, turn, np.array([60.0]))[0], {}
-        for i, joint in enumerate(made.body.joints):
-            world[i] = locals_[i] @ world[joint.parent] if joint.parent >= 0 else locals_[i]
+        world = _world(made, posed_locals(tree, turn, np.array([60.0]))[0])
         tip = max(turn.joints)
         assert world[tip][3, 2] > tree.places[tip, 2]
         bones = [(a, b) for a, b in zip(turn.joints, turn.joints[1:], strict=False)]
@@ -82,17 +80,18 @@ def test_the_thumb_is_the_finger_apart_and_curls_towards_the_others(bend):
     curls = {turn.joints[0]: turn for turn in default_turns(tree) if turn.name == "curl"}
     turn = curls.pop(len(paths))
     others = tree.places[sorted(curls)].mean(axis=0)
-    tips = [_place(made, posed_locals(tree, turn, np.array([at]))[0], len(paths) + 3) for at in (0.0, 30.0)]
+    posed = [_world(made, posed_locals(tree, turn, np.array([at]))[0]) for at in (0.0, 30.0)]
+    tips = [each[len(paths) + 3][3, :3] for each in posed]
     assert np.linalg.norm(tips[1] - others) < np.linalg.norm(tips[0] - others) - 0.1
     assert all(abs(each.axes[0][0]) > 0.99 for each in curls.values()), "fingers curl about their row"
 
 
-def _place(made, locals_, joint):
-    """Where a joint is by the local transforms of all."""
+def _world(made, locals_):
+    """Where each joint is by the local transforms of all."""
     world = {}
     for i, each in enumerate(made.body.joints):
         world[i] = locals_[i] @ world[each.parent] if each.parent >= 0 else locals_[i]
-    return world[joint][3, :3]
+    return world
 
 
 def test_what_a_flat_skeleton_does_under_a_control_is_what_the_hierarchy_does():

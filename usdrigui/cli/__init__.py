@@ -55,7 +55,7 @@ def _failed(error: Exception, arguments: argparse.Namespace) -> int:
         return int(Exit.FILE)
     if isinstance(error, OSError):
         reason = error.strerror or str(error)
-        return _refused(refuse("FILE_ACCESS", str(error.filename or ""), reason), arguments)
+        return _refused(refuse("FILE_ACCESS", error.filename or "", reason), arguments)
     return broken(error, arguments)
 
 

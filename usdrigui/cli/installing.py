@@ -24,7 +24,7 @@ def sample(arguments: argparse.Namespace) -> Exit:
     contents = {arguments.folder / each.name: each.read_bytes() for each in sources}
     for target, content in contents.items():
         if target.exists() and whole_content(target) != content:
-            raise refuse("FILE_TARGET", str(target), "is not the sample's, and is left as it is")
+            raise refuse("FILE_TARGET", target, "is not the sample's, and is left as it is")
     arguments.folder.mkdir(parents=True, exist_ok=True)
     for target, content in contents.items():
         print(f"usdrigui: {commit(content, target)} {target}")

@@ -35,7 +35,7 @@ def _check_names(arguments: argparse.Namespace) -> None:
     pipeline.check_outputs((arguments.summary, arguments.sheet))
     for target in filter(None, (arguments.summary, arguments.sheet)):
         if target.is_dir():
-            raise refuse("FILE_TARGET", str(target), "is a folder")
+            raise refuse("FILE_TARGET", target, "is a folder")
     check_ending("--sheet", arguments.sheet, ".png")
 
 

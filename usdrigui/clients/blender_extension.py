@@ -111,6 +111,4 @@ def _sources() -> Path:
     for folder in (package / "blender" / NAME, package.parent / "blender" / NAME):
         if (folder / "blender_manifest.toml").is_file():
             return folder
-    raise refuse(
-        "EXTENSION_MISSING", str(package / "blender"), "the package holds no Blender extension"
-    )
+    raise refuse("EXTENSION_MISSING", package / "blender", "the package holds no Blender extension")

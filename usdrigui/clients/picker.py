@@ -134,7 +134,7 @@ def _pages(rig: Rig, layout: Layout, labels: bool) -> Iterator[Page]:
 def _panel(section: Section, subject: Subject, rows: Floats, labels: bool) -> Panel:
     """What is seen of a part, with its handles kept apart."""
     layout, posed, placed = section.layout, section.posed, on_character(section.layout)
-    skin = subject.points[np.unique(subject.corners)] if len(subject.corners) else subject.points
+    skin = subject.skin
     tracks = [track for i in placed for track in posed.elements[i].tracks]
     low, high = framed(tracks, skin, rows, layout.frame.handle_width)
     scale = min(2.0 * _RADIUS / layout.frame.handle_width, _MAX_EXTENT / float((high - low).max()))

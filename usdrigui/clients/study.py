@@ -79,18 +79,16 @@ def summed(paths: Sequence[Path]) -> Study:
         participant, own = rows[0]["participant"], [rows[0][key] for key in _SAME]
         if own != (same := same or own):
             what = "is of another character, layout, version or set of targets than the first"
-            raise refuse("STUDY_RESULTS", str(path), what)
+            raise refuse("STUDY_RESULTS", path, what)
         if participant in found:
             raise refuse(
                 "STUDY_RESULTS",
-                str(path),
+                path,
                 f"holds participant {participant}, whom another file holds, too",
             )
         found[participant] = rows
     if not found:
-        raise refuse(
-            "STUDY_RESULTS", str(paths[0]), f"no file holds all {FACES} faces of a participant"
-        )
+        raise refuse("STUDY_RESULTS", paths[0], f"no file holds all {FACES} faces of a participant")
     return Study(
         tuple(sorted(found, key=_number)), tuple(_measures(list(found.values()))), tuple(left_out)
     )
@@ -157,12 +155,12 @@ def _rows(path: Path) -> list[Answers]:
         known = set(_NEEDED) <= set(reader.fieldnames or ())
         numbers = [float(value) for row in rows for value in _numbers(row)]
     except (OSError, ValueError, csv.Error) as error:
-        raise refuse("STUDY_RESULTS", str(path), f"cannot be read as results: {error}") from error
+        raise refuse("STUDY_RESULTS", path, f"cannot be read as results: {error}") from error
     alien = any(row["face"] and row["interface"] not in INTERFACES for row in rows)
     if not known or not rows or alien or not all(math.isfinite(each) for each in numbers):
-        raise refuse("STUDY_RESULTS", str(path), "is not a CSV file that the viewer's study saved")
+        raise refuse("STUDY_RESULTS", path, "is not a CSV file that the viewer's study saved")
     if len({row["participant"] for row in rows}) > 1:
-        raise refuse("STUDY_RESULTS", str(path), "holds more than one participant")
+        raise refuse("STUDY_RESULTS", path, "holds more than one participant")
     return rows
 
 

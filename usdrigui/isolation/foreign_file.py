@@ -76,19 +76,19 @@ def check_source(path: Path, size_limit: int) -> SourceFile:
         raise refuse("FILE_NAME", ascii(str(path.absolute())), "the name is not UTF-8") from None
     try:
         if kind := _kind(path.stat().st_mode):
-            raise refuse("SOURCE_NOT_A_FILE", str(path), f"is {kind}")
+            raise refuse("SOURCE_NOT_A_FILE", path, f"is {kind}")
         with open_regular(path) as stream:
             size = os.fstat(stream.fileno()).st_size
             if size > size_limit << 20:
                 message = f"has {size >> 20} MiB, more than {size_limit}"
-                raise refuse("SOURCE_TOO_LARGE", str(path), message)
+                raise refuse("SOURCE_TOO_LARGE", path, message)
             if stream.read(len(_LFS_POINTER)) == _LFS_POINTER:
                 message = "holds the address of the file, not the file"
-                raise refuse("SOURCE_LFS_POINTER", str(path), message)
+                raise refuse("SOURCE_LFS_POINTER", path, message)
         return hashed(path)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        raise refuse("FILE_NOT_FOUND", str(path), f"cannot be read: {reason}") from error
+        raise refuse("FILE_NOT_FOUND", path, f"cannot be read: {reason}") from error
 
 
 def hashed(path: Path | str) -> SourceFile:

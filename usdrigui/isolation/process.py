@@ -81,7 +81,7 @@ def not_started(error: Exception, code: str, path: str, what: str) -> RigUIError
     """The refusal where `what` cannot be started: `code` about `path`, or PYTHON_PERMISSION."""
     if isinstance(error, PermissionError):
         message = f"{what} cannot be started: {error.strerror}"
-        return refuse("PYTHON_PERMISSION", str(error.filename or sys.executable), message)
+        return refuse("PYTHON_PERMISSION", error.filename or sys.executable, message)
     return refuse(code, path, f"{what} cannot be started: {error}")
 
 

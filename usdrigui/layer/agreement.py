@@ -19,12 +19,13 @@ from usdrigui.character import Body, Flags, Floats, Indices, Record, Rig
 from usdrigui.character.deform import Posed, posed, sweep, sweep_start
 from usdrigui.character.skinning import with_descendants
 from usdrigui.character.subset import subset
+from usdrigui.character.surface import mesh_triangles, vertex_normals, weld
 from usdrigui.errors import Issue, issue
 from usdrigui.layer import author
 from usdrigui.layer.properties import value_of
 from usdrigui.layer.read_controls import invalid_at, read_controls
 from usdrigui.layer.read_layout import base_controls, element_prims, points_by_role
-from usdrigui.model import Element, Layout, Member
+from usdrigui.model import Element, Layout, LayoutFrame, Member
 from usdrigui.overlap import segment_distances
 from usdrigui.reading.character import read_animated
 from usdrigui.settings import ReadSettings
@@ -46,8 +47,15 @@ _ALONG, _SHARE = 0.05, 0.08
 anchor's way by less than both together."""
 _SIZES = 4.0
 """Times as wide or narrow as the layout says may be what draws a handle."""
+_CLEAR = 0.5
+"""Cosine of directions that are one; and of all motion, so much more is on one side than on the
+other where it is of one side.  Of what the given rigs have on their boards .3 at most is, and .99
+of what is of one side."""
 _HALF = 0.5
 """Of its range: so far every control is from the base pose where all are."""
+
+
+_NONE: Indices = np.zeros(0, dtype=np.int64)
 
 
 class _Drawn(Record):
@@ -60,6 +68,9 @@ class _Drawn(Record):
     anchor: int
     handle: Indices
     track: Indices
+    """Of its tracks, and of the areas between them."""
+    line: Indices
+    """Of its tracks alone."""
     members: Indices
     """Its controls, as indices into `Rig.controls`."""
 
@@ -109,8 +120,9 @@ class _Scene(Record):
         weighed = {channel for control in controls for channel in drives[control].channels}
         carried = with_descendants(self.rig.body.joints, np.array(turned, dtype=np.int64))
         if turned:
-            for above in map(self._above, anchors):
-                carried |= above.any(axis=0) & ~above.all(axis=0)
+            for point in anchors:
+                above = self._above[:, self._influences(point)]
+                carried |= above.any(axis=1) & ~above.all(axis=1)
         return [
             index
             for index, drive in enumerate(drives)
@@ -120,18 +132,17 @@ class _Scene(Record):
             or (turned and len(drive.channels))
         ]
 
-    def _above(self, point: int) -> Flags:
-        """(influences of a point, joints) which joints move each of them: itself, and those
-        above it."""
+    @cached_property
+    def _above(self) -> Flags:
+        """(joints, joints) which joints each moves: itself, and those below it."""
+        joints = self.rig.body.joints
+        return np.array([with_descendants(joints, np.array([i])) for i in range(len(joints))])
+
+    def _influences(self, point: int) -> Indices:
+        """The joints that move a point."""
         mesh, local = self.rig.body.mesh_of(point)
-        skin, joints = self.rig.body.meshes[mesh].binding.skin, self.rig.body.joints
-        bound = [] if skin is None else skin.joints[local][skin.weights[local] != 0.0].tolist()
-        above = np.zeros((len(bound), len(joints)), dtype=bool)
-        for row, joint in zip(above, bound, strict=True):
-            while joint >= 0:
-                row[joint] = True
-                joint = joints[joint].parent
-        return above
+        skin = self.rig.body.meshes[mesh].binding.skin
+        return _NONE if skin is None else skin.joints[local][skin.weights[local] != 0.0]
 
     def halfway(self, towards: str, but: list[int]) -> Floats:
         """Values (controls,) of a pose: every control half way from the base pose to its
@@ -143,13 +154,14 @@ class _Scene(Record):
 
 
 def disagreements(scope: Usd.Prim, layout: Layout, settings: ReadSettings) -> Iterator[Issue]:
-    """LAYOUT_INVALID of what cannot be evaluated, LAYOUT_TRACK of controls that take their anchor
-    elsewhere than their track shows, and LAYOUT_DRAWN of what is drawn and does not go along."""
+    """LAYOUT_MESH_GONE, LAYOUT_TOPOLOGY and LAYOUT_INVALID of what cannot be evaluated,
+    LAYOUT_TRACK of controls that take their anchor elsewhere than their track shows, and
+    LAYOUT_DRAWN of what is drawn and does not go along."""
     found: list[Issue] = []
-    stage, drawings = scope.GetStage(), _drawings(scope)
+    stage = scope.GetStage()
     anchored = dict.fromkeys(each.anchor.mesh for each in layout.elements if each.anchor.mesh)
     meshes = [each for each in map(stage.GetPrimAtPath, anchored) if each and each.IsActive()]
-    body = read_animated(scope.GetParent(), settings, [*meshes, *drawings]).body
+    body = read_animated(scope.GetParent(), settings, [*meshes, *drawings(scope)]).body
     scene = _scene(scope, layout, body, found)
     yield from found
     if scene is None:
@@ -179,7 +191,10 @@ def _at_rest(scene: _Scene, drawn: _Drawn) -> Iterator[Issue]:
     if len(ways):
         pieces = ((track[:-1, :, None], track[1:, :, None]) for track in tracks)
         apart = np.concatenate([segment_distances(ways.T[None], *each) for each in pieces])
-        away = apart.min(axis=0).max()
+        ends = np.concatenate([track[[0, -1]] for track in tracks])
+        short = np.linalg.norm(ends[:, None] - points[drawn.line], axis=2)
+        # Lifted over an arch, a straight track is off its ends by as much again.
+        away = max(apart.min(axis=0).max(), 0.5 * short.min(axis=1, initial=np.inf).max())
         if away > beside:
             yield _astray(drawn.prim, f"its tracks are drawn {away:.3g} from their trackPoints")
 
@@ -222,7 +237,7 @@ def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterat
     off = _worst(along / member.magnification - anchor)
     if off > scene.grain + _ALONG * drawn.width + _SHARE * _worst(anchor):
         clause = f"{off:.3g} from rigUI:control:*:trackPoints, {steps}"
-        yield issue("LAYOUT_TRACK", str(drawn.prim.GetPath()), f"its anchor is up to {clause}")
+        yield issue("LAYOUT_TRACK", drawn.prim.GetPath(), f"its anchor is up to {clause}")
     away = _worst(handle[:, :1] - anchor[:, None])
     if drawn.element.look.glyph is None and away > tolerance:
         yield _astray(drawn.prim, f"its handle leaves its anchor by {away:.3g}, {steps}")
@@ -240,7 +255,7 @@ def _together(scene: _Scene) -> Iterator[Issue]:
         whole = posed(scene.rig, scene.halfway(towards, []))
         still = posed(scene.rig, scene.halfway(towards, scene.with_ignored(board, anchors)))
         for index, each in enumerate(scene.drawn):
-            if index in told or each.element.look.adapt == "static":
+            if index in told:
                 continue
             for what, off, slack in _departures(scene, each, towards, whole, still):
                 if off > scene.grain + slack:
@@ -261,6 +276,12 @@ def _departures(
     if drawn.element.anchor.on_board:
         yield "drawing", _off(scene, drawn, still, drawn.rows), loose
         return
+    if drawn.slides:
+        # No shape moves it; joints may.
+        turning = [i for i, each in enumerate(scene.rig.controls) if len(each.drive.joints)]
+        shaped = posed(scene.rig, scene.halfway(towards, [*drawn.members, *turning]))
+        yield "drawing", _worst((shaped.points - scene.base.points)[drawn.rows]), loose
+        return
     yield "handle", _off(scene, drawn, whole, drawn.handle[:1]), _EXACT * drawn.width
     yield "handle", _off(scene, drawn, whole, drawn.handle), loose
     ignored = scene.with_ignored(drawn.members, [drawn.anchor])
@@ -280,7 +301,7 @@ def _off(scene: _Scene, drawn: _Drawn, at: Posed, rows: Indices) -> float:
 
 
 def _astray(prim: Usd.Prim, message: str) -> Issue:
-    return issue("LAYOUT_DRAWN", str(prim.GetPath()), message)
+    return issue("LAYOUT_DRAWN", prim.GetPath(), message)
 
 
 def _worst(vectors: Floats) -> float:
@@ -295,42 +316,51 @@ def length(line: Floats) -> float:
 # --- the scene ------------------------------------------------------------------------------------
 
 
-def _drawings(scope: Usd.Prim) -> list[Usd.Prim]:
+def drawings(scope: Usd.Prim) -> list[Usd.Prim]:
     """The meshes that draw a layout."""
     return [mesh for mesh in scope.GetAllChildren() if mesh.IsA(UsdGeom.Mesh)]
 
 
 def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _Scene | None:
     """None where nothing can be evaluated; `found` takes what is not as the character has it."""
-    prims, drawings = element_prims(scope), _drawings(scope)
+    prims = element_prims(scope)
+    drawing = {mesh: body.point_of(str(mesh.GetPath()), 0) for mesh in drawings(scope)}
     topologies = {mesh.path: (mesh.topology.hash, len(mesh.points)) for mesh in body.meshes}
     found += [
         invalid_at(mesh, "its arrays contradict each other: it draws nothing")
-        for mesh in drawings
-        if body.point_of(str(mesh.GetPath()), 0) < 0
+        for mesh, start in drawing.items()
+        if start < 0
     ]
     rig, drawn = read_controls(scope, prims, body, found), []
     for prim, element in zip(prims, layout.elements, strict=True):
         members = [member.control for member in element.manipulator.members]
-        known, count = topologies.get(element.anchor.mesh, ("gone", 0))
-        point = body.point_of(element.anchor.mesh, element.anchor.point)
-        fits = point >= 0 and element.anchor.fits(known)
-        if fits and element.anchor.point_count not in (0, count):
+        anchor = element.anchor
+        known, count = topologies.get(anchor.mesh, ("gone", 0))
+        point = body.point_of(anchor.mesh, anchor.point)
+        if not count:
+            found.append(layout.mesh_gone(anchor.mesh))
+        elif change := anchor.mesh_change(known, count):
+            found.append(issue("LAYOUT_TOPOLOGY", element.name, change))
+        elif anchor.point_count not in (0, count):
             found.append(invalid_at(prim, f"rigUI:anchor:pointCount is not {count}"))
-        if fits and rig.control_names >= {*members}:
+        elif point >= 0 and rig.control_names >= {*members}:
             drawn.append(
                 _Drawn(
                     prim,
                     element,
                     layout.frame.handle_width_of(element.placement.part),
                     point,
-                    _rows(body, drawings, prim, "handle"),
-                    _rows(body, drawings, prim, "track"),
+                    _rows(drawing, prim, "handle"),
+                    _rows(drawing, prim, "track", "area"),
+                    _rows(drawing, prim, "track"),
                     np.array([rig.control_indices[name] for name in members]),
                 )
             )
     if not drawn:
         return None
+    base = dict(zip(base_controls(scope), layout.character.base_values.tolist(), strict=True))
+    values = np.array([base.get(control.name, control.default) for control in rig.controls])
+    found += _on_the_whole(rig, values, drawn, layout.frame)
     rows = np.unique(np.concatenate([[each.anchor, *each.rows] for each in drawn]).astype(np.int64))
     drawn = [
         replace(
@@ -338,20 +368,52 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
             anchor=int(np.searchsorted(rows, each.anchor)),
             handle=np.searchsorted(rows, each.handle),
             track=np.searchsorted(rows, each.track),
+            line=np.searchsorted(rows, each.line),
         )
         for each in drawn
     ]
-    base = dict(zip(base_controls(scope), layout.character.base_values.tolist(), strict=True))
-    values = [base.get(control.name, control.default) for control in rig.controls]
     size = max(_worst(np.ptp(mesh.points, axis=0)) for mesh in body.meshes)
-    return _Scene(subset(rig, rows)[0], tuple(drawn), np.array(values), size)
+    return _Scene(subset(rig, rows)[0], tuple(drawn), values, size)
 
 
-def _rows(body: Body, drawings: list[Usd.Prim], prim: Usd.Prim, role: str) -> Indices:
-    """Points of the body that draw an element in a role, in all meshes."""
-    found = [np.zeros(0, dtype=np.int64)]
-    for mesh in drawings:
-        part, start = mesh.GetChild(prim.GetName()), body.point_of(str(mesh.GetPath()), 0)
+def _on_the_whole(
+    rig: Rig, values: Floats, drawn: list[_Drawn], frame: LayoutFrame
+) -> Iterator[Issue]:
+    """Whether elements on the skin face as it does, and those on the board are of the side that
+    moves."""
+    base = posed(rig, values)
+    skin = np.ones(len(base.points))
+    skin[np.concatenate([each.rows for each in drawn])] = 0.0
+    # The first point of a handle is where the skin's is.
+    places = weld(base.points, skin[:, None])
+    normals = vertex_normals(base.points, mesh_triangles(rig.body.meshes), places)
+    sides = np.sign(frame.plane.distance(base.points)) * skin
+    for each in drawn:
+        element, normal = each.element, each.element.anchor.normal
+        on_board, handle = element.anchor.on_board, normals[each.handle[1:]].sum(axis=0)
+        turned = element.look.glyph is None and handle @ normal < 0.0
+        there = normal if on_board else normals[each.anchor]
+        if turned or there @ normal < _CLEAR * (there.any() and normal.any()):
+            yield invalid_at(each.prim, "rigUI:anchor:normal is not that of mesh and handle")
+        side = {"left": 1.0, "right": -1.0}.get(element.look.side if on_board else "", 0.0)
+        shifts = np.zeros(len(skin))
+        for control in each.members if side else ():
+            ends = rig.controls[control]
+            moved, offsets = sweep(rig, base, int(control), [ends.minimum, ends.maximum])
+            shifts[moved] += np.linalg.norm(offsets[1] - offsets[0], axis=1)
+        shifts *= shifts > _EXACT * each.width
+        # Those that are each other's mirror by their names may move both sides alike.
+        least = -_CLEAR if element.manipulator.mirror else _CLEAR
+        if side * (shifts @ sides) < least * (shifts @ skin):
+            what = f"rigUI:element:side is {element.look.side}, its controls move less there"
+            yield invalid_at(each.prim, what)
+
+
+def _rows(drawing: dict[Usd.Prim, int], prim: Usd.Prim, *roles: str) -> Indices:
+    """Points of the body that draw an element in some roles, in all meshes."""
+    found = [_NONE]
+    for mesh, start in drawing.items():
+        part = mesh.GetChild(prim.GetName())
         if start >= 0 and part and part.IsA(UsdGeom.Subset):
-            found.append(start + points_by_role(part, role))
+            found.append(start + points_by_role(part, *roles))
     return np.concatenate(found)

@@ -4,44 +4,23 @@ them."""
 from __future__ import annotations
 
 import functools
+import json
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from pxr import Gf, Sdf, Vt
+from pxr import Sdf
 
 from usdrigui.stages import schema
 
-_ARRAYS = {
-    "float3[]": (Vt.Vec3fArray, np.float32),
-    "point3f[]": (Vt.Vec3fArray, np.float32),
-    "vector3f[]": (Vt.Vec3fArray, np.float32),
-    "color3f[]": (Vt.Vec3fArray, np.float32),
-    "vector3d[]": (Vt.Vec3dArray, np.float64),
-    "double[]": (Vt.DoubleArray, np.float64),
-    "float[]": (Vt.FloatArray, np.float32),
-    "int[]": (Vt.IntArray, np.int32),
-    "int2[]": (Vt.Vec2iArray, np.int32),
-}
-_SCALARS: Mapping[str, Callable[[Any], Any]] = {
-    "point3f": lambda value: Gf.Vec3f(*map(float, value)),
-    "vector3f": lambda value: Gf.Vec3f(*map(float, value)),
-    "matrix4d": lambda value: Gf.Matrix4d(np.asarray(value, dtype=np.float64).tolist()),
-    "double": float,
-    "int": int,
-    "token": str,
-    "string": str,
-    "bool": bool,
-}
 _DIGITS, _MATRIX_DIGITS = 7, 12
 """Significant digits authored of numbers: as many as a source in single precision has."""
 TOLD = 10.0 ** (1 - _DIGITS)
 """Of the largest number of a value: so exactly a layer tells each of its numbers (`settled`)."""
 _RULE = re.compile(r"^(Range|Length|Order|Norm): (.+)$", re.MULTILINE)
 _NOT_PLAIN = re.compile(r"[^A-Za-z0-9_]")
-_LISTS = {"token[]": Vt.TokenArray, "string[]": Vt.StringArray}
 
 
 @dataclass(frozen=True)
@@ -75,6 +54,13 @@ def properties(api: str) -> Mapping[str, Property]:
             spec.name, type_name, fallback, allowed, rules
         )
     return found
+
+
+@functools.cache
+def prim_types(api: str) -> list[str]:
+    """What prims one of our schemas may be applied to, from plugInfo.json."""
+    (plugin,) = json.loads((schema.schema_path() / "plugInfo.json").read_text("utf-8"))["Plugins"]
+    return list(plugin["Info"]["Types"][f"Usd{api}"]["apiSchemaCanOnlyApplyTo"])
 
 
 def prim(parent: Sdf.PrimSpec, name: str, type_name: str, apis: Sequence[str] = ()) -> Sdf.PrimSpec:
@@ -150,12 +136,11 @@ def declare(
 
 def usd_value(type_name: str, value: Any) -> Any:
     """A Python or numpy value as the type that USD stores for `type_name`."""
-    if type_name in _ARRAYS:
-        kind, dtype = _ARRAYS[type_name]
-        return kind.FromNumpy(np.ascontiguousarray(settled(value, type_name), dtype=dtype))
-    if type_name in _LISTS:
-        return _LISTS[type_name]([str(each) for each in value])
-    return _SCALARS[type_name](settled(value, type_name))
+    example, found = _type(type_name).defaultValue, settled(value, type_name)
+    if hasattr(example, "FromNumpy"):
+        kept = np.ascontiguousarray(found, dtype=np.asarray(example).dtype)
+        return type(example).FromNumpy(kept)
+    return type(example)(np.asarray(found).tolist())
 
 
 def settled(value: Any, type_name: str) -> Any:

@@ -78,7 +78,7 @@ def apart(found: Valued | None) -> Iterator[Issue]:
                 when = f" at time {time:g}" if found.moving else ""
                 what = f"is {value:g}{when}, the SkelAnimation has another"
                 path = found.values[found.rig.controls[index].name].GetPath()
-                yield issue("LAYOUT_VALUE", str(path), what)
+                yield issue("LAYOUT_VALUE", path, what)
 
 
 # --- the values -----------------------------------------------------------------------------------
@@ -207,7 +207,7 @@ def _read(attribute: Usd.Attribute, time: float) -> float | None:
     """None where it has no value.  Raises NOT_FINITE for what is no number."""
     value = attribute.Get(time)
     if value is not None and not (isinstance(value, float) and math.isfinite(value)):
-        raise refuse("NOT_FINITE", str(attribute.GetPath()), f"is {value!r} at time {time:g}")
+        raise refuse("NOT_FINITE", attribute.GetPath(), f"is {value!r} at time {time:g}")
     return value
 
 

@@ -14,14 +14,17 @@ import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel
 
 from usdrigui.character import Floats
-from usdrigui.errors import Issue, RigUIError, refuse
+from usdrigui.errors import Issue, RigUIError, of_character
 from usdrigui.layer import author
-from usdrigui.layer.agreement import disagreements, length
+from usdrigui.layer.agreement import disagreements, drawings, length
 from usdrigui.layer.baking import apart, valued
 from usdrigui.layer.properties import (
+    applied,
     control_instances,
     has,
+    invalid,
     targets,
+    value_of,
 )
 from usdrigui.layer.read_controls import invalid_at
 from usdrigui.layer.read_layout import (
@@ -64,7 +67,7 @@ def contradictions(
             found.extend(apart(valued(scope, settings)))
         except RigUIError as error:
             found.append(error.issue)
-        issues += (replace(each, character=str(scope.GetPath().GetParentPath())) for each in found)
+        issues += of_character(str(scope.GetPath().GetParentPath()), found)
     return tuple(issues)
 
 
@@ -74,14 +77,14 @@ def _of_layout(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
         element.name: (prim, element) for prim, element in zip(prims, layout.elements, strict=True)
     }
     yield from _of_listing(scope, layout)
-    for mesh in scope.GetAllChildren():
-        if mesh.IsA(UsdGeom.Mesh):
-            yield from _of_drawing(mesh)
+    for mesh in drawings(scope):
+        yield from _of_drawing(mesh, layout)
     for prim, element in by_name.values():
-        if UsdGeom.Subset(prim) and not len(points_by_role(prim, "handle")):
-            yield invalid_at(prim, f"no face has the role 'handle': see primvars:{schema.ROLE}")
-        if UsdGeom.Subset(prim) and prim.GetAttribute("familyName").Get() != _FAMILY:
-            yield _doubtful_at(prim, f"familyName is not {_FAMILY!r}")
+        if UsdGeom.Subset(prim):
+            if not len(points_by_role(prim, "handle")):
+                yield invalid_at(prim, f"no face has the role 'handle': see primvars:{schema.ROLE}")
+            if prim.GetAttribute("familyName").Get() != _FAMILY:
+                yield _doubtful_at(prim, f"familyName is not {_FAMILY!r}")
         yield from _of_manipulator(prim, element)
         yield from _of_side(prim, element, layout)
         mirror = element.manipulator.mirror
@@ -93,14 +96,22 @@ def _of_layout(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
 
 
 def _of_prims(scope: Usd.Prim) -> Iterator[Issue]:
-    """What no prim of a layout has: what changes in time, and targets on another character."""
+    """What no prim of a layout has: another type than that of its schemas, words that USD does not
+    know, what changes in time, and targets on another character."""
     parent = scope.GetParent()
     root, several = parent.GetPath(), sum(has(each, schema.LAYOUT) for each in parent.GetChildren())
     if several > 1 or not parent.IsA(UsdSkel.Root):
-        raise refuse("LAYOUT_INVALID", str(scope.GetPath()), "is not the one layout of a SkelRoot")
+        raise invalid(scope, "is not the one layout of a SkelRoot")
     skeletons = {*targets(scope, schema.LAYOUT, "skeleton")}
     for prim in Usd.PrimRange(scope, Usd.TraverseInstanceProxies()):
+        for api in filter(schema.APIS.__contains__, applied(prim)):
+            kinds = author.prim_types(api)
+            if prim.GetTypeName() not in kinds:
+                yield invalid_at(prim, f"{api} is of a {kinds[0]}, not a {prim.GetTypeName()}")
         for attribute in prim.GetAuthoredAttributes():
+            words, said = attribute.GetMetadata("allowedTokens"), attribute.Get()
+            if words and said not in (None, *words):
+                yield invalid_at(prim, f"{attribute.GetName()} is {said!r}, not one of {words}")
             still = attribute.GetBaseName() not in ("value", "visibility")
             if still and attribute.GetNumTimeSamples():
                 yield invalid_at(
@@ -135,9 +146,12 @@ def _of_listing(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
         yield invalid_at(scope, f"rigUI:layout:baseControls lacks {name!r}, which has an element")
 
 
-def _of_drawing(mesh: Usd.Prim) -> Iterator[Issue]:
+def _of_drawing(mesh: Usd.Prim, layout: Layout) -> Iterator[Issue]:
     """Whether a mesh that draws elements moves with a Skeleton, and says of each face what it
     draws."""
+    part, parts = value_of(mesh, schema.DRAWING, "part"), [each.name for each in layout.frame.parts]
+    if part and parts and part not in parts:
+        yield invalid_at(mesh, f"rigUI:drawing:part is {part!r}, which no {schema.PART} has")
     if not has(mesh, schema.DRAWING):
         yield invalid_at(mesh, f"{schema.DRAWING} is missing: it draws elements")
     if not UsdSkel.BindingAPI(mesh).GetInheritedSkeleton():
@@ -151,12 +165,10 @@ def _of_drawing(mesh: Usd.Prim) -> Iterator[Issue]:
         yield invalid_at(mesh, "xformOpOrder moves it out of the space of its SkelRoot")
     drawn = UsdGeom.Mesh(mesh)
     faces, points = drawn.GetFaceCount(), drawn.GetPointsAttr().Get() or ()
-    flat = drawn.GetSubdivisionSchemeAttr().Get() in ("none", "bilinear")
-    right = drawn.GetOrientationAttr().Get() == "rightHanded"
-    if not (flat and right) or drawn.GetHoleIndicesAttr().Get():
-        yield invalid_at(
-            mesh, "subdivisionScheme, orientation or holeIndices is not the contract's"
-        )
+    normals = mesh.GetAttribute("primvars:normals") or drawn.GetNormalsAttr()
+    flat = drawn.GetSubdivisionSchemeAttr().Get() == "bilinear" and not normals.Get()
+    if not flat or drawn.GetHoleIndicesAttr().Get():
+        yield invalid_at(mesh, "subdivisionScheme, normals or holeIndices is not the contract's")
     box = drawn.GetExtentAttr().Get()
     if box and not np.allclose(box, UsdGeom.PointBased.ComputeExtent(points)):
         yield invalid_at(mesh, "extent is not that of its points: viewers may leave it out")
@@ -181,7 +193,12 @@ def _of_manipulator(prim: Usd.Prim, element: Element) -> Iterator[Issue]:
     for name, member in zip(control_instances(prim), element.manipulator.members, strict=True):
         drawn = length(member.track)
         meant = member.arc_length * member.magnification
-        grain = author.TOLD * np.abs(member.track).sum()
+        grain, peak = author.TOLD * np.abs(member.track).sum(), member.peak or member.arc_length
+        own = 0.98 * peak if element.anchor.on_board else 0.0
+        if not own <= member.arc_length <= 1.02 * peak:
+            yield invalid_at(
+                prim, f"rigUI:control:{name}:arcLength is not peak, or less on the skin"
+            )
         if meant and abs(drawn - meant) > 0.02 * max(drawn, meant) + grain:
             what = f"trackPoints have length {drawn:.4g}, arcLength by magnification is {meant:.4g}"
             yield invalid_at(prim, f"rigUI:control:{name}:{what}")
@@ -196,6 +213,8 @@ def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue
         yield invalid_at(prim, "rigUI:anchor:normal on the board looks away from the viewer")
     if not on_board and (targets(prim, schema.ANCHOR, "carrier") or element.placement.category):
         yield invalid_at(prim, "has rigUI:anchor:prim, and a carrier or category of the board")
+    if side != "none" and not plane.normal.any():
+        yield invalid_at(prim, f"rigUI:element:side is {side}: rigUI:layout:planeNormal is missing")
     if on_board or not layout.frame.mirrors(part):
         return
     away = plane.distance(element.anchor.position)

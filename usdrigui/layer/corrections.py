@@ -29,12 +29,15 @@ _FIELDS = {
 
 
 def read_corrections(stage: Usd.Stage) -> tuple[Correction, ...]:
-    """Every correction on a stage, by prim path; raises LAYOUT_INVALID."""
-    return tuple(
-        _correction(prim)
-        for prim in Usd.PrimRange(stage.GetPseudoRoot(), _EVERYTHING)
-        if prim.IsActive() and has(prim, schema.CORRECTION)
-    )
+    """Every correction on a stage, by prim path; raises LAYOUT_INVALID, also where a control has
+    two."""
+    found: dict[Any, Correction] = {}
+    for prim in Usd.PrimRange(stage.GetPseudoRoot(), _EVERYTHING):
+        if prim.IsActive() and has(prim, schema.CORRECTION):
+            each = _correction(prim)
+            if found.setdefault((each.root, each.control), each) is not each:
+                raise invalid(prim, f"is another correction of {each.control!r}")
+    return tuple(found.values())
 
 
 def own_corrections(layer: Sdf.Layer) -> tuple[Correction, ...]:

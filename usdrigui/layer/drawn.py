@@ -10,6 +10,7 @@ numpy only.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal
 
@@ -152,20 +153,10 @@ def _tracks(skin: SkinBinding, binding: AnchorBinding, element: Element, width: 
         for i, member in enumerate(members)
     ]
     areas = _areas(element)
-    pieces = [
-        *spikes,
-        *((positions, Faces.alike(np.arange(len(positions))[None])) for _, positions in areas),
-    ]
-    starts = np.cumsum([0, *(len(points) for points, _ in pieces)])
-    faces = Faces(
-        np.concatenate([faces.counts for _, faces in pieces]),
-        np.concatenate(
-            [faces.indices + start for (_, faces), start in zip(pieces, starts, strict=False)]
-        ),
-    )
+    polygons = ((corners, Faces.alike(np.arange(len(corners))[None])) for _, corners in areas)
+    positions, faces = _together([*spikes, *polygons])
     rows = [_values_along(base, i, member) for i, member in enumerate(members)]
     values = np.concatenate([*rows, *(_values_at(base, moved, ends) for ends, _ in areas)])
-    positions = np.concatenate([points for points, _ in pieces])
     return _still(skin, binding, moved, values, positions, faces, len(areas), width)
 
 
@@ -204,6 +195,15 @@ def _to_the_middle(line: Floats, normal: Floats, tolerance: float) -> Floats | N
     shift = _ARCH * beside.mean(axis=0)
     farthest = np.linalg.norm(beside - shift, axis=1).max()
     return shift if farthest <= tolerance and np.ptp(above) <= 2.0 * tolerance else None
+
+
+def _together(forms: Sequence[Form]) -> Form:
+    """Several forms as one."""
+    starts = np.cumsum([0, *(len(points) for points, _ in forms)])
+    indices = [each.indices + start for (_, each), start in zip(forms, starts, strict=False)]
+    counts = np.concatenate([each.counts for _, each in forms])
+    points = np.concatenate([points for points, _ in forms])
+    return points, Faces(counts, np.concatenate(indices))
 
 
 def _values_along(base: Floats, position: int, member: Member) -> Floats:
@@ -379,9 +379,7 @@ def _form(element: Element, width: float, view: Floats) -> Form:
         for line in np.split(glyph.points, ends)
         if len(line) > 1
     ]
-    starts = np.cumsum([0, *(len(points) for points, _ in lines)])
-    quads = [quads + start for (_, quads), start in zip(lines, starts, strict=False)]
-    return np.concatenate([points for points, _ in lines]), Faces.alike(np.concatenate(quads))
+    return _together([(points, Faces.alike(quads)) for points, quads in lines])
 
 
 def _dome(normal: Floats, view: Floats, width: float) -> Form:

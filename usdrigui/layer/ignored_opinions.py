@@ -26,7 +26,7 @@ def ignored_opinions(stage: Usd.Stage) -> tuple[Issue, ...]:
             likely, layer = known.get(spec.name), spec.layer.realPath or spec.layer.identifier
             hint = f"; {likely} is likely meant" if likely else meant(spec.name, known)
             what = f"has {listed(names)} in {layer}, and no prim is there{hint}"
-            found[issue("OPINION_IGNORED", str(path), what)] = None
+            found[issue("OPINION_IGNORED", path, what)] = None
     return tuple(found)
 
 

@@ -14,8 +14,8 @@ from typing import Any, get_args
 import numpy as np
 from pxr import Sdf, Usd, Vt
 
-from usdrigui.character import Floats, Glyph, Indices
-from usdrigui.errors import refuse
+from usdrigui.character import Floats, Indices
+from usdrigui.errors import listed, refuse
 from usdrigui.layer import author
 from usdrigui.layer.rules import broken
 from usdrigui.model import Anchor, Decision, Element, Placement
@@ -85,9 +85,9 @@ def refuse_broken(
             raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.{where}", what)
 
 
-def invalid(attribute: Usd.Attribute, message: str) -> Exception:
-    """LAYOUT_INVALID at an attribute."""
-    return refuse("LAYOUT_INVALID", str(attribute.GetPath()), message)
+def invalid(where: Usd.Object, message: str) -> Exception:
+    """LAYOUT_INVALID at a prim or an attribute."""
+    return refuse("LAYOUT_INVALID", where.GetPath(), message)
 
 
 def targets(prim: Usd.Prim, api: str, name: str, instance: str = "") -> list[Sdf.Path]:
@@ -98,14 +98,13 @@ def targets(prim: Usd.Prim, api: str, name: str, instance: str = "") -> list[Sdf
 
 
 def control_instances(prim: Usd.Prim) -> list[str]:
-    """Instance names of an element's controls, in its order.  Raises LAYOUT_INVALID for none, or
-    one not applied."""
+    """Instance names of an element's controls, in its order.  Raises LAYOUT_INVALID for none, and
+    for a list of others than are applied."""
     known = instances_applied(prim, schema.CONTROL)
     instances = strings(value_of(prim, schema.ELEMENT, "controls")) or known
-    unknown = [instance for instance in instances if instance not in known]
-    if unknown or not instances:
-        what = f"lists {unknown[0]!r}, but does not apply it" if unknown else "has no control"
-        raise refuse("LAYOUT_INVALID", str(prim.GetPath()), what)
+    if not known or sorted(instances) != sorted(known):
+        what = f"lists {listed(instances) or 'none'}, but applies {listed(known) or 'no control'}"
+        raise invalid(prim, what)
     return instances
 
 
@@ -140,16 +139,9 @@ def array_of(values: Any) -> Floats:
 
 def read_anchor(prim: Usd.Prim) -> Anchor:
     """Where an element holds on; raises LAYOUT_INVALID."""
-
     get = partial(value_of, prim, schema.ANCHOR)
     on_face = targets(prim, schema.ANCHOR, "prim")
     meshes = on_face or targets(prim, schema.ANCHOR, "carrier")
-    if on_face and get("pointIndex") < 0:
-        raise refuse(
-            "LAYOUT_INVALID",
-            str(prim.GetPath()),
-            "is anchored to a mesh, but rigUI:anchor:pointIndex is missing",
-        )
     return Anchor(
         mesh=str(meshes[0]) if meshes else "",
         point=int(get("pointIndex")),
@@ -217,17 +209,6 @@ def _authored_above(prim: Usd.Prim) -> set[str]:
     return {str(each) for view in views for each in view.keys()}  # noqa: SIM118
 
 
-def checked_glyph(prim: Usd.Prim, glyph: Glyph) -> Glyph:
-    """The glyph, if its numbers fit each other; raises LAYOUT_INVALID."""
-    if glyph.counts.sum() != len(glyph.indices):
-        raise refuse(
-            "LAYOUT_INVALID",
-            f"{prim.GetPath()}.rigUI:handle:glyphOffsets",
-            "do not fit what is drawn",
-        )
-    return glyph
-
-
 def check_elements(scope: Usd.Prim, elements: tuple[Element, ...]) -> None:
     """Refuse elements that contradict each other with LAYOUT_INVALID."""
     names = sorted(element.name for element in elements)
@@ -239,7 +220,7 @@ def check_elements(scope: Usd.Prim, elements: tuple[Element, ...]) -> None:
                 what = "is coarse itself" if name in coarse else "is not an element of the layout"
                 faults.append(f"{name!r}, a member of {element.name!r}, {what}")
     if faults:
-        raise refuse("LAYOUT_INVALID", str(scope.GetPath()), faults[0])
+        raise invalid(scope, faults[0])
 
 
 # --- arrays of USD's own schemas ------------------------------------------------------------------

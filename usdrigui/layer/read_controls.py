@@ -55,7 +55,7 @@ def read_controls(
         for instance in control_instances(prim):
             read = _Reader(prim, instance, body)
             faults = list(read.faults(tokens))
-            found += faults
+            found += (invalid_at(prim, f"rigUI:control:{instance}:{what}") for what in faults)
             control = read.control(weights)
             if not faults and read.complete(control.drive, shaped):
                 controls[control.name] = control
@@ -86,12 +86,8 @@ class _Reader:
     def targets(self, name: str) -> list[str]:
         return [str(path) for path in targets(self.prim, schema.CONTROL, name, self.instance)]
 
-    def faults(self, tokens: set[str]) -> Iterator[Issue]:
+    def faults(self, tokens: set[str]) -> Iterator[str]:
         """What keeps it from driving anything; `tokens` are the shapes of the character."""
-        for what in self._contradictions(tokens):
-            yield invalid_at(self.prim, f"rigUI:control:{self.instance}:{what}")
-
-    def _contradictions(self, tokens: set[str]) -> Iterator[str]:
         shapes, joints = {*strings(self.get("blendShapes"))}, {*strings(self.get("joints"))}
         if not shapes and not joints:
             yield "blendShapes and joints are missing: the control drives nothing"
@@ -182,4 +178,4 @@ _DRIVEN = (*_ENDS, "keys", "blendShapes", "blendShapeWeights", "joints", "jointR
 
 def invalid_at(prim: Usd.Prim, message: str) -> Issue:
     """LAYOUT_INVALID of a prim."""
-    return issue("LAYOUT_INVALID", str(prim.GetPath()), message)
+    return issue("LAYOUT_INVALID", prim.GetPath(), message)

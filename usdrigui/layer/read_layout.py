@@ -24,7 +24,6 @@ from usdrigui.layer.properties import (
     applied,
     array_of,
     check_elements,
-    checked_glyph,
     chosen_point,
     control_instances,
     corrected,
@@ -229,7 +228,7 @@ def source_of(path: Path) -> str:
     layer = Sdf.Layer.FindOrOpen(str(path)) if path.is_file() else None
     if layer is None:
         raise refuse(
-            "FILE_NOT_USD" if path.is_file() else "FILE_NOT_FOUND", str(path), "is not a USD layer"
+            "FILE_NOT_USD" if path.is_file() else "FILE_NOT_FOUND", path, "is not a USD layer"
         )
     paths = list(layer.subLayerPaths)
     if paths and not layout_paths(layer) and any(_brings_layout(layer, each) for each in paths):
@@ -267,7 +266,7 @@ def layout_at(scope: Usd.Prim, *, carried: bool = False) -> Layout:
     for prim in Usd.PrimRange(scope, _EVERYTHING):
         for each in filter(schema.is_later, applied(prim)):
             known = each.partition("_")[0]
-            raise refuse("LAYOUT_VERSION", str(prim.GetPath()), f"{each}; known: {known}")
+            raise refuse("LAYOUT_VERSION", prim.GetPath(), f"{each}; known: {known}")
 
     get = partial(value_of, scope, schema.LAYOUT)
     refuse_broken(scope, schema.LAYOUT)
@@ -343,7 +342,7 @@ def _recorded(
         return proof, parts, left_off, matches
     except (KeyError, TypeError, ValueError) as error:
         what = f"customData {schema.NOTES} is no record of usdrigui: {error}"
-        raise refuse("LAYOUT_INVALID", str(scope.GetPath()), what) from None
+        raise invalid(scope, what) from None
 
 
 def _element(prim: Usd.Prim, *, carried: bool) -> Element:
@@ -406,17 +405,12 @@ def _opposed(prim: Usd.Prim, instances: list[str]) -> tuple[tuple[int, int], ...
     pairs = [] if unknown else [(instances.index(each), i) for i, each in enumerate(named) if each]
     ends = [end for pair in pairs for end in pair]
     if unknown or len(set(ends)) < len(ends):
-        raise refuse(
-            "LAYOUT_INVALID",
-            str(prim.GetPath()),
-            f"rigUI:control:*:opposes makes no pairs of {instances}",
-        )
+        raise invalid(prim, f"rigUI:control:*:opposes makes no pairs of {instances}")
     return tuple(pairs)
 
 
 def _glyph(prim: Usd.Prim) -> Glyph | None:
-    """The custom shape of a handle; None for the usual one."""
-
+    """The custom shape of a handle; None for the usual one.  Raises LAYOUT_INVALID."""
     get = partial(value_of, prim, schema.HANDLE)
     points = array_of(get("glyphOffsets")).reshape(-1, 3)
     if not len(points):
@@ -426,7 +420,9 @@ def _glyph(prim: Usd.Prim) -> Glyph | None:
     )
     if get("glyphType") == "curve":
         indices = np.arange(len(points), dtype=np.int64)
-    return checked_glyph(prim, Glyph(str(get("glyph")), get("glyphType"), points, counts, indices))
+    if counts.sum() != len(indices):
+        raise invalid(prim, "rigUI:handle:glyphOffsets do not fit what is drawn")
+    return Glyph(str(get("glyph")), get("glyphType"), points, counts, indices)
 
 
 def points_by_role(prim: Usd.Prim, *wanted: str) -> Indices:
@@ -441,7 +437,7 @@ def points_by_role(prim: Usd.Prim, *wanted: str) -> Indices:
     )
     faces = integers_of(UsdGeom.Subset(prim).GetIndicesAttr())
     if counts.sum() != len(corners) or ((faces < 0) | (faces >= len(counts))).any():
-        raise refuse("LAYOUT_INVALID", str(prim.GetPath()), "its faces are not those of its mesh")
+        raise invalid(prim, "its faces are not those of its mesh")
     faces = faces[np.isin(face_roles(prim.GetParent(), len(counts))[faces], wanted)]
     owners = np.repeat(np.arange(len(counts)), counts)
     return np.unique(corners[np.isin(owners, faces)])

@@ -115,6 +115,7 @@ def _author(layer: Sdf.Layer, shot: ShotLayout) -> None:
 def _author_new_shapes(scope: Sdf.PrimSpec, shot: ShotLayout, elements: Sequence[Element]) -> None:
     """Let what is drawn of existing elements follow the shapes that their layer does not know."""
     skin, frame = SkinBinding(shot.rig, shot.layout), shot.layout.frame
+    channels = shot.rig.body.channels
     parts = {
         each.name: drawn_parts(skin, each, frame) for each in elements if not each.anchor.on_board
     }
@@ -126,19 +127,8 @@ def _author_new_shapes(scope: Sdf.PrimSpec, shot: ShotLayout, elements: Sequence
             if each.element in parts
             for span in _moved(parts[each.element], each)
         ]
-        known = set(prim.shapes)
-        new = [
-            (
-                points,
-                [
-                    shape
-                    for shape in shapes
-                    if shot.rig.body.channels[shape.channel].token not in known
-                ],
-            )
-            for points, shapes in spans
-        ]
-        if any(shapes for _, shapes in new):
+        tokens = {channels[shape.channel].token for _, shapes in spans for shape in shapes}
+        if not tokens <= {*prim.shapes}:
             path = (
                 Sdf.Path(prim.path)
                 .ReplacePrefix(*prefixes)
@@ -148,7 +138,7 @@ def _author_new_shapes(scope: Sdf.PrimSpec, shot: ShotLayout, elements: Sequence
             existing = list(zip(prim.shapes, targets, strict=True))
             spec = Sdf.CreatePrimInLayer(scope.layer, path)
             taken = {target.name for target in targets} | set(prim.names)
-            author_shapes(spec, shot.rig.body.channels, new, taken, existing)
+            author_shapes(spec, channels, spans, taken, existing)
 
 
 def _moved(

@@ -129,7 +129,7 @@ def relative_asset_path(source: Path, target: Path) -> str:
     here = source.parent.resolve() / source.name
     path = os.path.relpath(here, target.parent.resolve()).replace(os.sep, "/")
     if ":SDF_FORMAT_ARGS:" in path or "@@@" in path or any(ord(char) < 32 for char in path):
-        raise refuse("SOURCE_UNREFERABLE", str(source), "its name is reserved by USD")
+        raise refuse("SOURCE_UNREFERABLE", source, "its name is reserved by USD")
     return path if path.startswith("../") else f"./{path}"
 
 

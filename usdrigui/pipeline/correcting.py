@@ -78,9 +78,9 @@ def bake(shot: Path, settings: Settings, output: Path | None = None) -> tuple[St
 
     target = output or shot.with_name(f"{shot.stem}.baked.usda")
     if target.suffix != ".usda":
-        raise refuse("FILE_TARGET", str(target), "what is baked is USD text and ends in .usda")
+        raise refuse("FILE_TARGET", target, "what is baked is USD text and ends in .usda")
     if target.is_file() and BAKED.encode() not in whole_content(target, 256):
-        raise refuse("FILE_TARGET", str(target), "exists and is not what `usdrigui bake` wrote")
+        raise refuse("FILE_TARGET", target, "exists and is not what `usdrigui bake` wrote")
     content = read_baked_isolated(shot, settings)
     make_folder(target)
     with Transaction([shot]) as files:
@@ -109,12 +109,12 @@ def _of_record(root: str, control: str, element: Element) -> Correction:
 def _existing(output: Path, layer: Path, opening: Opening) -> dict[tuple[str, str], Correction]:
     """What a layer of corrections holds already; raises FILE_TARGET for another file."""
     if same_file(output, layer):
-        raise refuse("FILE_TARGET", str(output), "is the layout itself, which stays as it is")
+        raise refuse("FILE_TARGET", output, "is the layout itself, which stays as it is")
     if output.suffix != ".usda":
-        raise refuse("FILE_TARGET", str(output), "a layer of corrections ends in .usda")
+        raise refuse("FILE_TARGET", output, "a layer of corrections ends in .usda")
     held = read_layer_isolated(output, opening).corrections if output.is_file() else ()
     if output.is_file() and not held:
-        raise refuse("FILE_TARGET", str(output), "exists and is no layer of corrections")
+        raise refuse("FILE_TARGET", output, "exists and is no layer of corrections")
     return {(each.root, each.control): each for each in held}
 
 

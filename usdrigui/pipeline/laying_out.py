@@ -144,7 +144,7 @@ def process_stage(
         for name in (*each.layouts, *(f"{at}/{SCOPE}" for at in each.composed_from))
     ]
     if found:
-        raise refuse("SOURCE_IS_LAYOUT", str(root.identifier), f"has the layout {found[0]}")
+        raise refuse("SOURCE_IS_LAYOUT", root.identifier, f"has the layout {found[0]}")
     reports = [report for _, report in _laid_out(readings, clock, stop)]
     laid = [(each.rig, each.layout) for each in reports]
     report = _report(Path(root.identifier), "", "in memory", reports, clock, settings, (), plain)
@@ -343,13 +343,11 @@ def _check_character(
     """
     if source.layouts:
         below = f"sublayers {source.below}" if source.below else "sublayers nothing else"
-        raise refuse(
-            "SOURCE_IS_LAYOUT", str(asset), f"has the layout {source.layouts[0]} and {below}"
-        )
+        raise refuse("SOURCE_IS_LAYOUT", asset, f"has the layout {source.layouts[0]} and {below}")
     if settings.bare:
         return
     if any(os.path.realpath(target) == each.path for each in source.sources):
-        raise refuse("ATTACH_CYCLE", str(target), f"is a part of {asset}")
+        raise refuse("ATTACH_CYCLE", target, f"is a part of {asset}")
     for rig in source.rigs:
         inside = source.layout_inside(rig.skel_root.path)
         if inside and not over_base:

@@ -119,7 +119,7 @@ def load_layer(layer: Path, settings: Settings) -> Loaded:
         if error.issue.code == "LAYOUT_MISSING" and beside.is_file():
             raise refuse(
                 "LAYOUT_MISSING",
-                str(layer),
+                layer,
                 f"{error.issue.message}; {beside} beside it is a layout",
             ) from error
         raise
@@ -243,10 +243,11 @@ def _review_of(
     for rig, layout in loaded.characters:
         listed = frozenset(loaded.listed.get(rig.skel_root.path, ()))
         found = _reviewed(rig, layout, listed, settings, clock, loaded.cameras)
+        known = {each.code for each in found.issues}
         wrong = [
             replace(e, character="")
             for e in loaded.contradictions
-            if e.character == rig.skel_root.path
+            if e.character == rig.skel_root.path and e.code not in known
         ]
         wrong += [*found.issues, *not_animated(rig, layout)]
         own = replace(found, issues=of_character(rig.skel_root.path_in_variants, wrong))

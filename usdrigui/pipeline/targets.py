@@ -20,7 +20,7 @@ def default_output(asset: Path) -> Path:
     """``char.usda`` → ``char.rigui.usda``, beside it.  Raises SOURCE_NOT_A_FILE for a folder
     without a name."""
     if not asset.name:
-        raise refuse("SOURCE_NOT_A_FILE", str(asset), "is a folder")
+        raise refuse("SOURCE_NOT_A_FILE", asset, "is a folder")
     return asset.with_name(asset.stem + ".rigui.usda")
 
 
@@ -51,9 +51,7 @@ def check_outputs(targets: Iterable[Path | None], read: Iterable[Path | str] = (
         if {target.suffix.lower(), Path(os.path.realpath(target)).suffix.lower()} & {
             *_USD_SUFFIXES
         }:
-            raise refuse(
-                "FILE_TARGET", str(target), "output is not USD; use another file extension"
-            )
+            raise refuse("FILE_TARGET", target, "output is not USD; use another file extension")
     check_not_read(given, read)
 
 
@@ -61,9 +59,9 @@ def check_target(asset: Path, target: Path) -> None:
     """Refuse to write over the asset, and to a file that is not named as a layer; raises
     FILE_TARGET."""
     if same_file(target, asset):
-        raise refuse("FILE_TARGET", str(target), "is the source itself, which is never written")
+        raise refuse("FILE_TARGET", target, "is the source itself, which is never written")
     if target.suffix not in _LAYER_SUFFIXES:
-        raise refuse("FILE_TARGET", str(target), "a layout layer ends in .usda, .usdc or .usd")
+        raise refuse("FILE_TARGET", target, "a layout layer ends in .usda, .usdc or .usd")
 
 
 def check_replaceable(target: Path, opening: Opening, asset: Path | None = None) -> None:
@@ -81,19 +79,15 @@ def check_replaceable(target: Path, opening: Opening, asset: Path | None = None)
         existing = read_layer_isolated(target, opening)
     except RigUIError as error:
         raise refuse(
-            "FILE_TARGET", str(target), f"exists and cannot be read as a layout layer: {error}"
+            "FILE_TARGET", target, f"exists and cannot be read as a layout layer: {error}"
         ) from error
     if not existing.ours:
-        raise refuse(
-            "FILE_TARGET", str(target), "exists and is not a layout layer that process wrote"
-        )
+        raise refuse("FILE_TARGET", target, "exists and is not a layout layer that process wrote")
     if asset is None or not existing.sublayers:
         return
     source = target.parent / existing.sublayers[0]
     if source.is_file() and not source.samefile(asset):
-        raise refuse(
-            "FILE_TARGET", str(target), f"is the layout of {source.name}, not of {asset.name}"
-        )
+        raise refuse("FILE_TARGET", target, f"is the layout of {source.name}, not of {asset.name}")
 
 
 def check_place(target: Path) -> None:

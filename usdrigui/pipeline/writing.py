@@ -79,9 +79,7 @@ def check_base(
     """
     layer = Path(base.sources[0].path)
     if same_file(target, layer):
-        raise refuse(
-            "FILE_TARGET", str(target), "is the layout given as --base, which is never written"
-        )
+        raise refuse("FILE_TARGET", target, "is the layout given as --base, which is never written")
     composed = _composes(source.sources, layer)
     for rig in rigs:
         own, root = rig.skel_root.path, root_in_base(base.layouts, rig)

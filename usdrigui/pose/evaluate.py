@@ -146,7 +146,7 @@ def values_of(rig: Rig, pose: Mapping[str, float], base: ArrayLike | None = None
     for name, value in pose.items():
         if name not in names:
             what = f"the character has no control of this name{meant(str(name), names)}"
-            raise refuse("POSE_CONTROL", str(name), what)
+            raise refuse("POSE_CONTROL", name, what)
         values[names[name]] = _number(name, value)
     return checked_values(rig, values)
 

@@ -20,7 +20,6 @@ from usdrigui.layer.corrections import read_corrections
 from usdrigui.layer.read_layout import read_layout
 from usdrigui.reading.blend_shape import is_shape, names_and_targets, shape_arrays
 from usdrigui.reading.clips import checked_weights
-from usdrigui.reading.mesh import read_faces, topology_hash
 from usdrigui.reading.range import limit_entries, limit_table
 from usdrigui.reading.skeleton import repeated
 from usdrigui.settings import ReadSettings
@@ -52,7 +51,7 @@ def mesh_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
 def animation_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
     """ANIMATION_LENGTH, ARRAY_TYPE, NOT_FINITE and WEIGHTS_BEYOND_LIMITS of the weights of a
     SkelAnimation, each at the first of the times at which it is so."""
-    animation, path = UsdSkel.Animation(prim), str(prim.GetPath())
+    animation, path = UsdSkel.Animation(prim), prim.GetPath()
     attribute, faults = animation.GetBlendShapeWeightsAttr(), list[Issue]()
     with _collecting(faults):
         names = tokens(animation.GetBlendShapesAttr().Get(), path, "blendShapes")
@@ -78,20 +77,6 @@ def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
     except RigUIError as error:
         return () if error.issue.code in NO_LAYOUT else (error.issue,)
     found: list[Issue] = []
-    hashes: dict[str, str] = {}
-    for layout in layouts:
-        for element in layout.elements:
-            anchor = element.anchor
-            if anchor.mesh not in hashes:
-                hashes[anchor.mesh] = ""
-                with _collecting(found):
-                    hashes[anchor.mesh] = _topology(
-                        stage.GetPrimAtPath(anchor.mesh) if anchor.mesh else None
-                    )
-            if not hashes[anchor.mesh]:
-                found.append(layout.mesh_gone(anchor.mesh))
-            elif change := anchor.mesh_change(hashes[anchor.mesh]):
-                found.append(issue("LAYOUT_TOPOLOGY", element.name, change, layout.character.root))
     with _collecting(found):
         read_corrections(stage)
     return tuple(dict.fromkeys((*found, *contradictions(stage, ReadSettings(), layouts))))
@@ -105,7 +90,7 @@ def _pair_faults(
 ) -> Iterator[Issue]:
     """What is wrong with the names and targets of a mesh, and with the shapes; raises ARRAY_TYPE
     for its points."""
-    path, faults = str(prim.GetPath()), list[Issue]()
+    path, faults = prim.GetPath(), list[Issue]()
     yield from repeated(names, path, "skel:blendShapes")
     points = value_at(UsdGeom.Mesh(prim).GetPointsAttr(), Usd.TimeCode.Default())
     count = vector_count(points, path, "points")
@@ -113,7 +98,7 @@ def _pair_faults(
         shape = prim.GetStage().GetPrimAtPath(target)
         if not is_shape(shape):
             what = f"is the target of {name!r} of {path}"
-            faults.append(issue("TARGET_INVALID", str(target), what))
+            faults.append(issue("TARGET_INVALID", target, what))
             continue
         with _collecting(faults):
             shape_arrays(shape, count, faults, partial(_collecting, faults))
@@ -153,11 +138,11 @@ def _order_faults(prim: Usd.Prim, names: tuple[str, ...]) -> Iterator[Issue]:
     animated = _animated(prim)
     if sorted(animated) == sorted(names) and animated != names:
         first = next(a for a, b in zip(names, animated, strict=True) if a != b)
-        yield issue("TOKEN_ORDER", str(prim.GetPath()), f"the first at another index is {first!r}")
+        yield issue("TOKEN_ORDER", prim.GetPath(), f"the first at another index is {first!r}")
 
 
 def _beyond(
-    weights: Sequence[tuple[str, float, Floats]], path: str, code: Usd.TimeCode
+    weights: Sequence[tuple[str, float, Floats]], path: object, code: Usd.TimeCode
 ) -> Iterator[Issue]:
     """Which of some weights, each with its name and limits (2,), are outside of these."""
     when = "the default time" if code.IsDefault() else f"time {code.GetValue():g}"
@@ -166,12 +151,3 @@ def _beyond(
         if not low - slack <= value <= high + slack:
             what = f"{name!r} has weights outside {low:g} to {high:g}, {value:g} at {when}"
             yield issue("WEIGHTS_BEYOND_LIMITS", path, what)
-
-
-def _topology(prim: Usd.Prim | None) -> str:
-    """Hash of a mesh as it is; empty for anything else.  Raises ARRAY_TYPE."""
-    if not prim or not prim.IsActive() or not prim.IsA(UsdGeom.Mesh):
-        return ""
-    mesh, time = UsdGeom.Mesh(prim), Usd.TimeCode.Default()
-    points = vector_count(value_at(mesh.GetPointsAttr(), time), str(prim.GetPath()), "points")
-    return topology_hash(points, *read_faces(mesh, time))

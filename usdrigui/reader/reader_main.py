@@ -279,7 +279,7 @@ class _Asset:
             return found
         first, *others = found.rigs
         issues = dict.fromkeys(first.findings.issues)
-        issues |= {issue("USD_DIAGNOSTIC", str(self.path), each): None for each in self.diagnostics}
+        issues |= {issue("USD_DIAGNOSTIC", self.path, each): None for each in self.diagnostics}
         told = replace(first, findings=replace(first.findings, issues=tuple(issues)))
         return replace(found, rigs=(told, *others))
 

@@ -46,7 +46,7 @@ def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = N
         check_unchanged([before])  # A file that is being written is not the asset.
         raise
     if before not in result.sources:
-        raise refuse("SOURCE_CHANGED", str(path), "was written while it was read")
+        raise refuse("SOURCE_CHANGED", path, "was written while it was read")
     return result
 
 
@@ -74,7 +74,7 @@ def read_composed_isolated(
             error.issue.code == "SKELROOT_MISSING"
             and not read_layouts_isolated(path, Opening(settings.rig.read.variants, limits)).source
         ):
-            raise refuse("SOURCE_MISSING", str(path), "does not sublayer any asset") from error
+            raise refuse("SOURCE_MISSING", path, "does not sublayer any asset") from error
         raise
     return _understood(response.layouts, path), _understood(response.rigs, path)
 

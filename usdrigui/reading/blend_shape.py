@@ -97,7 +97,7 @@ def read_shapes(
             blend_shape = prim.GetStage().GetPrimAtPath(target)
             if not is_shape(blend_shape):
                 what = f"is the target of {token!r}"
-                found.issues.append(issue("TARGET_INVALID", str(target), what))
+                found.issues.append(issue("TARGET_INVALID", target, what))
                 found.shapeless[token] = f"its target {target} is not an active BlendShape"
                 continue
             shape = _shape(blend_shape, token, binding.armature.record, count, found)
@@ -110,7 +110,7 @@ def shape_tokens(prim: Usd.Prim) -> tuple[str, ...]:
     """The names of the blend shapes of a mesh, none where nothing is authored; raises
     ARRAY_TYPE."""
     attribute = UsdSkel.BindingAPI(prim).GetBlendShapesAttr()
-    return tokens(attribute.Get(), str(prim.GetPath()), "skel:blendShapes")
+    return tokens(attribute.Get(), prim.GetPath(), "skel:blendShapes")
 
 
 def legible_tokens(prim: Usd.Prim) -> tuple[str, ...]:
@@ -127,7 +127,7 @@ def names_and_targets(prim: Usd.Prim) -> tuple[tuple[str, ...], list[Sdf.Path]]:
     targets = UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets()
     if len(names) != len(targets):
         counts = f"{len(names)} skel:blendShapes but {len(targets)} skel:blendShapeTargets"
-        raise refuse("TARGETS_LENGTH", str(prim.GetPath()), counts)
+        raise refuse("TARGETS_LENGTH", prim.GetPath(), counts)
     return names, list(targets)
 
 
@@ -148,7 +148,7 @@ def shape_arrays(
     Raises ARRAY_TYPE, INDEX_RANGE, NOT_FINITE and OFFSETS_LENGTH, those of offsets inside a
     `guard`.
     """
-    path = str(prim.GetPath())
+    path = prim.GetPath()
     indices = integers(prim.GetAttribute("pointIndices").Get(), path, "pointIndices")
     check_range(indices, count, path, "pointIndices")
     expected, rows = len(indices) or count, []
@@ -204,7 +204,7 @@ def _inbetweens(prim: Usd.Prim, issues: list[Issue]) -> list[tuple[float, str, A
             or np.abs(np.array(taken) - weight).min() < 1e-6
         ):
             what = f"{name} has weight {weight}"
-            issues.append(issue("INBETWEEN_INVALID", str(prim.GetPath()), what))
+            issues.append(issue("INBETWEEN_INVALID", prim.GetPath(), what))
         else:
             taken.append(float(weight))
             between.append((float(weight), name, shape.GetOffsets()))

@@ -105,7 +105,7 @@ def read_characters(
         roots = skel_roots(stage, settings.read.skel_root)
         issues = (*composition_issues(stage, roots), *outside_issues(stage))
         if not roots:
-            raise refuse("SKELROOT_MISSING", str(path), "no prim on the stage is a SkelRoot")
+            raise refuse("SKELROOT_MISSING", path, "no prim on the stage is a SkelRoot")
         if laid_out is not None:
             roots = _with_layout(roots, laid_out, path)
         instances = laid_out is not None
@@ -127,7 +127,7 @@ def read_characters(
         raise without_controls(stage, readings)
     if not rigs:
         return Characters((), faults, lost)
-    spoken = tuple(issue("USD_DIAGNOSTIC", str(path), text) for text in messages)
+    spoken = tuple(issue("USD_DIAGNOSTIC", path, text) for text in messages)
     found = rigs[0].findings
     of_stage = (*issues, *_unit_issues(stage), *spoken, *found.issues)
     first = replace(rigs[0], findings=replace(found, issues=of_stage))
@@ -170,7 +170,7 @@ def _read(root: Usd.Prim, settings: RigSettings, faults: Faults, *, instances: b
         while not instance.IsInstance():
             instance = instance.GetParent()
         reason = f"is an instance: no layer can add prims below {root.GetPath()}"
-        raise refuse("INSTANCE", str(instance.GetPath()), reason)
+        raise refuse("INSTANCE", instance.GetPath(), reason)
     scene = _scene(root, settings.read, instances=instances)
     body, found, rate = scene.animated.body, scene.found, root.GetStage().GetTimeCodesPerSecond()
     drafts, lost = _drafts(root, scene, settings, faults)
@@ -308,7 +308,7 @@ def _with_unanimated(
     more = [token for (token, animation), index in found.tokens.items() if index >= len(channels)]
     if more:
         what = f"{len(more)} of them: {listed(more)}"
-        found.issues.append(issue("TOKEN_NOT_ANIMATED", str(root.GetPath()), what))
+        found.issues.append(issue("TOKEN_NOT_ANIMATED", root.GetPath(), what))
     return (*channels, *(Channel(token, "", -1) for token in more))
 
 

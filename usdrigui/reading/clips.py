@@ -136,7 +136,7 @@ def _weights(armature: Armature, time: float | None) -> Floats:
 
 
 def checked_weights(
-    animation: UsdSkel.Animation, path: str, count: int, code: Usd.TimeCode
+    animation: UsdSkel.Animation, path: object, count: int, code: Usd.TimeCode
 ) -> Floats:
     """(count,) weights of an animation at a time code, or none where none are authored.
 
@@ -169,7 +169,7 @@ def read_performances(path: Path) -> tuple[Performance, ...]:
     moving = [UsdSkel.Animation(prim) for prim in prims if len(_authored_times(prim)) > 1]
     if not moving:
         what = f"{len(prims)} SkelAnimations, none with" if prims else "no SkelAnimation with"
-        raise refuse("ANIMATION_MISSING", str(path), f"has {what} more than one time sample")
+        raise refuse("ANIMATION_MISSING", path, f"has {what} more than one time sample")
     return tuple(_performance(path, animation) for animation in moving)
 
 
@@ -204,12 +204,12 @@ def _table(attribute: Usd.Attribute, frames: Floats, width: int, parts: int = 1)
     """(frames, width) values, or (frames, width, 4) quaternions, real part first; zero where
     nothing is authored."""
     table = np.zeros((len(frames), width, parts))
-    where, read = str(attribute.GetPath()), floats if parts == 1 else quaternions
+    where, read = attribute.GetPath(), floats if parts == 1 else quaternions
     for row, time in enumerate(frames.tolist()):
         values = attribute.Get(time)
         if values is None or not width:
             break
-        numbers = read(values, str(attribute.GetPrimPath()), attribute.GetName())
+        numbers = read(values, attribute.GetPrimPath(), attribute.GetName())
         if len(numbers) != width:
             raise refuse(
                 "ANIMATION_LENGTH",

@@ -95,7 +95,7 @@ def _opened(key: str, path: Path, size_limit: int) -> Usd.Stage:
 
 
 def _glyph(prim: Usd.Prim, name: str) -> Glyph:
-    path, time = str(prim.GetPath()), Usd.TimeCode.Default()
+    path, time = prim.GetPath(), Usd.TimeCode.Default()
     if not (prim.IsA(UsdGeom.Mesh) or prim.IsA(UsdGeom.BasisCurves)):
         raise refuse("GLYPH_TYPE", path, f"is {prim.GetTypeName() or 'a prim without a type'}")
     authored = value_at(UsdGeom.PointBased(prim).GetPointsAttr(), time)
@@ -121,7 +121,7 @@ def _glyph(prim: Usd.Prim, name: str) -> Glyph:
     return Glyph(name, form, _fitted(points @ to_world, up, path), counts, indices)
 
 
-def _fitted(points: Floats, up: str, path: str) -> Floats:
+def _fitted(points: Floats, up: str, path: object) -> Floats:
     """The points as seen from above, in a sphere of radius 1 about the origin."""
     seen = points @ np.array(_TOP_VIEW[up], dtype=np.float64).T
     centred = seen - 0.5 * (seen.min(axis=0) + seen.max(axis=0))
@@ -137,7 +137,7 @@ def _fitted(points: Floats, up: str, path: str) -> Floats:
 # --- curves ---------------------------------------------------------------------------------------
 
 
-def _curves(gprim: UsdGeom.BasisCurves, points: Floats, path: str) -> list[Floats]:
+def _curves(gprim: UsdGeom.BasisCurves, points: Floats, path: object) -> list[Floats]:
     """Polylines for the curves; cubic ones in small straight pieces."""
     authored = value_at(gprim.GetCurveVertexCountsAttr(), Usd.TimeCode.Default())
     counts = integers(authored, path, "curveVertexCounts")
@@ -151,7 +151,7 @@ def _curves(gprim: UsdGeom.BasisCurves, points: Floats, path: str) -> list[Float
     return [_line(each, basis, wrap, path) for each in np.split(points, np.cumsum(counts)[:-1])]
 
 
-def _line(vertices: Floats, basis: str, wrap: str, path: str) -> Floats:
+def _line(vertices: Floats, basis: str, wrap: str, path: object) -> Floats:
     if not basis:
         return np.concatenate([vertices, vertices[:1]]) if wrap == "periodic" else vertices
     step = 3 if basis == "bezier" else 1

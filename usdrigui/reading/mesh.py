@@ -57,9 +57,7 @@ def read_meshes(
         binding = bindings.get(path)
         if not prim.IsA(UsdGeom.Mesh):
             if binding is not None:
-                found.issues.append(
-                    issue("PRIM_UNSUPPORTED", str(path), f"is a {prim.GetTypeName()}")
-                )
+                found.issues.append(issue("PRIM_UNSUPPORTED", path, f"is a {prim.GetTypeName()}"))
                 note_tokens(prim, found, f"only {path}, a {prim.GetTypeName()}, has it")
             continue
         with found.leaving_off(str(path), legible_tokens(prim)):
@@ -77,7 +75,7 @@ def outside_issues(stage: Usd.Stage) -> tuple[Issue, ...]:
         if prim.IsA(UsdSkel.Root):
             walk.PruneChildren()
         elif prim.IsA(UsdGeom.Mesh) and (inputs := _deforming(prim)):
-            found.append(issue("MESH_OUTSIDE", str(prim.GetPath()), f"has {inputs}"))
+            found.append(issue("MESH_OUTSIDE", prim.GetPath(), f"has {inputs}"))
     return tuple(found)
 
 
@@ -179,7 +177,7 @@ def topology_hash(points: int, counts: Indices, indices: Indices) -> str:
 
 def read_faces(mesh: UsdGeom.Mesh, time: Usd.TimeCode) -> tuple[Indices, Indices]:
     """Counts and indices of the faces of a mesh as authored; raises ARRAY_TYPE."""
-    path = str(mesh.GetPath())
+    path = mesh.GetPath()
     return (
         integers(value_at(mesh.GetFaceVertexCountsAttr(), time), path, "faceVertexCounts"),
         integers(value_at(mesh.GetFaceVertexIndicesAttr(), time), path, "faceVertexIndices"),
@@ -188,7 +186,7 @@ def read_faces(mesh: UsdGeom.Mesh, time: Usd.TimeCode) -> tuple[Indices, Indices
 
 def checked_faces(mesh: UsdGeom.Mesh, time: Usd.TimeCode, count: int) -> tuple[Indices, Indices]:
     """As `read_faces`, of a mesh of `count` points; raises TOPOLOGY_INVALID and INDEX_RANGE too."""
-    path, (counts, indices) = str(mesh.GetPath()), read_faces(mesh, time)
+    path, (counts, indices) = mesh.GetPath(), read_faces(mesh, time)
     if (counts < 0).any() or counts.sum() != len(indices):
         what = f"faceVertexCounts add up to {counts.sum()}, faceVertexIndices has {len(indices)}"
         raise refuse("TOPOLOGY_INVALID", path, what)

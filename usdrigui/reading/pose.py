@@ -68,7 +68,7 @@ def read_frame_names(
     names = [str(name) for name in value] if is_list else []
     if len(names) != len(times):
         what = f"{len(names)} names in {key!r}, {len(times)} frames"
-        issues.append(issue("POSES_MISMATCH", str(root.GetPath()), what))
+        issues.append(issue("POSES_MISMATCH", root.GetPath(), what))
     frames = tuple(Frame(name, time) for name, time in zip(names, times, strict=False))
     why = "the animation has no frame for it"
     return FrameNames(frames, tuple(LeftOff(name, "read", why) for name in names[len(times) :]))

@@ -57,7 +57,7 @@ class Frames:
             self._cache.GetLocalToWorldTransform(prim) * self._world_to_root, dtype=np.float64
         )
         if not np.isfinite(found).all():
-            raise refuse("NOT_FINITE", str(prim.GetPath()), "its transform holds NaN or infinity")
+            raise refuse("NOT_FINITE", prim.GetPath(), "its transform holds NaN or infinity")
         return found
 
     def direction(self, world: Gf.Vec3d) -> Floats:
@@ -132,7 +132,7 @@ def read_channels(armatures: tuple[Armature, ...], issues: list[Issue]) -> tuple
     return tuple(channels)
 
 
-def repeated(names: Sequence[str], path: str, name: str) -> list[Issue]:
+def repeated(names: Sequence[str], path: object, name: str) -> list[Issue]:
     """One issue for each token that a list names more than once."""
     return [
         issue("TOKEN_REPEATED", path, f"{name} lists {token!r} {count} times")

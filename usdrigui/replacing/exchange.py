@@ -78,13 +78,13 @@ def replace_source(asset: Path, original: Original, content: bytes, verify: Veri
     try:
         names = place.stat().st_nlink
         if names > 1:
-            raise refuse("ATTACH_HARD_LINK", str(asset), f"is one of {names} names of its file")
+            raise refuse("ATTACH_HARD_LINK", asset, f"is one of {names} names of its file")
         temporaries.sweep(place.parent)
         staged = Staged.beside(place, asset)
         try:
             if lost := staged.fill(content, verify):
                 message = f"the new file cannot have the same {', '.join(lost)}"
-                raise refuse("ATTACH_ATTRIBUTES", str(asset), message)
+                raise refuse("ATTACH_ATTRIBUTES", asset, message)
             staged = _ready(staged, original.content, content)
             check_unchanged([original.file])
             _check_no_writer(place, asset)
@@ -101,7 +101,7 @@ def _lock(asset: Path, deadline: float) -> tuple[Path, int]:
     try:
         while (lock := temporaries.try_lock(Path(os.path.realpath(asset)))) is None:
             if time.monotonic() > deadline:
-                raise refuse("ATTACH_BUSY", str(asset), "another attach or detach is editing it")
+                raise refuse("ATTACH_BUSY", asset, "another attach or detach is editing it")
             time.sleep(_PAUSE)
         return lock
     except OSError as error:
@@ -205,7 +205,7 @@ def _check_no_writer(path: Path, asset: Path) -> None:
     os.close(descriptor)
     try:
         if _lease_error(sample) == 0:
-            raise refuse("ATTACH_BUSY", str(asset), "another program has it open for writing")
+            raise refuse("ATTACH_BUSY", asset, "another program has it open for writing")
     finally:
         sample.unlink(missing_ok=True)
 

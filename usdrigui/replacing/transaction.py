@@ -90,7 +90,7 @@ class Transaction:
             place = _resolved(target)
             if place in self._places:
                 raise refuse(
-                    "FILE_TARGET", str(target), f"is {place.name}, which this run writes already"
+                    "FILE_TARGET", target, f"is {place.name}, which this run writes already"
                 )
             self._places.add(place)
             temporaries.sweep(place.parent)
@@ -151,7 +151,7 @@ class Staged:
         lost = keep_attributes(self.descriptor, self.place, mode)
         os.fsync(self.descriptor)
         if self.path.read_bytes() != wanted or not _accepted(verify, self.path):
-            raise refuse("FILE_VERIFY", str(self.target), "the new file does not read back")
+            raise refuse("FILE_VERIFY", self.target, "the new file does not read back")
         return lost
 
     def discard(self) -> None:
@@ -170,7 +170,7 @@ def check_not_read(targets: Iterable[Path], read: Iterable[Path | str]) -> None:
         for key in known.keys() & _identities(target):
             raise refuse(
                 "FILE_TARGET",
-                str(target),
+                target,
                 f"is {known[key]}, which this run reads and never replaces",
             )
 
@@ -195,7 +195,7 @@ def _identities(path: Path | str) -> set[object]:
 def file_error(target: Path, error: OSError) -> RigUIError:
     """The refusal that an operating-system error on the way to `target` calls for."""
     reason = error.strerror or type(error).__name__
-    return refuse(_CODES.get(error.errno or 0, "FILE_WRITE"), str(target), reason)
+    return refuse(_CODES.get(error.errno or 0, "FILE_WRITE"), target, reason)
 
 
 def sync_folder(folder: Path) -> None:
@@ -216,11 +216,11 @@ def _resolved(target: Path) -> Path:
     else."""
     place = Path(os.path.realpath(target))
     if place.is_symlink():
-        raise refuse("FILE_TARGET", str(target), "is a symbolic link that leads to itself")
+        raise refuse("FILE_TARGET", target, "is a symbolic link that leads to itself")
     if place.exists() and not stat.S_ISREG(place.stat().st_mode):
-        raise refuse("FILE_TARGET", str(target), "exists and is not a file")
+        raise refuse("FILE_TARGET", target, "exists and is not a file")
     if not place.parent.is_dir():
-        raise refuse("FILE_TARGET", str(target), f"there is no folder {place.parent}")
+        raise refuse("FILE_TARGET", target, f"there is no folder {place.parent}")
     return place
 
 

@@ -19,12 +19,12 @@ def read_toml(path: Path) -> dict[str, Any]:
         return tomllib.loads(whole_content(path).decode())
     except OSError as error:
         raise refuse(
-            "FILE_NOT_FOUND", str(path), f"cannot be read: {error.strerror or error}"
+            "FILE_NOT_FOUND", path, f"cannot be read: {error.strerror or error}"
         ) from error
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise refuse("CONFIG_SYNTAX", str(path), str(error)) from error
+        raise refuse("CONFIG_SYNTAX", path, str(error)) from error
     except RecursionError:
-        raise refuse("CONFIG_SYNTAX", str(path), "is nested too deeply") from None
+        raise refuse("CONFIG_SYNTAX", path, "is nested too deeply") from None
 
 
 def environment_settings() -> dict[str, str]:

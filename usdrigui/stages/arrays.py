@@ -22,7 +22,7 @@ def value_at(attribute: Any, time: Usd.TimeCode) -> Any:
     return attribute.Get(Usd.TimeCode.EarliestTime()) if value is None else value
 
 
-def tokens(values: Any, path: str, name: str) -> tuple[str, ...]:
+def tokens(values: Any, path: object, name: str) -> tuple[str, ...]:
     """The names that an array of tokens holds, none for None; raises ARRAY_TYPE."""
     if values is None:
         return ()
@@ -32,7 +32,7 @@ def tokens(values: Any, path: str, name: str) -> tuple[str, ...]:
     return tuple(str(token) for token in values)
 
 
-def integers(values: Any, path: str, name: str) -> Indices:
+def integers(values: Any, path: object, name: str) -> Indices:
     """(n,) the integers of an array, none for None; raises ARRAY_TYPE."""
     numbers = _numbers(values, (), path, name)
     if values is None:
@@ -49,12 +49,12 @@ def integers(values: Any, path: str, name: str) -> Indices:
     return numbers.astype(np.int64)
 
 
-def floats(values: Any, path: str, name: str) -> NDArray[Any]:
+def floats(values: Any, path: object, name: str) -> NDArray[Any]:
     """(n,) the numbers of an array in the precision they have, none for None; raises ARRAY_TYPE."""
     return _floats(values, (), path, name)
 
 
-def vectors(values: Any, path: str, name: str) -> NDArray[Any]:
+def vectors(values: Any, path: object, name: str) -> NDArray[Any]:
     """(p, 3) finite numbers, without a copy where they are in single precision already; raises
     ARRAY_TYPE."""
     found = _floats(values, (3,), path, name)
@@ -62,12 +62,12 @@ def vectors(values: Any, path: str, name: str) -> NDArray[Any]:
     return found
 
 
-def vector_count(values: Any, path: str, name: str) -> int:
+def vector_count(values: Any, path: object, name: str) -> int:
     """How many 3-vectors an array holds, finite or not; raises ARRAY_TYPE."""
     return len(_floats(values, (3,), path, name))
 
 
-def quaternions(values: Any, path: str, name: str) -> Floats:
+def quaternions(values: Any, path: object, name: str) -> Floats:
     """(n, 4) numbers, real part first, none for None; raises ARRAY_TYPE."""
     if values is None:
         return np.zeros((0, 4))
@@ -77,12 +77,12 @@ def quaternions(values: Any, path: str, name: str) -> Floats:
     return np.asarray(np.roll(np.asarray(values), 1, axis=1), dtype=np.float64)
 
 
-def _floats(values: Any, item: tuple[int, ...], path: str, name: str) -> NDArray[Any]:
+def _floats(values: Any, item: tuple[int, ...], path: object, name: str) -> NDArray[Any]:
     numbers = _numbers(values, item, path, name)
     return numbers if numbers.dtype.kind == "f" else numbers.astype(np.float64)
 
 
-def _numbers(values: Any, item: tuple[int, ...], path: str, name: str) -> NDArray[Any]:
+def _numbers(values: Any, item: tuple[int, ...], path: object, name: str) -> NDArray[Any]:
     """(n, *item) numbers; arrays of USD are viewed, not copied."""
     numbers = np.zeros((0, *item)) if values is None else np.asarray(values)
     if numbers.dtype.kind not in "fiu":
@@ -96,7 +96,7 @@ def _numbers(values: Any, item: tuple[int, ...], path: str, name: str) -> NDArra
     return numbers
 
 
-def check_finite(values: NDArray[np.floating], path: str, name: str) -> None:
+def check_finite(values: NDArray[np.floating], path: object, name: str) -> None:
     """Raise NOT_FINITE, naming the first place."""
     # One pass without a temporary; only a sum that is not finite calls for a closer look.
     flat = values.reshape(-1)
@@ -107,7 +107,7 @@ def check_finite(values: NDArray[np.floating], path: str, name: str) -> None:
         raise refuse("NOT_FINITE", path, f"{name}[{where}] is not a finite number")
 
 
-def check_range(indices: Indices, count: int, path: str, name: str) -> None:
+def check_range(indices: Indices, count: int, path: object, name: str) -> None:
     """Raise INDEX_RANGE unless all lie in 0 to count - 1."""
     if len(indices) and (indices.min() < 0 or indices.max() >= count):
         wrong = indices[(indices < 0) | (indices >= count)][0]

@@ -37,9 +37,9 @@ def open_stage(path: Path, variants: Mapping[str, str] = MappingProxyType({})) -
     try:
         stage = Usd.Stage.Open(str(path), Usd.Stage.LoadAll)
     except (Tf.ErrorException, RuntimeError) as error:
-        raise refuse("FILE_NOT_USD", str(path), usd_message(error)) from None
+        raise refuse("FILE_NOT_USD", path, usd_message(error)) from None
     if stage is None:
-        raise refuse("FILE_NOT_USD", str(path), "USD opened no stage")
+        raise refuse("FILE_NOT_USD", path, "USD opened no stage")
     for fault in stage.GetCompositionErrors():
         if isinstance(fault, Pcp.ErrorInvalidSublayerPath):
             raise _without_layer(str(path), _described(fault))
@@ -52,9 +52,9 @@ def open_layer(path: Path) -> Sdf.Layer:
     try:
         layer = Sdf.Layer.OpenAsAnonymous(str(path))
     except (Tf.ErrorException, RuntimeError) as error:
-        raise refuse("FILE_NOT_USD", str(path), usd_message(error)) from None
+        raise refuse("FILE_NOT_USD", path, usd_message(error)) from None
     if layer is None:
-        raise refuse("FILE_NOT_USD", str(path), "is not a USD layer")
+        raise refuse("FILE_NOT_USD", path, "is not a USD layer")
     return layer
 
 
@@ -78,7 +78,7 @@ def composition_issues(stage: Usd.Stage, roots: tuple[Usd.Prim, ...]) -> tuple[I
         ]
         if isinstance(error, _MISSING) and (near or not roots):
             raise _without_layer(str(site), _described(error))
-        found.append(issue("COMPOSITION_ERROR", str(site), _described(error)))
+        found.append(issue("COMPOSITION_ERROR", site, _described(error)))
     return tuple(found)
 
 
@@ -103,25 +103,21 @@ def listening() -> Iterator[list[str]]:
 
 def _check_file(path: Path) -> None:
     if not path.is_file():
-        raise refuse(
-            "FILE_NOT_FOUND", str(path), "is not a file" if path.exists() else "does not exist"
-        )
+        raise refuse("FILE_NOT_FOUND", path, "is not a file" if path.exists() else "does not exist")
     try:
         with path.open("rb") as stream:
             empty = not stream.read(1)
     except OSError as error:
-        raise refuse("FILE_NOT_FOUND", str(path), f"cannot be read: {error.strerror}") from error
+        raise refuse("FILE_NOT_FOUND", path, f"cannot be read: {error.strerror}") from error
     if empty:
-        raise refuse("FILE_NOT_USD", str(path), "the file is empty")
+        raise refuse("FILE_NOT_USD", path, "the file is empty")
     if ":SDF_FORMAT_ARGS:" in str(path):
         raise refuse(
-            "FILE_NAME", str(path), "USD would read the text after ':SDF_FORMAT_ARGS:' as arguments"
+            "FILE_NAME", path, "USD would read the text after ':SDF_FORMAT_ARGS:' as arguments"
         )
     extension = path.suffix.removeprefix(".")
     if not extension or not Sdf.FileFormat.FindByExtension(extension):
-        raise refuse(
-            "FILE_NOT_USD", str(path), f"USD has no reader for the extension {path.suffix!r}"
-        )
+        raise refuse("FILE_NOT_USD", path, f"USD has no reader for the extension {path.suffix!r}")
     if path.suffix.lower() == ".usdz":
         check_archive(path)
 
@@ -136,9 +132,9 @@ def check_archive(path: Path) -> None:
         raise
     # Whatever zipfile, zlib, lzma or struct make of headers that contradict each other.
     except Exception as error:
-        raise refuse("FILE_CORRUPT", str(path), f"is not a valid archive: {error}") from error
+        raise refuse("FILE_CORRUPT", path, f"is not a valid archive: {error}") from error
     if damaged:
-        raise refuse("FILE_CORRUPT", str(path), f"the checksum of {damaged} is wrong")
+        raise refuse("FILE_CORRUPT", path, f"the checksum of {damaged} is wrong")
 
 
 def usd_message(error: Exception) -> str:

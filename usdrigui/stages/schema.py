@@ -57,7 +57,7 @@ def schema_path() -> Path:
     for folder in (package / "schemas", package.parent / "schemas"):
         if (folder / "plugInfo.json").is_file():
             return folder
-    raise refuse("SCHEMA_MISSING", str(package / "schemas"), "has no plugInfo.json")
+    raise refuse("SCHEMA_MISSING", package / "schemas", "has no plugInfo.json")
 
 
 def register() -> None:
@@ -74,6 +74,4 @@ def register() -> None:
     registry = Usd.SchemaRegistry()
     lacking = [name for name in APIS if registry.FindAppliedAPIPrimDefinition(name) is None]
     if lacking:
-        raise refuse(
-            "SCHEMA_TOO_LATE", str(schema_path()), f"USD does not know {', '.join(lacking)}"
-        )
+        raise refuse("SCHEMA_TOO_LATE", schema_path(), f"USD does not know {', '.join(lacking)}")

@@ -221,7 +221,7 @@ def _named(frame: Frame, names: Mapping[int, str], insets: Sequence[Frame]) -> F
 
 def _arranged(rig: Rig, section: Section, subject: Subject, wanted: Wanted) -> tuple[View, ...]:
     """The views of a section in a row, and insets into the first of them in a row below."""
-    skin = subject.points[np.unique(subject.corners)] if len(subject.corners) else subject.points
+    skin = subject.skin
     frames = _frames(rig, section, skin, wanted.views)
     insets = _insets(section, skin, frames[0]) if wanted.views is None else []
     if wanted.labels:

@@ -96,7 +96,7 @@ def write_bare(layer: Path, target: Path) -> Outcome:
     codes of writing.
     """
     if same_file(layer, target):
-        raise refuse("FILE_TARGET", str(target), "is the layer itself, of which a copy was wanted")
+        raise refuse("FILE_TARGET", target, "is the layer itself, of which a copy was wanted")
     copy = open_layer(layer)
     copy.pseudoRoot.ClearInfo("subLayers")
     copy.pseudoRoot.ClearInfo("subLayerOffsets")
@@ -214,21 +214,21 @@ def _entries(
 
 def _check_editable(asset: Path, size_limit: int) -> None:
     if asset.suffix.lower() == ".usdz":
-        raise refuse("ATTACH_PACKAGE", str(asset), "is a package, whose layers cannot be edited")
+        raise refuse("ATTACH_PACKAGE", asset, "is a package, whose layers cannot be edited")
     if asset.is_symlink():
-        raise refuse("ATTACH_LINK", str(asset), f"is a link to {os.path.realpath(asset)}")
+        raise refuse("ATTACH_LINK", asset, f"is a link to {os.path.realpath(asset)}")
     check_source(asset, size_limit)
 
 
 def _check_bare(asset: Path, layer: Path, opening: Opening) -> None:
     """Refuse layers that bring sublayers of their own, or lead back to the asset."""
     if same_file(asset, layer):
-        raise refuse("ATTACH_CYCLE", str(layer), "is the asset itself")
+        raise refuse("ATTACH_CYCLE", layer, "is the asset itself")
     opened = read_layer_isolated(layer, opening)
     if any(same_file(asset, Path(found)) for found in opened.needed):
-        raise refuse("ATTACH_CYCLE", str(layer), f"sublayers {asset} already")
+        raise refuse("ATTACH_CYCLE", layer, f"sublayers {asset} already")
     if opened.sublayers:
-        raise refuse("ATTACH_NOT_BARE", str(layer), f"has the sublayer {opened.sublayers[0]}")
+        raise refuse("ATTACH_NOT_BARE", layer, f"has the sublayer {opened.sublayers[0]}")
 
 
 def _leads_to(asset: Path, entry: str, layer: Path) -> bool:

@@ -51,11 +51,11 @@ def check_reachable(layer: Path, opened: Sdf.Layer, variant_path: str, root: str
     the prims and variants that it refers to."""
     above = Sdf.Path(variant_path or root)
     if asset_selections(str(above.GetPrimPath().GetParentPath())):
-        raise refuse("ATTACH_OUTSIDE", str(layer), f"is authored in a variant above {root}")
+        raise refuse("ATTACH_OUTSIDE", layer, f"is authored in a variant above {root}")
 
     def look(path: Sdf.Path) -> None:
         if path.IsTargetPath() and not path.targetPath.HasPrefix(Sdf.Path(root)):
-            raise refuse("ATTACH_OUTSIDE", str(layer), f"refers to {path.targetPath}")
+            raise refuse("ATTACH_OUTSIDE", layer, f"refers to {path.targetPath}")
 
     opened.Traverse(Sdf.Path(root), look)
 

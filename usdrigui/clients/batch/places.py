@@ -71,7 +71,7 @@ def check_apart(files: Iterable[tuple[Path, str]]) -> None:
         if place in seen:
             raise refuse(
                 "FILE_TARGET",
-                str(path),
+                path,
                 f"would be both {seen[place]} and {what}; give them different names",
             )
         seen[place] = what

@@ -38,7 +38,7 @@ def judge(asset: Path, layer: Path, root: str = "") -> tuple[Issue, ...]:
     try:
         loaded = pipeline.load_layer(layer, load_beside(asset))
         if Path(loaded.source).resolve() != asset.resolve():
-            return (issue("LAYOUT_STALE", str(layer), f"sublayers {loaded.source}, not {asset}"),)
+            return (issue("LAYOUT_STALE", layer, f"sublayers {loaded.source}, not {asset}"),)
         for each, _ in loaded.characters if root else ():
             if each.skel_root.path.split("/")[1] != root:
                 what = f"is not below /{root}, which the contribution composes"

@@ -102,6 +102,11 @@ class Subject(Record):
     """(n, 2) as `Complexion.gaze`."""
     caster: Caster
 
+    @property
+    def skin(self) -> Floats:
+        """Its points that faces have; all where there are no faces."""
+        return self.points[np.unique(self.corners)] if len(self.corners) else self.points
+
 
 class Shaded(Record):
     """A picture of the body alone."""

@@ -77,14 +77,14 @@ class LiveFile:
         check_not_read([path], self._read)
         if path.suffix != ".usda":
             raise refuse(
-                "FILE_TARGET", str(path), "the layer of a live link is USD text and ends in .usda"
+                "FILE_TARGET", path, "the layer of a live link is USD text and ends in .usda"
             )
         if not path.parent.is_dir():
-            raise refuse("FILE_TARGET", str(path), f"there is no folder {path.parent}")
+            raise refuse("FILE_TARGET", path, f"there is no folder {path.parent}")
         if (found := self.content().text) and not is_animation(found):
             raise refuse(
                 "FILE_TARGET",
-                str(path),
+                path,
                 "exists and is not an animation layer that the viewer wrote",
             )
 

@@ -83,9 +83,9 @@ def read_review(path: Path) -> str:
     try:
         text = whole_content(path).decode()
     except (OSError, UnicodeDecodeError) as error:
-        raise refuse("REVIEW_LAYER", str(path), f"cannot be read as text: {error}") from error
+        raise refuse("REVIEW_LAYER", path, f"cannot be read as text: {error}") from error
     if not _SAVED.match(text):
-        raise refuse("REVIEW_LAYER", str(path), "is not a review or a shelf that the viewer saved")
+        raise refuse("REVIEW_LAYER", path, "is not a review or a shelf that the viewer saved")
     return text
 
 

@@ -57,9 +57,11 @@ def test_a_group_counts_its_worst_member():
     assert variable.samples.shape[2] == 10
 
 
+CHEEKS = makers.bump(POINTS, (0.45, 0.0), (0, 0, 1), 0.2) + makers.bump(POINTS, (-0.45, 0.0), (0, 0, 1), 0.2)
+
+
 def test_elements_without_candidates_on_the_plane_are_not_driven_off_the_face():
-    cheeks = makers.bump(POINTS, (0.45, 0.0), (0, 0, 1), 0.2) + makers.bump(POINTS, (-0.45, 0.0), (0, 0, 1), 0.2)
-    line = chain.lay_out(makers.face_with(cheeks=cheeks))
+    line = chain.lay_out(makers.face_with(cheeks=CHEEKS))
     assert not chain.by_name(line)["cheeks"].anchor.on_board
     chin = chain.by_name(line)["chin"]
     assert abs(chin.anchor.position[0]) < 1e-6
@@ -67,8 +69,7 @@ def test_elements_without_candidates_on_the_plane_are_not_driven_off_the_face():
 
 
 def test_a_middle_control_may_be_doubled():
-    cheeks = makers.bump(POINTS, (0.45, 0.0), (0, 0, 1), 0.2) + makers.bump(POINTS, (-0.45, 0.0), (0, 0, 1), 0.2)
-    line = chain.lay_out(makers.face_with(cheeks=cheeks), chain.settings(symmetry={"double_middle": "always"}))
+    line = chain.lay_out(makers.face_with(cheeks=CHEEKS), chain.settings(symmetry={"double_middle": "always"}))
     elements = chain.by_name(line)
     one, other = elements["cheeks"], elements["cheeks_mirror"]
     assert one.anchor.position[0] == pytest.approx(-other.anchor.position[0], abs=1e-6)
