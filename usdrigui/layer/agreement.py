@@ -25,7 +25,7 @@ from usdrigui.layer import author
 from usdrigui.layer.properties import value_of
 from usdrigui.layer.read_controls import invalid_at, read_controls
 from usdrigui.layer.read_layout import base_controls, element_prims, points_by_role
-from usdrigui.model import Element, Layout, LayoutFrame, Member
+from usdrigui.model import Element, Layout, Member, MirrorPlane
 from usdrigui.overlap import segment_distances
 from usdrigui.reading.character import read_animated
 from usdrigui.settings import ReadSettings
@@ -360,7 +360,7 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
         return None
     base = dict(zip(base_controls(scope), layout.character.base_values.tolist(), strict=True))
     values = np.array([base.get(control.name, control.default) for control in rig.controls])
-    found += _on_the_whole(rig, values, drawn, layout.frame)
+    found += _on_the_whole(rig, values, drawn, layout.frame.plane)
     rows = np.unique(np.concatenate([[each.anchor, *each.rows] for each in drawn]).astype(np.int64))
     drawn = [
         replace(
@@ -377,7 +377,7 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
 
 
 def _on_the_whole(
-    rig: Rig, values: Floats, drawn: list[_Drawn], frame: LayoutFrame
+    rig: Rig, values: Floats, drawn: list[_Drawn], plane: MirrorPlane
 ) -> Iterator[Issue]:
     """Whether elements on the skin face as it does, and those on the board are of the side that
     moves."""
@@ -387,7 +387,7 @@ def _on_the_whole(
     # The first point of a handle is where the skin's is.
     places = weld(base.points, skin[:, None])
     normals = vertex_normals(base.points, mesh_triangles(rig.body.meshes), places)
-    sides = np.sign(frame.plane.distance(base.points)) * skin
+    sides = np.sign(plane.distance(base.points)) * skin
     for each in drawn:
         element, normal = each.element, each.element.anchor.normal
         on_board, handle = element.anchor.on_board, normals[each.handle[1:]].sum(axis=0)

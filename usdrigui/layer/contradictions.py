@@ -77,8 +77,9 @@ def _of_layout(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
         element.name: (prim, element) for prim, element in zip(prims, layout.elements, strict=True)
     }
     yield from _of_listing(scope, layout)
+    parts = [each.name for each in layout.frame.parts]
     for mesh in drawings(scope):
-        yield from _of_drawing(mesh, layout)
+        yield from _of_drawing(mesh, parts)
     for prim, element in by_name.values():
         if UsdGeom.Subset(prim):
             if not len(points_by_role(prim, "handle")):
@@ -146,10 +147,10 @@ def _of_listing(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
         yield invalid_at(scope, f"rigUI:layout:baseControls lacks {name!r}, which has an element")
 
 
-def _of_drawing(mesh: Usd.Prim, layout: Layout) -> Iterator[Issue]:
+def _of_drawing(mesh: Usd.Prim, parts: Sequence[str]) -> Iterator[Issue]:
     """Whether a mesh that draws elements moves with a Skeleton, and says of each face what it
     draws."""
-    part, parts = value_of(mesh, schema.DRAWING, "part"), [each.name for each in layout.frame.parts]
+    part = value_of(mesh, schema.DRAWING, "part")
     if part and parts and part not in parts:
         yield invalid_at(mesh, f"rigUI:drawing:part is {part!r}, which no {schema.PART} has")
     if not has(mesh, schema.DRAWING):
