@@ -103,7 +103,7 @@ def scene(rig: Rig, layout: Layout, values: ArrayLike | None, wanted: Wanted) ->
     for number, section in enumerate(close_ups):
         # What has no handle on the character, as tongue and teeth may, needs no picture of it.
         drawn = number == 0 or on_character(section.layout)
-        placed = _arranged(rig, section, subject, wanted) if drawn else ()
+        placed = _arranged(rig, section, subject.skin, wanted) if drawn else ()
         pages.append(_page(rig, section, subject, placed, wanted))
     return stacked(pages)
 
@@ -116,7 +116,7 @@ def film(
     poser, colours = prepare(rig, layout), complexion(rig, layout)
     section, wanted = undivided(layout, evaluate(poser)), Wanted(("front",), size)
     subject = subject_of(rig.body.meshes, section.posed.points, colours)
-    placed = _arranged(rig, section, subject, wanted)
+    placed = _arranged(rig, section, subject.skin, wanted)
     for values in np.asarray(poses, dtype=np.float64):
         posed = evaluate(poser, values)
         subject = subject_of(rig.body.meshes, posed.points, colours)
@@ -219,9 +219,8 @@ def _named(frame: Frame, names: Mapping[int, str], insets: Sequence[Frame]) -> F
     return replace(frame, names=shown, column=column_width([name for _, name in shown]))
 
 
-def _arranged(rig: Rig, section: Section, subject: Subject, wanted: Wanted) -> tuple[View, ...]:
+def _arranged(rig: Rig, section: Section, skin: Floats, wanted: Wanted) -> tuple[View, ...]:
     """The views of a section in a row, and insets into the first of them in a row below."""
-    skin = subject.skin
     frames = _frames(rig, section, skin, wanted.views)
     insets = _insets(section, skin, frames[0]) if wanted.views is None else []
     if wanted.labels:
