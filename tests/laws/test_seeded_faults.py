@@ -247,6 +247,7 @@ FAULTS = {
         "holes": lambda each: UsdGeom.Mesh(each.prim(MESH)).CreateHoleIndicesAttr([0]),
         "another extent": mesh("extent", lambda old: 0.5 * old),
         "normals of its own": lambda each: UsdGeom.Mesh(each.prim(MESH)).CreateNormalsAttr([Gf.Vec3f.ZAxis()]),
+        "nothing to be seen": lambda each: UsdGeom.Mesh(each.prim(MESH)).CreateDisplayOpacityAttr([0.0]),
         "points for a mesh": lambda each: each.prim(MESH).SetTypeName("Points"),
         "an unknown way of skinning": mesh("primvars:skel:skinningMethod", "magic"),
         "a part that is none": other_part,

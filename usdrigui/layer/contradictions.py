@@ -180,6 +180,8 @@ def _of_drawing(mesh: Usd.Prim, parts: Sequence[str]) -> Iterator[Issue]:
         wanted = counts.get(kind, 0) * primvar.GetElementSize()
         if wanted and primvar.GetTypeName().isArray and len(held) != wanted:
             yield invalid_at(mesh, f"{primvar.GetName()} has {len(held)} values, and is {kind}")
+    if min(drawn.GetDisplayOpacityAttr().Get() or (1.0,)) <= 0.0:
+        yield _doubtful_at(mesh, "primvars:displayOpacity is 0: nobody sees what it draws")
     sound, why = UsdGeom.Subset.ValidateSubsets(subsets, faces, UsdGeom.Tokens.nonOverlapping)
     if not sound:
         yield invalid_at(mesh, why)
