@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from skel_stages import character
@@ -112,11 +114,17 @@ def test_knots_make_exact_polylines(rig):
 
 
 def test_knots_of_the_jaw_are_its_shapes(rig):
-    jaw = next(i for i, control in enumerate(rig.controls) if control.name == "jaw")
+    jaw = rig.control_indices["jaw"]
     assert knots(rig, jaw).tolist() == [-0.5, 0.0, 0.5, 1.0, 1.5]
+
+
+def test_a_layer_tells_knots_apart(rig):
+    """A shape that bends next to the base pose."""
+    near = replace(rig, body=replace(rig.body, base_weights=rig.body.base_weights + 0.25 - 1e-9))
+    assert all(np.diff(knots(near, index)).min() > 1e-7 for index in range(len(rig.controls)))
 
 
 def test_a_pose_with_inbetweens_has_their_knots(rig):
     """At value v the pose `shout` sets smile to -0.7 v and blink to v; blink bends at 0.25."""
-    shout = next(i for i, control in enumerate(rig.controls) if control.name == "shout")
+    shout = rig.control_indices["shout"]
     assert np.isclose(knots(rig, shout), 0.25).any()

@@ -113,14 +113,19 @@ def knots(rig: Rig, control: int) -> Floats:
     """
     subject = rig.controls[control]
     drive = subject.drive
-    found = [subject.minimum, subject.default, subject.maximum, *drive.values[1:-1]]
+    found = [*drive.values[1:-1]]
     for column, channel in enumerate(drive.channels):
         absolute = rig.body.base_weights[channel] + drive.weights[:, column]
         found.extend(
             _crossings(drive.values, absolute, _bends(rig.body.shapes_by_channel, int(channel)))
         )
-    inside = np.unique(np.asarray(found, dtype=np.float64))
-    return inside[(inside >= subject.minimum) & (inside <= subject.maximum)]
+    ends = [subject.minimum, subject.default, subject.maximum]
+    # A layer tells values no more exactly than that.
+    least = 1e-6 * (subject.maximum - subject.minimum)
+    bends = np.unique(np.asarray(found, dtype=np.float64))
+    bends = bends[np.diff(bends, prepend=-np.inf) > least]
+    bends = bends[(bends > subject.minimum) & (bends < subject.maximum)]
+    return np.unique([*ends, *bends[np.abs(bends[:, None] - ends).min(axis=1) > least]])
 
 
 # --- drives ---------------------------------------------------------------------------------------

@@ -25,7 +25,7 @@ from usdrigui.layer import author
 from usdrigui.layer.properties import value_of
 from usdrigui.layer.read_controls import invalid_at, read_controls
 from usdrigui.layer.read_layout import base_controls, element_prims, points_by_role
-from usdrigui.model import Element, Layout, Member, MirrorPlane
+from usdrigui.model import Element, Layout, Member
 from usdrigui.overlap import segment_distances
 from usdrigui.reading.character import read_animated
 from usdrigui.settings import ReadSettings
@@ -48,9 +48,7 @@ anchor's way by less than both together."""
 _SIZES = 4.0
 """Times as wide or narrow as the layout says may be what draws a handle."""
 _CLEAR = 0.5
-"""Cosine of directions that are one; and of all motion, so much more is on one side than on the
-other where it is of one side.  Of what the given rigs have on their boards .3 at most is, and .99
-of what is of one side."""
+"""Cosine of directions that are one."""
 _HALF = 0.5
 """Of its range: so far every control is from the base pose where all are."""
 
@@ -360,7 +358,7 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
         return None
     base = dict(zip(base_controls(scope), layout.character.base_values.tolist(), strict=True))
     values = np.array([base.get(control.name, control.default) for control in rig.controls])
-    found += _on_the_whole(rig, values, drawn, layout.frame.plane)
+    found += _facing(rig, posed(rig, values), drawn)
     rows = np.unique(np.concatenate([[each.anchor, *each.rows] for each in drawn]).astype(np.int64))
     drawn = [
         replace(
@@ -376,37 +374,19 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
     return _Scene(subset(rig, rows)[0], tuple(drawn), values, size)
 
 
-def _on_the_whole(
-    rig: Rig, values: Floats, drawn: list[_Drawn], plane: MirrorPlane
-) -> Iterator[Issue]:
-    """Whether elements on the skin face as it does, and those on the board are of the side that
-    moves."""
-    base = posed(rig, values)
-    skin = np.ones(len(base.points))
-    skin[np.concatenate([each.rows for each in drawn])] = 0.0
+def _facing(rig: Rig, base: Posed, drawn: list[_Drawn]) -> Iterator[Issue]:
+    """Whether elements on the skin face as it does, inwards or outwards: where surfaces coincide,
+    what is seen may be either side."""
+    apart = np.ones((len(base.points), 1))
+    apart[np.concatenate([each.rows for each in drawn])] = 0.0
     # The first point of a handle is where the skin's is.
-    places = weld(base.points, skin[:, None])
+    places = weld(base.points, apart)
     normals = vertex_normals(base.points, mesh_triangles(rig.body.meshes), places)
-    sides = np.sign(plane.distance(base.points)) * skin
     for each in drawn:
-        element, normal = each.element, each.element.anchor.normal
-        on_board, handle = element.anchor.on_board, normals[each.handle[1:]].sum(axis=0)
-        turned = element.look.glyph is None and handle @ normal < 0.0
-        there = normal if on_board else normals[each.anchor]
-        if turned or there @ normal < _CLEAR * (there.any() and normal.any()):
-            yield invalid_at(each.prim, "rigUI:anchor:normal is not that of mesh and handle")
-        side = {"left": 1.0, "right": -1.0}.get(element.look.side if on_board else "", 0.0)
-        shifts = np.zeros(len(skin))
-        for control in each.members if side else ():
-            ends = rig.controls[control]
-            moved, offsets = sweep(rig, base, int(control), [ends.minimum, ends.maximum])
-            shifts[moved] += np.linalg.norm(offsets[1] - offsets[0], axis=1)
-        shifts *= shifts > _EXACT * each.width
-        # Those that are each other's mirror by their names may move both sides alike.
-        least = -_CLEAR if element.manipulator.mirror else _CLEAR
-        if side * (shifts @ sides) < least * (shifts @ skin):
-            what = f"rigUI:element:side is {element.look.side}, its controls move less there"
-            yield invalid_at(each.prim, what)
+        normal, there = each.element.anchor.normal, normals[each.anchor]
+        along = abs(there @ normal) >= _CLEAR * (there.any() and normal.any())
+        if not (each.element.anchor.on_board or along):
+            yield invalid_at(each.prim, "rigUI:anchor:normal is not that of its mesh")
 
 
 def _rows(drawing: dict[Usd.Prim, int], prim: Usd.Prim, *roles: str) -> Indices:

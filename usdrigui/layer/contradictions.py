@@ -168,8 +168,10 @@ def _of_drawing(mesh: Usd.Prim, parts: Sequence[str]) -> Iterator[Issue]:
     faces, points = drawn.GetFaceCount(), drawn.GetPointsAttr().Get() or ()
     normals = mesh.GetAttribute("primvars:normals") or drawn.GetNormalsAttr()
     flat = drawn.GetSubdivisionSchemeAttr().Get() == "bilinear" and not normals.Get()
-    if not flat or drawn.GetHoleIndicesAttr().Get():
-        yield invalid_at(mesh, "subdivisionScheme, normals or holeIndices is not the contract's")
+    right = drawn.GetOrientationAttr().Get() == "rightHanded"
+    if not (flat and right) or drawn.GetHoleIndicesAttr().Get():
+        what = "subdivisionScheme, orientation, normals or holeIndices is not the contract's"
+        yield invalid_at(mesh, what)
     box = drawn.GetExtentAttr().Get()
     if box and not np.allclose(box, UsdGeom.PointBased.ComputeExtent(points)):
         yield invalid_at(mesh, "extent is not that of its points: viewers may leave it out")
