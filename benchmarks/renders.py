@@ -33,6 +33,7 @@ TURNS = (0.0, 40.0, -40.0)
 
 def main():
     layer, engine, folder, *part = sys.argv[1:]
+    Path(folder).mkdir(parents=True, exist_ok=True)
     stage = Usd.Stage.Open(layer)
     stage.SetEditTarget(stage.GetSessionLayer())
     scope = next(each for each in stage.Traverse() if has(each, "RigUILayoutAPI"))
