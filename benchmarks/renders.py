@@ -13,7 +13,6 @@ fails.
 """
 
 import ctypes
-import math
 import os
 import sys
 from pathlib import Path
@@ -23,12 +22,12 @@ import numpy as np
 
 bpy.utils.expose_bundled_modules()
 from pxr import Gf, Usd, UsdAppUtils, UsdGeom, Vt  # noqa: E402
+from turned_views import bases  # noqa: E402
 
 # Else Mesa's software GL refuses a frame buffer of Storm's second picture.
 os.environ.setdefault("MESA_NO_ERROR", "1")
 PIXELS, FOUND, COLOURFUL = 700, 0.3, 0.25
 GREY = 0.5
-TURNS = (0.0, 40.0, -40.0)
 
 
 def main():
@@ -46,23 +45,18 @@ def main():
     middle, size = 0.5 * (centres.min(0) + centres.max(0)), 1.15 * np.ptp(centres, axis=0).max()
     up = np.eye(3)["YZ".index(UsdGeom.GetStageUpAxis(stage)) + 1]
     shares = np.zeros((len(found), 2))
-    plane = scope.GetAttribute("rigUI:layout:planeNormal").Get() or (0, 0, 0)
-    views = [view, view - 2.0 * (view @ plane) * np.array(plane)][: 1 + (abs(view @ plane) > 0.1)]
-    number = 0
-    for turn in TURNS:
-        for each in views:
-            basis = basis_of(each, up, math.radians(turn))
-            path = (
-                Path(folder)
-                / f"{Path(layer).name.split('.')[0]}_{(part or ['face'])[0]}_{engine}_{number}.png"
-            )
-            number += 1
-            draw(stage, scope, engine, str(path), middle, size, basis)
-            picture = pixels(path)
-            palette = {tuple(handle["colour"]): hue(np.array(handle["colour"])) for handle in found}
-            for row, handle in enumerate(found):
-                seen = circle(picture, (handle["centre"] - middle) @ basis, width, size)
-                shares[row] = max(tuple(shares[row]), score(seen, palette, tuple(handle["colour"])))
+    plane = np.array(value(scope, "rigUI:layout:planeNormal", (0, 0, 0)))
+    for number, basis in enumerate(bases(view, up, plane)):
+        path = (
+            Path(folder)
+            / f"{Path(layer).name.split('.')[0]}_{(part or ['face'])[0]}_{engine}_{number}.png"
+        )
+        draw(stage, scope, engine, str(path), middle, size, basis)
+        picture = pixels(path)
+        palette = {tuple(handle["colour"]): hue(np.array(handle["colour"])) for handle in found}
+        for row, handle in enumerate(found):
+            seen = circle(picture, (handle["centre"] - middle) @ basis, width, size)
+            shares[row] = max(tuple(shares[row]), score(seen, palette, tuple(handle["colour"])))
     lost = [each["name"] for each, (own, _) in zip(found, shares, strict=True) if own < FOUND]
     mixed = [
         each["name"] for each, (own, lead) in zip(found, shares, strict=True) if own and lead < 0.0
@@ -144,16 +138,6 @@ def per_face(mesh, name, count):
         if primvar.IsIndexed()
         else held * (count // len(held))
     )
-
-
-def basis_of(view, up, turn):
-    """(3, 3) right, up and towards the viewer as columns."""
-    axis = up if abs(view @ up) < 0.9 else np.cross(up, np.roll(up, 1))
-    right = np.cross(axis, view)
-    right /= np.linalg.norm(right)
-    look = view * math.cos(turn) + right * math.sin(turn)
-    above = np.cross(view, right)
-    return np.stack([np.cross(above, look), above, look], axis=1)
 
 
 # --- the pictures ---------------------------------------------------------------------------------

@@ -17,13 +17,13 @@ from pathlib import Path
 
 import numpy as np
 from pxr import Usd, UsdGeom
+from turned_views import bases
 
 from usdrigui.character import Floats
 from usdrigui.character.surface import triangles
 from usdrigui.layer.read_layout import element_prims, layout_at, layout_scopes
 
 _SEEN, _MOST = 0.6, 0.95
-_TURNS = (0.0, 40.0, -40.0)
 _GRID = np.stack(np.meshgrid(*2 * [np.linspace(-0.5, 0.5, 25)]), axis=-1).reshape(-1, 2)
 _DISC = _GRID[(_GRID**2).sum(axis=1) <= 0.25]
 
@@ -65,26 +65,13 @@ def seen(scope: Usd.Prim) -> list[tuple[float, str]]:
             continue
         view = layout.frame.view_of(element.placement.part)
         width = layout.frame.handle_width_of(element.placement.part)
-        views = (view, view - 2.0 * (view @ across) * across)
-        bases = [_basis(each, up, turn) for each in views for turn in np.radians(_TURNS)]
         share = 0.0
-        for basis in bases:
+        for basis in bases(view, up, across):
             samples = (element.anchor.position @ basis)[:2] + width * _DISC
             front, back = (_depth(each, basis, samples) for each in (guides, body))
             share = max(share, float((np.isfinite(front) & (front > back)).mean()))
         found.append((share, prim.GetName()))
     return found
-
-
-def _basis(view: Floats, up: Floats, turn: float) -> Floats:
-    """(3, 3) right, up and towards the viewer as columns, the view turned about the up axis; about
-    another where the part is seen from above."""
-    axis = up if abs(view @ up) < 0.9 else np.cross(up, np.roll(up, 1))
-    right = np.cross(axis, view)
-    right /= np.linalg.norm(right)
-    look = view * np.cos(turn) + right * np.sin(turn)
-    above = np.cross(view, right)
-    return np.stack([np.cross(above, look), above, look], axis=1)
 
 
 def _soup(
