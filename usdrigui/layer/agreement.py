@@ -47,12 +47,10 @@ _ALONG, _SHARE = 0.05, 0.08
 anchor's way by less than both together."""
 _SIZES = 4.0
 """Times as wide or narrow as the layout says may be what draws a handle."""
-_CLEAR = 0.5
-"""Cosine of directions that are one."""
+CLEAR = 0.5
+"""Cosine beyond which two directions are one, or opposite."""
 _HALF = 0.5
 """Of its range: so far every control is from the base pose where all are."""
-
-
 _NONE: Indices = np.zeros(0, dtype=np.int64)
 
 
@@ -384,7 +382,7 @@ def _facing(rig: Rig, base: Posed, drawn: list[_Drawn]) -> Iterator[Issue]:
     normals = vertex_normals(base.points, mesh_triangles(rig.body.meshes), places)
     for each in drawn:
         normal, there = each.element.anchor.normal, normals[each.anchor]
-        along = abs(there @ normal) >= _CLEAR * (there.any() and normal.any())
+        along = abs(there @ normal) >= CLEAR * (there.any() and normal.any())
         if not (each.element.anchor.on_board or along):
             yield invalid_at(each.prim, "rigUI:anchor:normal is not that of its mesh")
 

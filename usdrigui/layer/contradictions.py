@@ -16,7 +16,7 @@ from pxr import Usd, UsdGeom, UsdSkel
 from usdrigui.character import Floats
 from usdrigui.errors import Issue, RigUIError, of_character
 from usdrigui.layer import author
-from usdrigui.layer.agreement import disagreements, drawings, length
+from usdrigui.layer.agreement import CLEAR, disagreements, drawings, length
 from usdrigui.layer.baking import apart, valued
 from usdrigui.layer.properties import (
     applied,
@@ -46,8 +46,6 @@ _MIRRORED = 0.1
 """Of a handle's width: anchors so near to each other's mirror image are those of a pair."""
 _ASIDE = 1.0
 """Of a handle's width: so far from the plane an element is not on its other side."""
-_CLEAR = 0.5
-"""Cosine beyond which two directions are one, or opposite."""
 
 
 def contradictions(
@@ -260,7 +258,7 @@ def _of_mirror(
         zip(element.manipulator.members, other.manipulator.members, strict=True)
     ):
         mine, theirs = (track[-1] - track[0] for track in (reflect(one.track), twin.track))
-        clear = _CLEAR * np.linalg.norm(mine) * np.linalg.norm(theirs)
+        clear = CLEAR * np.linalg.norm(mine) * np.linalg.norm(theirs)
         reversed_ = index in element.manipulator.reversed
         if one.control != twin.control and mine @ (-theirs if reversed_ else theirs) < -clear:
             yield invalid_at(prim, f"rigUI:control:{one.control}:mirrorReversed is {reversed_}")
