@@ -1,8 +1,8 @@
 """Which controls belong together, and poses made of poses: the other side, a mirror's, between two
 keys; numpy only, nothing of Blender.
 
-The page has the same rules in viewer/src/keying.js and posing.js; schemas/conformance/pulls.json
-holds both to the same answers.
+The page has the same rules in viewer/src/keying.js and posing.js; tests/mirrored_poses.json holds
+both to the same answers.
 """
 
 from __future__ import annotations

@@ -32,8 +32,8 @@ def wrote(
     lines: Iterable[str] = (),
     more: str = "",
 ) -> Exit:
-    """Tell which `files` a command has written and what became of each, and before them its
-    `lines`; the closing line ends with `more`."""
+    """Tell which `files` a command has written, if any, and what became of each, and before them
+    its `lines`; the last of all is the closing line, and ends with `more`."""
     from usdrigui.report.documents import document
 
     told = [*lines, *(f"{state} {path}" for path, state in files.items())]

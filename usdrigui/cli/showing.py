@@ -87,7 +87,7 @@ def view(arguments: argparse.Namespace) -> Exit:
     serve.serve(
         html, open_browser=not arguments.no_browser, announce=worker.print_now, name=name, live=live
     )
-    return wrote(arguments, {arguments.layer: "showed"})
+    return wrote(arguments, {}, [f"showed {arguments.layer}"])
 
 
 def _live(arguments: argparse.Namespace, read: Sequence[Path]) -> LiveFile | None:
