@@ -94,26 +94,22 @@ def signal_name(number: int) -> str:
 
 
 def environment(**special: str) -> dict[str, str]:
-    """The environment of a process of ours: this one's, our module path, what is `special`, and few
-    threads of USD.
+    """The environment of a process of ours: this one's, our module path, and what is `special`.
 
-    With positional reads a crate file that shrinks under us is an error instead of a bus error.
+    USD has no threads, which would be missing after a fork; they read our assets no faster.  With
+    positional reads a crate file that shrinks under us is an error instead of a bus error.
     Arrays of a stage take the memory of the one before: given back to the system, each page would
     be cleared for them again.
     """
     always = {
         "PYTHONPATH": os.pathsep.join(folder for folder in sys.path if folder),
+        "PXR_WORK_THREAD_LIMIT": "1",
         "USDC_USE_PREAD": "1",
         "MALLOC_ARENA_MAX": "2",
         "MALLOC_MMAP_THRESHOLD_": str(32 << 20),
         "MALLOC_TRIM_THRESHOLD_": str(128 << 20),
     }
-    return {
-        "PXR_WORK_THREAD_LIMIT": str(min(4, os.cpu_count() or 1)),
-        **os.environ,
-        **always,
-        **special,
-    }
+    return {**os.environ, **always, **special}
 
 
 @contextlib.contextmanager

@@ -55,6 +55,7 @@ _OUT_OF_MEMORY = ("bad_alloc", "Cannot allocate memory", "Resource temporarily u
 
 
 QUESTION = Request
+Usd.SchemaRegistry()  # known before readers are forked, so that none spends its time on them
 
 
 def answer(request: Request) -> Response:
