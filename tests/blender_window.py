@@ -37,9 +37,9 @@ class Window:
         self.display = f":{self.server.stdout.readline().strip()}"
         inside = Path(__file__).parent / "blender" / "inside"
         log = (folder / "blender.log").open("w")
-        where = ["-p", "0", "0", str(SIZE[0]), str(SIZE[1])]
+        start = ["--factory-startup", "--python-use-system-env", "-p", "0", "0", str(SIZE[0]), str(SIZE[1])]
         self.blender = subprocess.Popen(
-            ["blender", "--factory-startup", *where, "-P", str(inside / "window.py"), "--", str(paths["job"])],
+            ["blender", *start, "-P", str(inside / "window.py"), "--", str(paths["job"])],
             env={**os.environ, "DISPLAY": self.display, "LIBGL_ALWAYS_SOFTWARE": "1", "PYTHONPATH": str(inside)},
             stdout=log,
             stderr=subprocess.STDOUT,

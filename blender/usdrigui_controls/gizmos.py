@@ -85,15 +85,16 @@ class RigControls(bpy.types.Gizmo):
         screen = _screen(context)
         self.last, self.way = _pointer(event, screen), np.zeros(2)
         self.before = Character(bpy.data.objects[item.holder]).values()
-        self.grab = Grab(screen, item.drawing, item.placed, item.values)
-        if event.ctrl:
+        if event.ctrl:  # and nothing is held: Blender may tell that Ctrl is up before the button
             self._set(context, item.drawing.base)
+        else:
+            self.grab = Grab(screen, item.drawing, item.placed, item.values)
         return {"RUNNING_MODAL"}
 
     def modal(self, context, event, tweak):
         """Follow the pointer; Shift for fine steps."""
         pointer = _pointer(event, _screen(context))
-        if self.grab is None or event.ctrl or np.array_equal(pointer, self.last):
+        if self.grab is None or np.array_equal(pointer, self.last):
             return {"RUNNING_MODAL"}
         self.way = self.way + (FINE if event.shift else 1.0) * (pointer - self.last)
         self.last = pointer
