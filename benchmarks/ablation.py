@@ -41,7 +41,7 @@ from usdrigui.overlap import total_cost
 from usdrigui.pipeline.records import ProblemInputs, Task
 from usdrigui.pipeline.stages import build_problem, layout_of
 from usdrigui.reader.reader_process import read_rigs_isolated
-from usdrigui.settings import SolveSettings, load, with_sections
+from usdrigui.settings import SolveSettings, load
 from usdrigui.solve import solve
 from usdrigui.solve.clusters import Linkage
 from usdrigui.view.picture import contact_sheet, render
@@ -118,7 +118,7 @@ def _arguments() -> argparse.Namespace:
 def ablation(inputs: ProblemInputs, words: list[str] | None = None) -> Iterator[Row]:
     """The rows of one character as they are made; the full row comes first and always, for its
     bound."""
-    limits = inputs.settings.layout.solve
+    limits = inputs.settings.solve
     start = time.perf_counter()
     full = solve(inputs.placement.problem, limits)
     yield _row(inputs, *FULL, full.labels, full.bound, time.perf_counter() - start)
@@ -191,7 +191,7 @@ def scaled(cost: str, factor: float) -> Rule:
 
     def rule(inputs: ProblemInputs, limits: SolveSettings) -> Indices:
         name = f"{cost}_weight"
-        weight = factor * getattr(inputs.settings.layout.objective, name)
+        weight = factor * getattr(inputs.settings.objective, name)
         return solve(_with_settings(inputs, **{name: weight}), limits).labels
 
     return rule
@@ -260,10 +260,10 @@ def _with_settings(
     """The problem under other settings, its labels those of the full one; `plane` scales the
     weight of the plane."""
     settings = inputs.settings
-    symmetry = settings.character.symmetry
-    changed = with_sections(
+    symmetry = settings.symmetry
+    changed = replace(
         settings,
-        objective=replace(settings.layout.objective, **objective),
+        objective=replace(settings.objective, **objective),
         symmetry=replace(symmetry, plane_weight=plane * symmetry.plane_weight),
     )
     known = replace(inputs.measured, settings=changed)

@@ -145,8 +145,7 @@ def ours(path: Path) -> int:
     """Number of trajectories of the asset."""
     settings = Settings()
     return sum(
-        len(trajectories(rig, settings.character.trajectories).motions)
-        for rig in read_rigs(path, settings)
+        len(trajectories(rig, settings.trajectories).motions) for rig in read_rigs(path, settings)
     )
 
 

@@ -184,7 +184,7 @@ def _part_problems(asset: Path, settings: Settings) -> Iterator[tuple[str, Layou
         inputs = part_problem(character, part, elements)
         yield part.name, inputs.placement.problem
         if part is not character.parts[-1]:
-            found = solve(inputs.placement.problem, settings.layout.solve)
+            found = solve(inputs.placement.problem, settings.solve)
             elements += tuple(layout_of(inputs, found).elements)
 
 

@@ -157,7 +157,7 @@ def laid_out(rig: Rig, settings: Settings, solved: dict[str, Assignment]) -> Lai
         neighbours = tuple(element for each in parts for element in each.layout.elements)
         inputs = part_problem(character, part, neighbours)
         key = digest(inputs.placement.problem)
-        answer = solved.get(key) or solve(inputs.placement.problem, settings.layout.solve)
+        answer = solved.get(key) or solve(inputs.placement.problem, settings.solve)
         answers[key] = answer
         parts.append(LaidPart(inputs, layout_of(inputs, answer), answer))
     layout = joined(parts)

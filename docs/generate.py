@@ -26,9 +26,8 @@ from typing import Any, Literal
 from pxr import Sdf
 
 from usdrigui.errors import catalogue
-from usdrigui.settings import presets
+from usdrigui.settings import Settings, presets
 from usdrigui.settings.about import About, settings_table
-from usdrigui.settings.config_sections import section_types
 
 ROOT = Path(__file__).resolve().parents[1]
 TEN = (
@@ -242,7 +241,7 @@ _HEAD = "| key | type | default | unit | from, to | meaning |\n|---|---|---|---|
 
 def _parts() -> Iterator[tuple[str, Any]]:
     """The parts of the settings, those with a name of the user's own as ``controls."NAME"``."""
-    for name, hint in section_types().items():
+    for name, hint in typing.get_type_hints(Settings).items():
         free = typing.get_origin(hint) is Mapping
         yield (f'{name}."NAME"', typing.get_args(hint)[1]) if free else (name, hint)
 
@@ -279,7 +278,12 @@ def editor_schema() -> dict[str, Any]:
     return {
         "$schema": "http://json-schema.org/draft-07/schema#",
         "title": "Configuration of usdrigui",
-        **_object({name: _editor_section(name, kind) for name, kind in section_types().items()}),
+        **_object(
+            {
+                name: _editor_section(name, kind)
+                for name, kind in typing.get_type_hints(Settings).items()
+            }
+        ),
     }
 
 

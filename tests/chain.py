@@ -13,7 +13,7 @@ from usdrigui.pipeline import Task, stages
 from usdrigui.pipeline.progress import Clock
 from usdrigui.pipeline.records import LaidPart
 from usdrigui.pipeline.reference_layouts import ReferenceLayouts
-from usdrigui.settings import PartSettings, Settings, load, with_sections
+from usdrigui.settings import PartSettings, Settings, load
 from usdrigui.solve import solve
 
 
@@ -69,7 +69,7 @@ def problem_of(rig, settings=None, base_values=None, prior=NO_PRIOR, fixed=None)
 
 def prior(layout, rig, penalty):
     """An earlier layout of a rig, or of one like it, as a prior."""
-    found = trajectories(rig, Settings().character.trajectories)
+    found = trajectories(rig, Settings().trajectories)
     return prior_of_previous(layout, Today(rig, found.surface.points, found), penalty)
 
 
@@ -96,14 +96,14 @@ def _character(rig, settings, base_values, fixed=None):
     settings = settings or Settings()
     if base_values is not None:
         pose = {each.name: float(value) for each, value in zip(rig.controls, base_values, strict=True)}
-        settings = with_sections(settings, read=replace(settings.rig.read, pose=pose))
-    return stages.character_of(rig, Task(with_sections(settings, parts=PartSettings(divide=False)), references))
+        settings = replace(settings, read=replace(settings.read, pose=pose))
+    return stages.character_of(rig, Task(replace(settings, parts=PartSettings(divide=False)), references))
 
 
 def lay_out(rig, settings=None, base_values=None, prior=NO_PRIOR, fixed=None):
     """All the way, solved to optimality."""
     line = problem_of(rig, settings, base_values, prior, fixed)
-    return solved(line, replace(line.inputs.settings.layout.solve, gap=1e-9))
+    return solved(line, replace(line.inputs.settings.solve, gap=1e-9))
 
 
 def solved(line, settings):
@@ -117,7 +117,7 @@ def laid_parts(rig):
     character, laid = stages.character_of(rig, Task(Settings())), []
     for part in character.parts:
         inputs = stages.part_problem(character, part, [element for each in laid for element in each.layout.elements])
-        found = solve(inputs.placement.problem, inputs.settings.layout.solve)
+        found = solve(inputs.placement.problem, inputs.settings.solve)
         laid.append(LaidPart(inputs, stages.layout_of(inputs, found), found))
     return laid
 

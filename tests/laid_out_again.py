@@ -28,5 +28,5 @@ def read(name):
 def lay_out(rig, settings=SETTINGS, **references):
     """The problem, its solution and the layout; `references` as of `ReferenceLayouts`."""
     inputs = build_problem(rig, Task(settings, ReferenceLayouts(**references)))
-    found = solve(inputs.placement.problem, settings.layout.solve)
+    found = solve(inputs.placement.problem, settings.solve)
     return inputs, found, layout_of(inputs, found)

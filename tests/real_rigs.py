@@ -34,7 +34,7 @@ def line_of(name):
 def laid_out(rig, work=WORK):
     """Every record of the layout of `rig`."""
     settings = load({"solve": {"work_limit": work}})
-    return chain.solved(chain.problem_of(rig, settings), settings.layout.solve)
+    return chain.solved(chain.problem_of(rig, settings), settings.solve)
 
 
 def on_face(line):

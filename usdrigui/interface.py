@@ -125,7 +125,7 @@ def bake(stage: Usd.Stage, settings: Settings | None = None) -> Sdf.Layer:
     layer for the front of its sublayers; of a file the command writes it.  Raises `RigUIError`."""
     from usdrigui.layer.baking import bake as bake_values
 
-    return bake_values(stage, _settings(settings).rig.read)
+    return bake_values(stage, _settings(settings).read)
 
 
 # The name is what people expect: usdrigui.open().

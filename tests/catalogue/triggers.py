@@ -125,7 +125,7 @@ def _thinned(folder: Path, patch: Any) -> Found:
 def _trajectories(code: str) -> Trigger:
     def trigger(folder: Path, _: Any) -> Found:
         (found,) = rig.read_rigs(minimal_assets.character(folder, code), Settings())
-        said = trajectory.trajectories(found, Settings().character.trajectories, np.zeros(len(found.controls)))
+        said = trajectory.trajectories(found, Settings().trajectories, np.zeros(len(found.controls)))
         return 0, [asdict(each) for each in said.findings.issues]
 
     return trigger

@@ -127,8 +127,8 @@ def test_a_file_beside_an_asset_can_lower_its_limits_only(folder, name, capsys, 
     (folder / "char.rigui.toml").write_text(ATTACK + CONFIGURATION)
     plain = settings_of(parsed_for(folder / name))
     assert plain.run == RunSettings()
-    assert (plain.rig.read.time_limit, plain.rig.read.memory_limit) == (300.0, 8192)
-    assert plain.rig.read.size_limit == 5000
+    assert (plain.read.time_limit, plain.read.memory_limit) == (300.0, 8192)
+    assert plain.read.size_limit == 5000
     assert load_beside(folder / name).run == RunSettings()
     given = parsed_for(folder / name, "--config", str(folder / "char.rigui.toml"))
     assert settings_of(given).run.time_limit == 0.0

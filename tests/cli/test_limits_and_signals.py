@@ -169,7 +169,7 @@ def test_a_memory_limit_on_the_search_gives_a_layout_or_a_code(tmp_path, limit, 
     for found in document["characters"] if code == 0 else ():
         solution = found["solution"]
         assert solution["bound"] <= solution["cost"]
-        assert solution["status"] == ("optimal" if solution["gap"] <= Settings().layout.solve.gap else "stopped")
+        assert solution["status"] == ("optimal" if solution["gap"] <= Settings().solve.gap else "stopped")
     assert (tmp_path / "char.rigui.usda").exists() == (code == 0)
 
 

@@ -38,7 +38,7 @@ def placed(rig):
     """Points with the handles of the controls of the first part, the face, and its surface."""
     character = stages.character_of(rig, Task(SETTINGS))
     inputs = stages.part_problem(character, character.parts[0])
-    layout = stages.layout_of(inputs, solve(inputs.placement.problem, SETTINGS.layout.solve))
+    layout = stages.layout_of(inputs, solve(inputs.placement.problem, SETTINGS.solve))
     return namings.places(rig, layout), inputs.face.trajectories.surface
 
 

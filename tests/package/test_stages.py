@@ -13,8 +13,9 @@ ONE_FIELD = 10
 they are handed on as values."""
 CHANGES = {"Budget"}
 """A solver's only object that changes: it counts the work, is no record of a stage, and goes to every search."""
-SHARED = {"Face", "Requests"}
-"""What is measured of a face and what is asked for, once each: what nearly every stage of placing reads."""
+SHARED = {"Face", "Requests", "Settings"}
+"""What is measured of a face and what is asked for, once each, that nearly every stage of placing reads; and all
+settings, which held in groups of a few would only be read through one dot more."""
 
 
 def parsed(folders):

@@ -22,7 +22,7 @@ RIGS = [
 
 
 def with_motions(rig):
-    return rig, trajectories(rig, SETTINGS.character.trajectories)
+    return rig, trajectories(rig, SETTINGS.trajectories)
 
 
 def known(names, rig):

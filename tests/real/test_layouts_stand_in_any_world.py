@@ -27,7 +27,7 @@ pytestmark = [
 ]
 
 
-PROVED = Settings().layout.solve.work_limit
+PROVED = Settings().solve.work_limit
 
 
 def anchors(line):

@@ -13,15 +13,14 @@ import pytest
 from usdrigui.errors import RigUIError
 from usdrigui.settings import Settings, load
 from usdrigui.settings.about import settings_table
-from usdrigui.settings.config_sections import section_types, sections
 
 
 def _settings(kinds=object):
     """By key, every setting but those in free tables, and what is known of it."""
     return {
         f"{section}.{name}": about
-        for section, part in sections(Settings()).items()
-        if dataclasses.is_dataclass(part)
+        for section in settings_table()
+        if dataclasses.is_dataclass(part := getattr(Settings(), section))
         for name, about in settings_table()[section].items()
         if isinstance(getattr(part, name), kinds) and not isinstance(getattr(part, name), bool)
     }
@@ -36,7 +35,7 @@ def test_every_number_has_bounds():
 
 
 def test_every_field_is_documented_and_few_settings_are_for_everybody():
-    kinds = {name: (typing.get_args(kind) or [kind])[-1] for name, kind in section_types().items()}
+    kinds = {name: (typing.get_args(kind) or [kind])[-1] for name, kind in typing.get_type_hints(Settings).items()}
     named = {name: [field.name for field in dataclasses.fields(kind)] for name, kind in kinds.items()}
     assert named == {name: list(known) for name, known in settings_table().items()}
     assert sum(about.level == "user" for known in settings_table().values() for about in known.values()) <= 60
@@ -45,7 +44,7 @@ def test_every_field_is_documented_and_few_settings_are_for_everybody():
 @pytest.mark.parametrize("key", sorted(BOUNDS))
 def test_numbers_beyond_their_bounds_are_refused(key):
     part, name = key.split(".")
-    kind, (least, largest) = type(getattr(sections(Settings())[part], name)), BOUNDS[key]
+    kind, (least, largest) = type(getattr(getattr(Settings(), part), name)), BOUNDS[key]
     load({part: {name: kind(least)}})
     load({part: {name: kind(largest)}})
     for value in (kind(least - 1), kind(largest * 2 + 1)):

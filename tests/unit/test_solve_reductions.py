@@ -272,7 +272,7 @@ def test_a_sample_keeps_one_of_each_and_follows_the_seed() -> None:
 
 
 def test_reductions_are_off_by_default_and_on_in_the_paper_preset() -> None:
-    plain, paper = Settings().layout.solve, load(preset="paper").layout.solve
+    plain, paper = Settings().solve, load(preset="paper").solve
     assert (plain.method, plain.clusters, plain.sample) == ("highs", 1, 1.0)
     assert (paper.method, paper.clusters, paper.sample, paper.linkage) == ("paper", 2, 0.2, "single")
 

@@ -55,12 +55,12 @@ def settings_quietly(arguments: argparse.Namespace) -> Settings:
     except settings.UnsoundSettingsError as error:
         # Faults of the files are reported with those of the command line.
         try:
-            load(*map(settings.read_toml, _configuration(arguments, error.sound.rig.read)))
+            load(*map(settings.read_toml, _configuration(arguments, error.sound.read)))
         except RigUIError as all_of_it:
             if isinstance(all_of_it, settings.UnsoundSettingsError):
                 raise
         raise
-    arguments.configuration = files = _configuration(arguments, loaded.rig.read)
+    arguments.configuration = files = _configuration(arguments, loaded.read)
     if not files:
         return loaded
     configured = load(*map(settings.read_toml, files))

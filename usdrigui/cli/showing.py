@@ -114,7 +114,7 @@ def picture(arguments: argparse.Namespace) -> Exit:
     if arguments.output.suffix == ".gif":
         content = sheet.film_gif(characters, frames=arguments.frames)
     else:
-        pose = settings.rig.read.pose
+        pose = settings.read.pose
         content = sheet.sheet_png(characters, labels=arguments.labels, pose=pose)
     state = pipeline.write_file(content, arguments.output, read)
     return wrote(arguments, {arguments.output: state}, sheet.spelt_out(characters))

@@ -23,4 +23,4 @@ class Measured(Record):
     @property
     def pruning(self) -> CandidateSettings:
         """The settings of the candidates."""
-        return self.settings.layout.candidates
+        return self.settings.candidates

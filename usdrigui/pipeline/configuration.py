@@ -23,7 +23,7 @@ from usdrigui.model import Correction, Layout
 from usdrigui.pipeline.reference_layouts import check_like
 from usdrigui.reader.reader_process import read_rigs_isolated
 from usdrigui.reader.reader_records import ReadResult
-from usdrigui.settings import Settings, load, with_sections
+from usdrigui.settings import Settings, load
 from usdrigui.settings.loading import UnsoundSettingsError
 from usdrigui.settings.parts import ControlSettings, PartSettings
 
@@ -65,19 +65,19 @@ def with_corrections(
     """The settings with those of corrections of controls that the rigs have by these names, or by
     another spelling; what the settings say is stronger.  Raises UnsoundSettingsError."""
     names, plain = tuple({name for rig in rigs for name in rig.control_names}), ControlSettings()
-    controls, groups = dict(settings.rig.controls), dict(settings.layout.groups.groups)
+    controls, groups = dict(settings.controls), dict(settings.groups.groups)
     for each in corrections:
         name = each.control if each.control in names else same_name(each.control, names)
         if name and each.settings:
             own = controls.get(name, plain)
-            said = load({"controls": {name: each.settings}}).rig.controls[name]
+            said = load({"controls": {name: each.settings}}).controls[name]
             unsaid = [key for key in each.settings if getattr(own, key) == getattr(plain, key)]
             controls[name] = replace(own, **{key: getattr(said, key) for key in unsaid})
         members = tuple(member for member in each.group if member in names)
         if len(members) > 1 and not {*members} & {*itertools.chain(*groups.values())}:
             groups["_".join(members)] = members
-    changed_groups = replace(settings.layout.groups, groups=groups)
-    return with_sections(settings, controls=controls, groups=changed_groups)
+    changed_groups = replace(settings.groups, groups=groups)
+    return replace(settings, controls=controls, groups=changed_groups)
 
 
 def base_values_of(root: str, controls: tuple[Control, ...], pose: Mapping[str, float]) -> Floats:
@@ -109,10 +109,10 @@ def _check(
     source: ReadResult, settings: Settings, like: tuple[tuple[Rig, Layout], ...], faults: Faults
 ) -> None:
     with faults.collected():
-        check_terms(settings.layout.objective.terms)
+        check_terms(settings.objective.terms)
     for rig in source.rigs:
         _check_rig(rig, settings, source.cameras, like, faults)
-    _check_parts(source.rigs, settings.character.parts, faults)
+    _check_parts(source.rigs, settings.parts, faults)
 
 
 def _check_rig(
@@ -122,23 +122,23 @@ def _check_rig(
     like: tuple[tuple[Rig, Layout], ...],
     faults: Faults,
 ) -> None:
-    controls = settings.rig.controls
+    controls = settings.controls
     index = control_index(rig, controls)
     with faults.collected():
-        camera_of(rig.skel_root.path, settings.layout.candidates.view, cameras)
+        camera_of(rig.skel_root.path, settings.candidates.view, cameras)
     with faults.collected():
-        base_values_of(rig.skel_root.path, rig.controls, settings.rig.read.pose)
+        base_values_of(rig.skel_root.path, rig.controls, settings.read.pose)
     for name in (each for each in controls if each in index):
-        _check_places(rig, settings.rig.controls, name, faults)
+        _check_places(rig, settings.controls, name, faults)
     with faults.collected():
         configured_twins(rig, controls)
     with faults.collected():
         check_orbits(rig.controls, control_overrides(rig, controls), index)
     with faults.collected():
         # A fault of a pose is reported once, for the pose.
-        check_groups(settings.layout.groups.groups, {*rig.control_names, *settings.rig.poses})
+        check_groups(settings.groups.groups, {*rig.control_names, *settings.poses})
     with faults.collected():
-        check_like(like, rig, settings.character.like.names)
+        check_like(like, rig, settings.like.names)
 
 
 def _check_places(

@@ -44,7 +44,7 @@ def pin(
     """
     found, read = read_composed_isolated(layer, settings)
     layouts = {each.character.root: each for each in found.layouts}
-    made = _existing(output, layer, Opening.of(settings.rig.read))
+    made = _existing(output, layer, Opening.of(settings.read))
     unit = float(read.metadata["metersPerUnit"])
     for key, value in decisions.items():
         rig, name, what = _meant(read.rigs, key)
@@ -61,7 +61,7 @@ def pin(
 
 def pins(layer: Path, settings: Settings) -> tuple[Correction, ...]:
     """The corrections that a layer brings, and as such what its layouts have on record."""
-    found = read_layouts_isolated(layer, Opening.of(settings.rig.read))
+    found = read_layouts_isolated(layer, Opening.of(settings.read))
     recorded = (each for layout in found.layouts for each in _recorded(layout))
     told = {(each.root, each.control): each for each in (*recorded, *found.corrections)}
     return tuple(told.values())

@@ -40,7 +40,7 @@ def inspect(
     clock = Clock(progress)
     with clock.stage("read"):
         source = read_rigs_isolated(asset, settings)
-        opening = Opening.of(settings.rig.read)
+        opening = Opening.of(settings.read)
         clips = animation.performances(animations, opening)
         references = read_references(ReferenceLayers(like=like), opening, source)
         refuse_unsound(source, settings, references.like)
@@ -54,7 +54,7 @@ def inspect(
         facts = _facts(character, parts)
         if clips:
             whole = parts[0] if len(parts) == 1 else build_problem(rig, task, clock)
-            weight = settings.character.animation.weight
+            weight = settings.animation.weight
             uses, odd = animation.animation_facts(whole.face, clips, weight)
             facts = replace(facts, animation=uses)
             issues += of_character(rig.skel_root.path_in_variants, odd)

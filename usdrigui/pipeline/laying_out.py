@@ -44,7 +44,7 @@ from usdrigui.reader.reader_records import Opening, ReadResult
 from usdrigui.replacing.transaction import Transaction, same_file
 from usdrigui.report import documents
 from usdrigui.report.run_report import CharacterReport, Outcome, PartRow, Report, SourceRow, rows_of
-from usdrigui.settings import Settings, sections
+from usdrigui.settings import Settings
 from usdrigui.settings.parts import OutputSettings
 from usdrigui.stages.schema import SCOPE
 from usdrigui.stages.variant_paths import asset_selections, with_sets
@@ -84,7 +84,7 @@ def process(
                 asset, target, each.source, each.settings.output, over_base=layers.base is not None
             )
             _check_base(each, target)
-        opening = Opening.of(settings.rig.read)
+        opening = Opening.of(settings.read)
         check_replaceable(target, opening, asset if output is None else None)
         if dry_run:
             check_place(target)
@@ -132,7 +132,7 @@ def process_stage(
     with clock.stage("read"):
         readings, plain = _read_each(
             settings,
-            lambda: in_memory.read_open_variants(stage, settings.rig.read.variants),
+            lambda: in_memory.read_open_variants(stage, settings.read.variants),
             functools.partial(
                 _read, functools.partial(in_memory.read_open_rigs, stage), ReferenceLayers()
             ),
@@ -170,7 +170,7 @@ def _readings(
     """The asset in each of the variants that are to be laid out; and what says of the others that
     they are left off."""
     if layers.base is not None:
-        if settings.rig.read.each_variant:
+        if settings.read.each_variant:
             raise refuse(
                 "CONFIG_VALUE",
                 "--base",
@@ -178,7 +178,7 @@ def _readings(
             )
         over = _read_over(asset, settings, layers)
         return over, over[0].references.ignored
-    sets = functools.partial(read_variants_isolated, asset, Opening.of(settings.rig.read))
+    sets = functools.partial(read_variants_isolated, asset, Opening.of(settings.read))
     return _read_each(
         settings,
         sets,
@@ -201,7 +201,7 @@ def _read(
     read: Callable[[Settings], ReadResult], layers: ReferenceLayers, settings: Settings
 ) -> AssetReading:
     source = read(settings)
-    references = read_references(layers, Opening.of(settings.rig.read), source)
+    references = read_references(layers, Opening.of(settings.read), source)
     corrected = with_corrections(settings, references.corrections, source.rigs)
     if corrected != settings:
         source, settings = read(corrected), corrected
@@ -234,13 +234,13 @@ def _of_variant(
     """Some characters of a shot, over the layout that the base has for the variants that they
     select."""
     source = replace(found.source, rigs=tuple(rigs))
-    opening = Opening.of(variants.selecting(found.settings, chosen).rig.read)
+    opening = Opening.of(variants.selecting(found.settings, chosen).read)
     return AssetReading(found.settings, source, read_references(layers, opening, source))
 
 
 def _check_above(readings: Sequence[AssetReading]) -> None:
     """Raise VARIANT_BELOW where a layout would be composed for every variant of a set."""
-    for name in readings[0].settings.rig.read.variants:
+    for name in readings[0].settings.read.variants:
         rigs = [rig for each in readings for rig in each.source.rigs]
         if not any(name in asset_selections(rig.skel_root.variant_path) for rig in rigs):
             raise refuse(
@@ -304,7 +304,7 @@ def _report(
         characters=tuple(reports),
         issues=(*(found for character in reports for found in character.issues), *plain),
         seconds=clock.seconds,
-        settings=documents.plain(sections(settings)),
+        settings=documents.plain(settings),
         sources=tuple(_source_row(each, asset) for each in sources),
     )
 
@@ -371,7 +371,7 @@ def _lay_out(
     for part in character.parts:
         neighbours = tuple(element for each in laid for element in each.layout.elements)
         inputs = part_problem(character, part, neighbours, clock)
-        limits = task.settings.layout.solve
+        limits = task.settings.solve
         with clock.stage("solve", can_stop=True):
             assignment = solve(inputs.placement.problem, limits, clock.solving, stop)
         with clock.stage("layout"):

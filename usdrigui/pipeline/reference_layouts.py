@@ -26,7 +26,7 @@ from usdrigui.reader.reader_process import (
     read_layouts_isolated,
 )
 from usdrigui.reader.reader_records import LayoutsResult, Limits, Opening, ReadResult
-from usdrigui.settings import ReadSettings, Settings, with_sections
+from usdrigui.settings import ReadSettings, Settings
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,7 +158,7 @@ def _kept(layer: Path | None, opening: Opening) -> LayoutsResult | None:
     pinned = (e.placement.pinned_position for each in found.layouts for e in each.elements)
     if np.isfinite([*pinned]).all():
         return found
-    settings = with_sections(Settings(), read=ReadSettings(variants=opening.variants))
+    settings = Settings(read=ReadSettings(variants=opening.variants))
     try:
         _, composed = read_composed_isolated(layer, settings, opening.limits)
     except RigUIError:

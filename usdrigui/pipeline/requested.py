@@ -57,7 +57,7 @@ def own_references(
     layer has no such character, or none of several characters to imitate has the path of this one,
     PREVIOUS_MISMATCH for a layout without any of its controls.
     """
-    root, names = rig.skel_root.path, settings.character.like.names
+    root, names = rig.skel_root.path, settings.like.names
     if references.fixed and root not in references.fixed:
         have = f"has layouts of {', '.join(references.fixed)}, not of {root}"
         raise refuse("CONFIG_VALUE", "--fixed", have)
@@ -70,7 +70,7 @@ def own_references(
                 what = f"shares no control with its {which} layout"
                 raise refuse("PREVIOUS_MISMATCH", root, what)
             here[which] = with_names(then[which], matchings[which].renamed)
-    like = _to_imitate(references.like, rig, names, settings.character.trajectories)
+    like = _to_imitate(references.like, rig, names, settings.trajectories)
     if like is not None:
         matchings["like"] = match_rigs(like[:2], (rig, trajectories), names)
     return OwnReferences(
@@ -102,12 +102,12 @@ def _pins(
         names |= matchings[each].names
     corrections, issues = by_names_of_today(references.corrections, rig, names)
     today = Today(rig, posed(rig, None).points, trajectories)
-    width = settings.layout.objective.handle_size * trajectories.surface.face_size
+    width = settings.objective.handle_size * trajectories.surface.face_size
     if succeeded is not None:
         width = succeeded.frame.handle_width
     said = pins_of_corrections(corrections, today, width, references.unit)
     recorded = Pins()
-    if succeeded is not None and settings.layout.objective.keep_penalty > 0.0:
+    if succeeded is not None and settings.objective.keep_penalty > 0.0:
         recorded = pins_of(succeeded, today, corrections)
     return Pins((*said.pins, *recorded.pins), (*issues, *said.issues, *recorded.issues))
 
@@ -145,12 +145,12 @@ def requested(
 
     Raises CLIP_FOREIGN where no clip is of this character.
     """
-    configured, pins = control_overrides(rig, settings.rig.controls), references.pins
+    configured, pins = control_overrides(rig, settings.controls), references.pins
     fixed = () if references.fixed is None else pins_of_fixed(references.fixed, rig)
     # What is said now is stronger than what is fixed, and that stronger than what is on record.
     every = sorted((*pins.pins, *fixed), key=lambda pin: (pin.recorded, not pin.decisions))
     overrides = with_pins(rig, configured, every)
-    overrides = with_anchors_of_groups(rig, overrides, settings.layout.groups.groups)
+    overrides = with_anchors_of_groups(rig, overrides, settings.groups.groups)
     priors, twins = [], np.full(len(rig.controls), -1)
     for part in parts:
         overrides = with_twins(rig, part.trajectories, part.symmetry, overrides)
@@ -158,7 +158,7 @@ def requested(
         own = list(part.controls)
         twins[own] = part.symmetry.twins[own]
     if references.clips:
-        weight = settings.character.animation.weight
+        weight = settings.animation.weight
         overrides = weighted(rig, twins, (overrides, references.clips), weight)
     existing = references.existing
     known = existing.controls if existing is not None else frozenset[str]()
@@ -167,10 +167,10 @@ def requested(
         overrides,
         groups={
             name: controls
-            for name, controls in settings.layout.groups.groups.items()
+            for name, controls in settings.groups.groups.items()
             if not known.issuperset(controls)
         },
-        levels=settings.layout.levels.members,
+        levels=settings.levels.members,
         prior=of_parts(priors),
         existing=existing,
         pins=pins,
@@ -181,7 +181,7 @@ def _prior(
     rig: Rig, part: CharacterPart, settings: Settings, references: OwnReferences
 ) -> PriorLayout:
     """What the references ask of one part besides fixed anchors."""
-    prior, imitating = NO_PRIOR, settings.character.like
+    prior, imitating = NO_PRIOR, settings.like
     if references.like is not None and imitating.penalty > 0.0:
         other, found, layout = references.like
         names = {**references.matchings["like"].names, **imitating.names}
@@ -189,9 +189,7 @@ def _prior(
         prior = of_another(layout, (other, found), ours, names, imitating.penalty)
     if references.previous is not None:
         today = Today(rig, part.trajectories.surface.points, part.trajectories)
-        prior = prior_of_previous(
-            references.previous, today, settings.layout.objective.keep_penalty
-        )
+        prior = prior_of_previous(references.previous, today, settings.objective.keep_penalty)
     if references.fixed is not None:
         prior = joined(PriorLayout(kept_groups(references.fixed.elements, rig)), prior)
     return prior

@@ -137,7 +137,7 @@ def _refuse_lost(lost: Sequence[Issue]) -> None:
 def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...], ReadResult]:
     """What the stage has, why layouts have no character there any more, and what was read."""
     found, read = read_composed_isolated(layer, settings)
-    wanted = settings.rig.read.skel_root
+    wanted = settings.read.skel_root
     layouts = {
         each.character.root: each
         for each in found.layouts
@@ -202,7 +202,7 @@ def check(
 def _checked(layer: Path, settings: Settings, clock: Clock) -> LayerReview:
     reviews, plain = variants.in_each_variant(
         settings,
-        functools.partial(read_variants_isolated, layer, Opening.of(settings.rig.read)),
+        functools.partial(read_variants_isolated, layer, Opening.of(settings.read)),
         lambda chosen: _checked_as_selected(layer, chosen, clock),
     )
     characters = {root: review for each in reviews for root, review in each.characters}
@@ -265,7 +265,7 @@ def _reviewed(
 ) -> review_stage.Review:
     """Every part of a layout rated by the problem of that part."""
     # Other views are named by the up of the stage.
-    front = settings.layout.candidates.view in ("", "front")
+    front = settings.candidates.view in ("", "front")
     task = Task(settings, cameras=cameras)
     character = character_of(_upright(rig, layout) if front else rig, task, clock)
     found = []
@@ -312,7 +312,7 @@ def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tupl
     if missing.code not in NO_LAYOUT:
         raise refusal
     off = [] if missing.code == "LAYOUT_MISSING" else [replace(missing, severity="info")]
-    found = read_faults_isolated(asset, Opening.of(settings.rig.read))
+    found = read_faults_isolated(asset, Opening.of(settings.read))
     if found.empty:
         raise refusal
     try:
@@ -334,8 +334,8 @@ def diff(before: Path, after: Path, settings: Settings) -> LayerDifference:
     """
     each, _ = variants.in_each_variant(
         settings,
-        functools.partial(read_variants_isolated, after, Opening.of(settings.rig.read)),
-        lambda chosen: _difference(before, after, Opening.of(chosen.rig.read)),
+        functools.partial(read_variants_isolated, after, Opening.of(settings.read)),
+        lambda chosen: _difference(before, after, Opening.of(chosen.read)),
     )
     characters = {one.root: one for found in each for one in found.characters}
     only = {root for found in each for root in found.only_in_one}

@@ -43,19 +43,19 @@ from usdrigui.pipeline.progress import Clock
 from usdrigui.pipeline.records import Character, CharacterPart, ProblemInputs, Task
 from usdrigui.pipeline.reference_layouts import OwnReferences
 from usdrigui.pipeline.requested import own_references, requested
-from usdrigui.settings import PartSettings, Settings, with_sections
+from usdrigui.settings import PartSettings, Settings
 
 
 def character_of(rig: Rig, task: Task, clock: Clock | None = None) -> Character:
     """What is found out about a character as a whole: its motions, its parts, and what is asked."""
     clock, settings, root = clock or Clock(), task.settings, rig.skel_root.path
-    view = settings.layout.candidates
+    view = settings.candidates
     viewpoint = Viewpoint(view.view, view.occlusion, camera_of(root, view.view, task.cameras))
-    base_values = base_values_of(root, rig.controls, settings.rig.read.pose)
+    base_values = base_values_of(root, rig.controls, settings.read.pose)
     # Everything that knows an up direction begins again, once, by that of a face that lies down.
     for again in (False, True):
         with clock.stage("trajectories"):
-            found = trajectories(rig, settings.character.trajectories, base_values)
+            found = trajectories(rig, settings.trajectories, base_values)
             if not found.motions:
                 raise refuse("CONTROLS_MISSING", root, "none of its controls moves a point")
         with clock.stage("symmetry"):
@@ -67,7 +67,7 @@ def character_of(rig: Rig, task: Task, clock: Clock | None = None) -> Character:
         rig = replace(rig, skel_root=replace(rig.skel_root, up=up))
     references = own_references(task.references, rig, found, settings)
     if references.existing is not None:
-        refuse_stale(rig, found, references.existing, settings.rig.read)
+        refuse_stale(rig, found, references.existing, settings.read)
     requests = requested(rig, parts, settings, references)
     return Character(
         rig, settings, base_values, found, whole, parts, viewpoint, references, requests
@@ -78,7 +78,7 @@ def _parts(
     rig: Rig, found: Trajectories, whole: Symmetry, settings: Settings
 ) -> tuple[CharacterPart, ...]:
     """The parts of a character with their own trajectories and symmetry."""
-    divided, sampling = divide(rig, found, settings), settings.character.trajectories
+    divided, sampling = divide(rig, found, settings), settings.trajectories
     parts = []
     for part in divided:
         own, symmetry = found, whole
@@ -117,7 +117,7 @@ def measured(
 ) -> Measured:
     """The stages before placing."""
     rig, found, symmetry = character.rig, part.trajectories, part.symmetry
-    settings = character.settings.layout
+    settings = character.settings
     requests = character.requests.of_part(rig.controls, part.controls, neighbours)
     with clock.stage("candidates"):
         views = find_views(
@@ -160,7 +160,7 @@ def _without_pin(
 def _problem(
     known: Measured, character: Character, part: CharacterPart, clock: Clock
 ) -> ProblemInputs:
-    face, requests, settings = known.face, known.requests, known.settings.layout
+    face, requests, settings = known.face, known.requests, known.settings
     with clock.stage("candidates"):
         candidates = find_candidates(known)
         candidates = of_new_controls(face, requests, candidates)
@@ -175,7 +175,7 @@ def _problem(
 
 def build_problem(rig: Rig, task: Task, clock: Clock | None = None) -> ProblemInputs:
     """The layout problem of all controls of a rig as one part."""
-    whole = with_sections(task.settings, parts=PartSettings(divide=False))
+    whole = replace(task.settings, parts=PartSettings(divide=False))
     character = character_of(rig, replace(task, settings=whole), clock)
     return part_problem(character, character.parts[0], (), clock)
 

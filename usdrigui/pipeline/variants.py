@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TypeVar
 
 from usdrigui.errors import NO_LAYOUT, Issue, RigUIError, issue
-from usdrigui.settings import Settings, with_sections
+from usdrigui.settings import Settings
 from usdrigui.settings.parts import ReadSettings
 from usdrigui.stages.variant_paths import unknown_set
 
@@ -30,12 +30,12 @@ def in_each_variant(
     Raises what `act` raises for another reason, or everywhere, and as `each_variant`.
     """
     found: list[T] = []
-    plain, refusals, sets = [], [], read() if settings.rig.read.each_variant else {}
+    plain, refusals, sets = [], [], read() if settings.read.each_variant else {}
     for chosen in each_variant(settings, sets):
         try:
             found.append(act(chosen))
         except RigUIError as error:
-            plain.append(left_off(error, chosen.rig.read))
+            plain.append(left_off(error, chosen.read))
             refusals.append(error)
     if not found:
         raise refusals[0]
@@ -49,7 +49,7 @@ def each_variant(settings: Settings, sets: Mapping[str, tuple[str, ...]]) -> Ite
     `sets`: all variants by the name of their set.  Raises VARIANT_UNKNOWN for a set that is not
     there.
     """
-    read = settings.rig.read
+    read = settings.read
     for name in read.each_variant:
         if name not in sets:
             raise unknown_set(name, sets)
@@ -65,7 +65,7 @@ def each_variant(settings: Settings, sets: Mapping[str, tuple[str, ...]]) -> Ite
 
 def selecting(settings: Settings, variants: Mapping[str, str]) -> Settings:
     """The settings with these variants selected, by the names of their sets."""
-    return with_sections(settings, read=replace(settings.rig.read, variants=variants))
+    return replace(settings, read=replace(settings.read, variants=variants))
 
 
 def left_off(error: RigUIError, settings: ReadSettings) -> Issue:

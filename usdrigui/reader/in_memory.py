@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 
 def read_open_rigs(source: Usd.Stage | Sdf.Layer, settings: Settings) -> ReadResult:
     """What an open stage or layer holds; raises as `usdrigui.reading.character.read_rigs`."""
-    stage = _copy(source, settings.rig.read.variants)
-    return read_result(stage, settings, read_characters(stage, settings.rig))
+    stage = _copy(source, settings.read.variants)
+    return read_result(stage, settings, read_characters(stage, settings))
 
 
 def read_open_layouts(
@@ -36,7 +36,7 @@ def read_open_layouts(
 
     Raises LAYOUT_MISSING, LAYOUT_STALE and as `read_open_rigs`.
     """
-    stage = _copy(source, settings.rig.read.variants)
+    stage = _copy(source, settings.read.variants)
     layouts = read_layout(stage)
     laid_out = {each.character.root for each in layouts}
     return layouts, read_composed(stage, settings, laid_out)

@@ -78,7 +78,7 @@ def answer(request: Request) -> Response:
 
 def _rigs(path: Path, settings: Settings) -> Response:
     with _reading(path, settings) as asset:
-        found = asset.with_diagnostics(read_characters(path, settings.rig))
+        found = asset.with_diagnostics(read_characters(path, settings))
         result = read_result(asset.stage, settings, found)
         below = source_of(path) if result.layouts else ""
         return Response(rigs=replace(result, below=below, sources=asset.sources()))
@@ -87,7 +87,7 @@ def _rigs(path: Path, settings: Settings) -> Response:
 def _layouts(path: Path, settings: Settings) -> Response:
     with _reading(path, settings) as asset:
         # Kept, so that what opens it next finds it so.
-        stage = open_stage(path, settings.rig.read.variants)
+        stage = open_stage(path, settings.read.variants)
         if not stage.GetRootLayer().subLayerPaths:
             select_unselected(stage, layout_paths(stage.GetRootLayer()))
         found = _layouts_in(asset, carried=True)
@@ -121,7 +121,7 @@ def _composed(path: Path, settings: Settings) -> Response:
     """The layouts of a stage and their characters as the stage composes them."""
     with _reading(path, settings) as asset:
         # Kept, so that what opens it next finds it so.
-        open_stage(path, settings.rig.read.variants)
+        open_stage(path, settings.read.variants)
         layouts = _layouts_in(asset)
         laid_out = {each.character.root for each in layouts.layouts}
         result = read_composed(asset.stage, settings, laid_out, asset.with_diagnostics)
@@ -133,16 +133,16 @@ def _performances(path: Path, _: Settings) -> Response:
 
 
 def _variants(path: Path, settings: Settings) -> Response:
-    return Response(variants=variant_sets(open_stage(path, settings.rig.read.variants)))
+    return Response(variants=variant_sets(open_stage(path, settings.read.variants)))
 
 
 def _bake(path: Path, settings: Settings) -> Response:
-    stage = open_stage(path, settings.rig.read.variants)
-    return Response(baked=bake(stage, settings.rig.read).ExportToString())
+    stage = open_stage(path, settings.read.variants)
+    return Response(baked=bake(stage, settings.read).ExportToString())
 
 
 def _faults(path: Path, settings: Settings) -> Response:
-    stage = open_stage(path, settings.rig.read.variants)
+    stage = open_stage(path, settings.read.variants)
     is_empty = not stage.GetPseudoRoot().GetAllChildren()
     return Response(faults=FaultsResult(stage_faults(stage), is_empty))
 
@@ -194,13 +194,13 @@ def read_composed(
 ) -> ReadResult:
     """The characters `laid_out`, SkelRoots that have a layout, and what it says of them; they play
     what the values of its controls say.  `told` adds to the characters."""
-    found = told(read_characters(stage, settings.rig, laid_out))
-    against = contradictions(stage, settings.rig.read)
+    found = told(read_characters(stage, settings, laid_out))
+    against = contradictions(stage, settings.read)
     if _plays_values(stage, settings):
-        found = told(read_characters(stage, settings.rig, laid_out))
+        found = told(read_characters(stage, settings, laid_out))
     return replace(
         read_result(stage, settings, found),
-        without_layout=_as_text(without_layout(stage, laid_out, settings.rig.read.skel_root)),
+        without_layout=_as_text(without_layout(stage, laid_out, settings.read.skel_root)),
         contradictions=_as_text(against),
         listed=listed_controls(stage),
     )
@@ -210,7 +210,7 @@ def _plays_values(stage: Usd.Stage, settings: Settings) -> bool:
     """Let the stage play the values of its controls, by its session layer; false where it has none
     that can be baked."""
     try:
-        layer = bake(stage, settings.rig.read)
+        layer = bake(stage, settings.read)
     except RigUIError:
         return False  # A check says why.
     layer.timeCodesPerSecond = stage.GetTimeCodesPerSecond()  # Else USD scales its times.
@@ -224,7 +224,7 @@ def read_result(stage: Usd.Stage, settings: Settings, found: Characters) -> Read
     return ReadResult(
         found.rigs,
         {key: _as_json(value) for key, value in stage_metadata(layer).items()},
-        cameras_toward(stage, found.rigs, settings.layout.candidates.view),
+        cameras_toward(stage, found.rigs, settings.candidates.view),
         (),
         own_layouts(stage),
         composed_from=composed_layouts(stage),
@@ -294,7 +294,7 @@ def _reading(path: Path, settings: Settings) -> Iterator[_Asset]:
     while it parses the file; that comes second.
     """
     with listening() as diagnostics:
-        stage = open_stage(path, settings.rig.read.variants)
+        stage = open_stage(path, settings.read.variants)
     names: tuple[str, ...] = ()
     if any(layer.GetCompositionAssetDependencies() for layer in stage.GetUsedLayers()):
         names = _files(path, (stage,))

@@ -23,7 +23,7 @@ from usdrigui.reader.reader_records import (
     Response,
     Task,
 )
-from usdrigui.settings import ReadSettings, Settings, with_sections
+from usdrigui.settings import ReadSettings, Settings
 
 _Part = TypeVar("_Part")
 
@@ -38,7 +38,7 @@ def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = N
     SOURCE_TOO_LARGE, SOURCE_LFS_POINTER, SOURCE_CRASHES_USD, SOURCE_TIME_LIMIT,
     SOURCE_MEMORY_LIMIT, SOURCE_READER_LOST, SOURCE_CHANGED.
     """
-    limits = limits or Limits.of(settings.rig.read)
+    limits = limits or Limits.of(settings.read)
     before = check_source(path, limits.size)
     try:
         result = _understood(_response("rigs", path, settings, limits).rigs, path)
@@ -65,14 +65,14 @@ def read_composed_isolated(
     Raises as `read_rigs_isolated`, LAYOUT_MISSING, LAYOUT_STALE where it has none of the
     characters, SOURCE_MISSING for a layer that brings in no character at all.
     """
-    limits = limits or Limits.of(settings.rig.read)
+    limits = limits or Limits.of(settings.read)
     try:
         check_source(path, limits.size)
         response = _response("composed", path, settings, limits)
     except RigUIError as error:
         if (
             error.issue.code == "SKELROOT_MISSING"
-            and not read_layouts_isolated(path, Opening(settings.rig.read.variants, limits)).source
+            and not read_layouts_isolated(path, Opening(settings.read.variants, limits)).source
         ):
             raise refuse("SOURCE_MISSING", path, "does not sublayer any asset") from error
         raise
@@ -105,7 +105,7 @@ def read_variants_isolated(path: Path, opening: Opening) -> Mapping[str, tuple[s
 
 def read_baked_isolated(path: Path, settings: Settings) -> str:
     """As `usdrigui.layer.baking.bake`, as text, in a reader; raises as `read_rigs_isolated`."""
-    limits = Limits.of(settings.rig.read)
+    limits = Limits.of(settings.read)
     check_source(path, limits.size)
     return _understood(_response("bake", path, settings, limits).baked, path)
 
@@ -120,7 +120,7 @@ def _understood(part: _Part | None, path: Path) -> _Part:
 def _asked(task: Task, path: Path, opening: Opening) -> Response:
     """The reader's response about a file that it may be shown, whatever becomes a control."""
     check_source(path, opening.limits.size)
-    settings = with_sections(Settings(), read=ReadSettings(variants=opening.variants))
+    settings = Settings(read=ReadSettings(variants=opening.variants))
     return _response(task, path, settings, opening.limits)
 
 

@@ -57,7 +57,7 @@ from usdrigui.reading.skeleton import (
     read_channels,
     read_joints,
 )
-from usdrigui.settings import ReadSettings, RigSettings, Settings
+from usdrigui.settings import ReadSettings, Settings
 from usdrigui.stages.opening import composition_issues, listening, open_stage, usd_message
 from usdrigui.stages.variant_paths import with_sets
 from usdrigui.stages.variants import variant_path
@@ -65,7 +65,7 @@ from usdrigui.stages.variants import variant_path
 
 def read_rigs(source: Path | Usd.Stage, settings: Settings) -> tuple[Rig, ...]:
     """As `read_characters`; raises, all at once, what the configuration has wrong, too."""
-    found = read_characters(source, settings.rig)
+    found = read_characters(source, settings)
     found.faults.raise_all()
     return found.rigs
 
@@ -82,7 +82,7 @@ class Characters:
 
 
 def read_characters(
-    source: Path | Usd.Stage, settings: RigSettings, laid_out: Collection[str] | None = None
+    source: Path | Usd.Stage, settings: Settings, laid_out: Collection[str] | None = None
 ) -> Characters:
     """One `Rig` per SkelRoot of the asset that has controls, or the one that `settings.read` names.
 
@@ -164,7 +164,7 @@ def _usd_errors(path: str) -> Iterator[None]:
         raise refuse("USD_ERROR", path, usd_message(error)) from None
 
 
-def _read(root: Usd.Prim, settings: RigSettings, faults: Faults, *, instances: bool) -> Reading:
+def _read(root: Usd.Prim, settings: Settings, faults: Faults, *, instances: bool) -> Reading:
     if not instances and (root.IsInstance() or root.IsInstanceProxy()):
         instance = root
         while not instance.IsInstance():
@@ -263,7 +263,7 @@ def _bound(
 
 
 def _drafts(
-    root: Usd.Prim, scene: _Scene, settings: RigSettings, faults: Faults
+    root: Usd.Prim, scene: _Scene, settings: Settings, faults: Faults
 ) -> tuple[list[Draft], list[LeftOff]]:
     """Every control that the asset could have, and what is left off."""
     animated, clip, found, read = scene.animated, scene.clip, scene.found, settings.read

@@ -19,7 +19,7 @@ from usdrigui.reading.clips import State
 from usdrigui.reading.joint import Turn, default_turns, posed_locals
 from usdrigui.reading.pose import NamedPose, pose_drive, unwrapped
 from usdrigui.reading.range import Range, Source
-from usdrigui.settings import ControlSettings, JointSettings, RigSettings
+from usdrigui.settings import ControlSettings, JointSettings, Settings
 
 _AXES = "xyz"
 _KEY_DEGREES = 10.0
@@ -67,7 +67,7 @@ def joint_drafts(
     joints: tuple[Joint, ...],
     clip: Clip | None,
     which: str,
-    settings: RigSettings,
+    settings: Settings,
 ) -> list[Draft]:
     """Rotations of joints about their own axes, in degrees from the base pose: those that the
     configuration asks for and `which` of the others, as of ``read.joints``."""

@@ -18,7 +18,7 @@ from usdrigui.character import Floats, Glyph
 from usdrigui.errors import Faults, RigUIError, refuse
 from usdrigui.isolation.foreign_file import check_source
 from usdrigui.reading.mesh import checked_faces, left_handed
-from usdrigui.settings import RigSettings
+from usdrigui.settings import Settings
 from usdrigui.stages.arrays import integers, value_at, vectors
 from usdrigui.stages.opening import open_stage
 
@@ -46,7 +46,7 @@ _CUBIC: Mapping[str, tuple[tuple[float, ...], ...]] = {
 
 
 def read_glyphs(
-    stage: Usd.Stage, asset: Path, settings: RigSettings, faults: Faults
+    stage: Usd.Stage, asset: Path, settings: Settings, faults: Faults
 ) -> dict[str, Glyph]:
     """The glyphs that ``[controls.NAME] glyph`` names, by that name; `stage` is the asset's.
 

@@ -9,7 +9,7 @@ from pxr import Usd
 from usdrigui.character import LeftOff, Rig
 from usdrigui.errors import Faults, Issue, RigUIError, issue, listed, meant, of_character, refuse
 from usdrigui.reading.control import joint_names, names_in_configuration
-from usdrigui.settings import RigSettings
+from usdrigui.settings import Settings
 from usdrigui.stages.schema import SCOPE
 
 
@@ -55,7 +55,7 @@ def why_lost(stage: Usd.Stage, readings: list[Reading]) -> tuple[Issue, ...]:
     return tuple(found)
 
 
-def check_names(readings: list[Reading], settings: RigSettings, faults: Faults) -> None:
+def check_names(readings: list[Reading], settings: Settings, faults: Faults) -> None:
     """Collect CONFIG_UNKNOWN_CONTROL for names in the configuration that no rig knows."""
     known = frozenset[str]().union(*(reading.known for reading in readings))
     controls = [control.name for reading in readings for control in reading.rig.controls]

@@ -10,10 +10,6 @@ from __future__ import annotations
 from usdrigui.settings.bounds import (
     view_angles as view_angles,
 )
-from usdrigui.settings.config_sections import (
-    sections as sections,
-    with_sections as with_sections,
-)
 from usdrigui.settings.loading import (
     UnsoundSettingsError as UnsoundSettingsError,
     limited as limited,
@@ -22,11 +18,9 @@ from usdrigui.settings.loading import (
 from usdrigui.settings.parts import (
     AnimationSettings as AnimationSettings,
     CandidateSettings as CandidateSettings,
-    CharacterSettings as CharacterSettings,
     ControlSettings as ControlSettings,
     GroupSettings as GroupSettings,
     JointSettings as JointSettings,
-    LayoutSettings as LayoutSettings,
     LevelSettings as LevelSettings,
     LikeSettings as LikeSettings,
     ObjectiveSettings as ObjectiveSettings,
@@ -34,7 +28,6 @@ from usdrigui.settings.parts import (
     PartSettings as PartSettings,
     PoseSettings as PoseSettings,
     ReadSettings as ReadSettings,
-    RigSettings as RigSettings,
     RunSettings as RunSettings,
     Settings as Settings,
     SolveSettings as SolveSettings,

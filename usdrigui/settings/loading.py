@@ -9,14 +9,18 @@ import typing
 from collections.abc import Mapping
 from dataclasses import is_dataclass, replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 from usdrigui.errors import Faults, RigUIError, meant, refuse
 from usdrigui.settings.bounds import check_value
-from usdrigui.settings.config_sections import section_types, sections, with_sections
 from usdrigui.settings.parts import Settings
 from usdrigui.settings.presets import presets
 from usdrigui.settings.sources import environment_settings, from_environment, read_toml
+
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
+
+T = TypeVar("T", bound="DataclassInstance")
 
 
 class UnsoundSettingsError(RigUIError):
@@ -41,9 +45,7 @@ def load(
     settings, faults = Settings(), Faults()
     weakest = (_preset(preset, faults), from_environment(environment or {}, faults))
     for source in (*weakest, *sources):
-        current = sections(settings)
-        changed = _changed(current, section_types(), source, "", faults)
-        settings = with_sections(settings, **changed)
+        settings = _changed(settings, source, "", faults)
     try:
         faults.raise_all()
     except RigUIError as error:
@@ -73,14 +75,14 @@ def limited(settings: Settings, ceilings: Settings) -> Settings:
         time_limit=min(run.time_limit, most.time_limit, key=lambda limit: limit or math.inf),
         memory_limit=min(run.memory_limit, most.memory_limit),
     )
-    read, most_read = settings.rig.read, ceilings.rig.read
+    read, most_read = settings.read, ceilings.read
     read = replace(
         read,
         time_limit=min(read.time_limit, most_read.time_limit),
         memory_limit=min(read.memory_limit, most_read.memory_limit),
         size_limit=min(read.size_limit, most_read.size_limit),
     )
-    return with_sections(settings, run=run, read=read)
+    return replace(settings, run=run, read=read)
 
 
 def _preset(name: str, faults: Faults) -> Mapping[str, Any]:
@@ -92,16 +94,9 @@ def _preset(name: str, faults: Faults) -> Mapping[str, Any]:
     return presets().get(name, {})
 
 
-def _changed(
-    current: Mapping[str, Any],
-    hints: Mapping[str, Any],
-    source: Mapping[str, Any],
-    where: str,
-    faults: Faults,
-) -> dict[str, Any]:
-    """The sound keys of `source`, each with its `current` value changed; of a part, or of the
-    sections of all `Settings`."""
-    changed: dict[str, Any] = {}
+def _changed(current: T, source: Mapping[str, Any], where: str, faults: Faults) -> T:
+    """The settings, or a part of them, with what is sound of `source`."""
+    hints, changed = typing.get_type_hints(type(current)), dict[str, Any]()
     for key, value in source.items():
         path = f"{where}.{key}" if where else key
         with faults.collected():
@@ -109,10 +104,10 @@ def _changed(
                 hint = meant(key, hints)
                 known = hint and f"there is no setting of this name{hint}"
                 raise refuse("CONFIG_UNKNOWN_KEY", path, known or f"known here: {', '.join(hints)}")
-            converted = _converted(current[key], hints[key], value, path, faults)
+            converted = _converted(getattr(current, key), hints[key], value, path, faults)
             check_value(path, converted)
             changed[key] = converted
-    return changed
+    return replace(current, **changed)
 
 
 def _converted(current: Any, hint: Any, value: Any, path: str, faults: Faults) -> Any:
@@ -125,9 +120,7 @@ def _converted(current: Any, hint: Any, value: Any, path: str, faults: Faults) -
             raise refuse("CONFIG_VALUE", path, f"expected a table, got {value!r}")
         if origin is Mapping:
             return _mapping(current, arguments[1], value, path, faults)
-        hints = typing.get_type_hints(hint)
-        held = {name: getattr(current, name) for name in hints}
-        return replace(current, **_changed(held, hints, value, path, faults))
+        return _changed(current, value, path, faults)
     if origin is tuple:
         if not isinstance(value, (list, tuple)):
             raise refuse("CONFIG_VALUE", path, f"expected a list, got {value!r}")

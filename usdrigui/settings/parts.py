@@ -226,44 +226,25 @@ class PartSettings:
 
 
 @dataclass(frozen=True, slots=True)
-class RigSettings:
-    """How a character is read, and the rigger's corrections of its controls."""
+class Settings:
+    """All settings of a run, by section of a configuration: ``[solve]`` is `Settings.solve`.
 
+    `usdrigui.settings.load` makes them; documents have them in this order.
+    """
+
+    run: RunSettings = field(default_factory=RunSettings)
+    output: OutputSettings = field(default_factory=OutputSettings)
     read: ReadSettings = field(default_factory=ReadSettings)
     controls: Mapping[str, ControlSettings] = field(default_factory=dict)
     poses: Mapping[str, PoseSettings] = field(default_factory=dict)
     joints: Mapping[str, JointSettings] = field(default_factory=dict)
-
-
-@dataclass(frozen=True, slots=True)
-class CharacterSettings:
-    """What is found out about a character as a whole."""
-
     trajectories: TrajectorySettings = field(default_factory=TrajectorySettings)
     symmetry: SymmetrySettings = field(default_factory=SymmetrySettings)
     parts: PartSettings = field(default_factory=PartSettings)
     like: LikeSettings = field(default_factory=LikeSettings)
     animation: AnimationSettings = field(default_factory=AnimationSettings)
-
-
-@dataclass(frozen=True, slots=True)
-class LayoutSettings:
-    """The layout problem of each part of a character, and its solution."""
-
     candidates: CandidateSettings = field(default_factory=CandidateSettings)
     groups: GroupSettings = field(default_factory=GroupSettings)
     levels: LevelSettings = field(default_factory=LevelSettings)
     objective: ObjectiveSettings = field(default_factory=ObjectiveSettings)
     solve: SolveSettings = field(default_factory=SolveSettings)
-
-
-@dataclass(frozen=True, slots=True)
-class Settings:
-    """All settings of a run; `usdrigui.settings.load` makes them from the sections of a
-    configuration."""
-
-    run: RunSettings = field(default_factory=RunSettings)
-    rig: RigSettings = field(default_factory=RigSettings)
-    character: CharacterSettings = field(default_factory=CharacterSettings)
-    layout: LayoutSettings = field(default_factory=LayoutSettings)
-    output: OutputSettings = field(default_factory=OutputSettings)

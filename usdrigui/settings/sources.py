@@ -5,12 +5,13 @@ from __future__ import annotations
 import os
 import tomllib
 from collections.abc import Mapping
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
 from usdrigui.errors import Faults, refuse
 from usdrigui.isolation.foreign_file import whole_content
-from usdrigui.settings.config_sections import section_types
+from usdrigui.settings.parts import Settings
 
 
 def read_toml(path: Path) -> dict[str, Any]:
@@ -29,7 +30,7 @@ def read_toml(path: Path) -> dict[str, Any]:
 
 def environment_settings() -> dict[str, str]:
     """The environment variables that set something: ``USDRIGUI_<PART>_...`` with a section."""
-    parts = {name.upper() for name in section_types()}
+    parts = {each.name.upper() for each in fields(Settings)}
     return {
         name: value
         for name, value in sorted(os.environ.items())
@@ -44,7 +45,7 @@ def from_environment(environment: Mapping[str, str], faults: Faults) -> dict[str
     Collects RigUIError CONFIG_UNKNOWN_KEY.
     """
     found: dict[str, Any] = {}
-    parts = section_types()
+    parts = {each.name for each in fields(Settings)}
     for name, text in environment.items():
         part, _, key = name.removeprefix("USDRIGUI_").lower().partition("_")
         with faults.collected():

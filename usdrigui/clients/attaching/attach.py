@@ -34,7 +34,7 @@ from usdrigui.reader.reader_process import (
 from usdrigui.reader.reader_records import Opening
 from usdrigui.replacing.exchange import Original, editing, replace_source
 from usdrigui.replacing.transaction import commit, same_file
-from usdrigui.settings import Settings, with_sections
+from usdrigui.settings import Settings
 from usdrigui.stages import schema
 from usdrigui.stages.opening import open_layer
 from usdrigui.stages.variant_paths import asset_selections
@@ -71,8 +71,8 @@ def attach(
     `usdrigui.replacing.exchange` can raise.  Then nothing has been written.  A layout in a
     variant is attached whichever the asset selects.
     """
-    _check_editable(asset, settings.rig.read.size_limit)
-    with editing(asset, settings.rig.read.time_limit):
+    _check_editable(asset, settings.read.size_limit)
+    with editing(asset, settings.read.time_limit):
         return _attached(asset, layer, settings, tell or (lambda _: None), in_variant)
 
 
@@ -83,8 +83,8 @@ def detach(asset: Path, layer: Path, settings: Settings) -> Outcome:
     The other sublayers and their offsets stay as they are.  Raises ATTACH_PACKAGE, ATTACH_LINK and
     what reading and `usdrigui.replacing.exchange` can raise.
     """
-    _check_editable(asset, settings.rig.read.size_limit)
-    with editing(asset, settings.rig.read.time_limit):
+    _check_editable(asset, settings.read.size_limit)
+    with editing(asset, settings.read.time_limit):
         return _detached(asset, layer, settings)
 
 
@@ -106,12 +106,12 @@ def write_bare(layer: Path, target: Path) -> Outcome:
 def _attached(
     asset: Path, layer: Path, settings: Settings, tell: Callable[[Issue], None], in_variant: bool
 ) -> Outcome:
-    before = check_source(asset, settings.rig.read.size_limit)
-    layouts = read_layouts_isolated(layer, Opening.of(settings.rig.read)).layouts
+    before = check_source(asset, settings.read.size_limit)
+    layouts = read_layouts_isolated(layer, Opening.of(settings.read)).layouts
     settings = _in_its_variant(layouts, settings)
     read = read_rigs_isolated(asset, settings)
     _check_of(asset, layouts, read.rigs)
-    opening = Opening.of(settings.rig.read)
+    opening = Opening.of(settings.read)
     _check_bare(asset, layer, opening)
     for found in _controls_gone(layouts, read.rigs):
         tell(found)
@@ -154,8 +154,8 @@ def _references(asset: Path, layer: Path, layouts: Sequence[Layout]) -> _Edit:
 def _in_its_variant(layouts: Sequence[Layout], settings: Settings) -> Settings:
     """The settings with the variants selected that hold a layout: the asset may select
     others."""
-    chosen = {**asset_selections(layouts[0].character.variant_path), **settings.rig.read.variants}
-    return with_sections(settings, read=replace(settings.rig.read, variants=chosen))
+    chosen = {**asset_selections(layouts[0].character.variant_path), **settings.read.variants}
+    return replace(settings, read=replace(settings.read, variants=chosen))
 
 
 def _check_of(asset: Path, layouts: Sequence[Layout], rigs: Sequence[Rig]) -> None:
@@ -182,9 +182,9 @@ def _controls_gone(layouts: Sequence[Layout], rigs: Sequence[Rig]) -> Iterator[I
 
 
 def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:
-    before = check_source(asset, settings.rig.read.size_limit)
+    before = check_source(asset, settings.read.size_limit)
     # What survives that may be opened here.
-    read_layer_isolated(asset, Opening.of(settings.rig.read))
+    read_layer_isolated(asset, Opening.of(settings.read))
     source = open_layer(asset)
     sublayers, inside = _entries(asset, source, layer)
     if not (sublayers or inside):

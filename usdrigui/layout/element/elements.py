@@ -65,7 +65,7 @@ def layout(
         else:
             elements.extend(_on_face(known, group, choice, int(label)))
     elements.extend(board_elements(face, board, requests, settings.output.adapt))
-    asked = asdict(settings.layout.objective).items()
+    asked = asdict(settings.objective).items()
     weights = tuple(
         (f"objective.{k}", float(f"{v:.7g}")) for k, v in asked if isinstance(v, (int, float))
     )

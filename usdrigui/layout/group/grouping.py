@@ -64,7 +64,7 @@ def find_groups(known: Measured, candidates: Candidates) -> tuple[Group, ...]:
     configuration.
     """
     grouping, face = _Grouping(known, candidates), known.face
-    names = control_index(face.rig, known.settings.rig.controls)
+    names = control_index(face.rig, known.settings.controls)
     orbits = configured_orbits(
         face.rig.controls, face.trajectories, known.requests.overrides, names
     )
@@ -130,9 +130,9 @@ class _Grouping:
 
     def __init__(self, known: Measured, candidates: Candidates) -> None:
         face, requests = known.face, known.requests
-        motions, mirror = face.trajectories.motions, known.settings.character.symmetry
+        motions, mirror = face.trajectories.motions, known.settings.symmetry
         self.face, self.similarity, self.requests = face, known.similarity, requests
-        self.settings = known.settings.layout.groups
+        self.settings = known.settings.groups
         self.double_middle = mirror.double_middle
         self.two_sided = frozenset(bidirectional(motions))
         self.sets: dict[int, CandidateSet] = {one.motion: one for one in candidates.sets}

@@ -76,15 +76,15 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     tell = (lambda *_: FACE) if regions is None else _Names(rig, found, regions).of
     names = {each.control: tell(rig.controls[each.control], each) for each in found.motions}
     names |= _beside_the_face(rig.controls, names)
-    if settings.layout.candidates.conventions:
+    if settings.candidates.conventions:
         names |= dict.fromkeys(_inside_mouth(rig, found, names), INTERIOR)
     names |= _with_neighbours(rig.controls, names)
-    if not settings.character.parts.divide:
+    if not settings.parts.divide:
         names = dict.fromkeys(names, main_part(sorted(names.values(), key=_rank)))
     index = rig.control_indices
     names |= {
         index[name]: part
-        for name, part in settings.character.parts.controls.items()
+        for name, part in settings.parts.controls.items()
         if index.get(name) in names
     }
     names = _together(names, _bound(settings, index))
@@ -163,10 +163,10 @@ def _rank(name: str) -> tuple[int, str]:
 def _bound(settings: Settings, index: Mapping[str, int]) -> list[list[int]]:
     """Controls that the configuration makes one element, shows in each other's place, or
     mirrors."""
-    groups = [*settings.layout.groups.groups.values()]
-    groups += [(name, *members) for name, members in settings.layout.levels.members.items()]
-    groups += [(name, own.twin, *own.orbit) for name, own in settings.rig.controls.items()]
-    return [controls_named(names, settings.layout.groups.groups, index) for names in groups]
+    groups = [*settings.groups.groups.values()]
+    groups += [(name, *members) for name, members in settings.levels.members.items()]
+    groups += [(name, own.twin, *own.orbit) for name, own in settings.controls.items()]
+    return [controls_named(names, settings.groups.groups, index) for names in groups]
 
 
 def _together(names: dict[int, str], bound: list[list[int]]) -> dict[int, str]:

@@ -107,7 +107,7 @@ def candidates_of_axis(known: Measured, found: CandidateSet) -> CandidateSet:
 
 def _cost(known: Measured, motion: Motion, points: Indices) -> Floats:
     """(p,) the linear terms of a motion at `points`."""
-    return linear_cost(known.face, motion, points, LinearTerms.of(known.settings.layout))
+    return linear_cost(known.face, motion, points, LinearTerms.of(known.settings))
 
 
 def _places(known: Measured, motion: Motion, category: str) -> tuple[Indices, Indices]:
@@ -299,7 +299,7 @@ def _seen(known: Measured, motion: Motion) -> Flags:
 def _without_occluded(known: Measured, motion: Motion, kept: Flags) -> Flags:
     """(p,) those `kept` whose trajectory does not run largely inside or behind the model."""
     face, points = known.face, motion.points[kept]
-    surface, samples = face.trajectories.surface, known.settings.layout.objective.samples
+    surface, samples = face.trajectories.surface, known.settings.objective.samples
     tracks = polylines(motion, surface.points, points, points, samples)
     hidden = mostly_hidden(face.views, tracks, surface.normals[points], 0.5 * face.handle_width)
     clear = kept.copy()

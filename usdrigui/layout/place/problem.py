@@ -66,17 +66,17 @@ def placement_problem(
 ) -> PlacementProblem:
     """One variable for each group that may stand on the face.  Raises TERM_INVALID for a term of
     another package."""
-    face, requests, layout = known.face, known.requests, known.settings.layout
-    overlap, separation = _constants(face, layout.objective)
+    face, requests, objective = known.face, known.requests, known.settings.objective
+    overlap, separation = _constants(face, objective)
     sets = {face.trajectories.motions[each.motion].control: each for each in candidates.sets}
     existing = existing_variables(
         requests.fixed_elements,
         face.rig.body,
         face.trajectories.surface.points,
         face.drawing_axes,
-        layout.objective.samples,
+        objective.samples,
     )
-    costs = _Costs(known, LinearTerms.of(layout), overlap, separation, existing)
+    costs = _Costs(known, LinearTerms.of(known.settings), overlap, separation, existing)
     variables, choices = [], []
     for index, group in enumerate(groups):
         if group.category:
@@ -92,9 +92,7 @@ def placement_problem(
         variable, choice = _variable(asked, own, groups, index)
         variables.append(variable)
         choices.append(choice)
-    problem = LayoutProblem(
-        tuple(variables), overlap, separation, layout.objective.displacement_weight
-    )
+    problem = LayoutProblem(tuple(variables), overlap, separation, objective.displacement_weight)
     impossible = _impossible(problem, groups, tuple(choices), requests.overrides)
     extra = user_pairs(face, problem, tuple(choices), costs.terms.user)
     return PlacementProblem(groups, replace(problem, extra=extra), tuple(choices), impossible)
@@ -185,7 +183,7 @@ def _variable(
     others, or its members share none; of a group that the face needs, or of a joint, also where
     they are one spot, which another one may take."""
     known, group = costs.known, groups[index]
-    face, requests, objective = known.face, known.requests, known.settings.layout.objective
+    face, requests, objective = known.face, known.requests, known.settings.objective
     roomy = _needed(face, group.controls) or all(
         face.trajectories.motion_of(control).of_joint for control in group.controls
     )
@@ -200,7 +198,7 @@ def _variable(
             groups,
             index,
             requests,
-            known.settings.character.symmetry,
+            known.settings.symmetry,
             costs.terms,
             objective.displacement_weight,
         )

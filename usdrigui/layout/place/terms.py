@@ -16,7 +16,7 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.place.extensions import user_linear_cost
 from usdrigui.layout.symmetry.lobes import ON_PLANE
 from usdrigui.model import Motion
-from usdrigui.settings import LayoutSettings
+from usdrigui.settings import Settings
 
 _MIDDLE = 1e-3
 """In handle widths: nearer to the mirror plane is on it."""
@@ -49,7 +49,7 @@ class LinearTerms:
     """Names of the terms of other packages."""
 
     @classmethod
-    def of(cls, settings: LayoutSettings) -> LinearTerms:
+    def of(cls, settings: Settings) -> LinearTerms:
         """From the settings."""
         objective = settings.objective
         return cls(

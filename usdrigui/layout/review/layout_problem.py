@@ -52,7 +52,7 @@ def board_cost(known: Measured, candidates: Candidates, elements: tuple[Element,
         and element.name not in inner
         and able >= element.manipulator.controls
     )
-    objective = known.settings.layout.objective
+    objective = known.settings.objective
     groups = _as_groups(face.rig.controls, elements, away)
     return sum(off_face_cost(face, group, requests, objective) for group in groups)
 
@@ -84,7 +84,7 @@ def as_problem(
     points = [
         face.rig.body.point_of(element.anchor.mesh, element.anchor.point) for element in elements
     ]
-    sets = _with_points(face, candidates, groups, points, LinearTerms.of(known.settings.layout))
+    sets = _with_points(face, candidates, groups, points, LinearTerms.of(known.settings))
     placement = placement_problem(known, sets, groups)
     labels, kept = [], []
     for number, choice in enumerate(placement.choices):

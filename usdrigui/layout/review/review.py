@@ -50,7 +50,7 @@ def review(
     rated.  `whole` where it is not the layout of all of the character."""
     face, whole = known.face, whole or Whole(layout)
     faults = [
-        *stale(face.rig, face.trajectories, (layout, whole.layout), known.settings.rig.read),
+        *stale(face.rig, face.trajectories, (layout, whole.layout), known.settings.read),
         *unplaced(face, layout, known.requests, whole.listed),
         *crowded(layout.elements, layout.frame.handle_width or face.handle_width),
     ]

@@ -16,12 +16,12 @@ def shortfalls(known: Measured, elements: tuple[Element, ...]) -> tuple[Issue, .
     HANDLES_NARROWER where handles that were asked to be wider than usual are not."""
     return (
         *_still_places(known, elements),
-        *_narrow_handles(known.face, known.settings.layout.objective),
+        *_narrow_handles(known.face, known.settings.objective),
     )
 
 
 def _still_places(known: Measured, elements: tuple[Element, ...]) -> Iterator[Issue]:
-    face, least = known.face, known.settings.layout.candidates.least_kept
+    face, least = known.face, known.settings.candidates.least_kept
     names = [control.name for control in face.rig.controls]
     asked = dict(zip(names, known.requests.configured, strict=True))
     peaks = {face.control_name(each.control): each.peak for each in face.trajectories.motions}

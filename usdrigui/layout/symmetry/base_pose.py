@@ -28,11 +28,11 @@ def symmetry_at_pose(
     leave the face. `fields` are those of `trajectories`; at the controls' defaults nothing differs
     from `find_symmetry`, nor where the neutral pose has no symmetry.
     """
-    pose = settings.rig.read.pose
+    pose = settings.read.pose
     if all(pose.get(each.name, each.default) == each.default for each in rig.controls):
         found = find_symmetry(rig, trajectories, fields, settings)
         return _or_at_bind_pose(rig, trajectories, found, settings)
-    neutral = _same_controls(rig, trajectories, settings.character.trajectories)
+    neutral = _same_controls(rig, trajectories, settings.trajectories)
     symmetry = find_symmetry(rig, neutral, displacement_fields(neutral), settings)
     if not symmetry.plane.normal.any():
         return find_symmetry(rig, trajectories, fields, settings)
@@ -57,10 +57,10 @@ def _or_at_bind_pose(
 ) -> Symmetry:
     """What was found, or what the skeleton's bind pose shows where the base pose mirrors few
     points: a character may rest in a pose of its own."""
-    bound, enabled = _bound(rig), settings.character.symmetry.enabled
+    bound, enabled = _bound(rig), settings.symmetry.enabled
     if bound is None or not enabled or float((found.partner >= 0).mean()) >= LEAST_SHARE:
         return found
-    neutral = _same_controls(bound, trajectories, settings.character.trajectories)
+    neutral = _same_controls(bound, trajectories, settings.trajectories)
     symmetry = find_symmetry(bound, neutral, displacement_fields(neutral), settings)
     if (symmetry.partner >= 0).sum() <= (found.partner >= 0).sum():
         return found

@@ -63,7 +63,7 @@ def find_symmetry(
     by the configuration or -1.
     """
     count = len(trajectories.surface.points)
-    mirror = settings.character.symmetry
+    mirror = settings.symmetry
     tolerance = mirror.tolerance * trajectories.surface.face_size
     plane = named = None
     if mirror.enabled and trajectories.motions:

@@ -41,8 +41,8 @@ def paired(
     `mirror` are the fields of the motions, the mirror plane and the partners (n,) of all points.
     """
     fields, plane, partner = mirror
-    configured = configured_twins(rig, settings.rig.controls)
-    least = settings.character.symmetry.twin_similarity
+    configured = configured_twins(rig, settings.controls)
+    least = settings.symmetry.twin_similarity
     count = len(rig.controls)
     twins, sources = np.full(count, -1, dtype=np.int64), [""] * count
     reversed_twins = np.zeros(count, dtype=bool)

@@ -24,7 +24,7 @@ def wing(lift):
 @pytest.mark.parametrize(("weight", "low"), [(0.0, 0.4), (0.3, -0.2)])
 def test_a_control_that_lifts_the_brow_more_than_the_nose_stands_by_the_nose(weight, low):
     settings = chain.settings(objective={"distinctive_weight": weight}, candidates={"board_composite": False})
-    stands = height_of("one", chain.solved(chain.problem_of(wing(0.95), settings), settings.layout.solve))
+    stands = height_of("one", chain.solved(chain.problem_of(wing(0.95), settings), settings.solve))
     assert low <= stands <= low + 0.4
 
 

@@ -26,7 +26,7 @@ BODY = limbs.whole_body()
 def named(rig, settings=None):
     """By part, the joints of its controls and the controls themselves."""
     settings = settings or Settings()
-    parts = divide(rig, trajectories(rig, settings.character.trajectories), settings)
+    parts = divide(rig, trajectories(rig, settings.trajectories), settings)
     return {part.name: {rig.controls[control].name for control in part.controls} for part in parts}
 
 
@@ -141,7 +141,7 @@ def test_a_body_does_not_change_the_scale_of_its_face():
     alone = replace(BODY, controls=tuple(control for control in BODY.controls if control.name in facial))
     character = character_of(BODY, Task(Settings()))
     face = part_problem(character, character.parts[0]).face
-    sizes = [trajectories(rig, Settings().character.trajectories).surface.face_size for rig in (BODY, alone)]
+    sizes = [trajectories(rig, Settings().trajectories).surface.face_size for rig in (BODY, alone)]
     assert face.trajectories.surface.face_size == sizes[1]
     assert sizes[0] > 5.0 * sizes[1]
 
@@ -228,7 +228,7 @@ def test_a_part_without_height_is_as_large_as_what_it_moves():
     moved = np.flatnonzero(points[:, 1] == points[len(points) // 2, 1])[:5]
     offsets = np.zeros_like(points)
     offsets[moved] = 0.0, 0.0, 0.1
-    found = trajectories(makers.rig(points, faces, {"lift": offsets}), Settings().character.trajectories)
+    found = trajectories(makers.rig(points, faces, {"lift": offsets}), Settings().trajectories)
     assert found.surface.face_size == pytest.approx(np.linalg.norm(np.ptp(points[moved], axis=0)))
 
 

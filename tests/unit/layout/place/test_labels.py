@@ -37,7 +37,7 @@ def test_costs_are_displacement_terms_and_own_overlap_of_both_copies():
     own = own_costs(variable.samples, variable.handles, line.problem.overlap, line.problem.separation)
     expected = -0.85 * arc / line.face.trajectories.typical_length + own
     assert np.allclose(variable.cost, expected, rtol=1e-6)
-    assert variable.off_face_cost == pytest.approx(2.0 * Settings().layout.objective.off_face_penalty)
+    assert variable.off_face_cost == pytest.approx(2.0 * Settings().objective.off_face_penalty)
 
 
 def test_a_group_counts_its_worst_member():
@@ -119,7 +119,7 @@ def test_what_a_face_needs_and_families_leave_it_last_in_a_crowd(conventions):
     shapes = {name: makers.bump(POINTS, (0.0, 0.4 * i - 0.8), (0, 1, 0.2)) for i, name in enumerate(needed)}
     asked = chain.settings(candidates={**PLAIN, "conventions": conventions})
     problem = chain.problem_of(makers.rig(POINTS, QUADS, shapes), asked).problem
-    least = asked.layout.objective.off_face_penalty + max(-each.cost.min() for each in problem.variables)
+    least = asked.objective.off_face_penalty + max(-each.cost.min() for each in problem.variables)
     assert {each.name: each.off_face_cost > least for each in problem.variables} == {
         name: conventions and need for name, need in needed.items()
     }

@@ -36,7 +36,7 @@ def respelt(layout, names):
 
 
 def with_motions(rig):
-    return rig, trajectories(rig, Settings().character.trajectories)
+    return rig, trajectories(rig, Settings().trajectories)
 
 
 @pytest.mark.parametrize("name", [spelt_otherwise, numbers()])

@@ -18,7 +18,7 @@ from usdrigui.layout.reuse.prior_layout import (
     leaving_penalties,
 )
 from usdrigui.layout.review.difference import difference
-from usdrigui.settings import ControlSettings, Settings, SymmetrySettings, with_sections
+from usdrigui.settings import ControlSettings, Settings, SymmetrySettings
 
 
 def lay_out(rig, settings=None, prior=NO_PRIOR, fixed=None):
@@ -78,7 +78,7 @@ def test_a_fixed_layout_comes_back_to_the_point_and_in_its_pairs(face, before):
 
 
 def test_a_doubled_element_keeps_both_of_its_handles_and_pays_nothing(face):
-    twice = with_sections(Settings(), symmetry=SymmetrySettings(double_middle="always"))
+    twice = Settings(symmetry=SymmetrySettings(double_middle="always"))
     doubled = lay_out(face, twice)
     assert any(name.endswith("_mirror") for name in chain.by_name(doubled))
     prior = chain.prior(doubled.layout, face, 50.0)
@@ -92,7 +92,7 @@ def test_a_group_on_the_board_stays_together_whatever_takes_its_controls_off_the
     """Only a group one of whose controls is on the face again and the other is not is parted."""
     points, _ = makers.mask()
     lifted, board = makers.face_with(headUp=np.tile((0.0, 0.3, 0.0), (len(points), 1))), ControlSettings(place="board")
-    settings = with_sections(Settings(), controls={"chin": board})
+    settings = Settings(controls={"chin": board})
     names = [control.name for control in lifted.controls]
     together = KeptGroup("head", (names.index("headUp"), names.index("chin")), ())
     both = frozenset(("headUp", "chin"))

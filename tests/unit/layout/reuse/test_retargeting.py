@@ -37,7 +37,7 @@ def other_face(columns=45, rows=35, rename=lambda name: name, drop=()):
 
 
 def found(rig):
-    return rig, trajectories(rig, Settings().character.trajectories)
+    return rig, trajectories(rig, Settings().trajectories)
 
 
 @pytest.fixture(scope="module")

@@ -20,7 +20,7 @@ ROTATION *= np.sign(np.linalg.det(ROTATION))
 
 def symmetry_of(rig, settings=None):
     settings = settings or Settings()
-    found = trajectories(rig, settings.character.trajectories)
+    found = trajectories(rig, settings.trajectories)
     return find_symmetry(rig, found, displacement_fields(found), settings)
 
 
