@@ -22,13 +22,10 @@ from usdrigui.model import (
     Anchor,
     Element,
     Layout,
-    LayoutCharacter,
     LayoutFrame,
-    Look,
     Manipulator,
     Member,
     MirrorPlane,
-    Placement,
     Proof,
 )
 from usdrigui.reading.character import read_rigs
@@ -63,7 +60,8 @@ def scattered(rig: Rig, count: int) -> Layout:
     zero = np.zeros(3)
     width = 0.02 * float(np.ptp(anchors @ rig.skel_root.up))
     return Layout(
-        character=LayoutCharacter(root=rig.skel_root.path, base_values=values),
+        root=rig.skel_root.path,
+        base_values=values,
         elements=tuple(elements),
         left_off=(),
         frame=LayoutFrame(
@@ -96,8 +94,8 @@ def _slider(rig, number, j, at, points, normals, point, offsets) -> Element:
         name=f"e{number}",
         manipulator=Manipulator(kind="slider", members=(member,)),
         anchor=anchor,
-        look=Look(label=rig.controls[j].label, side=side),
-        placement=Placement(),
+        label=rig.controls[j].label,
+        side=side,
     )
 
 

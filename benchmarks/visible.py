@@ -63,8 +63,8 @@ def seen(scope: Usd.Prim) -> list[tuple[float, str]]:
     for prim, element in zip(element_prims(scope), layout.elements, strict=True):
         if element.anchor.on_board:
             continue
-        view = layout.frame.view_of(element.placement.part)
-        width = layout.frame.handle_width_of(element.placement.part)
+        view = layout.frame.view_of(element.part)
+        width = layout.frame.handle_width_of(element.part)
         share = 0.0
         for basis in bases(view, up, across):
             samples = (element.anchor.position @ basis)[:2] + width * _DISC

@@ -17,13 +17,10 @@ from usdrigui.model import (
     Anchor,
     Element,
     Layout,
-    LayoutCharacter,
     LayoutFrame,
-    Look,
     Manipulator,
     Member,
     MirrorPlane,
-    Placement,
     Proof,
 )
 from usdrigui.reading.character import read_rigs
@@ -95,7 +92,8 @@ def sample(folder):
     base = posed(rig)
     elements = [_on_face(rig, base, name, *said) for name, said in _ON_FACE.items()]
     layout = Layout(
-        character=LayoutCharacter(root=rig.skel_root.path, base_values=laid_out.defaults(rig)),
+        root=rig.skel_root.path,
+        base_values=laid_out.defaults(rig),
         elements=(*elements, _joystick(rig)),
         left_off=(),
         frame=LayoutFrame(
@@ -131,8 +129,9 @@ def _on_face(rig, base, name, kind, controls, opposed, mesh, local, side, mirror
         name=name,
         manipulator=Manipulator(kind=kind, members=members, opposed=opposed, mirror=mirror),
         anchor=anchor,
-        look=Look(label=name, side=side, inner=inner),
-        placement=Placement(),
+        label=name,
+        side=side,
+        inner=inner,
     )
 
 
@@ -149,6 +148,8 @@ def _joystick(rig):
         name="head",
         manipulator=Manipulator(kind="patch", members=tuple(members)),
         anchor=anchor,
-        look=Look(label="head", side="middle"),
-        placement=Placement(category="global", reason="moves the whole face"),
+        label="head",
+        side="middle",
+        category="global",
+        reason="moves the whole face",
     )

@@ -17,13 +17,10 @@ from usdrigui.model import (
     Anchor,
     Element,
     Layout,
-    LayoutCharacter,
     LayoutFrame,
-    Look,
     Manipulator,
     Member,
     MirrorPlane,
-    Placement,
     Proof,
 )
 
@@ -48,7 +45,8 @@ def layout_of(rig, seed=0, groups=None, base_values=None, beside=(), adapt="defo
         )
         elements.append(_element(rig, names, members, base.points[point], point, names[0] in beside, adapt))
     return Layout(
-        character=LayoutCharacter(root=rig.skel_root.path, base_values=values),
+        root=rig.skel_root.path,
+        base_values=values,
         elements=tuple(elements),
         left_off=(LeftOff("nothing", "trajectories", "moves no point"),),
         frame=LayoutFrame(
@@ -102,8 +100,11 @@ def _element(rig, names, members, position, point, beside, adapt):
         name="_".join(names),
         manipulator=Manipulator(kind=kind, members=members),
         anchor=anchor,
-        look=Look(label=names[0].title(), side="left", adapt=adapt),
-        placement=Placement(category=category, reason=reason),
+        label=names[0].title(),
+        side="left",
+        adapt=adapt,
+        category=category,
+        reason=reason,
     )
 
 

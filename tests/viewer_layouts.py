@@ -11,13 +11,10 @@ from usdrigui.model import (
     Anchor,
     Element,
     Layout,
-    LayoutCharacter,
     LayoutFrame,
-    Look,
     Manipulator,
     Member,
     MirrorPlane,
-    Placement,
     Proof,
 )
 
@@ -49,9 +46,8 @@ def peak_layout(rig, view=(0.0, 0.0, 1.0), mirrors=None, groups=(), beside=()):
     ]
     spread = np.ptp(deform(rig), axis=0)
     return Layout(
-        character=LayoutCharacter(
-            root=rig.skel_root.path, base_values=np.array([control.default for control in rig.controls])
-        ),
+        root=rig.skel_root.path,
+        base_values=np.array([control.default for control in rig.controls]),
         elements=tuple(each for each in elements if each is not None),
         left_off=(),
         frame=LayoutFrame(
@@ -92,8 +88,9 @@ def element(rig, base, name, kind, members, opposed, mirrors, beside):
             normal=np.array([0.0, 0.0, 1.0]),
             on_board=beside,
         ),
-        look=Look(label=name, side="left" if name.endswith("_L") else "right" if name.endswith("_R") else "middle"),
-        placement=Placement(category="crowded" if beside else ""),
+        label=name,
+        side="left" if name.endswith("_L") else "right" if name.endswith("_R") else "middle",
+        category="crowded" if beside else "",
     )
 
 

@@ -246,7 +246,7 @@ class OpenLayout:
             kind = type(values).__name__
             raise TypeError(f"expected a mapping of control names to values, not {kind}")
         rig, layout = self._character(root)
-        return evaluate(prepare(rig, layout), values_of(rig, values, layout.character.base_values))
+        return evaluate(prepare(rig, layout), values_of(rig, values, layout.base_values))
 
     def picture(self, *, labels: bool = False, pose: Mapping[str, float] | None = None) -> Image:
         """What `usdrigui picture` draws; `pose` as of `pose`, for all characters that have its

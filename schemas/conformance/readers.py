@@ -37,8 +37,8 @@ def element(each):
         "type": each.manipulator.kind,
         "axes": [[controls[member] for member in axis] for axis in each.manipulator.axes],
         "mirror": each.manipulator.mirror,
-        "side": each.look.side,
-        "members": list(each.look.inner),
+        "side": each.side,
+        "members": list(each.inner),
         "onBoard": each.anchor.on_board,
         "values": [member.values.tolist() for member in each.manipulator.members],
     }
@@ -46,7 +46,7 @@ def element(each):
 
 def pose(opened, question):
     ((rig, found),) = opened.characters
-    at = values_of(rig, question["values"], found.character.base_values)
+    at = values_of(rig, question["values"], found.base_values)
     return {
         each.name: {"handle": each.handle.tolist(), "tracks": [track.tolist() for track in each.tracks]}
         for each in elements_at(prepare(rig, found), at)

@@ -50,7 +50,7 @@ def test_imported_handles_stay_on_the_face_through_the_animation(run_inside, usd
 def shown_at_first(layer):
     """The elements that are not invisible members of a coarse one: importers pass over those."""
     elements = read_layout(layer)[0].elements
-    inner = {name for element in elements for name in element.look.inner}
+    inner = {name for element in elements for name in element.inner}
     assert inner
     return [element for element in elements if element.name not in inner]
 

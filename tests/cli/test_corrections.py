@@ -53,9 +53,9 @@ def test_decisions_hold_given_or_stacked_until_they_are_taken_back(folder, capsy
         assert not [each for each in told["issues"] if each["code"].startswith("PIN_")]
         found = elements(out)
         assert (found["smile_L"].anchor.point, found["pucker"].anchor.on_board) == (point, True)
-        assert found["smile_R"].placement.pinned == ("anchor",), "the twin follows"
+        assert found["smile_R"].pinned == ("anchor",), "the twin follows"
         assert found["chin"].anchor.point == first["chin"].anchor.point
-        assert found["chin"].look.label == "Jut"
+        assert found["chin"].label == "Jut"
         chin = next(each for each in found["chin"].manipulator.members if each.control == "chin")
         assert chin.values[-1] == 2.0
     run(capsys, "unpin", folder / "out.rigui.usda", "smile_L", "pucker", "-o", said)
@@ -63,8 +63,8 @@ def test_decisions_hold_given_or_stacked_until_they_are_taken_back(folder, capsy
     assert (told["smile_L"], told["pucker"]) == ("free", "free")
     run(capsys, "process", newer, "--previous", said, "-o", folder / "free.rigui.usda")
     found = elements(folder / "free.rigui.usda")
-    assert not found["smile_L"].placement.pinned
-    assert not found["smile_R"].placement.pinned, "nor is the one that followed"
+    assert not found["smile_L"].pinned
+    assert not found["smile_R"].pinned, "nor is the one that followed"
 
 
 def test_what_cannot_be_held_is_told_with_what_is_meant(folder, capsys):
@@ -139,8 +139,8 @@ def test_a_point_means_the_mesh_on_which_it_was_given(folder, capsys):
     assert not [each for each in told["issues"] if each["code"].startswith("PIN_")]
     found = elements(out)
     left, right = found["smile_L"], found["smile_R"]
-    assert (left.anchor.mesh, left.anchor.point, left.placement.pinned) == (mesh, point, ("anchor",))
-    assert right.placement.pinned == ("anchor",), "the twin follows"
+    assert (left.anchor.mesh, left.anchor.point, left.pinned) == (mesh, point, ("anchor",))
+    assert right.pinned == ("anchor",), "the twin follows"
     np.testing.assert_allclose(right.anchor.position, left.anchor.position * [-1.0, 1.0, 1.0], atol=1e-5)
     layer.rename(folder / "first.usda")
     out.rename(folder / "char.rigui.usda")

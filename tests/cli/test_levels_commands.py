@@ -38,9 +38,9 @@ def made(tmp_path_factory):
 def test_members_are_authored_and_come_back(made):
     found = elements(made / "char.rigui.usda")
     # A grin has a lobe at each corner of the mouth: a handle on each, which opens what lies on its side.
-    assert set(found["grin"].look.inner) == {"pucker", "smile_L"}
-    assert set(found["grin_mirror"].look.inner) == {"pucker", "smile_R"}
-    assert set(found["lower"].look.inner) == {"chin", "jaw:open"}
+    assert set(found["grin"].inner) == {"pucker", "smile_L"}
+    assert set(found["grin_mirror"].inner) == {"pucker", "smile_R"}
+    assert set(found["lower"].inner) == {"chin", "jaw:open"}
     stage = Usd.Stage.Open(str(made / "char.rigui.usda"))
     grin = stage.GetPrimAtPath("/World/Char/RigUI/FaceControls/grin")
     targets = {path.name for path in grin.GetRelationship("rigUI:element:members").GetTargets()}
@@ -72,7 +72,7 @@ def test_both_levels_are_kept(folder, capsys, option):
     config = ("--config", folder / "char.rigui.toml")
     run(capsys, "process", folder / "char.usda", option, folder / "char.rigui.usda", "-o", new, *config)
     assert run(capsys, "diff", folder / "char.rigui.usda", new, "--strict")["characters"][0]["changes"] == []
-    assert elements(new)["grin"].look.inner == elements(folder / "char.rigui.usda")["grin"].look.inner
+    assert elements(new)["grin"].inner == elements(folder / "char.rigui.usda")["grin"].inner
 
 
 def test_the_report_names_the_members(made, capsys):
@@ -110,7 +110,7 @@ def test_a_shot_over_two_levels(folder, capsys):
     config = ("--config", folder / "char.rigui.toml")
     run(capsys, "process", folder / "shot.usda", "--base", folder / "char.rigui.usda", *config)
     both = elements(folder / "shot.rigui.usda")
-    assert both["grin"].look.inner == elements(folder / "char.rigui.usda")["grin"].look.inner
+    assert both["grin"].inner == elements(folder / "char.rigui.usda")["grin"].inner
     assert "browCrease" in both
 
 

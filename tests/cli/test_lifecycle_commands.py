@@ -26,7 +26,7 @@ def anchors(layer):
 
 def decisions(layer):
     (layout,) = with_corrections(Usd.Stage.Open(str(layer)), read_layout(layer))
-    return {element.name: element.placement.pinned for element in layout.elements if element.placement.pinned}
+    return {element.name: element.pinned for element in layout.elements if element.pinned}
 
 
 def solution(capsys, folder, *options):

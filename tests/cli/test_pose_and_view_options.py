@@ -45,18 +45,18 @@ def on_face(layout):
 
 def test_a_time_is_the_base_pose_and_elements_rest_where_it_puts_them(character, tmp_path):
     layout, stage = processed(character, tmp_path, "--time", "20")
-    assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(layout.character.root)))
+    assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(layout.root)))
     elements = on_face(layout)
     assert len(elements) >= 8
     moved = 0.0
     for element in elements:
-        there = laid_out.root_points(stage, element.anchor.mesh, layout.character.root, 20.0)[element.anchor.point]
-        rest = laid_out.root_points(stage, element.anchor.mesh, layout.character.root, 1.0)[element.anchor.point]
+        there = laid_out.root_points(stage, element.anchor.mesh, layout.root, 20.0)[element.anchor.point]
+        rest = laid_out.root_points(stage, element.anchor.mesh, layout.root, 1.0)[element.anchor.point]
         assert np.abs(element.anchor.position - there).max() < 1e-5
         moved = max(moved, float(np.linalg.norm(there - rest)))
     assert moved > 0.02
     (scope,) = layout_scopes(stage)
-    values = dict(zip(base_controls(scope), layout.character.base_values.tolist(), strict=True))
+    values = dict(zip(base_controls(scope), layout.base_values.tolist(), strict=True))
     assert values["chin"] == values["brow_L"] == pytest.approx(0.4)
     assert values["smile_L"] == 0.0
 
@@ -64,7 +64,7 @@ def test_a_time_is_the_base_pose_and_elements_rest_where_it_puts_them(character,
 def test_without_a_time_they_rest_in_the_neutral_pose(character, tmp_path):
     layout, stage = processed(character, tmp_path)
     (scope,) = layout_scopes(stage)
-    values = dict(zip(base_controls(scope), layout.character.base_values.tolist(), strict=True))
+    values = dict(zip(base_controls(scope), layout.base_values.tolist(), strict=True))
     assert values["chin"] == 0.0
 
 

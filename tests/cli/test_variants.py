@@ -67,7 +67,7 @@ def test_levels_agree(made):
         }
         for each in other.elements:
             assert np.linalg.norm(each.anchor.position - places[each.name][1]) < 0.14, (
-                other.character.variant_path,
+                other.variant_path,
                 each.name,
             )
 
@@ -121,7 +121,7 @@ def test_a_bare_layer_is_attached_and_detached(folder):
     (folder / "char.rigui.toml").write_text('[read]\neach_variant = ["LOD"]\n')  # as the option says it
     assert main(["process", "char.usda", "--bare", "-o", "ui.usda", "-q"]) == 0
     assert main(["attach", "char.usda", "ui.usda"]) == 0
-    assert {each.character.variant_path for each in layouts(folder / "char.usda").values()} == {
+    assert {each.variant_path for each in layouts(folder / "char.usda").values()} == {
         f"/Char{{LOD={each}}}" for each in studio_assets.LEVELS
     }
     assert main(["check", "char.usda", "--strict", "-q"]) == 0
@@ -137,7 +137,7 @@ def test_the_layout_of_a_variant_is_attached_whichever_the_asset_selects(folder)
         assert main(["attach", "char.usda", f"{level}.usda", *options]) == 0
         assert main(["check", "char.usda", "--variant", f"LOD={level}", "--strict", "-q"]) == 0
         (layout,) = read_layout(selected(folder / "char.usda", LOD=level))
-        assert layout.character.variant_path == f"/Char{{LOD={level}}}"
+        assert layout.variant_path == f"/Char{{LOD={level}}}"
     for level in ("low", "mid"):
         assert main(["detach", "char.usda", f"{level}.usda"]) == 0
     assert (folder / "char.usda").read_bytes() == before
@@ -164,7 +164,7 @@ def test_a_shot_of_three(folder):
     """Levels that the shot selects, each with its layout; what it adds stands in the variants of its characters."""
     shot = studio_assets.shot(folder / "shot.usda", f"./{LAYER}")
     assert main(["check", "shot.usda", "--strict", "-q"]) == 0
-    found = {each.character.root: each.character.variant_path for each in read_layout(Usd.Stage.Open(str(shot)))}
+    found = {each.root: each.variant_path for each in read_layout(Usd.Stage.Open(str(shot)))}
     assert found == {"/Shot/hero": "/Shot/hero{LOD=high}", "/Shot/friend": "/Shot/friend{LOD=low}"} | {
         "/Shot/crowd": "/Shot/crowd{LOD=high}"
     }

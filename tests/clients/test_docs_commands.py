@@ -97,7 +97,7 @@ def _corrections_hold(folder):
     (layout,) = read_layout(folder / "corrected.rigui.usda")
     at = {member.control: each for each in layout.elements for member in each.manipulator.members}
     assert at["mouthPucker"].anchor.on_board
-    assert at["browInnerUp"].look.label == "brows"
-    assert {at[name].placement.pinned for name in ("cheekPuff", "jawOpen")} == {("anchor",)}
+    assert at["browInnerUp"].label == "brows"
+    assert {at[name].pinned for name in ("cheekPuff", "jawOpen")} == {("anchor",)}
     points = {each.anchor.point for each in layout.elements if "cheekPuff" in each.manipulator.controls}
     assert 523 in points

@@ -68,7 +68,7 @@ def test_every_element_track_and_name_is_in_the_picture(characters, page):
         assert all(len(list(each.iter(f"{SVG}polyline"))) == 1 for each in group.iter(f"{SVG}g") if each is not group)
         assert group.get("data-anchor") == f"{element.anchor.mesh}#{element.anchor.point}"
     texts = {each.text for each in root.iter(f"{SVG}text")}
-    assert {element.look.label for element in layout.elements} <= texts
+    assert {element.label for element in layout.elements} <= texts
     for panel in page.panels:
         for mark in panel.marks:
             points = np.vstack([mark.handle, *mark.tracks])
@@ -104,7 +104,7 @@ def test_a_dwpicker_file_has_a_button_for_every_element(characters):
 
     boxes = np.array([[shape[f"shape.{key}"] for key in ("left", "top", "width", "height")] for shape in buttons])
     assert_apart(boxes[:, :2] + 0.5 * boxes[:, 2:], boxes[:, 2:])
-    labels = [element.look.label for element in layout.elements]
+    labels = [element.label for element in layout.elements]
     assert sorted(shape["text.content"] for shape in buttons) == sorted(labels)
     assert (boxes[:, 2] >= [5.5 * len(shape["text.content"]) for shape in buttons]).all(), "names fit on their buttons"
     assert (boxes[:, :2] >= 0.0).all()
@@ -143,7 +143,7 @@ def test_characters_and_parts_are_side_by_side(characters, page):
     widths = {"face": layout.frame.handle_width, "hands": 2.0 * layout.frame.handle_width}
     parts = tuple(LayoutPart(name, width, layout.frame.view, "optimal", 0.0, 0.0) for name, width in widths.items())
     first, *others = (
-        replace(each, placement=replace(each.placement, part=part))
+        replace(each, part=part)
         for each, part in zip(layout.elements, ["hands", *["face"] * len(layout.elements)], strict=False)
     )
     parted = replace(layout, elements=(first, *others), frame=replace(layout.frame, parts=parts))
@@ -167,7 +167,7 @@ def test_names_stand_in_the_picture(page, name, read):
     mark, first = panel.marks[0], panel.marks[0].element
     member = replace(first.manipulator.members[0], control=name)
     manipulator = replace(first.manipulator, members=(member, *first.manipulator.members[1:]))
-    odd = replace(first, name=name, look=replace(first.look, label=name), manipulator=manipulator)
+    odd = replace(first, name=name, label=name, manipulator=manipulator)
     shown = replace(panel, marks=(replace(mark, element=odd),), labels=(Label(name, (0.0, 0.0)),))
     root = ElementTree.fromstring(svg(replace(page, panels=(shown,))))
     group, track = list(root.iter(f"{SVG}g"))[:2]

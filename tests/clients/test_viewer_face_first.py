@@ -128,11 +128,7 @@ def test_each_part_has_a_tab_and_the_first_is_shown(browser, tmp_path):
     rig = makers.face()
     layout = peak_layout(rig, beside=("chin",))
     names = {name: part for part, members in PARTS for name in members}
-    elements = tuple(
-        replace(each, placement=replace(each.placement, part=names[each.name]))
-        for each in layout.elements
-        if each.name in names
-    )
+    elements = tuple(replace(each, part=names[each.name]) for each in layout.elements if each.name in names)
     given = {
         "face": (0.04, layout.frame.view),
         "interior": (0.01, layout.frame.view),
@@ -161,9 +157,7 @@ def test_what_is_always_needed_is_in_sight_and_the_rest_is_in_a_menu(browser, tm
     rig = makers.face()
     layout = peak_layout(rig)
     parts = ("face", "inside the mouth", "eyes", "left hand and arm", "right hand and arm", "feet and legs", "body")
-    elements = tuple(
-        replace(each, placement=replace(each.placement, part=parts[i % 7])) for i, each in enumerate(layout.elements)
-    )
+    elements = tuple(replace(each, part=parts[i % 7]) for i, each in enumerate(layout.elements))
     made = tuple(LayoutPart(part, 0.04, layout.frame.view, "optimal", 0.0, 0.0) for part in parts)
     path = tmp_path / "parts.html"
     path.write_text(

@@ -27,9 +27,7 @@ def test_glyphs_stand_where_the_library_has_them(browser, tmp_path):
     layout = laid_out.layout_of(rig, beside=("smile",))
     glyph = Glyph("flag", "mesh", 2.0 * layout.frame.handle_width * FLAG, np.array([3]), np.arange(3))
     line = replace(glyph, form="curve")
-    elements = [
-        replace(each, look=replace(each.look, glyph=line if i % 2 else glyph)) for i, each in enumerate(layout.elements)
-    ]
+    elements = [replace(each, glyph=line if i % 2 else glyph) for i, each in enumerate(layout.elements)]
     layout = replace(layout, elements=tuple(elements))
     page = tmp_path / "page.html"
     page.write_text(page_html([(rig, layout)], "glyphs"))

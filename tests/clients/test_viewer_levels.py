@@ -14,7 +14,7 @@ INNER = {"smile_L": ("sneer_L",), "smile_R": ("sneer_R",), "pucker": ("chin",)}
 def characters():
     rig = makers.face()
     layout = peak_layout(rig, mirrors=MIRRORS)
-    elements = tuple(replace(each, look=replace(each.look, inner=INNER.get(each.name, ()))) for each in layout.elements)
+    elements = tuple(replace(each, inner=INNER.get(each.name, ())) for each in layout.elements)
     return [(rig, replace(layout, elements=elements))]
 
 

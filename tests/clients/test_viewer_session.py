@@ -21,10 +21,7 @@ def characters():
     """The mask with an animation: pucker rises to 1 at frame 11, brow_L to 0.5 at frame 21."""
     rig = animated(makers.face(), (1.0, 11.0, 21.0), pucker=(0.0, 1.0, 0.25), brow_L=(0.0, 0.0, 0.5))
     layout = peak_layout(rig, groups=(FAN,), beside=("sneer_R",))
-    named = tuple(
-        replace(each, look=replace(each.look, label=LONG)) if each.name == "sneer_L" else each
-        for each in layout.elements
-    )
+    named = tuple(replace(each, label=LONG) if each.name == "sneer_L" else each for each in layout.elements)
     controls = tuple(replace(each, label=LONG) if each.name == "sneer_L" else each for each in rig.controls)
     return [(replace(rig, controls=controls), replace(layout, elements=named))]
 

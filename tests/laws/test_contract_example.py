@@ -58,7 +58,7 @@ def test_values_of_the_base_pose_are_those_of_the_names_beside_them(layer):
     text = EXAMPLE.replace('uniform token purpose = "guide"', f"{values}\n{listed}")
     layer.write_text(text, encoding="utf-8")
     ((_, layout),) = load_layer(layer, Settings()).characters
-    assert layout.character.base_values.tolist() == list(range(len(names)))
+    assert layout.base_values.tolist() == list(range(len(names)))
 
 
 @pytest.mark.parametrize(

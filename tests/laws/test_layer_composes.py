@@ -134,14 +134,14 @@ def test_handles_are_on_the_skin_behind_the_arc(posed, tmp_path, arc):
         travelled = 0.0
         skin = {element.anchor.mesh: [] for element in layout.elements}
         for path in skin:
-            skin[path] = [deformed_points(stage, layout.character.root, path, time) for time in range(POSES)]
+            skin[path] = [deformed_points(stage, layout.root, path, time) for time in range(POSES)]
         size = np.linalg.norm(np.ptp(np.concatenate([skin[path][0] for path in skin]), axis=0))
         drawn = {}
         for element, prim in zip(layout.elements, element_prims(scope), strict=True):
             mesh, points = str(prim.GetParent().GetPath()), points_by_role(prim, "handle")
             for time in range(POSES):
                 if (mesh, time) not in drawn:
-                    drawn[mesh, time] = deformed_points(stage, layout.character.root, mesh, time)
+                    drawn[mesh, time] = deformed_points(stage, layout.root, mesh, time)
                 first, anchor = (skin[element.anchor.mesh][at][element.anchor.point] for at in (0, time))
                 assert np.abs(drawn[mesh, time][points[0]] - anchor).max() < CLOSE * size, element.name
                 travelled = max(travelled, float(np.linalg.norm(anchor - first)))

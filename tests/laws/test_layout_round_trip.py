@@ -104,20 +104,14 @@ def changed(draw, element):
             kind=draw(st.sampled_from(["slider", "patch", "fan"])),
             opposed=draw(st.sampled_from([(), ((0, len(members) - 1),)])) if len(members) > 1 else (),
         ),
-        look=replace(
-            element.look,
-            label=label,
-            side=draw(st.sampled_from(["left", "right", "middle", "none"])),
-            adapt=draw(st.sampled_from(["deform", "static"])),
-        ),
-        placement=replace(
-            element.placement,
-            reason=reason,
-            category=category,
-            part=part,
-            pinned=draw(st.sampled_from([(), ("anchor",), ("place", "grouping")])),
-            pinned_position=draw(st.sampled_from([(0.0, 0.0, 0.0), (1.5, -2.25, 0.125)])),
-        ),
+        label=label,
+        side=draw(st.sampled_from(["left", "right", "middle", "none"])),
+        adapt=draw(st.sampled_from(["deform", "static"])),
+        reason=reason,
+        category=category,
+        part=part,
+        pinned=draw(st.sampled_from([(), ("anchor",), ("place", "grouping")])),
+        pinned_position=draw(st.sampled_from([(0.0, 0.0, 0.0), (1.5, -2.25, 0.125)])),
     )
 
 

@@ -88,7 +88,7 @@ def test_a_board_with_joint_controls_stays_in_one_piece_in_plain_usd(tmp_path):
         [(rig, layout)], f"./{source.name}", OutputSettings(), stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
     )
     layer.Export(str(tmp_path / "layout.usda"))
-    poses = [layout.character.base_values, laid_out.random_values(rig, np.random.default_rng(8))]
+    poses = [layout.base_values, laid_out.random_values(rig, np.random.default_rng(8))]
     stage = laid_out.baked(Sdf.Layer.FindOrOpen(str(tmp_path / "layout.usda")), rig, poses)
     ends = [
         np.array([laid_out.tracks(stage, rig.skel_root.path, element, time)[0][0] for element in layout.elements])

@@ -80,7 +80,7 @@ def test_two_heads_of_one_convention_are_laid_out_with_the_same_elements():
 
 def test_shapes_that_hide_parts_stand_beside_the_face():
     found = homes(line_of("godette"))
-    beside = {name for name, element in found.items() if element.placement.category == "global"}
+    beside = {name for name, element in found.items() if element.category == "global"}
     assert beside == {"HideHairBalls", "HdieEarRings", "HideBlush"}
 
 
@@ -101,20 +101,18 @@ def test_eyes_share_joysticks_and_opposites_share_sliders():
 @pytest.mark.parametrize(("category", "start"), [("hidden", "Pupil"), ("interior", "Tongue")])
 def test_tongue_and_pupils_are_hidden(category, start):
     vitruvian = homes(line_of("vitruvian"))
-    assert {name for name, element in vitruvian.items() if element.placement.category == category} == {
+    assert {name for name, element in vitruvian.items() if element.category == category} == {
         name for name in vitruvian if name.startswith(start)
     }
 
 
 def test_visemes_and_emotions_stand_beside_and_atoms_do_not():
     vitruvian = homes(line_of("vitruvian"))
-    composite = {
-        name for name, element in vitruvian.items() if element.placement.category in ("composite", "viseme", "emotion")
-    }
+    composite = {name for name, element in vitruvian.items() if element.category in ("composite", "viseme", "emotion")}
     assert {"Happy", "Sad", "Scared", "Revulsion", "Disgusted", "er_05", "w_uw_07"} <= composite
     assert not {"Jaw_Out", "Eyes_Closed_Left", "Frown_Left", "Lips_Dn_In", "Eyebrows_Raised_Left"} & composite
     for other in ("godette", "mh_expr34", "mh_poseunits", "ict_face57"):
-        assert not any(element.placement.category == "composite" for element in line_of(other).layout.elements), other
+        assert not any(element.category == "composite" for element in line_of(other).layout.elements), other
 
 
 @pytest.mark.parametrize(

@@ -37,7 +37,7 @@ def anchors(line):
     found = {}
     for element in on_face(line):
         at = point_of(line, element)
-        both = {at, int(partner[at])} if element.look.side == "middle" else {at}
+        both = {at, int(partner[at])} if element.side == "middle" else {at}
         meshes = np.searchsorted(starts, sorted(both), side="right") - 1
         found[frozenset(member.control for member in element.manipulator.members)] = frozenset(
             (int(mesh), point - int(starts[mesh])) for mesh, point in zip(meshes, sorted(both), strict=True)
@@ -87,9 +87,9 @@ def with_whole_head(name):
 @pytest.mark.parametrize("name", ["godette", "mh_expr34", "ict_face57"])
 def test_whole_head_and_hide_shapes_stand_beside_the_face(name):
     found = homes(with_whole_head(name))
-    own = {control for control, element in homes(line_of(name)).items() if element.placement.category == "global"}
-    assert {control for control, element in found.items() if element.placement.category == "global"} == WHOLE | own
-    assert all(found[control].anchor.on_board and found[control].placement.reason for control in WHOLE)
+    own = {control for control, element in homes(line_of(name)).items() if element.category == "global"}
+    assert {control for control, element in found.items() if element.category == "global"} == WHOLE | own
+    assert all(found[control].anchor.on_board and found[control].reason for control in WHOLE)
 
 
 # --- visibility, by another way of looking -----------------------------------------------------------

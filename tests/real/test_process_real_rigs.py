@@ -70,7 +70,7 @@ def test_baked_handles_are_centred_on_their_anchors(run):
     layer = Sdf.Layer.FindOrOpen(str(layer_path))
     rigs = {rig.skel_root.path: rig for rig in read_rigs(source, Settings())}
     for layout in read_layout(layer_path):
-        rig, rng = rigs[layout.character.root], np.random.default_rng(21)
+        rig, rng = rigs[layout.root], np.random.default_rng(21)
         stage = laid_out.baked(layer, rig, [laid_out.random_values(rig, rng)])
         points = {mesh.path: laid_out.root_points(stage, mesh.path, rig.skel_root.path, 0) for mesh in rig.body.meshes}
         diagonal = np.linalg.norm(np.ptp(np.concatenate(list(points.values())), axis=0))

@@ -196,7 +196,7 @@ def test_a_layer_is_read_as_our_own_reader_does_and_survives_json(extension, lai
     rig, layout, layer = laid
     (found,) = extension["reading"].read_layouts(Usd.Stage.Open(str(layer)))
     assert found == extension["layout"].from_json(extension["layout"].to_json(found))
-    assert found.root == layout.character.root
+    assert found.root == layout.root
     assert [each.width for each in found.elements] == pytest.approx([layout.frame.handle_width] * len(found.elements))
     assert [each.name for each in found.elements] == [each.name for each in layout.elements]
     for mine, theirs in zip(found.elements, layout.elements, strict=True):
@@ -214,10 +214,7 @@ def test_a_layer_is_read_as_our_own_reader_does_and_survives_json(extension, lai
 def test_handles_are_as_wide_as_those_of_their_part(extension, laid):
     rig, layout, source = laid
     names = ("face", *["hands"] * (len(layout.elements) - 1))
-    elements = tuple(
-        replace(each, placement=replace(each.placement, part=part))
-        for each, part in zip(layout.elements, names, strict=True)
-    )
+    elements = tuple(replace(each, part=part) for each, part in zip(layout.elements, names, strict=True))
     parts = tuple(
         LayoutPart(name, w, layout.frame.view, "optimal", 0.0, 0.0) for name, w in (("face", 0.02), ("hands", 0.3))
     )
@@ -232,14 +229,14 @@ def test_handles_are_as_wide_as_those_of_their_part(extension, laid):
     stage = Usd.Stage.Open(str(target))
     (found,) = extension["reading"].read_layouts(stage)
     assert {each.name: each.width for each in found.elements} == pytest.approx(
-        {each.name: 0.02 if each.placement.part == "face" else 0.3 for each in elements}
+        {each.name: 0.02 if each.part == "face" else 0.3 for each in elements}
     )
 
 
 def test_base_values_that_lack_controls_are_refused(extension, laid):
     stage = Usd.Stage.Open(str(laid[2]))
     stage.SetEditTarget(stage.GetSessionLayer())
-    scope = stage.GetPrimAtPath(f"{laid[1].character.root}/RigUI")
+    scope = stage.GetPrimAtPath(f"{laid[1].root}/RigUI")
     scope.CreateAttribute("rigUI:layout:baseValues", Sdf.ValueTypeNames.DoubleArray).Set([1.0])
     with pytest.raises(extension["layout"].LayoutError, match="values of the base pose"):
         extension["reading"].read_layouts(stage)
@@ -257,7 +254,7 @@ def test_a_later_version_of_any_schema_is_refused(extension, laid, family):
 def test_both_readers_refuse_axes_that_share_an_end_or_have_none(extension, laid, opposes):
     stage = Usd.Stage.Open(str(laid[2]))
     stage.SetEditTarget(stage.GetSessionLayer())
-    prim = laid_out.element_prim(stage, laid[1].character.root, laid[1].elements[0])
+    prim = laid_out.element_prim(stage, laid[1].root, laid[1].elements[0])
     for control, other in zip(("brow_L", "smile_L"), opposes, strict=True):
         prim.CreateAttribute(f"rigUI:control:{control}:opposes", Sdf.ValueTypeNames.Token).Set(other)
     with pytest.raises(extension["layout"].LayoutError, match="opposes"):

@@ -246,7 +246,7 @@ def test_elements_are_on_skin_and_eyes_have_pupils(name):
     is_trim = (found.colours[points] == complexion._TRIM).all(axis=1) & (found.gaze[points, 0] > 2.0)
     assert is_trim.mean() <= 0.1
     across = camera_rows(layout, rig.skel_root.up)[0]
-    at = deform(rig, layout.character.base_values) @ across
+    at = deform(rig, layout.base_values) @ across
     on_eye = np.linalg.norm(found.gaze, axis=1) < 1.2 * shading.IRIS
     middle = layout.frame.plane.origin @ across
     assert sum((on_eye & side).any() for side in (at > middle, at < middle)) == GAZES[name]

@@ -14,13 +14,10 @@ from usdrigui.model import (
     Anchor,
     Element,
     Layout,
-    LayoutCharacter,
     LayoutFrame,
-    Look,
     Manipulator,
     Member,
     MirrorPlane,
-    Placement,
     Proof,
 )
 
@@ -39,16 +36,15 @@ def element(members, kind="fan", beside=False, normal=(0.0, 0.0, 1.0), opposed=(
         name="e",
         manipulator=Manipulator(kind, tuple(members), opposed),
         anchor=anchor,
-        look=Look(label="e", side="none"),
-        placement=Placement(),
+        label="e",
+        side="none",
     )
 
 
 def layout(rig, *elements, base_values=None):
     return Layout(
-        character=LayoutCharacter(
-            root=rig.skel_root.path, base_values=np.zeros(len(rig.controls)) if base_values is None else base_values
-        ),
+        root=rig.skel_root.path,
+        base_values=np.zeros(len(rig.controls)) if base_values is None else base_values,
         elements=elements,
         left_off=(),
         frame=frame(0.1),

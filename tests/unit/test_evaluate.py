@@ -92,4 +92,4 @@ def test_refuses_layouts_of_another_character(rig, layout):
         with pytest.raises(RigUIError, match="LAYOUT_STALE"):
             prepare(rig, replace(layout, elements=(broken,)))
     with pytest.raises(RigUIError, match="LAYOUT_STALE"):
-        prepare(rig, replace(layout, character=replace(layout.character, base_values=np.zeros(3))))
+        prepare(rig, replace(layout, base_values=np.zeros(3)))

@@ -214,14 +214,12 @@ def test_a_glyph_changes_nothing_but_the_shape(line):
         for with_glyph, without in zip(element.manipulator.members, plain[name].manipulator.members, strict=True):
             assert np.array_equal(with_glyph.track, without.track)
             assert np.array_equal(with_glyph.values, without.values)
-    assert {name for name, element in own.items() if element.look.glyph} == {"smile_L", "smile_R", "chin", "pucker"}
+    assert {name for name, element in own.items() if element.glyph} == {"smile_L", "smile_R", "chin", "pucker"}
 
 
 def test_sizes_follow_handle_or_track(line):
     elements, width = chain.by_name(line), line.layout.frame.handle_width
-    across = {
-        n: 2.0 * np.linalg.norm(elements[n].look.glyph.points, axis=1).max() for n in ("smile_L", "chin", "pucker")
-    }
+    across = {n: 2.0 * np.linalg.norm(elements[n].glyph.points, axis=1).max() for n in ("smile_L", "chin", "pucker")}
     track = elements["pucker"].manipulator.members[0].track
     assert across["smile_L"] == pytest.approx(width)
     assert across["chin"] == pytest.approx(3.0 * width)
@@ -230,7 +228,7 @@ def test_sizes_follow_handle_or_track(line):
 
 def test_a_glyph_lies_upright_in_the_skin(line):
     element = chain.by_name(line)["smile_L"]
-    normal, points = element.anchor.normal, element.look.glyph.points
+    normal, points = element.anchor.normal, element.glyph.points
     assert np.abs(points @ normal).max() < 1e-9 * line.layout.frame.handle_width
     assert points[0] @ [0.0, 1.0, 0.0] > 0.0  # its tip is up
     outwards = np.cross(points[1] - points[0], points[2] - points[0])
@@ -240,9 +238,9 @@ def test_a_glyph_lies_upright_in_the_skin(line):
 def test_the_elements_of_a_pair_are_mirror_images(line):
     left, right = (chain.by_name(line)[name] for name in ("smile_L", "smile_R"))
     assert np.allclose(
-        right.look.glyph.points, left.look.glyph.points * [-1.0, 1.0, 1.0], atol=0.01 * line.layout.frame.handle_width
+        right.glyph.points, left.glyph.points * [-1.0, 1.0, 1.0], atol=0.01 * line.layout.frame.handle_width
     )
-    first, second, third = right.look.glyph.points[right.look.glyph.indices]
+    first, second, third = right.glyph.points[right.glyph.indices]
     assert np.cross(second - first, third - first) @ right.anchor.normal > 0.0
 
 
@@ -257,9 +255,7 @@ WAVE = Glyph(
 def with_glyphs(layout):
     width = layout.frame.handle_width
     made = [replace(glyph, points=width * glyph.points) for glyph in (FLAG, WAVE)]
-    elements = tuple(
-        replace(each, look=replace(each.look, glyph=made[i % 2])) for i, each in enumerate(layout.elements)
-    )
+    elements = tuple(replace(each, glyph=made[i % 2]) for i, each in enumerate(layout.elements))
     return replace(layout, elements=elements)
 
 
@@ -285,7 +281,7 @@ def test_glyphs_follow_the_face_wherever_usdskel_takes_it(tmp_path, kind, adapt)
     for time, values in enumerate(poses):
         for element, at in zip(layout.elements, evaluate(poser, values).elements, strict=True):
             drawn = laid_out.handle(stage, rig.skel_root.path, element, time)
-            if element.look.glyph.form == "curve":
+            if element.glyph.form == "curve":
                 drawn = 0.5 * (drawn[::2] + drawn[1::2])
             assert np.abs(drawn - at.glyph).max() < 1e-5 * size, (element.name, time)
 
@@ -298,10 +294,10 @@ def test_glyphs_come_back_from_the_layer(tmp_path):
     assert not laid_out.validation_errors(Usd.Stage.Open(str(path)))
     (back,) = read_layouts_isolated(path, Opening()).layouts
     for one, other in zip(layout.elements, back.elements, strict=True):
-        assert (one.look.glyph.name, one.look.glyph.form) == (other.look.glyph.name, other.look.glyph.form)
-        assert np.allclose(one.look.glyph.points, other.look.glyph.points, atol=1e-6)
-        assert np.array_equal(one.look.glyph.counts, other.look.glyph.counts)
-        assert np.array_equal(one.look.glyph.indices, other.look.glyph.indices)
+        assert (one.glyph.name, one.glyph.form) == (other.glyph.name, other.glyph.form)
+        assert np.allclose(one.glyph.points, other.glyph.points, atol=1e-6)
+        assert np.array_equal(one.glyph.counts, other.glyph.counts)
+        assert np.array_equal(one.glyph.indices, other.glyph.indices)
 
 
 @pytest.mark.parametrize(
@@ -326,11 +322,9 @@ def test_pictures_show_the_glyph_where_it_is():
     layout = laid_out.layout_of(rig, only=["chin"])
     camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
     for glyph in (FLAG, WAVE):
-        element = replace(
-            layout.elements[0], look=replace(layout.elements[0].look, glyph=replace(glyph, points=0.4 * glyph.points))
-        )
+        element = replace(layout.elements[0], glyph=replace(glyph, points=0.4 * glyph.points))
         own = replace(layout, elements=(element,))
-        (at,) = elements_at(prepare(rig, own), own.character.base_values)
+        (at,) = elements_at(prepare(rig, own), own.base_values)
         mark = marks.mark(element, at, camera, 0.06)
         page = Page((300, 300), (Panel((0, 0), (300, 300), None, (mark,)),))
         drawn = np.asarray(painted(page)).min(axis=2) < 200

@@ -38,15 +38,16 @@ def char(tmp_path):
     elements[0] = replace(
         elements[0],
         manipulator=replace(elements[0].manipulator, mirror=elements[3].name),
-        look=replace(elements[0].look, side="middle"),
-        placement=replace(elements[0].placement, reason="they are alike"),
+        side="middle",
+        reason="they are alike",
     )
     elements[1] = replace(
         elements[1],
         manipulator=replace(elements[1].manipulator, kind="slider", opposed=((1, 0),)),
-        look=replace(elements[1].look, label="Jaw, sideways", adapt="static"),
+        label="Jaw, sideways",
+        adapt="static",
     )
-    elements[4] = replace(elements[4], name="25 jaw:rx", look=replace(elements[4].look, side="none"))
+    elements[4] = replace(elements[4], name="25 jaw:rx", side="none")
     layout = replace(
         layout, elements=tuple(elements), left_off=(LeftOff("a", "read", 'has "quotes"'), LeftOff("ü", "solve", ""))
     )
@@ -186,18 +187,15 @@ def test_few_prims_draw_all_elements(char, tmp_path):
 
 def test_the_default_prim_is_the_top_of_the_first_character_where_the_source_names_none(char):
     _, rig, layout = char
-    other = replace(layout, elements=(), character=replace(layout.character, root="/Crowd/Second"))
-    layer = layer_for([(rig, layout), (changed(rig, path=other.character.root), other)], "", PLAIN, {})
+    other = replace(layout, elements=(), root="/Crowd/Second")
+    layer = layer_for([(rig, layout), (changed(rig, path=other.root), other)], "", PLAIN, {})
     assert layer.defaultPrim == "World"
 
 
 @pytest.mark.parametrize(("parts", "told"), [(("face",) * 5, False), (("face", "body", "face", "body", "face"), True)])
 def test_the_order_of_elements_is_written_where_their_prims_do_not_tell_it(char, parts, told):
     _, rig, layout = char
-    elements = tuple(
-        replace(each, placement=replace(each.placement, part=part))
-        for each, part in zip(layout.elements, parts, strict=True)
-    )
+    elements = tuple(replace(each, part=part) for each, part in zip(layout.elements, parts, strict=True))
     layer = layer_for([(rig, replace(layout, elements=elements))], "", PLAIN, {})
     assert ("rigUI:layout:elements" in layer.ExportToString()) == told
     assert [each.name for each in read_layout(layer)[0].elements] == [each.name for each in elements]
@@ -210,7 +208,7 @@ def test_meshes_are_named_after_their_part_and_what_no_joint_moves(tmp_path):
     layout = laid_out.layout_of(rig, only=["Hips:rx"])  # nothing above the root carries its track
     layout = replace(
         layout,
-        elements=tuple(replace(each, placement=replace(each.placement, part="body")) for each in layout.elements),
+        elements=tuple(replace(each, part="body") for each in layout.elements),
     )
     target = tmp_path / "a.usda"
     write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
@@ -264,14 +262,14 @@ def test_a_layer_written_by_hand_takes_the_fallbacks():
     (layout,) = read_layout(hand_made())
     (element,) = layout.elements
     (member,) = element.manipulator.members
-    assert (layout.character.root, layout.frame.space, layout.proof.status, layout.frame.handle_width) == (
+    assert (layout.root, layout.frame.space, layout.proof.status, layout.frame.handle_width) == (
         "/Char",
         "object",
         "stopped",
         0.5,
     )
     assert layout.proof.bound == -np.inf
-    assert (element.name, element.look.label, element.manipulator.kind, element.look.adapt) == (
+    assert (element.name, element.label, element.manipulator.kind, element.adapt) == (
         "smile",
         "smile",
         "slider",

@@ -36,10 +36,7 @@ CAMERA = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
 def sided(rig, **given):
     """A layout of the mask whose elements know on which side they are."""
     layout = laid_out.layout_of(rig, **given)
-    elements = tuple(
-        replace(each, look=replace(each.look, side="left" if each.anchor.position[0] > 0 else "right"))
-        for each in layout.elements
-    )
+    elements = tuple(replace(each, side="left" if each.anchor.position[0] > 0 else "right") for each in layout.elements)
     return with_width(replace(layout, elements=elements), 0.06)
 
 
@@ -105,7 +102,7 @@ def crowded(layout, count):
             name=f"e{i}",
             anchor=replace(one.anchor, position=one.anchor.position + shift),
             manipulator=replace(one.manipulator, members=(replace(member, track=member.track + shift),)),
-            look=replace(one.look, label=f"e{i}"),
+            label=f"e{i}",
         )
         for i, shift in enumerate(shifts)
     ]
@@ -124,7 +121,7 @@ def test_every_element_is_named_once_and_those_that_crowd_in_an_inset(rig, layou
         apart = np.subtract(other.corner, one.corner)
         assert ((apart >= one.size) | (-apart >= other.size)).any()
     words = [label.text for label in named]
-    assert sorted(words) == sorted([*(each.look.label for each in layout.elements), *(f"e{i}" for i in range(count))])
+    assert sorted(words) == sorted([*(each.label for each in layout.elements), *(f"e{i}" for i in range(count))])
     assert ("front, enlarged" in captions(page)) == (count > 12)
     assert captions(picture.scene(rig, given, None, Wanted(["front"], SMALL))) == ["front", "board"]
 
@@ -174,11 +171,8 @@ def test_a_frame_holds_the_elements_and_the_head_near_them_but_no_arm():
 @pytest.mark.parametrize("width", [300, 900, 1700])
 def test_a_board_fills_its_box_in_columns(rig, layout, width):
     """All elements once, in rows that do not touch, under headings that never end a column."""
-    words, posed = ("global", "viseme", "emotion"), elements_at(prepare(rig, layout), layout.character.base_values)
-    elements = [
-        replace(each, placement=replace(each.placement, category=words[i % 3]))
-        for i, each in enumerate(layout.elements)
-    ]
+    words, posed = ("global", "viseme", "emotion"), elements_at(prepare(rig, layout), layout.base_values)
+    elements = [replace(each, category=words[i % 3]) for i, each in enumerate(layout.elements)]
     pairs = [(each, marks.mark(each, at, CAMERA, 0.06)) for each, at in zip(elements, posed, strict=True)]
     panel = board(pairs, (5, 6, width))
     assert (panel.corner, panel.size[0], len(panel.marks)) == ((5, 6), width, len(elements))
@@ -223,7 +217,7 @@ def test_a_picture_whose_names_are_spelt_out_says_how_to_draw_them(rig, layout, 
     named = replace(
         layout,
         elements=(
-            replace(layout.elements[0], look=replace(layout.elements[0].look, label="まばたき")),
+            replace(layout.elements[0], label="まばたき"),
             *layout.elements[1:],
         ),
     )
@@ -262,7 +256,7 @@ def drawn(mark):
 def test_what_the_face_hides_is_drawn_faintly(rig, layout):
     subject = shading.subject_of(rig.body.meshes, deform(rig), complexion(rig, layout))
     depth = shading.shade(subject, CAMERA).depth
-    element, at = layout.elements[0], elements_at(prepare(rig, layout), layout.character.base_values)[0]
+    element, at = layout.elements[0], elements_at(prepare(rig, layout), layout.base_values)[0]
     back = np.array([0.0, 0.0, 1.0])
     behind = replace(at, tracks=tuple(track - back for track in at.tracks), handle=at.handle - back)
     seen, hidden = (marks.mark(element, posed, CAMERA, 0.06, depth) for posed in (at, behind))
@@ -273,7 +267,7 @@ def test_what_the_face_hides_is_drawn_faintly(rig, layout):
 
 def test_each_handle_is_as_wide_as_those_of_its_part(rig, layout):
     """Also in a picture of parts of several widths."""
-    element, at = layout.elements[0], elements_at(prepare(rig, layout), layout.character.base_values)[0]
+    element, at = layout.elements[0], elements_at(prepare(rig, layout), layout.base_values)[0]
     inked = [(drawn(marks.mark(element, at, CAMERA, width)) < 200).any(axis=2).sum() for width in (0.1, 0.3)]
     assert inked[1] > 3 * inked[0]
 
@@ -295,7 +289,7 @@ def crossed(at, ends):
 )
 def test_signed_axes_span_every_quadrant_once(rig, ends, count, area):
     layout = laid_out.layout_of(rig, groups=[("jawLeft", "chin")])
-    at = crossed(elements_at(prepare(rig, layout), layout.character.base_values)[0], ends)
+    at = crossed(elements_at(prepare(rig, layout), layout.base_values)[0], ends)
     fields = marks.mark(layout.elements[0], at, CAMERA, 0.06).fields
     assert len(fields) == count
     assert sum(surface(each) for each in fields) == pytest.approx(area * 100.0**2)
@@ -414,7 +408,7 @@ def test_a_character_in_parts_has_a_close_up_of_each_part_and_of_each_hand():
     shown = [element.name for each in found for element in each.layout.elements]
     assert sorted(shown) == sorted(element.name for element in layout.elements)
     np.testing.assert_allclose(found[2].views[0], found[1].views[0] * [-1.0, 1.0, 1.0], atol=1e-9)
-    eyes = [next(element for element in each.layout.elements if element.look.side != "none") for each in found[1:3]]
+    eyes = [next(element for element in each.layout.elements if element.side != "none") for each in found[1:3]]
     pair = replace(layout, elements=tuple(eyes))
     assert [each.title for each in sections(rig, pair, evaluate(prepare(rig, pair)))][1] == "hands"
     page = picture.scene(rig, layout, None, Wanted(size=(320, 240)))
@@ -422,7 +416,7 @@ def test_a_character_in_parts_has_a_close_up_of_each_part_and_of_each_hand():
     assert drawn == {element.name for element in layout.elements}, "each is unhidden in one view"
     # The inside of a mouth: a face that hides it need not be drawn again.
     aside = tuple(
-        replace(each, anchor=replace(each.anchor, on_board=True)) if each.placement.part == "body" else each
+        replace(each, anchor=replace(each.anchor, on_board=True)) if each.part == "body" else each
         for each in layout.elements
     )
     boards = picture.scene(rig, replace(layout, elements=aside), None, Wanted(size=(320, 240)))

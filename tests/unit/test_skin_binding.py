@@ -15,13 +15,10 @@ from usdrigui.model import (
     Anchor,
     Element,
     Layout,
-    LayoutCharacter,
     LayoutFrame,
-    Look,
     Manipulator,
     Member,
     MirrorPlane,
-    Placement,
     Proof,
 )
 
@@ -76,16 +73,16 @@ def element(names, point=60, adapt="deform", beside=False):
         name="e",
         manipulator=Manipulator(kind="slider", members=members),
         anchor=anchor,
-        look=Look(label="e", side="none", adapt=adapt),
-        placement=Placement(),
+        label="e",
+        side="none",
+        adapt=adapt,
     )
 
 
 def layout(made, *elements, base_values=None):
     return Layout(
-        character=LayoutCharacter(
-            root=made.skel_root.path, base_values=np.zeros(len(made.controls)) if base_values is None else base_values
-        ),
+        root=made.skel_root.path,
+        base_values=np.zeros(len(made.controls)) if base_values is None else base_values,
         elements=elements,
         left_off=(),
         frame=LayoutFrame(

@@ -39,7 +39,7 @@ def choices(rig):
             each.anchor.on_board,
             each.manipulator.mirror,
             each.manipulator.axes,
-            each.placement.reason,
+            each.reason,
         )
         for each in line.layout.elements
     ]

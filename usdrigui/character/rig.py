@@ -120,8 +120,8 @@ class Glyph(Record):
     form: Literal["curve", "mesh"]
     points: Floats
     """(q, 3).  In `Configured.glyphs`: x to the viewer's right, y up, z out of the face, in a
-    sphere of radius 1 about the origin.  In `Look.glyph`: offsets from the handle's centre in the
-    base pose; root space, scene units."""
+    sphere of radius 1 about the origin.  In `Element.glyph`: offsets from the handle's centre in
+    the base pose; root space, scene units."""
     counts: Indices
     """(f,) points of each polyline or polygon."""
     indices: Indices

@@ -87,7 +87,7 @@ def to_dwpicker(page: Page, name: str, background: str = "") -> str:
         form = "rounded_rect" if element.manipulator.kind == "slider" else "square"
         text = {
             "action.targets": [member.control for member in element.manipulator.members],
-            "text.content": element.look.label,
+            "text.content": element.label,
             "text.color": _ink(mark),
         }
         place = np.round(box, 2).tolist()
@@ -140,7 +140,7 @@ def _panel(section: Section, subject: Subject, rows: Floats, labels: bool) -> Pa
     scale = min(2.0 * _RADIUS / layout.frame.handle_width, _MAX_EXTENT / float((high - low).max()))
     width, height = (max(round(scale * float(length)), 1) for length in high - low)
     camera = Camera(rows, 0.5 * (low + high) @ rows[:2], scale, width, height)
-    names = shortened([layout.elements[i].look.label for i in placed]) if labels else []
+    names = shortened([layout.elements[i].label for i in placed]) if labels else []
     column = column_width(names)
     size = (width + 2 * column, height)
     marks = _apart(marks_of(layout, posed, placed, camera), np.array([column, 0.0]))
@@ -231,7 +231,7 @@ def _buttons(placed: Sequence[Placed]) -> Floats:
     another."""
     if not placed:
         return np.zeros((0, 4))
-    letters = [len(element.look.label) for element, _, _ in placed]
+    letters = [len(element.label) for element, _, _ in placed]
     sizes = np.array([[max(_BUTTON, _BUTTON_LETTER * n + 10.0), _BUTTON] for n in letters])
     handles = np.array([handle for _, _, handle in placed])
     centres = spread(_BUTTON_SCALE * handles, sizes + 2.0)

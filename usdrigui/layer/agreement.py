@@ -78,7 +78,7 @@ class _Drawn(Record):
     @property
     def slides(self) -> bool:
         """Whether its handle goes along the track by itself, rather than with the skin."""
-        return self.element.anchor.on_board or self.element.look.adapt == "static"
+        return self.element.anchor.on_board or self.element.adapt == "static"
 
 
 class _Scene(Record):
@@ -176,7 +176,7 @@ def _at_rest(scene: _Scene, drawn: _Drawn) -> Iterator[Issue]:
     """What is wrong with an element in the base pose."""
     element, points, width = drawn.element, scene.base.points, drawn.width
     handle = points[drawn.handle]
-    if element.look.glyph is None:
+    if element.glyph is None:
         yield from _as_wide(drawn, handle, scene.grain)
         away = _worst(handle[:1] - element.anchor.position)
         if away > scene.grain + _NEAR * width:
@@ -235,7 +235,7 @@ def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterat
         clause = f"{off:.3g} from rigUI:control:*:trackPoints, {steps}"
         yield issue("LAYOUT_TRACK", drawn.prim.GetPath(), f"its anchor is up to {clause}")
     away = _worst(handle[:, :1] - anchor[:, None])
-    if drawn.element.look.glyph is None and away > tolerance:
+    if drawn.element.glyph is None and away > tolerance:
         yield _astray(drawn.prim, f"its handle leaves its anchor by {away:.3g}, {steps}")
     if _worst(motion[:, drawn.track]) > scene.grain + _STILL * drawn.width:
         yield _astray(drawn.prim, f"its tracks move, {steps}")
@@ -344,7 +344,7 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
                 _Drawn(
                     prim,
                     element,
-                    layout.frame.handle_width_of(element.placement.part),
+                    layout.frame.handle_width_of(element.part),
                     point,
                     _rows(drawing, prim, "handle"),
                     _rows(drawing, prim, "track", "area"),
@@ -354,7 +354,7 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
             )
     if not drawn:
         return None
-    base = dict(zip(base_controls(scope), layout.character.base_values.tolist(), strict=True))
+    base = dict(zip(base_controls(scope), layout.base_values.tolist(), strict=True))
     values = np.array([base.get(control.name, control.default) for control in rig.controls])
     found += _facing(rig, posed(rig, values), drawn)
     rows = np.unique(np.concatenate([[each.anchor, *each.rows] for each in drawn]).astype(np.int64))

@@ -210,11 +210,11 @@ def _of_manipulator(prim: Usd.Prim, element: Element) -> Iterator[Issue]:
 def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue]:
     """Whether an element on the character is on the side that it names, and has nothing of those
     on the board, which face the viewer."""
-    plane, side = layout.frame.plane, element.look.side
-    on_board, part = element.anchor.on_board, element.placement.part
+    plane, side = layout.frame.plane, element.side
+    on_board, part = element.anchor.on_board, element.part
     if on_board and element.anchor.normal @ layout.frame.view_of(part) < 0.0:
         yield invalid_at(prim, "rigUI:anchor:normal on the board looks away from the viewer")
-    if not on_board and (targets(prim, schema.ANCHOR, "carrier") or element.placement.category):
+    if not on_board and (targets(prim, schema.ANCHOR, "carrier") or element.category):
         yield invalid_at(prim, "has rigUI:anchor:prim, and a carrier or category of the board")
     if side != "none" and not plane.normal.any():
         yield invalid_at(prim, f"rigUI:element:side is {side}: rigUI:layout:planeNormal is missing")
@@ -238,16 +238,16 @@ def _of_mirror(
     if other.manipulator.mirror != element.name:
         yield invalid_at(prim, f"{where} does not mirror it back")
         return
-    if _OPPOSITE.get(element.look.side) != other.look.side:
-        yield _doubtful_at(prim, f"{where} is on the side {other.look.side}")
+    if _OPPOSITE.get(element.side) != other.side:
+        yield _doubtful_at(prim, f"{where} is on the side {other.side}")
     if len(other.manipulator.members) != len(element.manipulator.members):
         yield invalid_at(prim, f"{where} has another number of controls")
         return
     reflect = layout.frame.plane.reflected
     on_board = element.anchor.on_board or other.anchor.on_board
-    if on_board or not layout.frame.mirrors(element.placement.part):
+    if on_board or not layout.frame.mirrors(element.part):
         return
-    width = layout.frame.handle_width_of(element.placement.part)
+    width = layout.frame.handle_width_of(element.part)
     away = np.linalg.norm(reflect(element.anchor.position) - other.anchor.position)
     if away > 3.0 * width:
         yield _doubtful_at(prim, f"{where} is {away:.3g} from its mirror image")
@@ -270,7 +270,7 @@ def _unpaired(by_name: Mapping[str, tuple[Usd.Prim, Element]], layout: Layout) -
     plane, frame = layout.frame.plane, layout.frame
     sides: dict[str, list[tuple[Usd.Prim, Floats, float]]] = {"left": [], "right": []}
     for prim, element in by_name.values():
-        held, part, side = element.manipulator, element.placement.part, element.look.side
+        held, part, side = element.manipulator, element.part, element.side
         if not (held.mirror or element.anchor.on_board) and frame.mirrors(part) and side in sides:
             ends = (end for member in held.members for end in (member.track[0], member.track[-1]))
             places = np.stack([element.anchor.position, *ends])

@@ -59,7 +59,7 @@ def drawings(elements: Sequence[DrawnElement]) -> tuple[Drawing, ...]:
             # UsdSkel takes a point without influences to the origin.
             skinned = bool(len(bound.joints))
             key = (
-                each.element.placement.part,
+                each.element.part,
                 each.inner,
                 bound.skeleton,
                 bound.method if skinned else "",
@@ -131,7 +131,7 @@ def _author_faces(mesh: Sdf.PrimSpec, drawing: Drawing, elements: Sequence[Drawn
     # To the last bit as USD computes it of what is written, in single precision.
     extent = UsdGeom.PointBased.ComputeExtent(mesh.attributes["points"].default)
     _author_vectors(mesh, "extent", Sdf.ValueTypeNames.Float3Array, np.array(extent))
-    sides = [elements[position].element.look.side for position, _ in drawing.parts]
+    sides = [elements[position].element.side for position, _ in drawing.parts]
     colours = [linear(side) for side in dict.fromkeys(sides)]
     which = [list(dict.fromkeys(sides)).index(side) for side in sides]
     repeated = np.repeat(which, [len(part.faces.counts) for part in parts])

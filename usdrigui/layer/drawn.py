@@ -98,7 +98,7 @@ class Drawn(Record):
 
 def drawn_parts(skin: SkinBinding, element: Element, frame: LayoutFrame) -> tuple[Drawn, Drawn]:
     """Everything to draw of one element: the handle, and the tracks with the areas between them."""
-    part = element.placement.part
+    part = element.part
     width, view = frame.handle_width_of(part), frame.view_of(part)
     # Hands that hang are seen from the side, each from its own; and all from the front.
     view = max(view, frame.plane.turned(view), key=element.anchor.normal.dot)
@@ -110,7 +110,7 @@ def drawn_parts(skin: SkinBinding, element: Element, frame: LayoutFrame) -> tupl
         replace(binding, shapes=tuple(_short(shape, step) for shape in felt)),
         replace(binding, shapes=_felt(binding.shapes, _HAIR * width)),
     )
-    form, plain = _form(element, width, view), element.look.glyph is None
+    form, plain = _form(element, width, view), element.glyph is None
     handle = (
         _follower(binding, form, _HAIR_STEP * width if plain else step)
         if binding.deforms
@@ -368,7 +368,7 @@ def _follower(binding: AnchorBinding, form: Form, step: float) -> Drawn:
 
 def _form(element: Element, width: float, view: Floats) -> Form:
     """A handle in the base pose."""
-    glyph, normal = element.look.glyph, element.anchor.normal
+    glyph, normal = element.glyph, element.anchor.normal
     if glyph is None:
         return _dome(normal, view, width)
     if glyph.form == "mesh":

@@ -9,7 +9,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
-from typing import Any, get_args
+from typing import Any
 
 import numpy as np
 from pxr import Sdf, Usd, Vt
@@ -18,7 +18,7 @@ from usdrigui.character import Floats, Indices
 from usdrigui.errors import listed, refuse
 from usdrigui.layer import author
 from usdrigui.layer.rules import broken
-from usdrigui.model import Anchor, Decision, Element, Placement
+from usdrigui.model import Anchor, Decision, Element, in_order
 from usdrigui.stages import schema
 from usdrigui.stages.arrays import value_at
 
@@ -161,14 +161,6 @@ _DECIDED: Mapping[Decision, frozenset[str]] = {
 """Properties that hold the decisions of a layout."""
 
 
-def placement(prim: Usd.Prim, part: str, category: str, reason: str) -> Placement:
-    """With the decisions of a person that are on record; raises LAYOUT_INVALID."""
-    values = value_of(prim, schema.ELEMENT, "pinned")
-    x, y, z = array_of(value_of(prim, schema.ELEMENT, "pinnedPosition")).tolist()
-    decided = tuple(each for each in get_args(Decision) if each in values)
-    return Placement(part, category, reason, decided, (x, y, z))
-
-
 def corrected(element: Element, prim: Usd.Prim) -> Element:
     """The element with the opinions of layers stronger than the defining one as decisions of a
     person.
@@ -180,15 +172,13 @@ def corrected(element: Element, prim: Usd.Prim) -> Element:
     found = {decision for decision, names in _DECIDED.items() if authored & names}
     if not found or "rigUI:element:pinned" in authored:
         return element
-    own = element.placement
-    position = own.pinned_position
+    position = element.pinned_position
     if "anchor" in found:
         known = "rigUI:anchor:position" in authored
         x, y, z = element.anchor.position.tolist() if known else (np.nan,) * 3
         position = (x, y, z)
-    both = found | set(own.pinned)
-    ordered = tuple(each for each in get_args(Decision) if each in both)
-    return replace(element, placement=replace(own, pinned=ordered, pinned_position=position))
+    pinned = in_order(found | {*element.pinned})
+    return replace(element, pinned=pinned, pinned_position=position)
 
 
 def chosen_point(prim: Usd.Prim) -> set[str]:
@@ -212,10 +202,10 @@ def _authored_above(prim: Usd.Prim) -> set[str]:
 def check_elements(scope: Usd.Prim, elements: tuple[Element, ...]) -> None:
     """Refuse elements that contradict each other with LAYOUT_INVALID."""
     names = sorted(element.name for element in elements)
-    coarse = {element.name for element in elements if element.look.inner}
+    coarse = {element.name for element in elements if element.inner}
     faults = [f"two elements are called {one!r}" for one, next_ in pairwise(names) if one == next_]
     for element in elements:
-        for name in element.look.inner:
+        for name in element.inner:
             if name not in names or name in coarse:
                 what = "is coarse itself" if name in coarse else "is not an element of the layout"
                 faults.append(f"{name!r}, a member of {element.name!r}, {what}")

@@ -33,7 +33,6 @@ from usdrigui.layer.properties import (
     instances_applied,
     integers_of,
     invalid,
-    placement,
     read_anchor,
     refuse_broken,
     strings,
@@ -43,15 +42,14 @@ from usdrigui.layer.properties import (
 from usdrigui.model import (
     Element,
     Layout,
-    LayoutCharacter,
     LayoutFrame,
     LayoutPart,
-    Look,
     Manipulator,
     Match,
     Member,
     MirrorPlane,
     Proof,
+    in_order,
     main_part,
 )
 from usdrigui.stages import schema
@@ -71,7 +69,7 @@ def read_layout(
 ) -> tuple[Layout, ...]:
     """All layouts that a layer or stage holds, one per character, in stage order.
 
-    What the layer leaves out takes the schema's fallback.  `LayoutCharacter.base_values` are in the
+    What the layer leaves out takes the schema's fallback.  `Layout.base_values` are in the
     order in which the layer names the controls (`base_controls`).  Of a layout to be `carried` to
     the rig of today, a point that a stronger layer chooses may be none of its mesh: it is lost.
 
@@ -118,7 +116,7 @@ def with_corrections(stage: Usd.Stage, layouts: tuple[Layout, ...]) -> tuple[Lay
     For those that succeed them; a check judges the composed stage, whichever layer has the opinion.
     """
     scopes = {str(scope.GetPath().GetParentPath()): scope for scope in layout_scopes(stage)}
-    return tuple(_corrected(layout, scopes[layout.character.root]) for layout in layouts)
+    return tuple(_corrected(layout, scopes[layout.root]) for layout in layouts)
 
 
 def _corrected(layout: Layout, scope: Usd.Prim) -> Layout:
@@ -130,8 +128,8 @@ def _corrected(layout: Layout, scope: Usd.Prim) -> Layout:
     free = layout.follow(names) - names
 
     def following(element: Element) -> Element:
-        kept = tuple(each for each in element.placement.pinned if each != "anchor")
-        return replace(element, placement=replace(element.placement, pinned=kept))
+        kept = tuple(each for each in element.pinned if each != "anchor")
+        return replace(element, pinned=kept)
 
     return replace(
         layout,
@@ -276,12 +274,10 @@ def layout_at(scope: Usd.Prim, *, carried: bool = False) -> Layout:
     elements = tuple(_element(prim, carried=carried) for prim in element_prims(scope))
     check_elements(scope, elements)
     return Layout(
-        character=LayoutCharacter(
-            root=str(scope.GetPath().GetParentPath()),
-            base_values=_base_values(scope),
-            variant_path=_variant_path(scope),
-            matches=matches,
-        ),
+        root=str(scope.GetPath().GetParentPath()),
+        base_values=_base_values(scope),
+        variant_path=_variant_path(scope),
+        matches=matches,
         elements=elements,
         left_off=left_off,
         frame=LayoutFrame(
@@ -349,6 +345,7 @@ def _element(prim: Usd.Prim, *, carried: bool) -> Element:
     get = partial(value_of, prim, schema.ELEMENT)
     instances, name = control_instances(prim), element_name(prim)
     free = chosen_point(prim) if carried else ()
+    x, y, z = array_of(get("pinnedPosition")).tolist()
     for api in (schema.ELEMENT, schema.ANCHOR, schema.HANDLE):
         refuse_broken(prim, api, free=free)
     return Element(
@@ -365,19 +362,16 @@ def _element(prim: Usd.Prim, *, carried: bool) -> Element:
             ),
         ),
         anchor=read_anchor(prim),
-        look=Look(
-            label=str(prim.GetMetadata("displayName") or prim.GetName()),
-            side=get("side"),
-            adapt=value_of(prim, schema.HANDLE, "adapt"),
-            glyph=_glyph(prim),
-            inner=element_names(prim, "members"),
-        ),
-        placement=placement(
-            prim,
-            str(value_of(prim.GetParent(), schema.DRAWING, "part")),
-            str(get("category")),
-            prim.GetDocumentation() if prim.HasAuthoredDocumentation() else "",
-        ),
+        label=str(prim.GetMetadata("displayName") or prim.GetName()),
+        side=get("side"),
+        adapt=value_of(prim, schema.HANDLE, "adapt"),
+        glyph=_glyph(prim),
+        inner=element_names(prim, "members"),
+        part=str(value_of(prim.GetParent(), schema.DRAWING, "part")),
+        category=str(get("category")),
+        reason=prim.GetDocumentation() if prim.HasAuthoredDocumentation() else "",
+        pinned=in_order(get("pinned")),
+        pinned_position=(x, y, z),
     )
 
 

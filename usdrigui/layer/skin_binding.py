@@ -107,7 +107,7 @@ class SkinBinding:
 
     def __init__(self, rig: Rig, layout: Layout) -> None:
         self.rig = rig
-        self.values = layout.character.base_values
+        self.values = layout.base_values
         self.weights = channel_state(rig, self.values)[0]
         self._meshes = {mesh.path: mesh for mesh in rig.body.meshes}
         self.size = _size(rig.body)
@@ -135,7 +135,7 @@ class SkinBinding:
             self._own(element),
             self._all_of,
             on_board=element.anchor.on_board,
-            static=element.look.adapt == "static",
+            static=element.adapt == "static",
         )
         held = [self.rig.controls[each] for each in follows.held.tolist()]
         deforms = follows.deforms

@@ -32,7 +32,7 @@ from usdrigui.layer.drawing import (
 )
 from usdrigui.layer.drawn import drawn_parts
 from usdrigui.layer.skin_binding import SkinBinding
-from usdrigui.model import Anchor, Element, Layout, LayoutFrame, Look, Member
+from usdrigui.model import Anchor, Element, Layout, LayoutFrame, Member
 from usdrigui.model.levels import inner_names
 from usdrigui.replacing.transaction import State, commit, file_error
 from usdrigui.settings import OutputSettings
@@ -80,7 +80,7 @@ def write_layout(
     reference = "" if settings.bare else relative_asset_path(source, target)
     layer = layer_for(laid, reference, settings, metadata)
     content = layer_bytes(layer, target.suffix, str(target))
-    roots = [layout.character.path_in_variants for _, layout in laid]
+    roots = [layout.path_in_variants for _, layout in laid]
     return write(content, target, verify=functools.partial(holds_layouts, roots))
 
 
@@ -218,7 +218,7 @@ def author_metadata(layer: Sdf.Layer, metadata: Mapping[str, Any], laid: Laid) -
     root = layer.pseudoRoot
     if laid:
         # A source may do without; whoever references the layer then still gets the character.
-        root.SetInfo("defaultPrim", Sdf.Path(laid[0][1].character.root).GetPrefixes()[0].name)
+        root.SetInfo("defaultPrim", Sdf.Path(laid[0][1].root).GetPrefixes()[0].name)
     for key in _METADATA:
         if key in metadata:
             value = metadata[key]
@@ -230,7 +230,7 @@ def author_metadata(layer: Sdf.Layer, metadata: Mapping[str, Any], laid: Laid) -
 
 def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
     """The Scope of one character with all its elements."""
-    root = author_variant(layer, layout.character.path_in_variants)
+    root = author_variant(layer, layout.path_in_variants)
     author_limits(root, rig)
     taken: set[str] = set()
     parts = {author.identifier(each.name, taken): each for each in layout.frame.parts}
@@ -241,8 +241,7 @@ def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
     author.declare(
         scope,
         schema.LAYOUT,
-        _frame(rig.body.skeletons, layout.frame)
-        | account(rig.controls, layout.character.base_values),
+        _frame(rig.body.skeletons, layout.frame) | account(rig.controls, layout.base_values),
     )
     for instance, part in parts.items():
         name = "" if part.name == instance else part.name
@@ -287,7 +286,7 @@ def record(layout: Layout) -> str:
         "proof": asdict(layout.proof),
         "parts": parts,
         "leftOff": [asdict(each) for each in layout.left_off],
-        "matches": [asdict(each) for each in layout.character.matches],
+        "matches": [asdict(each) for each in layout.matches],
     }
 
     def short(text: str) -> float:
@@ -346,13 +345,13 @@ def _author_element(
     instances = instances_of(manipulator.members)
     applied = [f"{schema.CONTROL}:{instance}" for instance in instances.values()]
     author.apply(subset, (schema.ELEMENT, *applied))
-    if element.look.label != subset.name:
-        subset.SetInfo("displayName", element.look.label)
-    if element.placement.reason:
-        subset.SetInfo("documentation", element.placement.reason)
+    if element.label != subset.name:
+        subset.SetInfo("displayName", element.label)
+    if element.reason:
+        subset.SetInfo("documentation", element.reason)
     _author_element_api(subset, element, instances, paths)
     _author_anchor_api(subset, element.anchor)
-    _author_handle_api(subset, element.look)
+    _author_handle_api(subset, element)
     opposes = {
         manipulator.members[b].control: instances[manipulator.members[a].control]
         for a, b in manipulator.opposed
@@ -402,14 +401,14 @@ def _author_element_api(
             "name": "" if element.name == subset.name else element.name,
             "elementType": element.manipulator.kind,
             "controls": list(instances.values()) if len(instances) > 1 else (),
-            "side": element.look.side,
+            "side": element.side,
             "mirror": [paths[element.manipulator.mirror]]
             if element.manipulator.mirror in paths
             else [],
-            "members": [paths[name] for name in element.look.inner],
-            "category": element.placement.category,
-            "pinned": element.placement.pinned,
-            "pinnedPosition": element.placement.pinned_position,
+            "members": [paths[name] for name in element.inner],
+            "category": element.category,
+            "pinned": element.pinned,
+            "pinnedPosition": element.pinned_position,
         },
     )
 
@@ -429,14 +428,14 @@ def _author_anchor_api(subset: Sdf.PrimSpec, anchor: Anchor) -> None:
     )
 
 
-def _author_handle_api(subset: Sdf.PrimSpec, look: Look) -> None:
-    values: dict[str, Any] = {"adapt": look.adapt}
-    if look.glyph is not None:
+def _author_handle_api(subset: Sdf.PrimSpec, element: Element) -> None:
+    glyph, values = element.glyph, dict[str, Any](adapt=element.adapt)
+    if glyph is not None:
         values |= {
-            "glyph": look.glyph.name,
-            "glyphType": look.glyph.form,
-            "glyphOffsets": look.glyph.points,
-            "glyphCounts": look.glyph.counts,
-            "glyphIndices": look.glyph.indices if look.glyph.form == "mesh" else (),
+            "glyph": glyph.name,
+            "glyphType": glyph.form,
+            "glyphOffsets": glyph.points,
+            "glyphCounts": glyph.counts,
+            "glyphIndices": glyph.indices if glyph.form == "mesh" else (),
         }
     author.declare(subset, schema.HANDLE, values)

@@ -39,17 +39,15 @@ from usdrigui.model.layout import (
     ExistingPrim as ExistingPrim,
     ExistingSpan as ExistingSpan,
     Layout as Layout,
-    LayoutCharacter as LayoutCharacter,
     LayoutFrame as LayoutFrame,
     LayoutPart as LayoutPart,
     Legibility as Legibility,
-    Look as Look,
     Manipulator as Manipulator,
     Match as Match,
     Member as Member,
-    Placement as Placement,
     Proof as Proof,
     Side as Side,
+    in_order as in_order,
     main_part as main_part,
 )
 from usdrigui.model.motion import (

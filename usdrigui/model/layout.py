@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Literal, get_args
 
 import numpy as np
 
@@ -26,14 +26,32 @@ Decision = Literal["anchor", "place", "grouping"]
 controls share it."""
 
 
+def in_order(decisions: Collection[str]) -> tuple[Decision, ...]:
+    """Each of the decisions once."""
+    return tuple(each for each in get_args(Decision) if each in decisions)
+
+
 class Layout(Record):
     """All elements of one character (paper: L), what was left off, and the proof."""
 
-    character: LayoutCharacter
+    root: str
+    """Prim path of the SkelRoot."""
+    base_values: Floats
+    """(controls,) the base pose, in the order of `Rig.controls`."""
     elements: tuple[Element, ...]
     left_off: tuple[LeftOff, ...]
     frame: LayoutFrame
     proof: Proof
+    variant_path: str = ""
+    """Path of the SkelRoot with the variants that hold the layout, ``/Char{LOD=low}``; empty
+    without."""
+    matches: tuple[Match, ...] = ()
+    """Controls that had another name in the layout that this one succeeds, or may have had."""
+
+    @property
+    def path_in_variants(self) -> str:
+        """Of the SkelRoot, with the variants that hold the layout, if any."""
+        return self.variant_path or self.root
 
     @property
     def controls(self) -> frozenset[str]:
@@ -48,9 +66,9 @@ class Layout(Record):
             twin = by_name.get(element.manipulator.mirror)
             if twin is None or controls.isdisjoint(element.manipulator.controls):
                 continue
-            mine, other = (np.array(each.placement.pinned_position) for each in (element, twin))
+            mine, other = (np.array(each.pinned_position) for each in (element, twin))
             apart = np.linalg.norm(self.frame.plane.reflected(mine) - other)
-            if apart <= ONE_PLACE * self.frame.handle_width_of(twin.placement.part):
+            if apart <= ONE_PLACE * self.frame.handle_width_of(twin.part):
                 found |= twin.manipulator.controls
         return found
 
@@ -60,9 +78,7 @@ class Layout(Record):
         elements = sum(element.anchor.mesh == mesh for element in self.elements)
         message = f"is gone, and {elements} element{'s' * (elements != 1)} of the layout with it"
         more = f"; {controls} control{'s' * (controls != 1)} of the layout went too"
-        return issue(
-            "LAYOUT_MESH_GONE", mesh, f"{message}{more * bool(controls)}", self.character.root
-        )
+        return issue("LAYOUT_MESH_GONE", mesh, f"{message}{more * bool(controls)}", self.root)
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,25 +98,6 @@ class Match:
     def sure(self) -> str:
         """The confidence in words; rounded down, so that none below `SURE` reads as it."""
         return f"{math.floor(100.0 * self.confidence + 1e-6)}% sure"
-
-
-class LayoutCharacter(Record):
-    """The character for which a layout was made, in the pose in which its elements are stored."""
-
-    root: str
-    """Prim path of the SkelRoot."""
-    base_values: Floats
-    """(controls,) base pose: value of every control, in the order of `Rig.controls`."""
-    variant_path: str = ""
-    """Path of the SkelRoot with the variants that hold the layout, ``/Char{LOD=low}``; empty
-    without."""
-    matches: tuple[Match, ...] = ()
-    """Controls that had another name in the layout that this one succeeds, or may have had."""
-
-    @property
-    def path_in_variants(self) -> str:
-        """Of the SkelRoot, with the variants that hold the layout, if any."""
-        return self.variant_path or self.root
 
 
 class LayoutFrame(Record):
@@ -172,8 +169,28 @@ class Element(Record):
     """Unique; a valid prim name is made from it by the layer."""
     manipulator: Manipulator
     anchor: Anchor
-    look: Look
-    placement: Placement
+    label: str
+    side: Side
+    """Determines its colour."""
+    adapt: Literal["deform", "static"] = "deform"
+    glyph: Glyph | None = None
+    """Drawn as its handle; None for the usual shape."""
+    inner: tuple[str, ...] = ()
+    """Names of its members: the elements that are shown in its place when it is opened.  Empty
+    unless it is coarse."""
+    part: str = ""
+    """The part of the character: ``face``, ``hands``, ``feet``, ``body`` or one of the
+    configuration's; empty where a layer has none."""
+    category: str = ""
+    """On the board, its heading (``global``, ``hidden``, ``composite``,
+    ``requested``, ``crowded``); else empty."""
+    reason: str = ""
+    """Why it is on the board or shares an element; else empty."""
+    pinned: tuple[Decision, ...] = ()
+    """Decisions of a person that hold whenever the layout is made again."""
+    pinned_position: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    """Of the anchor at rest, in root space, on the rig for which they were made; means nothing
+    without ``anchor``."""
 
 
 class Manipulator(Record):
@@ -219,38 +236,6 @@ class Legibility:
     def __add__(self, other: Legibility) -> Legibility:
         """That of two parts together."""
         return Legibility(self.elements + other.elements, self.unclear + other.unclear)
-
-
-class Look(Record):
-    """How an element is shown."""
-
-    label: str
-    side: Side
-    """Determines its colour."""
-    adapt: Literal["deform", "static"] = "deform"
-    glyph: Glyph | None = None
-    """Drawn as its handle; None for the usual shape."""
-    inner: tuple[str, ...] = ()
-    """Names of its members: the elements that are shown in its place when it is opened.  Empty
-    unless it is coarse."""
-
-
-class Placement(Record):
-    """Where an element belongs, and who or what decided it."""
-
-    part: str = ""
-    """The part of the character: ``face``, ``hands``, ``feet``, ``body`` or one of the
-    configuration's; empty where a layer has none."""
-    category: str = ""
-    """On the board, its heading (``global``, ``hidden``, ``composite``,
-    ``requested``, ``crowded``); else empty."""
-    reason: str = ""
-    """Why it is on the board or shares an element; else empty."""
-    pinned: tuple[Decision, ...] = ()
-    """Decisions of a person that hold whenever the layout is made again."""
-    pinned_position: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    """Of the anchor at rest, in root space, on the rig for which they were made; means nothing
-    without ``anchor``."""
 
 
 class Member(Record):

@@ -13,7 +13,7 @@ from usdrigui.model.visible import is_visible, opened_with
 
 def inner_names(elements: Iterable[Element]) -> frozenset[str]:
     """Names of the elements that are members of a coarse one, and so on the second level."""
-    return frozenset(name for element in elements for name in element.look.inner)
+    return frozenset(name for element in elements for name in element.inner)
 
 
 def outer_first(elements: Sequence[Element]) -> tuple[Element, ...]:
@@ -35,7 +35,7 @@ def states(elements: Sequence[Element]) -> Mapping[str, frozenset[int]]:
     coarse one opened."""
     members = _members(elements)
     opened = [frozenset[str]()]
-    opened += [_opened([element], members) for element in elements if element.look.inner]
+    opened += [_opened([element], members) for element in elements if element.inner]
     return {
         element.name: frozenset(
             state for state, names in enumerate(opened) if is_visible(element.name, members, names)
@@ -57,7 +57,7 @@ def shown_of_all(
 
     Raises CONFIG_VALUE for a name that no coarse element of any bears.
     """
-    coarse = {e.name for layout in layouts for e in layout.elements if e.look.inner}
+    coarse = {e.name for layout in layouts for e in layout.elements if e.inner}
     names = coarse if everything else set(opened)
     for name in sorted(names - coarse):
         known = ", ".join(sorted(coarse)) or "none"
@@ -69,14 +69,14 @@ def shown_of_all(
 
 def _visible(layout: Layout, names: Collection[str]) -> Layout:
     members = _members(layout.elements)
-    opened = _opened([e for e in layout.elements if e.look.inner and e.name in names], members)
+    opened = _opened([e for e in layout.elements if e.inner and e.name in names], members)
     seen = tuple(e for e in layout.elements if is_visible(e.name, members, opened))
     return replace(layout, elements=seen)
 
 
 def _members(elements: Iterable[Element]) -> Mapping[str, tuple[str, ...]]:
     """Names of the members of each coarse element."""
-    return {element.name: element.look.inner for element in elements if element.look.inner}
+    return {element.name: element.inner for element in elements if element.inner}
 
 
 def _opened(coarse: Iterable[Element], members: Mapping[str, tuple[str, ...]]) -> frozenset[str]:

@@ -43,7 +43,7 @@ def pin(
     else, and as `read_composed_isolated`.
     """
     found, read = read_composed_isolated(layer, settings)
-    layouts = {each.character.root: each for each in found.layouts}
+    layouts = {each.root: each for each in found.layouts}
     made = _existing(output, layer, Opening.of(settings.read))
     unit = float(read.metadata["metersPerUnit"])
     for key, value in decisions.items():
@@ -91,19 +91,19 @@ def bake(shot: Path, settings: Settings, output: Path | None = None) -> tuple[St
 
 def _recorded(layout: Layout) -> list[Correction]:
     return [
-        _of_record(layout.character.root, member.control, element)
+        _of_record(layout.root, member.control, element)
         for element in layout.elements
         for member in element.manipulator.members
-        if element.placement.pinned
+        if element.pinned
     ]
 
 
 def _of_record(root: str, control: str, element: Element) -> Correction:
-    own, on_board = element.placement, element.anchor.on_board
-    place = "board" if on_board else "point" if "anchor" in own.pinned else "face"
-    placed = cast(CorrectedPlace, place if {"anchor", "place"} & {*own.pinned} else "")
-    reason = f"on record: {', '.join(own.pinned)}"
-    return Correction(root, control, placed, own.pinned_position, reason=reason)
+    pinned, on_board = element.pinned, element.anchor.on_board
+    place = "board" if on_board else "point" if "anchor" in pinned else "face"
+    placed = cast(CorrectedPlace, place if {"anchor", "place"} & {*pinned} else "")
+    reason = f"on record: {', '.join(pinned)}"
+    return Correction(root, control, placed, element.pinned_position, reason=reason)
 
 
 def _existing(output: Path, layer: Path, opening: Opening) -> dict[tuple[str, str], Correction]:

@@ -215,7 +215,7 @@ def _read_over(shot: Path, settings: Settings, layers: ReferenceLayers) -> list[
     found = _read(functools.partial(read_rigs_isolated, shot), layers, settings)
     assert found.references.base is not None
     sets = frozenset[str]().union(
-        *(asset_selections(each.character.variant_path) for each in found.references.base.layouts)
+        *(asset_selections(each.variant_path) for each in found.references.base.layouts)
     )
     if not sets:
         return [found]
@@ -283,7 +283,7 @@ def _beside(report: CharacterReport, first: Layout) -> CharacterReport:
     return replace(
         report,
         difference=None,
-        matchings={first.character.variant_path: report.matchings["previous"]},
+        matchings={first.variant_path: report.matchings["previous"]},
     )
 
 
@@ -403,7 +403,7 @@ def _account(character: Character, laid: Sequence[LaidPart], layout: Layout) -> 
     added = frozenset(element.name for element in layout.elements[kept:])
     told = [found for e in laid for found in shortfalls(e.inputs.measured, e.layout.elements)]
     if existing is not None and not added:
-        told.append(issue("BASE_COMPLETE", layout.character.root, f"{kept} elements in it"))
+        told.append(issue("BASE_COMPLETE", layout.root, f"{kept} elements in it"))
     notes = (note for each in parts for note in each.left_off if note.control in layout.controls)
     legible = (legibility_of(each.inputs.face, each.layout.elements) for each in laid)
     return CharacterReport(

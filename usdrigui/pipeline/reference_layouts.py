@@ -155,7 +155,7 @@ def _kept(layer: Path | None, opening: Opening) -> LayoutsResult | None:
     if layer is None:
         return None
     found = read_layouts_isolated(layer, opening)
-    pinned = (e.placement.pinned_position for each in found.layouts for e in each.elements)
+    pinned = (e.pinned_position for each in found.layouts for e in each.elements)
     if np.isfinite([*pinned]).all():
         return found
     settings = Settings(read=ReadSettings(variants=opening.variants))
@@ -165,7 +165,7 @@ def _kept(layer: Path | None, opening: Opening) -> LayoutsResult | None:
         return found  # the character is gone; what is lost is told where it is missed
     rigs = {rig.skel_root.path: rig for rig in composed.rigs}
     layouts = tuple(
-        with_rest_places(each, rigs[each.character.root]) if each.character.root in rigs else each
+        with_rest_places(each, rigs[each.root]) if each.root in rigs else each
         for each in found.layouts
     )
     return replace(found, layouts=layouts)
@@ -202,7 +202,7 @@ def followed(
     layout = layout_of((before,), rig)
     if layout is None:
         return references, rigs
-    was = f"was {before.character.root} in the previous layout"
+    was = f"was {before.root} in the previous layout"
     renamed = issue("PREVIOUS_RENAMED", rig.skel_root.path, was)
     told = (*rig.findings.issues, *of_character(rig.skel_root.path_in_variants, (renamed,)))
     return replace(references, previous={rig.skel_root.path: layout}), (
@@ -224,7 +224,7 @@ def rigs_over(references: ReferenceLayouts, rigs: tuple[Rig, ...]) -> tuple[Rig,
         return rigs
     found = tuple(rig for rig in rigs if references.existing(rig) is not None)
     if not found:
-        theirs = ", ".join(layout.character.root for layout in references.base.layouts)
+        theirs = ", ".join(layout.root for layout in references.base.layouts)
         raise refuse(
             "BASE_MISMATCH",
             rigs[0].skel_root.path,
@@ -306,4 +306,4 @@ def _characters(
 
 
 def _by_root(found: LayoutsResult | None) -> Mapping[str, Layout]:
-    return {layout.character.root: layout for layout in found.layouts} if found else {}
+    return {layout.root: layout for layout in found.layouts} if found else {}

@@ -138,11 +138,7 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...],
     """What the stage has, why layouts have no character there any more, and what was read."""
     found, read = read_composed_isolated(layer, settings)
     wanted = settings.read.skel_root
-    layouts = {
-        each.character.root: each
-        for each in found.layouts
-        if not wanted or each.character.root == wanted
-    }
+    layouts = {each.root: each for each in found.layouts if not wanted or each.root == wanted}
     lacking = sorted(layouts.keys() - {rig.skel_root.path for rig in read.rigs})
     lost = {each.character: each for each in read.lost}
     stale = tuple(
@@ -171,7 +167,7 @@ def _with_characters(layouts: Mapping[str, Layout], read: ReadResult, source: st
 def _with_base(rig: Rig, layout: Layout, every: Mapping[str, Sequence[str]]) -> Layout:
     """The layout with a base pose in the order of the rig's controls, where its own is of just
     these, listed in any order by SkelRoot; where it lists none, with that of the defaults."""
-    own, listed = layout.character.base_values, every.get(rig.skel_root.path, ())
+    own, listed = layout.base_values, every.get(rig.skel_root.path, ())
     if not len(own):
         values = {each.name: each.default for each in rig.controls}
     elif len(listed) != len(rig.controls) or not rig.control_names.issuperset(listed):
@@ -179,7 +175,7 @@ def _with_base(rig: Rig, layout: Layout, every: Mapping[str, Sequence[str]]) -> 
     else:
         values = dict(zip(listed, own.tolist(), strict=True))
     base = np.array([values[each.name] for each in rig.controls])
-    return replace(layout, character=replace(layout.character, base_values=base))
+    return replace(layout, base_values=base)
 
 
 def check(
@@ -226,7 +222,7 @@ def open_layouts(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Loaded:
     layouts, read = read_open_layouts(stage, settings)
     refuse_unsound(read)
     _refuse_lost(read.lost)
-    return _with_characters({each.character.root: each for each in layouts}, read, "")
+    return _with_characters({each.root: each for each in layouts}, read, "")
 
 
 def review(
@@ -346,7 +342,7 @@ def diff(before: Path, after: Path, settings: Settings) -> LayerDifference:
 
 def _difference(before: Path, after: Path, opening: Opening) -> LayerDifference:
     layers = [read_layouts_isolated(layer, opening) for layer in (before, after)]
-    old, new = ({each.character.root: each for each in read.layouts} for read in layers)
+    old, new = ({each.root: each for each in read.layouts} for read in layers)
     issues = tuple(dict.fromkeys(told for read in layers for told in read.ignored))
     scale = layers[0].unit / layers[1].unit
     found = []
@@ -354,6 +350,6 @@ def _difference(before: Path, after: Path, opening: Opening) -> LayerDifference:
         up = up_of(new[root])
         first = in_world(old[root], scale, np.zeros(3) if up is None else up)
         change = difference_stage.difference(first, new[root])
-        found.append(replace(change, root=new[root].character.path_in_variants))
+        found.append(replace(change, root=new[root].path_in_variants))
     alone = tuple(sorted(old.keys() ^ new.keys()))
     return LayerDifference(str(before), str(after), tuple(found), alone, issues)

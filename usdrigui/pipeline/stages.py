@@ -209,11 +209,8 @@ def layout_of(inputs: ProblemInputs, assignment: Assignment) -> Layout:
     found = layout(inputs.measured, inputs.placement, assignment, inputs.part)
     found = replace(
         found,
-        character=replace(
-            found.character,
-            base_values=inputs.character.base_values,
-            matches=inputs.character.references.matches,
-        ),
+        base_values=inputs.character.base_values,
+        matches=inputs.character.references.matches,
         left_off=(*rig.findings.left_off, *inputs.left_off),
     )
     return with_decisions(found, rig, posed(rig, None).points, inputs.requests)

@@ -83,19 +83,19 @@ def prepare(rig: Rig, layout: Layout) -> Poser:
     anchors, rows = subset(rig, points)
     names = rig.control_indices
     owned = tuple(_controls(names, element) for element in layout.elements)
-    if len(layout.character.base_values) != len(rig.controls):
+    if len(layout.base_values) != len(rig.controls):
         raise refuse(
             "LAYOUT_STALE",
-            layout.character.root,
+            layout.root,
             "the base pose has another number of controls than the character",
         )
-    base, still, still_base = posed(anchors, layout.character.base_values), anchors, None
+    base, still, still_base = posed(anchors, layout.base_values), anchors, None
     on_board = np.array([each.anchor.on_board for each in layout.elements], dtype=bool)
-    static = [each.look.adapt == "static" for each in layout.elements]
+    static = [each.adapt == "static" for each in layout.elements]
     all_of = shared(rig, owned, points, on_board)
     if any(static) and all_of.carrier >= 0:
         still, _ = subset(on_one_joint(rig, all_of.carrier), points)
-        still_base = posed(still, layout.character.base_values)
+        still_base = posed(still, layout.base_values)
     return Poser(
         rig,
         layout,
@@ -118,7 +118,7 @@ def evaluate(poser: Poser, values: ArrayLike | None = None) -> PosedLayout:
 
     Raises RigUIError POSE_VALUE for values that are not finite or of another number.
     """
-    at = checked_values(poser.rig, poser.layout.character.base_values if values is None else values)
+    at = checked_values(poser.rig, poser.layout.base_values if values is None else values)
     return PosedLayout(deform(poser.rig, at), elements_at(poser, at))
 
 
@@ -201,19 +201,19 @@ def _element(
     rest, handle = slid(
         [member.values for member in element.manipulator.members],
         tracks,
-        poser.layout.character.base_values[owned].tolist(),
+        poser.layout.base_values[owned].tolist(),
         values[owned].tolist(),
     )
     if follows.deforms:
         handle = whole.points[row]
     glyph = np.zeros((0, 3))
-    if element.look.glyph is not None:
+    if element.glyph is not None:
         held = (
             _carried(_map(skin.body, before, row), _map(skin.body, whole, row), base)[1]
             if follows.deforms
             else carry
         )
-        glyph = handle + element.look.glyph.points @ held
+        glyph = handle + element.glyph.points @ held
     normal = facing(element.anchor.normal, carry)
     return PosedElement(element.name, tracks, handle, rest, normal, glyph)
 
@@ -221,7 +221,7 @@ def _element(
 def _without(poser: Poser, skin: Rig, held: Indices, whole: Posed, values: Floats) -> Posed:
     """The anchors on a skin with the controls `held` at the base pose and all others at
     `values`."""
-    base_values = poser.layout.character.base_values
+    base_values = poser.layout.base_values
     away = held[values[held] != base_values[held]]
     if not len(away):
         return whole

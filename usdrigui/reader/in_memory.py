@@ -38,7 +38,7 @@ def read_open_layouts(
     """
     stage = _copy(source, settings.read.variants)
     layouts = read_layout(stage)
-    laid_out = {each.character.root for each in layouts}
+    laid_out = {each.root for each in layouts}
     return layouts, read_composed(stage, settings, laid_out)
 
 

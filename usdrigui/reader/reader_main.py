@@ -123,7 +123,7 @@ def _composed(path: Path, settings: Settings) -> Response:
         # Kept, so that what opens it next finds it so.
         open_stage(path, settings.read.variants)
         layouts = _layouts_in(asset)
-        laid_out = {each.character.root for each in layouts.layouts}
+        laid_out = {each.root for each in layouts.layouts}
         result = read_composed(asset.stage, settings, laid_out, asset.with_diagnostics)
         return Response(rigs=replace(result, sources=asset.sources()), layouts=layouts)
 

@@ -73,7 +73,7 @@ def _character(character: CharacterReport) -> dict[str, Any]:
     layout, assignment = character.layout, character.assignment
     return {
         "root": character.root,
-        "variant_path": layout.character.variant_path,
+        "variant_path": layout.variant_path,
         "points": int(character.rig.body.starts[-1]),
         "meshes": len(character.rig.body.meshes),
         "controls": [_row(row) for row in character.rows],
@@ -130,15 +130,15 @@ def _element(element: Element, existing: bool) -> dict[str, Any]:
         "kind": moved.kind,
         "controls": [member.control for member in moved.members],
         "opposed": moved.opposed,
-        "side": element.look.side,
+        "side": element.side,
         "mirror": moved.mirror,
         "on_board": anchor.on_board,
-        "category": element.placement.category,
+        "category": element.category,
         "mesh": anchor.mesh,
         "point": anchor.point,
         "position": anchor.position,
         "gains": [member.magnification for member in moved.members],
-        "reason": element.placement.reason,
+        "reason": element.reason,
         "existing": existing,
-        "members": element.look.inner,
+        "members": element.inner,
     }

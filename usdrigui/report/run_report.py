@@ -164,8 +164,7 @@ def rows_of(
         if control.name in carried:
             element, length = carried[control.name]
             place = "board" if element.anchor.on_board else "face"
-            element_name, own = element.name, element.placement
-            part, reason = own.part, own.reason
+            element_name, part, reason = element.name, element.part, element.reason
             if place == "face":
                 kept = length / max(peaks.get(control.name, length), 1e-300)
         twin = twins.get(control.name, "")

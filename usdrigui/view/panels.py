@@ -36,7 +36,7 @@ def marks_of(
     marks = []
     for index in indices:
         element = layout.elements[index]
-        width = layout.frame.handle_width_of(element.placement.part)
+        width = layout.frame.handle_width_of(element.part)
         marks.append(mark(element, posed.elements[index], camera, width, depth))
     return marks
 

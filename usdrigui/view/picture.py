@@ -225,7 +225,7 @@ def _arranged(rig: Rig, section: Section, skin: Floats, wanted: Wanted) -> tuple
     insets = _insets(section, skin, frames[0]) if wanted.views is None else []
     if wanted.labels:
         placed = frames[0].shown
-        short = shortened([section.layout.elements[i].look.label for i in placed])
+        short = shortened([section.layout.elements[i].label for i in placed])
         names = dict(zip(placed, short, strict=True))
         frames[0] = _named(frames[0], names, insets)
         insets = [_named(inset, names, ()) for inset in insets]
@@ -356,6 +356,6 @@ def _legend_entries(elements: Sequence[Element]) -> list[tuple[str, palette.Colo
     forms = {form_of(element.manipulator) for element in elements}
     if forms != {"slider"}:
         entries += [(form, grey, text, False) for form, text in FORMS.items() if form in forms]
-    if any(element.look.inner for element in elements):
+    if any(element.inner for element in elements):
         entries.append(("slider", grey, "coarse: opens into finer ones", True))
     return entries

@@ -49,7 +49,7 @@ def sections(rig: Rig, layout: Layout, posed: PosedLayout) -> tuple[Section, ...
     up, mirrored = rig.skel_root.up, layout.frame.plane.turned
     ahead = directions.ahead_of(layout, up)
     for part in layout.frame.parts:
-        own = [i for i, e in enumerate(layout.elements) if e.placement.part == part.name]
+        own = [i for i, e in enumerate(layout.elements) if e.part == part.name]
         title = _TITLES.get(part.name, part.name)
         sides = _sides(layout.elements, own) if part.name in OF_SIDES else {}
         for side, chosen in (sides or {"": own}).items():
@@ -108,7 +108,7 @@ def _section(
 def _sides(elements: tuple[Element, ...], own: list[int]) -> dict[str, list[int]]:
     """The elements of either side of a part that lies on both; the board goes with the left."""
     sides = {
-        side: [i for i in own if elements[i].look.side == side and not elements[i].anchor.on_board]
+        side: [i for i in own if elements[i].side == side and not elements[i].anchor.on_board]
         for side in ("left", "right")
     }
     if min(map(len, sides.values())) < _SHOWN:

@@ -40,7 +40,7 @@ def sheet_png(
             for name, value in pose.items()
             if name in rig.control_names or name not in known
         }
-        values = values_of(rig, own, layout.character.base_values) if own else None
+        values = values_of(rig, own, layout.base_values) if own else None
         images.append(render(rig, layout, values, labels=labels))
     # Each names its character itself.
     page = images[0] if len(images) == 1 else contact_sheet(images)
@@ -52,7 +52,7 @@ def sheet_png(
 def spelt_out(characters: Sequence[tuple[Rig, Layout]]) -> tuple[str, ...]:
     """A sentence where names of Han, kana or hangul are spelt as they sound in pictures of the
     characters, for want of the extra ``fonts``; else none."""
-    labels = [element.look.label for _, layout in characters for element in layout.elements]
+    labels = [element.label for _, layout in characters for element in layout.elements]
     found = lettering.spelt_out(labels)
     if not found:
         return ()

@@ -118,7 +118,7 @@ def _attached(
     source = open_layer(asset)
     if any(_entries(asset, source, layer)):
         return "unchanged"
-    roots = [layout.character.root for layout in layouts]
+    roots = [layout.root for layout in layouts]
     for root in roots:
         inside = read.layout_inside(root)
         if inside:
@@ -142,11 +142,10 @@ def _sublayer(asset: Path, layer: Path) -> _Edit:
 def _references(asset: Path, layer: Path, layouts: Sequence[Layout]) -> _Edit:
     opened, entry = open_layer(layer), relative_asset_path(layer, asset)
     for layout in layouts:
-        own = layout.character
-        layout_reference.check_reachable(layer, opened, own.variant_path, own.root)
+        layout_reference.check_reachable(layer, opened, layout.variant_path, layout.root)
     wanted = tuple(
         layout_reference.ReferenceOf(root, entry)
-        for root in dict.fromkeys(each.character.root for each in layouts)
+        for root in dict.fromkeys(each.root for each in layouts)
     )
     return _Edit(functools.partial(layout_reference.add, references=wanted))
 
@@ -154,7 +153,7 @@ def _references(asset: Path, layer: Path, layouts: Sequence[Layout]) -> _Edit:
 def _in_its_variant(layouts: Sequence[Layout], settings: Settings) -> Settings:
     """The settings with the variants selected that hold a layout: the asset may select
     others."""
-    chosen = {**asset_selections(layouts[0].character.variant_path), **settings.read.variants}
+    chosen = {**asset_selections(layouts[0].variant_path), **settings.read.variants}
     return replace(settings, read=replace(settings.read, variants=chosen))
 
 
@@ -163,7 +162,7 @@ def _check_of(asset: Path, layouts: Sequence[Layout], rigs: Sequence[Rig]) -> No
     without any control that it has."""
     by_root = {rig.skel_root.path: rig for rig in rigs}
     for layout in layouts:
-        root = layout.character.root
+        root = layout.root
         if root not in by_root:
             raise refuse("ATTACH_MISMATCH", root, f"{asset} has no character at this path")
         if layout.controls and layout.controls.isdisjoint(by_root[root].control_names):
@@ -175,7 +174,7 @@ def _check_of(asset: Path, layouts: Sequence[Layout], rigs: Sequence[Rig]) -> No
 def _controls_gone(layouts: Sequence[Layout], rigs: Sequence[Rig]) -> Iterator[Issue]:
     known = {rig.skel_root.path: rig.control_names for rig in rigs}
     for layout in layouts:
-        root = layout.character.root
+        root = layout.root
         unknown = sorted(layout.controls.difference(known[root]))
         if unknown:
             yield issue("ATTACH_CONTROLS_GONE", root, f"has no control {listed(unknown)}")
@@ -279,9 +278,7 @@ def _edit(layer: Sdf.Layer, added: str, removed: Sequence[str]) -> None:
 
 def _holds_layouts(roots: Sequence[str], opening: Opening, path: Path) -> bool:
     """Whether the file composes to a character with the layouts."""
-    return set(roots) <= {
-        each.character.root for each in read_layouts_isolated(path, opening).layouts
-    }
+    return set(roots) <= {each.root for each in read_layouts_isolated(path, opening).layouts}
 
 
 def _readable(settings: Settings, path: Path) -> bool:

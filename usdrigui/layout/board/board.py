@@ -21,7 +21,7 @@ from usdrigui.layout.glyph_fitting import fitted_glyph
 from usdrigui.layout.names import common_label, element_name
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.visibility import screen
-from usdrigui.model import Anchor, Element, Group, Look, Manipulator, Member, Placement, Side
+from usdrigui.model import Anchor, Element, Group, Manipulator, Member, Side
 
 CATEGORIES = (
     "global", "hidden", "interior", "composite", "viseme",
@@ -100,7 +100,7 @@ def _right_end(element: Element, frame: Floats, width: float) -> float:
     """Where an existing element, its label included, ends across the screen, and a column may
     begin."""
     across = max(float((member.track @ frame[0]).max()) for member in element.manipulator.members)
-    return across + (2.0 + _LETTER * len(element.look.label)) * width
+    return across + (2.0 + _LETTER * len(element.label)) * width
 
 
 def _cell_widths(controls: tuple[Control, ...], rows: list[tuple[BoardEntry, ...]]) -> list[float]:
@@ -214,13 +214,12 @@ def _element(
             ),
         ),
         anchor=anchor,
-        look=Look(
-            label=_label(face.rig.controls, entry),
-            side=side,
-            adapt=drawing.adapt,
-            glyph=fitted_glyph(face, overrides, anchor, members, side == "right"),
-        ),
-        placement=Placement(category=entry.category, reason=entry.reason),
+        label=_label(face.rig.controls, entry),
+        side=side,
+        adapt=drawing.adapt,
+        glyph=fitted_glyph(face, overrides, anchor, members, side == "right"),
+        category=entry.category,
+        reason=entry.reason,
     )
 
 

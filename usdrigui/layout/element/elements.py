@@ -25,12 +25,9 @@ from usdrigui.model import (
     Element,
     Group,
     Layout,
-    LayoutCharacter,
     LayoutFrame,
-    Look,
     Manipulator,
     Member,
-    Placement,
     Proof,
     Side,
 )
@@ -71,9 +68,11 @@ def layout(
     )
     root = face.rig.skel_root
     return Layout(
-        character=LayoutCharacter(root.path, np.zeros(0), root.variant_path),
+        root=root.path,
+        base_values=np.zeros(0),
+        variant_path=root.variant_path,
         elements=tuple(
-            replace(each, placement=replace(each.placement, part=part))
+            replace(each, part=part)
             for each in with_inner(elements, placement.groups, face.rig.controls)
         ),
         left_off=(),
@@ -148,15 +147,13 @@ def _on_face(known: Measured, group: Group, choice: Choice, label: int) -> list[
                     reversed=_reversed(face, members) if mirror else (),
                 ),
                 anchor=anchor,
-                look=Look(
-                    label=common_label([face.rig.controls[control].label for control in controls]),
-                    side=side,
-                    adapt=overrides[0].adapt or settings.adapt,
-                    glyph=fitted_glyph(
-                        face, overrides, anchor, members, bool(mirror) and side == "right"
-                    ),
+                label=common_label([face.rig.controls[control].label for control in controls]),
+                side=side,
+                adapt=overrides[0].adapt or settings.adapt,
+                glyph=fitted_glyph(
+                    face, overrides, anchor, members, bool(mirror) and side == "right"
                 ),
-                placement=Placement(reason=group.reason_of(controls)),
+                reason=group.reason_of(controls),
             )
         )
     return made

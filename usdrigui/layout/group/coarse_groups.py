@@ -72,10 +72,7 @@ def with_inner(
                 theirs = _elements_of(member.copies, names, by_controls)
                 own = theirs[copy : copy + 1] if len(theirs) == len(copies) else theirs
                 inner.setdefault(name, []).extend(own)
-    return tuple(
-        replace(each, look=replace(each.look, inner=tuple(sorted(inner.get(each.name, ())))))
-        for each in made
-    )
+    return tuple(replace(each, inner=tuple(sorted(inner.get(each.name, ())))) for each in made)
 
 
 def _elements_of(

@@ -9,7 +9,7 @@ import numpy as np
 
 from usdrigui.character import Floats, Rig
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.model import ONE_PLACE, Decision, Element, Layout
+from usdrigui.model import ONE_PLACE, Decision, Element, Layout, in_order
 from usdrigui.model.levels import with_levels
 
 
@@ -39,7 +39,7 @@ def with_decisions(layout: Layout, rig: Rig, rest: Floats, requests: Requests) -
         kinds, anchor = decided[element.name], element.anchor
         if anchor.on_board:
             kinds.discard("anchor")
-        placement = replace(element.placement, pinned=tuple(k for k in _ORDER if k in kinds))
+        element = replace(element, pinned=in_order(kinds))
         if "anchor" in kinds:
             here = rest[rig.body.point_of(anchor.mesh, anchor.point)]
             # The place that was decided stays on record while it is the same place: carrying it on
@@ -47,13 +47,10 @@ def with_decisions(layout: Layout, rig: Rig, rest: Floats, requests: Requests) -
             then = np.array(before.get(element.name, (np.nan,) * 3))
             near = float(np.linalg.norm(here - then)) <= ONE_PLACE * layout.frame.handle_width
             x, y, z = (then if near else here).tolist()
-            placement = replace(placement, pinned_position=(x, y, z))
-        return replace(element, placement=placement)
+            element = replace(element, pinned_position=(x, y, z))
+        return element
 
     return replace(layout, elements=tuple(pinned(element) for element in layout.elements))
-
-
-_ORDER: tuple[Decision, ...] = ("anchor", "place", "grouping")
 
 
 def _configured(element: Element, index: Mapping[str, int], requests: Requests) -> set[Decision]:

@@ -37,7 +37,7 @@ def layout_of(layouts: tuple[Layout, ...], rig: Rig) -> Layout | None:
 def root_in_base(layouts: tuple[Layout, ...], rig: Rig) -> str:
     """The SkelRoot's path in the layer of the existing layout; empty where there is none."""
     found = _fitting(layouts, rig)
-    return found.character.root if found is not None else ""
+    return found.root if found is not None else ""
 
 
 def new_controls(layout: Layout, controls: tuple[Control, ...]) -> frozenset[int]:
@@ -111,7 +111,7 @@ def uniquify_names(added: Layout, existing: Layout) -> Layout:
             e,
             name=names[e.name],
             manipulator=replace(e.manipulator, mirror=names.get(e.manipulator.mirror, "")),
-            look=replace(e.look, inner=tuple(names[each] for each in e.look.inner)),
+            inner=tuple(names[each] for each in e.inner),
         )
         for e in added.elements
     )
@@ -127,13 +127,13 @@ def combined(existing: Layout, added: Layout) -> Layout:
         frame=replace(
             existing.frame, handle_width=existing.frame.handle_width or added.frame.handle_width
         ),
-        character=replace(existing.character, base_values=added.character.base_values),
+        base_values=added.base_values,
         proof=added.proof,
     )
 
 
 def _fitting(layouts: tuple[Layout, ...], rig: Rig) -> Layout | None:
-    here = [layout for layout in layouts if layout.character.root == rig.skel_root.path]
+    here = [layout for layout in layouts if layout.root == rig.skel_root.path]
     fitting = [
         layout
         for layout in here or layouts
@@ -156,14 +156,11 @@ def _moved(layout: Layout, root: str, variant_path: str) -> Layout:
     elements = tuple(
         replace(
             each,
-            anchor=replace(
-                each.anchor, mesh=moved_path(each.anchor.mesh, layout.character.root, root)
-            ),
+            anchor=replace(each.anchor, mesh=moved_path(each.anchor.mesh, layout.root, root)),
         )
         for each in layout.elements
     )
-    character = replace(layout.character, root=root, variant_path=variant_path)
-    return replace(layout, elements=elements, character=character)
+    return replace(layout, root=root, variant_path=variant_path, elements=elements)
 
 
 def moved_path(path: str, before: str, after: str) -> str:

@@ -73,8 +73,8 @@ def in_world(layout: Layout, scale: float, up: Floats) -> Layout:
 
 
 def _moved(element: Element, scale: float, turn: Floats) -> Element:
-    anchor, placement, manipulator = element.anchor, element.placement, element.manipulator
-    x, y, z = (scale * turn @ np.array(placement.pinned_position)).tolist()
+    anchor, manipulator = element.anchor, element.manipulator
+    x, y, z = (scale * turn @ np.array(element.pinned_position)).tolist()
     members = tuple(
         replace(
             m,
@@ -90,7 +90,7 @@ def _moved(element: Element, scale: float, turn: Floats) -> Element:
         anchor=replace(
             anchor, position=scale * turn @ anchor.position, normal=turn @ anchor.normal
         ),
-        placement=replace(placement, pinned_position=(x, y, z)),
+        pinned_position=(x, y, z),
     )
 
 
@@ -100,7 +100,7 @@ def _left(elements: tuple[Element, ...], plane_normal: Floats) -> Floats:
     if plane_normal.any():
         return plane_normal
     left, right = (
-        [each.anchor.position for each in elements if each.look.side == side]
+        [each.anchor.position for each in elements if each.side == side]
         for side in ("left", "right")
     )
     return np.mean(left, axis=0) - np.mean(right, axis=0) if left and right else np.zeros(3)

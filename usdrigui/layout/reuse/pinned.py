@@ -91,22 +91,22 @@ def pins_of(layout: Layout, today: Today, corrections: Sequence[Correction] = ()
     corrected = {each.control for each in corrections if each.place}
     free = corrected | layout.follow(corrected)
     for element, inner in with_levels(layout.elements):
-        placement, on_board = element.placement, element.anchor.on_board
+        on_board = element.anchor.on_board
         every = [m.control for m in element.manipulator.members]
         known = tuple(name for name in every if name in names)
-        if not placement.pinned or not free.isdisjoint(known):
+        if not element.pinned or not free.isdisjoint(known):
             continue
         gone = "is gone, and no control is surely it by another name"
         issues += [issue("PIN_LOST", name, gone) for name in every if name not in names]
         if not known:
             continue
-        pin = Pin(element.name, known, placement.pinned, position=placement.pinned_position)
-        if "anchor" in placement.pinned and not on_board:
+        pin = Pin(element.name, known, element.pinned, position=element.pinned_position)
+        if "anchor" in element.pinned and not on_board:
             pin, told = _at_point(
-                pin, element.anchor, layout.frame.handle_width_of(placement.part), today
+                pin, element.anchor, layout.frame.handle_width_of(element.part), today
             )
             issues += told
-        if "place" in placement.pinned and not pin.anchor:
+        if "place" in element.pinned and not pin.anchor:
             pin = replace(pin, place="board" if on_board else "face")
         pins.append(replace(pin, inner=inner, recorded=True))
     return Pins(tuple(pins), tuple(issues))
@@ -118,12 +118,12 @@ def with_rest_places(layout: Layout, rig: Rig) -> Layout:
     points = posed(rig, None).points
 
     def placed(element: Element) -> Element:
-        anchor, placement = element.anchor, element.placement
+        anchor = element.anchor
         point = rig.body.point_of(anchor.mesh, anchor.point)
-        if point < 0 or np.isfinite(placement.pinned_position).all():
+        if point < 0 or np.isfinite(element.pinned_position).all():
             return element
         x, y, z = points[point].tolist()
-        return replace(element, placement=replace(placement, pinned_position=(x, y, z)))
+        return replace(element, pinned_position=(x, y, z))
 
     return replace(layout, elements=tuple(map(placed, layout.elements)))
 
@@ -138,7 +138,7 @@ def pins_of_fixed(layout: Layout, rig: Rig) -> list[Pin]:
     for element, inner in with_levels(layout.elements):
         names, anchor = tuple(m.control for m in element.manipulator.members), element.anchor
         if unknown := [name for name in names if name not in rig.control_names]:
-            where = f"{layout.character.root} element {element.name}"
+            where = f"{layout.root} element {element.name}"
             what = f"{rig.skel_root.path} has no control {unknown[0]!r}"
             raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
         if anchor.on_board:

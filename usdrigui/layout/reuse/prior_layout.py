@@ -210,10 +210,10 @@ def _places(layout: Layout, today: Today) -> tuple[dict[int, Place], dict[int, P
 
 def _place(element: Element, controls: Sequence[str], today: Today) -> Place:
     """Where an element was, at the point of today's rig that is nearest to there."""
-    anchor, own = element.anchor, element.placement
+    anchor = element.anchor
     if not anchor.on_board:
         point, _ = carried(anchor, anchor.position, controls, today)
         return Place(point, anchor.position, False)
-    kept = own.category not in ("crowded", "requested")
-    category, reason = (cast(Category, own.category), own.reason) if kept else ("", "")
+    kept = element.category not in ("crowded", "requested")
+    category, reason = (cast(Category, element.category), element.reason) if kept else ("", "")
     return Place(-1, anchor.position, True, category, reason)

@@ -34,7 +34,7 @@ def _name(element: Element, names: Mapping[str, str]) -> str:
 
 
 def _renamed(element: Element, names: Mapping[str, str], elements: Mapping[str, str]) -> Element:
-    moved, look = element.manipulator, element.look
+    moved = element.manipulator
     members = (
         replace(each, control=names.get(each.control, each.control)) for each in moved.members
     )
@@ -44,5 +44,5 @@ def _renamed(element: Element, names: Mapping[str, str], elements: Mapping[str, 
         manipulator=replace(
             moved, members=tuple(members), mirror=elements.get(moved.mirror, moved.mirror)
         ),
-        look=replace(look, inner=tuple(elements.get(name, name) for name in look.inner)),
+        inner=tuple(elements.get(name, name) for name in element.inner),
     )

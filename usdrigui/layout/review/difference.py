@@ -114,7 +114,7 @@ def difference(before: Layout, after: Layout) -> Difference:
     Which control of the one is which of the other is what `after` has on record of `before`, else
     their names tell.  The places of elements on the board are not compared.
     """
-    recorded = [each for each in after.character.matches if each.before in before.controls]
+    recorded = [each for each in after.matches if each.before in before.controls]
     sure = {each.before: each.after for each in recorded if each.confidence >= SURE}
     may_be = {each.before: f"may be {each.after} ({each.sure})" for each in recorded}
     then = with_names(before, sure)
@@ -134,7 +134,7 @@ def difference(before: Layout, after: Layout) -> Difference:
             changes.append(_change(pair, kind, why, was.get(key[0], "")))
     changes.sort(key=lambda change: _KINDS.index(change.kind))
     found = tuple(_with_cause(change, changes, (then, after)) for change in changes)
-    return Difference(after.character.root, found, len(then.controls & after.controls))
+    return Difference(after.root, found, len(then.controls & after.controls))
 
 
 def _by_control(layout: Layout) -> dict[tuple[str, int], Element]:
@@ -155,7 +155,7 @@ def _by_control(layout: Layout) -> dict[tuple[str, int], Element]:
 def _alone(control: str, kind: Literal["added", "removed"], element: Element) -> Change:
     place, added = element.anchor.place, kind == "added"
     places = ("", place) if added else (place, "")
-    why = (element.placement.reason,) if added and element.placement.reason else ()
+    why = (element.reason,) if added and element.reason else ()
     return Change(control, kind, element.name, np.nan, *places, why)
 
 
@@ -183,8 +183,8 @@ def _kind(pair: _Pair) -> ChangeKind | None:
 
 def _reasons(pair: _Pair, kind: ChangeKind) -> Iterator[str]:
     (one, other), (before, now) = pair.anchors, pair.partners
-    was, element = pair.elements[0].placement.pinned, pair.elements[1]
-    pinned = element.placement.pinned
+    was, element = pair.elements[0].pinned, pair.elements[1]
+    pinned = element.pinned
     if joined := sorted(now - before):
         yield f"shares its element with {', '.join(joined)}"
     if left := sorted(before - now):
@@ -195,8 +195,8 @@ def _reasons(pair: _Pair, kind: ChangeKind) -> Iterator[str]:
     decided = "anchor" in pinned
     if kind != "to the face" and not (one.on_board or decided):
         yield from _crowd(pair)
-    if kind == "board" and element.placement.reason:
-        yield element.placement.reason
+    if kind == "board" and element.reason:
+        yield element.reason
     same_mesh = one.topology_hash == other.topology_hash
     if decided and ("anchor" not in was or (same_mesh and one.place != other.place)):
         yield "its anchor, or its twin's, was decided by a person"
@@ -248,7 +248,5 @@ def _crowd(pair: _Pair) -> Iterator[str]:
         apart = float(np.linalg.norm(element.anchor.position - then.anchor.position))
         others = pair.partners[0].isdisjoint(element.manipulator.controls)
         if others and apart < after.frame.handle_width * (1.0 - _STILL):
-            decided = ", whose anchor was decided by a person" * (
-                "anchor" in element.placement.pinned
-            )
+            decided = ", whose anchor was decided by a person" * ("anchor" in element.pinned)
             yield f"its place is taken by {element.name}{decided}"

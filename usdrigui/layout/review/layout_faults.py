@@ -57,7 +57,7 @@ def stale(
     layout, whole = layouts
     posed = bool(settings.pose) or settings.time is not None
     # Positions of another base pose cannot be compared.
-    comparable = not posed and np.allclose(layout.character.base_values, 0.0)
+    comparable = not posed and np.allclose(layout.base_values, 0.0)
     meshes = {mesh.path: mesh for mesh in rig.body.meshes}
     known = rig.control_names
     lacking = not known.issuperset(layout.controls)
@@ -124,7 +124,7 @@ def unplaced(
     new = [name for name in names if name not in known]
     if len(new) > 1 and not listed and not layout.proof.method:
         clause = "controls have no element, and rigUI:layout:baseControls lists none"
-        yield issue("LAYOUT_CONTROL_NEW", layout.character.root, f"{len(new)} {clause}")
+        yield issue("LAYOUT_CONTROL_NEW", layout.root, f"{len(new)} {clause}")
         return
     for name in new:
         yield issue("LAYOUT_CONTROL_NEW", name, "has no element and is not listed without one")
@@ -158,7 +158,7 @@ def not_animated(rig: Rig, layout: Layout) -> Iterator[Issue]:
     that is bound has their weights or joints; one for the character where it has none at all."""
     still = {control.name for control in rig.controls if not _animated(rig.body, control.drive)}
     if still and len(still) == len(rig.controls):
-        where = layout.character.root
+        where = layout.root
         what = f"no SkelAnimation that is bound has any of its {len(still)} controls"
         yield issue("LAYOUT_NOT_ANIMATED", where, what)
         return

@@ -55,7 +55,7 @@ def review(
         *crowded(layout.elements, layout.frame.handle_width or face.handle_width),
     ]
     sound = sound_elements(face, layout.elements)
-    pinned = {element.name for element in layout.elements if "anchor" in element.placement.pinned}
+    pinned = {element.name for element in layout.elements if "anchor" in element.pinned}
     issues = [*faults, *hidden(face, tuple(each for each in sound if each.name not in pinned))]
     answered = as_problem(known, candidates, layout.elements, sound)
     rated = ratings(face, layout.elements, answered)

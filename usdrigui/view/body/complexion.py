@@ -130,7 +130,7 @@ class _Face(Record):
 
 def complexion(rig: Rig, layout: Layout) -> Complexion:
     """Colours of a character in the base pose of its layout, and the shade there."""
-    start = posed(rig, layout.character.base_values)
+    start = posed(rig, layout.base_values)
     coloured = _coloured(rig, layout, start)
     subject = subject_of(rig.body.meshes, start.points, coloured)
     return replace(coloured, open=openness(subject))
@@ -222,7 +222,7 @@ def _on_face(layout: Layout) -> list[Element]:
     return [
         element
         for element in layout.elements
-        if not (element.anchor.on_board or (main and element.placement.part not in main))
+        if not (element.anchor.on_board or (main and element.part not in main))
     ]
 
 

@@ -51,8 +51,8 @@ def board(
     """A panel at a left, top and width that holds elements with a heading over each category;
     `scale` enlarges all but the width."""
     left, top, width = box
-    ordered = sorted(elements, key=lambda pair: rank(pair[0].placement.category))
-    short = shortened([element.look.label for element, _ in ordered])
+    ordered = sorted(elements, key=lambda pair: rank(pair[0].category))
+    short = shortened([element.label for element, _ in ordered])
     size, symbol, height = round(scale * LARGEST), scale * _SYMBOL, scale * _ROW
     lines: list[tuple[str, Mark | None]] = []
     families = groupby(zip(ordered, short, strict=True), key=lambda named: _family(named[0][0]))
@@ -79,7 +79,7 @@ def board(
 
 
 def _family(element: Element) -> tuple[str, str]:
-    return element.placement.category, element.placement.part
+    return element.category, element.part
 
 
 def _symbol(mark: Mark, place: Floats, room: Floats) -> Mark:

@@ -35,7 +35,7 @@ _SPREAD = np.array([[0, 0, 0], [0.7, 0, 0], [-0.7, 0, 0], [0, 0.7, 0], [0, -0.7,
 
 def colour_of(element: Element) -> Colour:
     """The colour in which an element is drawn."""
-    return BOARD if element.anchor.on_board else SIDES[element.look.side]
+    return BOARD if element.anchor.on_board else SIDES[element.side]
 
 
 def form_of(manipulator: Manipulator) -> str:
@@ -60,13 +60,13 @@ def mark(
     handle = camera.project(posed.handle)
     radius = max(0.5 * handle_width * camera.scale, _MIN_RADIUS)
     enlarged = radius / max(0.5 * handle_width * camera.scale, 1e-12)
-    glyph, slider = element.look.glyph, element.manipulator.kind == "slider"
+    glyph, slider = element.glyph, element.manipulator.kind == "slider"
     return Mark(
         form_of(element.manipulator),
         colour_of(element),
         handle[:2],
         radius,
-        bool(element.look.inner),
+        bool(element.inner),
         element,
         tuple(track[:, :2] for track in tracks),
         tuple(_seen(track, depth, 0.5 * handle_width) for track in tracks),

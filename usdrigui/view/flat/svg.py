@@ -64,13 +64,13 @@ def _group(element: Element, mark: Mark) -> list[str]:
         "id": element.name,
         "data-controls": json.dumps(controls, ensure_ascii=False),
         "data-kind": manipulator.kind,
-        "data-side": element.look.side,
+        "data-side": element.side,
         "data-mirror": manipulator.mirror,
         "data-anchor": f"{anchor.mesh}#{anchor.point}",
         "data-board": str(anchor.on_board).lower(),
     }
     attributes = " ".join(f'{name}="{markup(value)}"' for name, value in facts.items())
-    title = f"<title>{markup(element.look.label)}: {markup(', '.join(controls))}</title>"
+    title = f"<title>{markup(element.label)}: {markup(', '.join(controls))}</title>"
     return [f"<g {attributes}>", title, *_drawn(mark, controls), "</g>"]
 
 

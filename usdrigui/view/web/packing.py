@@ -335,7 +335,7 @@ def _layout(rig: Rig, layout: Layout) -> Json:
     return {
         "planeOrigin": _list(layout.frame.plane.origin),
         "planeNormal": _list(layout.frame.plane.normal),
-        "baseValues": _list(layout.character.base_values),
+        "baseValues": _list(layout.base_values),
         "leastTrack": OutputSettings().min_track,
         "colours": {side: f"#{bytes(colour).hex()}" for side, colour in SIDES.items()},
         "elements": _elements(rig, meshes, controls, layout),
@@ -377,10 +377,10 @@ def _elements(
     rows = [rig.body.starts[packed["mesh"]] + packed["point"] for packed in found]
     on_board = np.array([packed["onBoard"] for packed in found], dtype=bool)
     all_of = shared(rig, own, np.array(rows, dtype=np.int64), on_board)
-    labels = shortened([element.look.label for element in layout.elements])
+    labels = shortened([element.label for element in layout.elements])
     for packed, mine, label, element in zip(found, own, labels, layout.elements, strict=True):
         packed["label"] = label
-        static = element.look.adapt == "static"
+        static = element.adapt == "static"
         packed["follows"] = {
             place: _fields(
                 following(mine, all_of, on_board=place == "board", static=static),
@@ -407,13 +407,12 @@ def _element(
         "name": element.name,
         **_fields(element.manipulator, "kind axes mirror reversed"),
         **_fields(anchor, "point position normal on_board"),
-        **_fields(element.look, "side inner"),
-        **_fields(element.placement, "category reason"),
+        **_fields(element, "side inner category reason"),
         "members": [_member(element.name, controls, each) for each in element.manipulator.members],
         "mesh": meshes[anchor.mesh],
-        "rank": rank(element.placement.category),
-        "heading": _capitalised(heading(element.placement.category, element.placement.part)),
-        "glyph": _glyph(element.look.glyph),
+        "rank": rank(element.category),
+        "heading": _capitalised(heading(element.category, element.part)),
+        "glyph": _glyph(element.glyph),
     }
 
 

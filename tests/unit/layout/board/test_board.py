@@ -19,7 +19,7 @@ def test_the_board_is_tidy_and_outside_the_silhouette():
     more = {f"copy{i}": 0.3 * each for i, each in enumerate(list(SHAPES.values())[:8])}
     line = chain.lay_out(makers.face_with(whole=np.full_like(POINTS, 0.2), **more))
     board = [element for element in line.layout.elements if element.anchor.on_board]
-    assert {element.placement.category for element in board} == {"global", "composite"}
+    assert {element.category for element in board} == {"global", "composite"}
     spots = np.array([element.anchor.position for element in board])
     width = line.layout.frame.handle_width
     tracks = np.concatenate([m.track for e in board for m in e.manipulator.members])
@@ -28,7 +28,7 @@ def test_the_board_is_tidy_and_outside_the_silhouette():
     assert apart.min() >= 1.6 * width
     assert np.ptp(spots[:, 2]) < 1e-9
     for element in board:
-        assert element.placement.reason
+        assert element.reason
         for member in element.manipulator.members:
             drawn = np.linalg.norm(np.diff(member.track, axis=0), axis=1).sum()
             assert drawn == pytest.approx(member.magnification * member.arc_length, rel=1e-6)
@@ -43,11 +43,9 @@ def test_what_the_configuration_sends_beside_stands_under_a_heading_of_its_own()
         makers.face_with(whole=np.full_like(POINTS, 0.2)),
         chain.settings(controls={"chin": {"place": "board"}, "whole": {"place": "board"}}),
     )
-    families = {
-        name: element.placement.category for name, element in chain.by_name(line).items() if element.anchor.on_board
-    }
+    families = {name: element.category for name, element in chain.by_name(line).items() if element.anchor.on_board}
     assert families == {"chin": "requested", "whole": "global"}
-    assert "decided" in chain.by_name(line)["chin"].placement.reason
+    assert "decided" in chain.by_name(line)["chin"].reason
     heights = {name: chain.by_name(line)[name].anchor.position[1] for name in families}
     # A heading stands between them: a row of 2.4 widths for it and one for the element.
     assert heights["whole"] - heights["chin"] == pytest.approx(4.8 * line.layout.frame.handle_width)
@@ -61,8 +59,8 @@ def test_a_crowded_face_sends_the_least_displaced_controls_to_the_board():
     line = chain.lay_out(rig, chain.settings(groups={"opposed": False}, candidates={"board_composite": False}))
     board = [element for element in line.layout.elements if element.anchor.on_board]
     assert board
-    assert {element.placement.category for element in board} == {"crowded"}
-    assert all(element.placement.reason for element in board)
+    assert {element.category for element in board} == {"crowded"}
+    assert all(element.reason for element in board)
     peaks = {rig.controls[m.control].name: m.arc_length.max() for m in line.face.trajectories.motions}
     left = [peaks[m.control] for e in board for m in e.manipulator.members]
     stayed = [peaks[m.control] for e in line.layout.elements if not e.anchor.on_board for m in e.manipulator.members]
@@ -100,7 +98,7 @@ def test_a_new_board_begins_right_of_one_that_exists_and_of_those_of_other_parts
         SimpleNamespace(track=np.array([[9.0, 0, 1], [0, 0, 2]])),
         SimpleNamespace(track=np.array([[0.0, 0, 1.5]])),
     ]
-    element = SimpleNamespace(manipulator=SimpleNamespace(members=tracks), look=SimpleNamespace(label="four"))
+    element = SimpleNamespace(manipulator=SimpleNamespace(members=tracks), label="four")
     assert board._right_end(element, frame, 0.5) == pytest.approx(4.44)
 
     def element(height, on_board=True):

@@ -41,7 +41,7 @@ def test_the_base_pose_moves_anchors_and_is_recorded():
     pucker = chain.by_name(line)["pucker"]
     moved = POINTS[pucker.anchor.point] + SHAPES["pucker"][pucker.anchor.point]
     assert np.allclose(pucker.anchor.position, moved, atol=1e-6)
-    assert line.layout.character.base_values[8] == 1.0
+    assert line.layout.base_values[8] == 1.0
     assert np.allclose(pucker.manipulator.members[0].track[-1], moved, atol=1e-6)
 
 
@@ -50,4 +50,4 @@ def test_the_reason_of_a_mirror_copy_names_the_controls_of_its_own_side():
     more = {f"again_{side}": 0.5 * shapes[f"smile_{side}"] for side in "LR"}
     layout = chain.by_name(chain.lay_out(makers.face_with(**more)))
     for side in "LR":
-        assert layout[f"again_{side}"].placement.reason == f"does the same as smile_{side}, 50% as far"
+        assert layout[f"again_{side}"].reason == f"does the same as smile_{side}, 50% as far"

@@ -44,20 +44,20 @@ def test_without_a_word_of_levels_nothing_changes():
 
 def test_a_coarse_control_has_the_named_members_on_both_sides():
     line = lay_out(with_pose(), mouth())
-    assert by_name(line)["grin"].look.inner == ("pucker", "smile_L", "smile_R")
+    assert by_name(line)["grin"].inner == ("pucker", "smile_L", "smile_R")
     assert inner_names(line.layout.elements) == {"pucker", "smile_L", "smile_R"}
 
 
 def test_what_is_said_of_one_side_holds_for_the_other():
     line = lay_out(FACE, settings(levels={"members": {"smile_L": ["sneer_L"]}}))
     elements = by_name(line)
-    assert elements["smile_L"].look.inner == ("sneer_L",)
-    assert elements["smile_R"].look.inner == ("sneer_R",)
+    assert elements["smile_L"].inner == ("sneer_L",)
+    assert elements["smile_R"].inner == ("sneer_R",)
 
 
 def test_poses_are_coarse_when_asked_for():
     line = lay_out(with_pose(), settings(levels={"poses": True}, candidates={"board_composite": False}))
-    assert by_name(line)["grin"].look.inner == ("pucker", "smile_L", "smile_R")
+    assert by_name(line)["grin"].inner == ("pucker", "smile_L", "smile_R")
 
 
 def test_members_stand_where_they_would_alone_as_the_coarse_one_is_hidden_then():
@@ -107,7 +107,7 @@ def test_a_pose_is_no_member_of_itself_in_a_group_with_what_it_sets():
     levels, kept = {"poses": True}, {"board_composite": False}
     groups = {"groups": {"both": ["grin", "pucker"]}}
     line = lay_out(with_pose(), settings(levels=levels, candidates=kept, groups=groups))
-    assert by_name(line)["both"].look.inner == ("smile_L", "smile_R")
+    assert by_name(line)["both"].inner == ("smile_L", "smile_R")
 
 
 def test_members_of_one_coarse_control_are_kept_apart():
@@ -125,7 +125,7 @@ def test_joysticks_are_opened_into_their_axes():
     groups = {"groups": {"mouth": ["pucker", "chin"]}}
     line = lay_out(FACE, settings(groups=groups, levels={"groups": True}))
     elements = by_name(line)
-    assert elements["mouth"].look.inner == ("chin", "pucker")
+    assert elements["mouth"].inner == ("chin", "pucker")
     assert elements["mouth"].manipulator.kind == "patch"
     assert {elements[name].manipulator.kind for name in ("chin", "pucker")} == {"slider"}
     # Each axis has its own best place, which the two together do not.
@@ -209,4 +209,4 @@ def test_levels_that_make_no_sense_are_refused(members, code):
 
 def test_derived_members_give_way_to_configured_ones():
     chosen = settings(levels={"poses": True, "members": {"grin": ["pucker"]}}, candidates={"board_composite": False})
-    assert by_name(lay_out(with_pose(), chosen))["grin"].look.inner == ("pucker",)
+    assert by_name(lay_out(with_pose(), chosen))["grin"].inner == ("pucker",)

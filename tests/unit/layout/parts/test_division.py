@@ -152,15 +152,13 @@ def test_parts_keep_clear_of_each_other_and_their_proofs_add_up():
     assert [part.name for part in whole.frame.parts] == ["face", "hands", "body"]
     assert whole.proof.cost == pytest.approx(sum(part.cost for part in whole.frame.parts)) == sums.cost
     standing = [element for element in whole.elements if not element.anchor.on_board]
-    assert {element.placement.part for element in standing} == {"face", "hands", "body"}
-    assert all(
-        " face" not in element.placement.reason for element in whole.elements if element.placement.part != "face"
-    )
+    assert {element.part for element in standing} == {"face", "hands", "body"}
+    assert all(" face" not in element.reason for element in whole.elements if element.part != "face")
     width_of = whole.frame.handle_width_of
     for number, one in enumerate(standing):
         for other in standing[number + 1 :]:
             apart = np.linalg.norm(one.anchor.position - other.anchor.position)
-            assert apart >= max(width_of(each.placement.part) for each in (one, other)) * (1.0 - 1e-9)
+            assert apart >= max(width_of(each.part) for each in (one, other)) * (1.0 - 1e-9)
 
 
 def test_the_whole_says_of_the_part_that_is_not_proved_why():
@@ -240,14 +238,14 @@ def test_the_layer_draws_the_handles_of_each_part_at_its_own_width(monkeypatch):
     parts = tuple(LayoutPart(name, width, layout.frame.view, "optimal", 0.0, 0.0) for name, width in widths.items())
     layout = replace(
         layout,
-        elements=tuple(replace(e, placement=replace(e.placement, part=own[e.name])) for e in layout.elements),
+        elements=tuple(replace(e, part=own[e.name]) for e in layout.elements),
         frame=replace(layout.frame, parts=parts),
     )
     drawn, draw = {}, layer.drawn_parts
 
     def seen(skin, element, frame):
         handle, tracks = draw(skin, element, frame)
-        drawn[element.placement.part] = round(handle.lift / 0.35, 6)
+        drawn[element.part] = round(handle.lift / 0.35, 6)
         return handle, tracks
 
     monkeypatch.setattr(layer, "drawn_parts", seen)

@@ -65,7 +65,7 @@ def test_elements_without_candidates_on_the_plane_are_not_driven_off_the_face():
     assert not chain.by_name(line)["cheeks"].anchor.on_board
     chin = chain.by_name(line)["chin"]
     assert abs(chin.anchor.position[0]) < 1e-6
-    assert chin.look.side == "middle"
+    assert chin.side == "middle"
 
 
 def test_a_middle_control_may_be_doubled():

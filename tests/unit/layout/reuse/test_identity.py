@@ -32,7 +32,7 @@ def respelt(layout, names):
     """The layout as one that succeeds it has it when some controls have other names."""
     matches = tuple(Match(before, after, 1.0, "motion") for before, after in names.items())
     new = with_names(layout, names)
-    return replace(new, character=replace(new.character, matches=matches))
+    return replace(new, matches=matches)
 
 
 def with_motions(rig):
@@ -121,14 +121,9 @@ def test_a_control_with_two_handles_counts_once(line):
     """And why it moved is told where a decision of a person no longer holds."""
     first, second, *_ = (each for each in line.layout.elements if not each.anchor.on_board)
     copy = replace(second, name="copy", manipulator=replace(second.manipulator, members=first.manipulator.members))
-    pair = [replace(each, placement=replace(each.placement, pinned=("anchor",))) for each in (first, copy)]
+    pair = [replace(each, pinned=("anchor",)) for each in (first, copy)]
     before = replace(line.layout, elements=(*pair, *line.layout.elements[1:]))
-    moved = [
-        replace(
-            each, anchor=replace(each.anchor, point=each.anchor.point + 1), placement=replace(each.placement, pinned=())
-        )
-        for each in pair
-    ]
+    moved = [replace(each, anchor=replace(each.anchor, point=each.anchor.point + 1), pinned=()) for each in pair]
     found = difference(before, replace(before, elements=(*moved, *line.layout.elements[1:])))
     assert (found.changed, len(found.displaced), found.shared) == (1, 2, len(before.controls))
     assert all("no longer the one that a person had decided" in each.why[-1] for each in found.displaced)

@@ -26,11 +26,11 @@ def decided():
 
 
 def pinned(layout):
-    return {each.name: each.placement.pinned for each in layout.elements if each.placement.pinned}
+    return {each.name: each.pinned for each in layout.elements if each.pinned}
 
 
 def place(layout, control):
-    (element,) = [each for each in layout.elements if control in each.manipulator.controls and not each.look.inner]
+    (element,) = [each for each in layout.elements if control in each.manipulator.controls and not each.inner]
     return None if element.anchor.on_board else element.anchor.position
 
 
@@ -40,7 +40,7 @@ def test_decisions_of_the_configuration_are_recorded_with_their_places(decided):
     assert found["sneer_R"] == ("place",)
     assert next(kinds for name, kinds in found.items() if "pucker" in name or name == "mouth") == ("grouping",)
     left = next(each for each in decided.elements if each.name == "brow_L")
-    assert np.allclose(left.placement.pinned_position, left.anchor.position, atol=1e-6)
+    assert np.allclose(left.pinned_position, left.anchor.position, atol=1e-6)
 
 
 def another_mesh(columns, rows):
@@ -56,16 +56,14 @@ def test_one_side_moves_the_other_unless_that_is_left_to_itself():
         inputs, _, layout = lay_out(face, load({"controls": controls}))
         right = next(each for each in layout.elements if each.name == "brow_R")
         assert (right.anchor.point == int(inputs.face.symmetry.partner[914])) is same
-        assert (right.placement.pinned == ("anchor",)) is same
+        assert (right.pinned == ("anchor",)) is same
 
 
 def test_a_pin_that_is_in_the_way_of_another_is_given_up_with_a_warning_and_not_the_run(decided):
     """Two pins on one spot, as two people may leave them."""
     left = next(each for each in decided.elements if each.name == "brow_L")
     elements = tuple(
-        replace(each, anchor=left.anchor, placement=replace(each.placement, pinned=("anchor",)))
-        if each.name == "blink_L"
-        else each
+        replace(each, anchor=left.anchor, pinned=("anchor",)) if each.name == "blink_L" else each
         for each in decided.elements
     )
     face = makers.face()
@@ -79,9 +77,7 @@ def test_a_pin_that_is_in_the_way_of_another_is_given_up_with_a_warning_and_not_
 @pytest.mark.parametrize("known", [True, False])
 def test_a_pin_far_from_all_that_its_control_moves_says_so(decided, known):
     away = (9.0, 9.0, 9.0) if known else (np.nan,) * 3
-    elements = tuple(
-        replace(each, placement=replace(each.placement, pinned_position=away)) for each in decided.elements
-    )
+    elements = tuple(replace(each, pinned_position=away) for each in decided.elements)
     rig = another_mesh(45, 51)
     inputs, _, _ = lay_out(rig, previous={rig.skel_root.path: replace(decided, elements=elements)})
     assert {each.code for each in inputs.issues if each.code.startswith("PIN_")} == {
@@ -94,7 +90,7 @@ def test_check_does_not_argue_with_what_is_pinned():
     rated = chain.problem_of(makers.face()).inputs
     free = replace(
         line.layout,
-        elements=tuple(replace(each, placement=replace(each.placement, pinned=())) for each in line.layout.elements),
+        elements=tuple(replace(each, pinned=()) for each in line.layout.elements),
     )
     for layout, argued in ((free, True), (line.layout, False)):
         found = review(rated.measured, rated.candidates, layout)
