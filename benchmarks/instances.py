@@ -217,11 +217,11 @@ def _subdivided_mesh(mesh: RigMesh) -> RigMesh:
         middle = np.add.reduceat(values[indices], first) / counts[:, None]
         return np.concatenate([values, (values[edges[:, 0]] + values[edges[:, 1]]) / 2, middle])
 
-    skin = mesh.binding.skin
+    skin = mesh.skin
     if skin is not None:
         rows = np.concatenate([np.arange(count), edges[:, 0], indices[first]])
         skin = replace(skin, joints=skin.joints[rows], weights=skin.weights[rows])
-    shapes = tuple(_finer_shape(each, count, finer) for each in mesh.binding.shapes)
+    shapes = tuple(_finer_shape(each, count, finer) for each in mesh.shapes)
     topology = replace(
         mesh.topology, face_counts=np.full(len(quads), 4), face_indices=quads.reshape(-1)
     )
@@ -229,7 +229,8 @@ def _subdivided_mesh(mesh: RigMesh) -> RigMesh:
         mesh,
         points=finer(mesh.points),
         topology=topology,
-        binding=replace(mesh.binding, skin=skin, shapes=shapes),
+        skin=skin,
+        shapes=shapes,
     )
 
 

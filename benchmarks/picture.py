@@ -56,11 +56,11 @@ def scattered(rig: Rig, count: int) -> Layout:
             )
     anchors = np.array([element.anchor.position for element in elements])
     # Facing +Z with Y up, or -Y with Z up: the left is +X.
-    front = np.cross(np.array([1.0, 0.0, 0.0]), rig.skel_root.up)
+    front = np.cross(np.array([1.0, 0.0, 0.0]), rig.up)
     zero = np.zeros(3)
-    width = 0.02 * float(np.ptp(anchors @ rig.skel_root.up))
+    width = 0.02 * float(np.ptp(anchors @ rig.up))
     return Layout(
-        root=rig.skel_root.path,
+        root=rig.path,
         base_values=values,
         elements=tuple(elements),
         left_off=(),

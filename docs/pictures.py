@@ -188,7 +188,7 @@ TERM = '''"""Lower places are better."""
 class KeepLow:
     @staticmethod
     def linear(context, motion, points):
-        heights = context.trajectories.surface.points[points] @ context.rig.skel_root.up
+        heights = context.trajectories.surface.points[points] @ context.rig.up
         return 4.0 * (heights - heights.min()) / context.trajectories.surface.face_size
 '''
 PETALS = 5

@@ -48,7 +48,7 @@ def skinned(folder, name, **kind):
 def to_world(source, rig):
     """Function from root space to Blender's world: metres, Z up."""
     stage = Usd.Stage.Open(str(source))
-    matrix = np.array(UsdGeom.XformCache().GetLocalToWorldTransform(stage.GetPrimAtPath(rig.skel_root.path)))
+    matrix = np.array(UsdGeom.XformCache().GetLocalToWorldTransform(stage.GetPrimAtPath(rig.path)))
     turn = Z_UP if UsdGeom.GetStageUpAxis(stage) == "Y" else np.eye(3)
     size = UsdGeom.GetStageMetersPerUnit(stage)
     return lambda points: size * ((np.asarray(points) @ matrix[:3, :3] + matrix[3, :3]) @ turn)
@@ -92,7 +92,7 @@ def sample(folder):
     base = posed(rig)
     elements = [_on_face(rig, base, name, *said) for name, said in _ON_FACE.items()]
     layout = Layout(
-        root=rig.skel_root.path,
+        root=rig.path,
         base_values=laid_out.defaults(rig),
         elements=(*elements, _joystick(rig)),
         left_off=(),

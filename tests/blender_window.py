@@ -159,22 +159,22 @@ def described(rig, to_world: np.ndarray) -> dict:
 def _described_mesh(rig, mesh, names):
     bounds = np.cumsum(mesh.topology.face_counts)[:-1]
     groups = []
-    if mesh.binding.skin is not None:
+    if mesh.skin is not None:
         for j, name in enumerate(names):
-            weights = np.where(mesh.binding.skin.joints == j, mesh.binding.skin.weights, 0.0).sum(axis=1)
+            weights = np.where(mesh.skin.joints == j, mesh.skin.weights, 0.0).sum(axis=1)
             points = np.flatnonzero(weights)
             if len(points):
                 groups.append([name, points.tolist(), weights[points].tolist()])
     shapes = [
         [rig.body.channels[shape.channel].token, shape.points.tolist(), shape.offsets[-1].astype(float).tolist()]
-        for shape in mesh.binding.shapes
+        for shape in mesh.shapes
     ]
     return {
         "path": mesh.path,
         "name": mesh.path.rpartition("/")[2],
         "points": mesh.points.tolist(),
         "faces": [each.tolist() for each in np.split(mesh.topology.face_indices, bounds)],
-        "to_root": (mesh.binding.skin.geom_bind if mesh.binding.skin is not None else mesh.binding.to_root).T.tolist(),
+        "to_root": (mesh.skin.geom_bind if mesh.skin is not None else mesh.to_root).T.tolist(),
         "shapes": shapes,
         "groups": groups,
     }

@@ -92,7 +92,7 @@ def with_candidates(rig, settings=None):
 
 def _character(rig, settings, base_values, fixed=None):
     """A rig as one part, at a base pose."""
-    references = ReferenceLayouts(fixed={} if fixed is None else {rig.skel_root.path: fixed})
+    references = ReferenceLayouts(fixed={} if fixed is None else {rig.path: fixed})
     settings = settings or Settings()
     if base_values is not None:
         pose = {each.name: float(value) for each, value in zip(rig.controls, base_values, strict=True)}

@@ -45,7 +45,7 @@ def layout_of(rig, seed=0, groups=None, base_values=None, beside=(), adapt="defo
         )
         elements.append(_element(rig, names, members, base.points[point], point, names[0] in beside, adapt))
     return Layout(
-        root=rig.skel_root.path,
+        root=rig.path,
         base_values=values,
         elements=tuple(elements),
         left_off=(LeftOff("nothing", "trajectories", "moves no point"),),
@@ -138,7 +138,7 @@ def keyed(path, rig, poses):
 def baked(layer, rig, poses):
     """`keyed`, and UsdSkel's deformation baked into points."""
     stage = keyed(layer.identifier, rig, poses)
-    assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.skel_root.path)))
+    assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.path)))
     return stage
 
 

@@ -168,7 +168,7 @@ def moved(rig, turn, scale, own):
     """The same under a rotation and a scale, its joints with other axes of their own."""
     names = [joint.path for joint in rig.body.joints]
     places = np.array([joint.bind[3, :3] for joint in rig.body.joints]) @ turn * scale
-    made = skeleton_rig(names, places, sorted(set(rig.body.meshes[0].binding.skin.joints.ravel().tolist())), own)
+    made = skeleton_rig(names, places, sorted(set(rig.body.meshes[0].skin.joints.ravel().tolist())), own)
     points = rig.body.meshes[0].points @ turn * scale
     return makers.changed(made, meshes=(replace(made.body.meshes[0], points=points),))
 

@@ -13,16 +13,11 @@ import numpy as np
 from usdrigui.character import (
     Body,
     Channel,
-    Configured,
     Control,
     Drive,
-    Findings,
-    MeshBinding,
-    MeshDisplay,
     Rig,
     RigMesh,
     Shape,
-    SkelRoot,
     Skin,
     Topology,
 )
@@ -58,8 +53,10 @@ def mesh(points, faces, shapes=(), path="/Root/mesh", left_handed=False, visible
             left_handed,
             f"{len(points)}-{len(faces)}",
         ),
-        binding=MeshBinding(np.eye(4), skin, tuple(shapes)),
-        display=MeshDisplay(visible),
+        to_root=np.eye(4),
+        skin=skin,
+        shapes=tuple(shapes),
+        visible=visible,
     )
 
 
@@ -94,7 +91,9 @@ def rig_of_meshes(meshes, names, ranges=None, up=Y_UP):
     """A rig of several meshes whose shapes' channels index `names`."""
     ranges = ranges or {}
     return Rig(
-        skel_root=SkelRoot("/Root", "", np.asarray(up, dtype=np.float64), 1.0, None),
+        path="/Root",
+        up=np.asarray(up, dtype=np.float64),
+        metres_per_unit=1.0,
         body=Body(
             meshes=tuple(meshes),
             skeletons=(),
@@ -103,8 +102,6 @@ def rig_of_meshes(meshes, names, ranges=None, up=Y_UP):
             base_weights=np.zeros(len(names)),
         ),
         controls=tuple(control(name, index, *ranges.get(name, (0.0, 1.0))) for index, name in enumerate(names)),
-        findings=Findings((), ()),
-        configured=Configured(),
     )
 
 
@@ -222,8 +219,7 @@ def moved(made, matrix, offset=(0.0, 0.0, 0.0)):
     turned = []
     for each in made.body.meshes:
         shapes = tuple(
-            replace(one, offsets=(one.offsets.astype(np.float64) @ linear.T).astype(np.float32))
-            for one in each.binding.shapes
+            replace(one, offsets=(one.offsets.astype(np.float64) @ linear.T).astype(np.float32)) for one in each.shapes
         )
         turned.append(
             changed(
@@ -233,7 +229,7 @@ def moved(made, matrix, offset=(0.0, 0.0, 0.0)):
                 left_handed=each.topology.left_handed ^ bool(np.linalg.det(linear) < 0.0),
             )
         )
-    up = linear @ made.skel_root.up
+    up = linear @ made.up
     return changed(made, meshes=tuple(turned), up=up / np.linalg.norm(up))
 
 
@@ -244,7 +240,7 @@ def shuffled(made, order):
     place[order] = np.arange(len(order))
     old = made.body.meshes[0]
     shapes = []
-    for one in old.binding.shapes:
+    for one in old.shapes:
         where = place[one.points]
         rank = np.argsort(where)
         shapes.append(replace(one, points=where[rank], offsets=one.offsets[:, rank].copy()))

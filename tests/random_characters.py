@@ -72,7 +72,7 @@ class Evaluated:
     def __init__(self, stage, rig):
         self.rig = rig
         self.cache = UsdSkel.Cache()
-        self.cache.Populate(UsdSkel.Root(stage.GetPrimAtPath(rig.skel_root.path)), Usd.PrimDefaultPredicate)
+        self.cache.Populate(UsdSkel.Root(stage.GetPrimAtPath(rig.path)), Usd.PrimDefaultPredicate)
         skeletons = [UsdSkel.Skeleton(stage.GetPrimAtPath(each.path)) for each in rig.body.skeletons]
         self.queries = [self.cache.GetSkelQuery(each) for each in skeletons]
 

@@ -84,9 +84,9 @@ def with_whole_head_shapes(rig, base, moved):
     """
     head = _head(rig, base, moved)
     middle = np.average(base, axis=0, weights=head + 1e-12)
-    size = float(np.ptp(base[moved] @ rig.skel_root.up))
+    size = float(np.ptp(base[moved] @ rig.up))
     shapes = {
-        "headUp": head[:, None] * (0.2 * size * rig.skel_root.up),
+        "headUp": head[:, None] * (0.2 * size * rig.up),
         "headSize": head[:, None] * 0.15 * (base - middle),
         "headWide": head[:, None] * (base - middle) * np.array([0.2, 0.0, 0.0]),
         "headFuller": head[:, None] * (base - middle) * np.array([0.2, 0.0, 0.2]),
@@ -106,7 +106,7 @@ def with_whole_head_shapes(rig, base, moved):
 
 def _head(rig, base, moved):
     """(n,) one on the head, fading out below the lowest point that a control moves."""
-    height = base @ rig.skel_root.up
+    height = base @ rig.up
     low, high = height[moved].min(), height[moved].max()
     return np.clip((height - low) / (0.1 * (high - low)) + 1.0, 0.0, 1.0)
 
@@ -114,12 +114,12 @@ def _head(rig, base, moved):
 def _with_shapes(rig, index, shapes):
     """One mesh with its part of the new shapes, whose offsets are in root space."""
     mesh, (low, high) = rig.body.meshes[index], rig.body.starts[index : index + 2]
-    to_mesh = np.linalg.inv(mesh.binding.to_root if mesh.binding.skin is None else mesh.binding.skin.geom_bind)[:3, :3]
+    to_mesh = np.linalg.inv(mesh.to_root if mesh.skin is None else mesh.skin.geom_bind)[:3, :3]
     new = [
         makers.shape(len(rig.body.channels) + at, offsets[low:high] @ to_mesh)
         for at, offsets in enumerate(shapes.values())
     ]
-    return makers.changed(mesh, shapes=(*mesh.binding.shapes, *new))
+    return makers.changed(mesh, shapes=(*mesh.shapes, *new))
 
 
 def _earrings(middle, size, channel):

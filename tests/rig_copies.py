@@ -18,7 +18,7 @@ _SIDE = re.compile("(?:_|-)?(L|R|Left|Right|left|right)$")
 
 def box_of(rig):
     """Corner and size of the box around all points that a shape moves."""
-    points = np.concatenate([mesh.points[shape.points] for mesh in rig.body.meshes for shape in mesh.binding.shapes])
+    points = np.concatenate([mesh.points[shape.points] for mesh in rig.body.meshes for shape in mesh.shapes])
     return points.min(axis=0), np.ptp(points, axis=0)
 
 
@@ -66,15 +66,13 @@ def _merged(mesh: RigMesh, cell, reshaped, lost):
     faces = [face for count, face in shrunk if len(face) >= max(3, count - lost)]
     old = mesh.points[kept]
     shapes = []
-    for shape in mesh.binding.shapes:
+    for shape in mesh.shapes:
         dense = np.zeros((len(shape.weights), len(mesh.points), 3))
         dense[:, shape.points] = shape.offsets
         offsets = np.stack([reshaped(old + each[kept]) - reshaped(old) for each in dense])
         points = np.flatnonzero(offsets.any(axis=(0, 2)))
         shapes.append(Shape(shape.channel, shape.path, shape.weights, points, offsets[:, points].astype(np.float32)))
-    skin = mesh.binding.skin and replace(
-        mesh.binding.skin, joints=mesh.binding.skin.joints[kept], weights=mesh.binding.skin.weights[kept]
-    )
+    skin = mesh.skin and replace(mesh.skin, joints=mesh.skin.joints[kept], weights=mesh.skin.weights[kept])
     return changed(
         mesh,
         points=reshaped(old),
@@ -96,10 +94,10 @@ def _halves(mesh):
     corners = np.split(mesh.topology.face_indices, np.cumsum(mesh.topology.face_counts)[:-1])
     for name, faces in (("", corners[: len(corners) // 2]), ("_more", corners[len(corners) // 2 :])):
         kept, place = np.unique(np.concatenate(faces), return_inverse=True)
-        inside = [np.isin(shape.points, kept) for shape in mesh.binding.shapes]
+        inside = [np.isin(shape.points, kept) for shape in mesh.shapes]
         shapes = tuple(
             replace(each, points=np.searchsorted(kept, each.points[own]), offsets=each.offsets[:, own])
-            for each, own in zip(mesh.binding.shapes, inside, strict=True)
+            for each, own in zip(mesh.shapes, inside, strict=True)
         )
         counts, title = np.array([len(face) for face in faces]), f"half{name} {mesh.topology.hash}"
         yield changed(
@@ -137,14 +135,12 @@ def reordered(rig, seed):
 
 def _reordered(mesh, order):
     place = np.argsort(order)
-    skin = mesh.binding.skin and replace(
-        mesh.binding.skin, joints=mesh.binding.skin.joints[order], weights=mesh.binding.skin.weights[order]
-    )
+    skin = mesh.skin and replace(mesh.skin, joints=mesh.skin.joints[order], weights=mesh.skin.weights[order])
     return changed(
         mesh,
         points=mesh.points[order],
         face_indices=place[mesh.topology.face_indices],
-        shapes=tuple(_in_order(shape, place) for shape in mesh.binding.shapes),
+        shapes=tuple(_in_order(shape, place) for shape in mesh.shapes),
         skin=skin,
         hash=f"{mesh.topology.hash} in the order {zlib.crc32(order.tobytes())}",
         subsets=(),
@@ -166,7 +162,7 @@ def resculpted(rig, seed, amount=0.15):
 def _resculpted(mesh, random, amount):
     size = np.ptp(mesh.points, axis=0).max()
     shapes = []
-    for shape in mesh.binding.shapes:
+    for shape in mesh.shapes:
         wave = np.sin(mesh.points[shape.points] @ random.normal(size=(3, 3)) * 6.0 / size)
         length = np.linalg.norm(shape.offsets, axis=2, keepdims=True)
         bent = shape.offsets * random.uniform(0.8, 1.25) + amount * length * wave
@@ -193,12 +189,12 @@ WORLDS = {
 def turned(rig, rotation):
     """The rig under a rotation or reflection (3, 3) of a Y-up world about the origin; its stage stays as it is."""
     world = np.eye(4)
-    level = Rotation.align_vectors([rig.skel_root.up], [[0.0, 1.0, 0.0]])[0].as_matrix()
+    level = Rotation.align_vectors([rig.up], [[0.0, 1.0, 0.0]])[0].as_matrix()
     world[:3, :3] = (level @ rotation @ level.T).T
     meshes = [
         changed(
             mesh,
-            to_root=mesh.binding.to_root @ world,
+            to_root=mesh.to_root @ world,
             left_handed=mesh.topology.left_handed ^ bool(np.linalg.det(rotation) < 0.0),
         )
         for mesh in rig.body.meshes

@@ -82,7 +82,7 @@ def write_samples(folder: Path) -> dict[str, list[str]]:
         top = laid_out.keyed(str(target), rig, poses).GetRootLayer()
         top.subLayerPaths[0] = f"./{target.name}"
         top.Export(str(folder / f"{name}.posed.usda"))
-        samples[f"{name}.posed.usda"] = [rig.skel_root.path, json.dumps(_expected(rig, layout, poses))]
+        samples[f"{name}.posed.usda"] = [rig.path, json.dumps(_expected(rig, layout, poses))]
     return samples
 
 

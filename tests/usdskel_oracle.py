@@ -18,7 +18,7 @@ def _author_pose(stage, rig, weights, local, exact=False):
     """
     stage.SetEditTarget(stage.GetSessionLayer())
     for index, skeleton in enumerate(rig.body.skeletons):
-        path = Sdf.Path(rig.skel_root.path).AppendChild(f"OracleAnimation{index}")
+        path = Sdf.Path(rig.path).AppendChild(f"OracleAnimation{index}")
         animation = UsdSkel.Animation.Define(stage, path)
         mine = [i for i, each in enumerate(rig.body.channels) if each.animation in ("", skeleton.animation)]
         animation.CreateBlendShapesAttr(Vt.TokenArray([rig.body.channels[i].token for i in mine]))
@@ -43,7 +43,7 @@ def baked(path, rig, weights, local):
     """(n, 3) points of `rig.body.meshes` in root space at a pose, from `UsdSkel.BakeSkinning`."""
     stage = Usd.Stage.Open(str(path))
     _author_pose(stage, rig, weights, local, exact=True)
-    root = UsdSkel.Root(stage.GetPrimAtPath(rig.skel_root.path))
+    root = UsdSkel.Root(stage.GetPrimAtPath(rig.path))
     assert UsdSkel.BakeSkinning(root, Gf.Interval(1, 1))
     cache = UsdGeom.XformCache(Usd.TimeCode(1))
     world_to_root = cache.GetLocalToWorldTransform(root.GetPrim()).GetInverse()
@@ -62,7 +62,7 @@ class Oracle:
         self.rig = rig
         self.stage = Usd.Stage.Open(str(path))
         _author_pose(self.stage, rig, rig.body.base_weights, np.array([joint.base for joint in rig.body.joints]))
-        self.root = UsdSkel.Root(self.stage.GetPrimAtPath(rig.skel_root.path))
+        self.root = UsdSkel.Root(self.stage.GetPrimAtPath(rig.path))
         self.cache = UsdSkel.Cache()
         self.cache.Populate(self.root, Usd.PrimDefaultPredicate)
         bindings = self.cache.ComputeSkelBindings(self.root, Usd.PrimDefaultPredicate)
@@ -76,7 +76,7 @@ class Oracle:
     def deformed(self, weights, local):
         """(n, 3) points in root space at channel weights (channels,) and local transforms (joints, 4, 4)."""
         for index, skeleton in enumerate(self.rig.body.skeletons):
-            prim = self.stage.GetPrimAtPath(Sdf.Path(self.rig.skel_root.path).AppendChild(f"OracleAnimation{index}"))
+            prim = self.stage.GetPrimAtPath(Sdf.Path(self.rig.path).AppendChild(f"OracleAnimation{index}"))
             animation = UsdSkel.Animation(prim)
             mine = [i for i, each in enumerate(self.rig.body.channels) if each.animation in ("", skeleton.animation)]
             animation.GetBlendShapeWeightsAttr().Set(Vt.FloatArray.FromNumpy(weights[mine].astype(np.float32)))

@@ -46,7 +46,7 @@ def peak_layout(rig, view=(0.0, 0.0, 1.0), mirrors=None, groups=(), beside=()):
     ]
     spread = np.ptp(deform(rig), axis=0)
     return Layout(
-        root=rig.skel_root.path,
+        root=rig.path,
         base_values=np.array([control.default for control in rig.controls]),
         elements=tuple(each for each in elements if each is not None),
         left_off=(),

@@ -268,19 +268,16 @@ class OpenLayout:
         return pipeline.review(self.name, self.loaded, self.settings, progress=progress)
 
     def _character(self, root: str) -> tuple[Rig, Layout]:
-        found = [each for each in self.characters if not root or each[0].skel_root.path == root]
+        found = [each for each in self.characters if not root or each[0].path == root]
         if len(found) != 1:
-            known = ", ".join(rig.skel_root.path for rig, _ in self.characters)
-            hint = meant(root, [rig.skel_root.path for rig, _ in self.characters]) if root else ""
+            known = ", ".join(rig.path for rig, _ in self.characters)
+            hint = meant(root, [rig.path for rig, _ in self.characters]) if root else ""
             message = f"name one of the characters: {known}{hint}"
             raise refuse("SKELROOT_UNKNOWN", root, message)
         return found[0]
 
     def __repr__(self) -> str:
-        counts = (
-            f"{rig.skel_root.path}: {len(layout.elements)} elements"
-            for rig, layout in self.characters
-        )
+        counts = (f"{rig.path}: {len(layout.elements)} elements" for rig, layout in self.characters)
         return f"<OpenLayout {self.name}: {'; '.join(counts)}>"
 
     def _repr_html_(self) -> str:

@@ -58,7 +58,7 @@ def shown_at_first(layer):
 def handles(layer, rig, names):
     """By prim name, the mesh that draws a handle, and its points."""
     stage = Usd.Stage.Open(str(layer))
-    prims = element_prims(stage.GetPrimAtPath(rig.skel_root.path).GetChild("RigUI"))
+    prims = element_prims(stage.GetPrimAtPath(rig.path).GetChild("RigUI"))
     return {
         prim.GetName(): (prim.GetParent().GetName(), points_by_role(prim, "handle").tolist())
         for prim in prims
@@ -69,7 +69,7 @@ def handles(layer, rig, names):
 def anchors(layer, rig, frames):
     """By prim name, the deformed anchors (frames, 3) of the elements on the face in root space, by UsdSkel."""
     stage = Usd.Stage.Open(str(layer))
-    assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.skel_root.path)))
+    assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.path)))
     found = {}
     for element in shown_at_first(layer):
         if not element.anchor.on_board:
@@ -79,7 +79,7 @@ def anchors(layer, rig, frames):
 
 
 def root_points(stage, rig, element, points, frames):
-    root, mesh = (stage.GetPrimAtPath(path) for path in (rig.skel_root.path, element.anchor.mesh))
+    root, mesh = (stage.GetPrimAtPath(path) for path in (rig.path, element.anchor.mesh))
     at = []
     for frame in frames:
         cache = UsdGeom.XformCache(frame)

@@ -119,14 +119,14 @@ def _usd_error(folder: Path, patch: Any) -> Found:
 def _thinned(folder: Path, patch: Any) -> Found:
     patch.setattr(clips, "_CLIP_BYTES", 600)
     path = minimal_assets.character(folder, "CLIP_THINNED")
-    return 0, [asdict(each) for each in rig.read_rigs(path, Settings())[0].findings.issues]
+    return 0, [asdict(each) for each in rig.read_rigs(path, Settings())[0].issues]
 
 
 def _trajectories(code: str) -> Trigger:
     def trigger(folder: Path, _: Any) -> Found:
         (found,) = rig.read_rigs(minimal_assets.character(folder, code), Settings())
         said = trajectory.trajectories(found, Settings().trajectories, np.zeros(len(found.controls)))
-        return 0, [asdict(each) for each in said.findings.issues]
+        return 0, [asdict(each) for each in said.issues]
 
     return trigger
 

@@ -99,7 +99,7 @@ def written(version, path):
         mesh.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(made.points.astype(np.float32)))
         mesh.CreateFaceVertexCountsAttr(made.topology.face_counts.tolist())
         mesh.CreateFaceVertexIndicesAttr(made.topology.face_indices.tolist())
-        for shape in made.binding.shapes:
+        for shape in made.shapes:
             add_shape(mesh, called[shape.channel], shape.offsets[-1], shape.points)
         UsdSkel.BindingAPI.Apply(mesh.GetPrim()).CreateSkeletonRel().SetTargets([f"{ROOT}/skeleton"])
     add_animation(stage, f"{ROOT}/anim", f"{ROOT}/skeleton", list(called.values()))
@@ -111,7 +111,7 @@ def somewhere(version, control, random):
     """A point that a control moves by half of its peak at least: its mesh, its number and its position in the scene."""
     names = [each.name for each in version.rig.controls]
     drive = version.rig.controls[names.index(version.names[control])].drive
-    shapes = [(m, s) for m in version.rig.body.meshes for s in m.binding.shapes if s.channel == int(drive.channels[0])]
+    shapes = [(m, s) for m in version.rig.body.meshes for s in m.shapes if s.channel == int(drive.channels[0])]
     far = [np.linalg.norm(shape.offsets[-1], axis=1) for _, shape in shapes]
     large = [lengths >= 0.5 * np.concatenate(far).max() for lengths in far]
     places = [(mesh, int(point)) for (mesh, shape), ok in zip(shapes, large, strict=True) for point in shape.points[ok]]

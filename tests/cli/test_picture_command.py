@@ -44,10 +44,10 @@ def test_a_film_moves_and_is_the_same_every_time(layer, tmp_path):
 def test_the_clip_as_control_values(layer):
     (rig,) = read_rigs(layer.with_name("char.usda"), Settings())
     values = clip_values(rig)
-    assert values.shape == (len(rig.skel_root.clip.times), len(rig.controls))
+    assert values.shape == (len(rig.clip.times), len(rig.controls))
     shapes = [i for i, control in enumerate(rig.controls) if control.kind == "blendShape"]
     channel = int(rig.controls[shapes[0]].drive.channels[0])
-    np.testing.assert_allclose(values[:, shapes[0]], rig.skel_root.clip.weights[:, channel])
+    np.testing.assert_allclose(values[:, shapes[0]], rig.clip.weights[:, channel])
     turning = [i for i, control in enumerate(rig.controls) if control.kind == "joint"]
     assert np.abs(values[:, turning]).max() > 1.0, "degrees"
 

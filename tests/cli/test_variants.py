@@ -186,4 +186,4 @@ def test_rigid_parts_that_are_instances_are_read(made):
     (rig,) = read_rigs(made / "char.usda", load())
     assert {mesh.path for mesh in rig.body.meshes} >= {"/Char/Eyes/L/ball", "/Char/Eyes/R/ball"}
     (proxy,) = (mesh for mesh in rig.body.meshes if mesh.path == "/Char/Proxy")
-    assert not proxy.display.visible
+    assert not proxy.visible

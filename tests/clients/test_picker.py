@@ -80,7 +80,7 @@ def test_places_are_those_of_the_view(characters, page):
     """At one scale, but for what keeps handles apart; the character's left is on the right; up is up."""
     rig, layout = characters[0]
     made, face = placed(page), on_face(layout)
-    plane = np.stack([np.cross(rig.skel_root.up, layout.frame.view), -rig.skel_root.up], axis=1)
+    plane = np.stack([np.cross(rig.up, layout.frame.view), -rig.up], axis=1)
     given = np.array([element.anchor.position @ plane for element in face])
     found = np.array([made[element.name][0] for element in face])
     assert_apart(found, np.full(found.shape, 2.0 * picker._RADIUS))

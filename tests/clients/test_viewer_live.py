@@ -140,7 +140,7 @@ def test_characters_of_a_shot_and_the_frames_set_by_hand_share_one_file(tmp_path
     first = {"keys": {name: [[3, 0.5]]}, "standing": {}, "span": [101, 120]}
     assert found["all"] == [[first, {"keys": {name: [[5, 0.25]]}, "standing": {}}]] * 2
     assert found["states"] == ["saved", "saved"]
-    assert {each["root"] for each in work_in(tmp_path / "edit.usda")["characters"]} == {face.skel_root.path, "/Other"}
+    assert {each["root"] for each in work_in(tmp_path / "edit.usda")["characters"]} == {face.path, "/Other"}
 
 
 def resaved(path):

@@ -97,7 +97,7 @@ def test_handle_drag_sets_the_control_and_moves_the_skin(shown):
 def assert_points_equal(viewer, rig, expected):
     """The viewer's points are those of the library, as far as 16-bit steps allow."""
     points = np.array(viewer.page.evaluate("usdrigui.points()")).reshape(-1, 3)
-    shown_points = np.concatenate([np.full(len(mesh.points), mesh.display.visible) for mesh in rig.body.meshes])
+    shown_points = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in rig.body.meshes])
     diagonal = float(np.linalg.norm(np.ptp(expected, axis=0)))
     assert np.abs(points - expected)[shown_points].max() <= 3e-5 * diagonal
 
@@ -105,9 +105,9 @@ def assert_points_equal(viewer, rig, expected):
 def test_the_animation_moves_joints_and_shapes_as_the_library_does(shown):
     """At every third of its samples; joints follow the animation, whatever the controls are."""
     viewer, rig, _, _ = shown
-    if rig.skel_root.clip is None or len(rig.skel_root.clip.times) < 2:
+    if rig.clip is None or len(rig.clip.times) < 2:
         pytest.skip("this rig has no animation")
-    clip = rig.skel_root.clip
+    clip = rig.clip
     for k in range(0, len(clip.times), max(1, len(clip.times) // 3)):
         viewer.page.evaluate("(frame) => usdrigui.app.timeline.go(frame)", float(clip.times[k]))
         viewer.settle()
@@ -116,7 +116,7 @@ def test_the_animation_moves_joints_and_shapes_as_the_library_does(shown):
 
 def at_sample(rig, k):
     """The rig whose neutral pose is sample k of its animation."""
-    clip = rig.skel_root.clip
+    clip = rig.clip
     weights = clip.weights[k] if clip.weights.size else rig.body.base_weights
     joints = rig.body.joints
     if clip.locals.size:

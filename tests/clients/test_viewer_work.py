@@ -150,7 +150,7 @@ def test_reset_reaches_the_neutral_pose_from_every_frame(browser, tmp_path):
     def off():
         viewer.settle()
         points = np.array(viewer.page.evaluate("usdrigui.points()")).reshape(-1, 3)
-        shown = np.concatenate([np.full(len(mesh.points), mesh.display.visible) for mesh in rig.body.meshes])
+        shown = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in rig.body.meshes])
         neutral = deform(rig)
         return np.abs(points - neutral)[shown].max() / np.ptp(neutral, axis=0).max()
 

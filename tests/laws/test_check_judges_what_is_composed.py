@@ -432,9 +432,9 @@ def test_viewers_show_every_character_of_a_shot_as_it_is_there(folder):
     animate(stage, "/Shot/B")
     stage.Save()
     loaded = load_layer(folder / "stage.usda", Settings())
-    assert [rig.skel_root.path for rig, _ in loaded.characters] == ["/Shot/A/Char", "/Shot/B/Char"]
-    assert [len(rig.skel_root.clip.times) > 1 for rig, _ in loaded.characters] == [True, True]
-    first, second = (rig.skel_root.clip.weights for rig, _ in loaded.characters)
+    assert [rig.path for rig, _ in loaded.characters] == ["/Shot/A/Char", "/Shot/B/Char"]
+    assert [len(rig.clip.times) > 1 for rig, _ in loaded.characters] == [True, True]
+    first, second = (rig.clip.weights for rig, _ in loaded.characters)
     assert first.max() != second.max()
     assert main(["picture", str(folder / "stage.usda"), "-o", str(folder / "shot.png")]) == 0
     assert main(["view", str(folder / "stage.usda"), "--html", str(folder / "shot.html")]) == 0

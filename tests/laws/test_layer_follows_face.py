@@ -61,11 +61,11 @@ def diagonal(rig):
 
 
 def handle_of(stage, rig, element, time):
-    return laid_out.handle(stage, rig.skel_root.path, element, time)
+    return laid_out.handle(stage, rig.path, element, time)
 
 
 def track_of(stage, rig, element, time, member=0):
-    return laid_out.tracks(stage, rig.skel_root.path, element, time)[member]
+    return laid_out.tracks(stage, rig.path, element, time)[member]
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -80,7 +80,7 @@ def test_handles_are_centred_on_their_deformed_anchors(tmp_path, kind):
     for element in layout.elements:
         for time in range(len(poses)):
             centre = handle_of(stage, rig, element, time)[0]
-            anchor = laid_out.root_points(stage, element.anchor.mesh, rig.skel_root.path, time)[element.anchor.point]
+            anchor = laid_out.root_points(stage, element.anchor.mesh, rig.path, time)[element.anchor.point]
             assert np.abs(centre - anchor).max() < CLOSE * diagonal(rig), (element.name, time)
             travel = max(travel, float(np.linalg.norm(anchor - element.anchor.position)))
     assert travel > 0.02 * diagonal(rig)
@@ -122,7 +122,7 @@ def test_a_shape_that_hides_the_face_far_away_moves_no_handle(tmp_path, far):
         drawn = handle_of(stage, rig, element, 0)
         assert np.abs(drawn - handle_of(alone, plain, element, 0)).max() < 1e-6 * diagonal(plain), element.name
         for time in range(len(poses)):
-            anchor = laid_out.root_points(stage, element.anchor.mesh, rig.skel_root.path, time)[element.anchor.point]
+            anchor = laid_out.root_points(stage, element.anchor.mesh, rig.path, time)[element.anchor.point]
             assert np.abs(handle_of(stage, rig, element, time)[0] - anchor).max() < 1e-6 * diagonal(plain)
 
 
@@ -226,9 +226,9 @@ def test_patches_are_still_under_all_their_controls_and_span_an_area(tmp_path):
             poses[-1][names.index(name)] = value
     stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, poses)
     patch = layout.elements[0]
-    still = laid_out.tracks(stage, rig.skel_root.path, patch, 0)
+    still = laid_out.tracks(stage, rig.path, patch, 0)
     for time in range(4):
-        for one, other in zip(laid_out.tracks(stage, rig.skel_root.path, patch, time), still, strict=True):
+        for one, other in zip(laid_out.tracks(stage, rig.path, patch, time), still, strict=True):
             assert np.abs(one - other).max() < 1e-6
     for time, member in ((1, 0), (2, 1)):
         centre = handle_of(stage, rig, patch, time)[0]
@@ -236,13 +236,13 @@ def test_patches_are_still_under_all_their_controls_and_span_an_area(tmp_path):
     faces = {each.name: drawn_faces(stage, rig, each) for each in layout.elements}
     assert [len(each) for each in faces[patch.name]] == [3] * (7 + 2 + 1)
     fan = faces[layout.elements[1].name]
-    assert len(laid_out.tracks(stage, rig.skel_root.path, layout.elements[1], 0)) == 3
+    assert len(laid_out.tracks(stage, rig.path, layout.elements[1], 0)) == 3
     assert len(fan) > 1 + sum(len(member.values) - 1 for member in layout.elements[1].manipulator.members)
 
 
 def drawn_faces(stage, rig, element):
     """The corners of every face of an element."""
-    prim = laid_out.element_prim(stage, rig.skel_root.path, element)
+    prim = laid_out.element_prim(stage, rig.path, element)
     mesh = UsdGeom.Mesh(prim.GetParent())
     ends = np.cumsum(mesh.GetFaceVertexCountsAttr().Get())
     faces = np.split(np.array(mesh.GetFaceVertexIndicesAttr().Get()), ends[:-1])

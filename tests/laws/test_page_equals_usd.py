@@ -89,7 +89,7 @@ def cases(tmp_path_factory):
 def pages(cases):
     """By name, handle and tracks of each element at each sample of the clip; one process for all."""
     asked = [
-        {"scene": base64.b64encode(pack([(rig, layout)], "law")).decode(), "times": rig.skel_root.clip.times.tolist()}
+        {"scene": base64.b64encode(pack([(rig, layout)], "law")).decode(), "times": rig.clip.times.tolist()}
         for rig, layout, _ in cases.values()
     ]
     return dict(zip(cases, placed_by_the_page(asked), strict=True))
@@ -104,14 +104,12 @@ def test_the_page_has_handles_and_tracks_where_usd_has_them(cases, pages, tmp_pa
     drives = {control.name: control.drive for control in rig.controls}
     diagonal = float(np.linalg.norm(np.ptp(laid_out.posed(rig).points, axis=0)))
     travels = np.zeros(len(layout.elements))
-    for time, placed in zip(rig.skel_root.clip.times.tolist(), pages[name], strict=True):
+    for time, placed in zip(rig.clip.times.tolist(), pages[name], strict=True):
         for i, (element, page) in enumerate(zip(layout.elements, placed["elements"], strict=True)):
-            for ours, theirs in zip(
-                page["tracks"], laid_out.tracks(stage, rig.skel_root.path, element, time), strict=True
-            ):
+            for ours, theirs in zip(page["tracks"], laid_out.tracks(stage, rig.path, element, time), strict=True):
                 assert np.abs(np.array(ours) - theirs).max() < HAIR * layout.frame.handle_width, (element.name, time)
             if told(element, drives):
-                centre = laid_out.handle(stage, rig.skel_root.path, element, time)[0]
+                centre = laid_out.handle(stage, rig.path, element, time)[0]
                 assert np.abs(page["handle"] - centre).max() < CLOSE * diagonal, (element.name, time)
             travels[i] = max(travels[i], np.abs(np.array(page["handle"]) - element.anchor.position).max())
     assert (travels > 0.5 * layout.frame.handle_width).mean() > 0.8
@@ -128,7 +126,7 @@ def attached(folder, rig, layout, source):
     layer = layer_for([(rig, layout)], str(source), OutputSettings(), stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
     layer.Export(str(folder / "layout.usda"))
     stage = Usd.Stage.Open(str(folder / "layout.usda"))
-    assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.skel_root.path)))
+    assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.path)))
     return stage
 
 
@@ -136,7 +134,7 @@ def test_a_page_reads_the_values_of_a_clip_as_a_film_does(cases):
     rig, layout, _ = cases["joints and the skin"]
     away = replace(rig, body=replace(rig.body, base_weights=rig.body.base_weights + 0.2))
     scene = base64.b64encode(pack([(away, layout)], "law")).decode()
-    (frames,) = placed_by_the_page([{"scene": scene, "times": rig.skel_root.clip.times.tolist()}])
+    (frames,) = placed_by_the_page([{"scene": scene, "times": rig.clip.times.tolist()}])
     values = np.array([frame["values"] for frame in frames])
     assert values == pytest.approx(clip_values(away), abs=1e-5)
     assert (np.ptp(values, axis=0) > 0.1).sum() > 10

@@ -45,14 +45,14 @@ def test_meshes_handles_and_tracks(tmp_path, kind):
     for time, values in enumerate(poses):
         ours = evaluate(poser, values)
         diagonal = float(np.linalg.norm(np.ptp(ours.points, axis=0)))
-        theirs = [laid_out.root_points(stage, mesh.path, rig.skel_root.path, time) for mesh in rig.body.meshes]
+        theirs = [laid_out.root_points(stage, mesh.path, rig.path, time) for mesh in rig.body.meshes]
         assert np.abs(ours.points - np.concatenate(theirs)).max() < CLOSE * diagonal
         for element, at in zip(layout.elements, ours.elements, strict=True):
-            centre = laid_out.handle(stage, rig.skel_root.path, element, time)[0]
+            centre = laid_out.handle(stage, rig.path, element, time)[0]
             assert np.abs(at.handle - centre).max() < CLOSE * diagonal, element.name
             # Where joints are the element's own controls a gprim can only hang on the joints above.
             if element.manipulator.members[0].control in shapes:
-                (track,) = laid_out.tracks(stage, rig.skel_root.path, element, time)
+                (track,) = laid_out.tracks(stage, rig.path, element, time)
                 assert np.abs(at.tracks[0] - track).max() < HAIR * layout.frame.handle_width, element.name
                 followed += 1
     assert followed >= 3 * len(shapes) - 3
@@ -73,8 +73,8 @@ def test_static_elements_and_those_beside_the_face(tmp_path, kind):
         ours = evaluate(prepare(rig, layout), values)
         diagonal = float(np.linalg.norm(np.ptp(ours.points, axis=0)))
         for element, at in zip(layout.elements, ours.elements, strict=True):
-            centre = laid_out.handle(stage, rig.skel_root.path, element, 0)[0]
-            (track,) = laid_out.tracks(stage, rig.skel_root.path, element, 0)
+            centre = laid_out.handle(stage, rig.path, element, 0)[0]
+            (track,) = laid_out.tracks(stage, rig.path, element, 0)
             assert np.abs(at.tracks[0] - track).max() < CLOSE * diagonal, (given, element.name)
             assert np.abs(at.handle - centre).max() < CLOSE * diagonal, (given, element.name)
 
@@ -91,7 +91,7 @@ def test_a_board_with_joint_controls_stays_in_one_piece_in_plain_usd(tmp_path):
     poses = [layout.base_values, laid_out.random_values(rig, np.random.default_rng(8))]
     stage = laid_out.baked(Sdf.Layer.FindOrOpen(str(tmp_path / "layout.usda")), rig, poses)
     ends = [
-        np.array([laid_out.tracks(stage, rig.skel_root.path, element, time)[0][0] for element in layout.elements])
+        np.array([laid_out.tracks(stage, rig.path, element, time)[0][0] for element in layout.elements])
         for time in range(len(poses))
     ]
     ours = np.array([at.tracks[0][0] for at in evaluate(prepare(rig, layout), poses[1]).elements])

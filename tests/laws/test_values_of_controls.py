@@ -108,7 +108,7 @@ def test_the_values_come_back_from_the_samples(keyed):
     (read,) = read_rigs(played, Settings())
     back, names = clip_values(read), [each.name for each in read.controls]
     for name, attribute in attributes(stage).items():
-        at = [attribute.Get(time) for time in read.skel_root.clip.times]
+        at = [attribute.Get(time) for time in read.clip.times]
         assert np.abs(back[:, names.index(name)] - at).max() < 1e-4, name
 
 
@@ -127,13 +127,13 @@ def test_what_no_value_reaches_stays_as_it_was(shot):
     """One control of one axis of a joint: no weight, no translation, and no other axis of that joint."""
     rig, path = shot
     stage = opened(path)
-    keyed, times = attributes(stage)["Jaw:rx"], rig.skel_root.clip.times.tolist()
+    keyed, times = attributes(stage)["Jaw:rx"], rig.clip.times.tolist()
     for time, value in ((1.0, 7.0), (20.0, -4.0)):
         keyed.Set(value, time)
     layer = bake(stage, ReadSettings())
     assert [each.name for each in layer.GetPrimAtPath(f"{ROOT}/Anim").properties] == ["rotations"]
     (after,) = read_rigs(over(stage, layer), Settings())
-    rows = np.searchsorted(after.skel_root.clip.times, times)
+    rows = np.searchsorted(after.clip.times, times)
     now, old = clip_values(after)[rows], clip_values(rig)
     for index, control in enumerate(rig.controls):
         wanted = [keyed.Get(time) for time in times] if control.name == "Jaw:rx" else old[:, index]
@@ -210,6 +210,6 @@ def test_a_page_shows_what_the_values_say(shot):
     before = stage.GetSessionLayer().ExportToString()
     (read,) = read_open_layouts(stage, Settings())[1].rigs
     index = [each.name for each in read.controls].index("smile_L")
-    rows = np.searchsorted(read.skel_root.clip.times, range(4))
+    rows = np.searchsorted(read.clip.times, range(4))
     assert clip_values(read)[rows, index] == pytest.approx([0.0, 0.25, 0.5, 0.75], abs=1e-6)
     assert stage.GetSessionLayer().ExportToString() == before

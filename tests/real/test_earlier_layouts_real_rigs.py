@@ -27,7 +27,7 @@ def test_fixed_anchors_are_kept_exactly_and_the_rest_is_optimal_given_them(name)
     _, _, first = lay_out(rig)
     half = replace(first, elements=first.elements[::2])
     proven = load({"solve": {"gap": 1e-4}})
-    _, found, made = lay_out(rig, proven, fixed={rig.skel_root.path: half})
+    _, found, made = lay_out(rig, proven, fixed={rig.path: half})
     for element in half.elements:
         # A control with a lobe on each side has two elements.
         holding = [e for e in made.elements if element.manipulator.members[0].control in e.manipulator.controls]
@@ -48,7 +48,7 @@ def test_with_fewer_points_nobody_moves_further_than_the_mesh_forces(name):
     """
     rig = read(SAMPLE if name == SAMPLE.name else name)
     _, _, before = lay_out(rig)
-    inputs, _, after = lay_out(decimated(rig, 0.45), previous={rig.skel_root.path: before})
+    inputs, _, after = lay_out(decimated(rig, 0.45), previous={rig.path: before})
     found, width = inputs.face.trajectories, before.frame.handle_width
     points, name = found.surface.points, inputs.face.control_name
     allowed = {
@@ -78,7 +78,7 @@ def test_removing_and_adding_five_moves_fewer_than_one_in_twenty():
         return replace(rig, controls=tuple(control for control in rig.controls if control.name not in gone))
 
     _, _, before = lay_out(without(coming), quick)
-    _, _, after = lay_out(without(going), quick, previous={rig.skel_root.path: before})
+    _, _, after = lay_out(without(going), quick, previous={rig.path: before})
     found = difference(before, after)
     told = {kind: {c.control for c in found.changes if c.kind == kind} for kind in ("added", "removed")}
     laid = {m.control for layout in (before, after) for e in layout.elements for m in e.manipulator.members}

@@ -131,7 +131,7 @@ def test_visemes_and_emotions_stand_beside_and_atoms_do_not():
 def test_blink_on_the_lid_jaw_on_the_chin_brows_on_the_brows(name, control, low, high):
     """Heights of anchors between the lowest and the highest handle of the face."""
     line = line_of(name)
-    up = line.face.rig.skel_root.up
+    up = line.face.rig.up
     heights = [float(element.anchor.position @ up) for element in on_face(line)]
     own = float(homes(line)[control].anchor.position @ up)
     share = (own - min(heights)) / (max(heights) - min(heights))

@@ -64,8 +64,8 @@ def test_a_face_of_joints_that_lies_on_its_back_has_the_same_anchors():
 @pytest.mark.parametrize("name", ["godette", "mh_expr34", "ict_face57"])
 def test_a_shot_that_scales_and_turns_the_asset_gives_the_same_anchors(name, z_up, tmp_path):
     (rig,) = read_rigs(referring(name, tmp_path, 100.0, z_up), Settings())
-    assert rig.skel_root.path == "/Shot/Char"
-    assert rig.skel_root.up == pytest.approx([0, 1, 0]), "the character's own space is still Y-up"
+    assert rig.path == "/Shot/Char"
+    assert rig.up == pytest.approx([0, 1, 0]), "the character's own space is still Y-up"
     assert anchors(laid_out(rig, PROVED)) == anchors(proved(name))
 
 

@@ -39,7 +39,7 @@ def run(request, tmp_path_factory):
 def test_every_control_of_the_source_is_accounted_for(run):
     source, _, document = run
     for rig, character in zip(read_rigs(source, Settings()), document["characters"], strict=True):
-        expected = {control.name for control in rig.controls} | {left.control for left in rig.findings.left_off}
+        expected = {control.name for control in rig.controls} | {left.control for left in rig.left_off}
         assert {row["control"] for row in character["controls"]} == expected
         by_name = {element["name"]: element for element in character["elements"]}
         # Controls with a lobe on each side have a handle on each.
@@ -68,16 +68,15 @@ def test_the_bound_holds_and_handles_are_apart(run):
 def test_baked_handles_are_centred_on_their_anchors(run):
     source, layer_path, _ = run
     layer = Sdf.Layer.FindOrOpen(str(layer_path))
-    rigs = {rig.skel_root.path: rig for rig in read_rigs(source, Settings())}
+    rigs = {rig.path: rig for rig in read_rigs(source, Settings())}
     for layout in read_layout(layer_path):
         rig, rng = rigs[layout.root], np.random.default_rng(21)
         stage = laid_out.baked(layer, rig, [laid_out.random_values(rig, rng)])
-        points = {mesh.path: laid_out.root_points(stage, mesh.path, rig.skel_root.path, 0) for mesh in rig.body.meshes}
+        points = {mesh.path: laid_out.root_points(stage, mesh.path, rig.path, 0) for mesh in rig.body.meshes}
         diagonal = np.linalg.norm(np.ptp(np.concatenate(list(points.values())), axis=0))
         misses = [
             np.linalg.norm(
-                laid_out.handle(stage, rig.skel_root.path, element, 0)[0]
-                - points[element.anchor.mesh][element.anchor.point]
+                laid_out.handle(stage, rig.path, element, 0)[0] - points[element.anchor.mesh][element.anchor.point]
             )
             for element in layout.elements
             if not element.anchor.on_board

@@ -121,7 +121,7 @@ def test_metadata_that_is_no_number(old, new, bad, tmp_path):
     path.write_text(text.replace(old, new.replace("{{", "{").replace("}}", "}").replace("BAD", bad), 1))
     (rig,) = read_rigs(path, Settings())
     assert finite(rig)
-    assert {each.code for each in rig.findings.issues} <= {"INBETWEEN_INVALID", "RANGE_INVALID", "UNITS_TYPE"}
+    assert {each.code for each in rig.issues} <= {"INBETWEEN_INVALID", "RANGE_INVALID", "UNITS_TYPE"}
 
 
 # --- whatever stage ----------------------------------------------------------------------------------

@@ -85,7 +85,7 @@ def test_a_layer_missing_elsewhere_is_a_warning(tmp_path):
     with _silent():
         path = head(tmp_path / "char.usda", edit=edit)
     (rig,) = read_rigs(path, Settings())
-    assert [(each.code, each.path) for each in rig.findings.issues if each.severity == "warning"] == [
+    assert [(each.code, each.path) for each in rig.issues if each.severity == "warning"] == [
         ("COMPOSITION_ERROR", "/Room")
     ]
 
@@ -311,9 +311,9 @@ def _face_counts(stage):
 def test_a_shape_that_contradicts_costs_its_control_alone(tmp_path, capfd, edit, code):
     (rig,) = read_rigs(head(tmp_path / "char.usda", edit=edit), Settings())
     assert [control.name for control in rig.controls] == ["frown"]
-    (lost,) = rig.findings.left_off
+    (lost,) = rig.left_off
     assert lost.control == "smile"
-    (warned,) = (each for each in rig.findings.issues if each.severity == "warning")
+    (warned,) = (each for each in rig.issues if each.severity == "warning")
     assert (warned.code, warned.path) == ("PART_LEFT_OFF", "/Char/Face/s_smile")
     assert warned.message.startswith(f"{code}: ")
     assert lost.reason.endswith(warned.message.removeprefix(f"{code}: "))
@@ -339,8 +339,8 @@ def test_a_mesh_that_contradicts_costs_what_it_alone_has(tmp_path, capfd, edit, 
 
     (rig,) = read_rigs(head(tmp_path / "char.usda", edit=two), Settings())
     assert [control.name for control in rig.controls] == ["lift"]
-    assert {"smile", "frown"} <= {lost.control for lost in rig.findings.left_off}
-    (warned,) = (each for each in rig.findings.issues if each.severity == "warning")
+    assert {"smile", "frown"} <= {lost.control for lost in rig.left_off}
+    (warned,) = (each for each in rig.issues if each.severity == "warning")
     assert (warned.code, warned.path, warned.message.partition(":")[0]) == ("PART_LEFT_OFF", "/Char/Face", code)
     alone = spoilt(tmp_path, edit)
     assert (alone.issue.code, alone.issue.path) == (code, "/Char/Face"), "nothing is left"

@@ -145,7 +145,7 @@ def bare(rig):
 
 def test_colours_of_the_asset_are_taken_as_they_are(sample):
     found = complexion.complexion(sample, peak_layout(sample))
-    assert np.array_equal(found.colours, np.concatenate([mesh.display.colours for mesh in sample.body.meshes]))
+    assert np.array_equal(found.colours, np.concatenate([mesh.colours for mesh in sample.body.meshes]))
     assert not found.clear.any()
     assert (found.gaze > 2.0).all()
 
@@ -154,7 +154,7 @@ def test_form_finds_the_pupils_and_the_lips_that_colours_say(sample):
     """On the sample without its colours: its own tell where the pupils, the whites and the lips are."""
     plain = bare(sample)
     found = complexion.complexion(plain, peak_layout(plain))
-    told = np.concatenate([mesh.display.colours for mesh in sample.body.meshes])
+    told = np.concatenate([mesh.colours for mesh in sample.body.meshes])
     names = np.repeat([mesh.path.rsplit("/", 1)[-1] for mesh in sample.body.meshes], np.diff(sample.body.starts))
     eyes, head = np.char.startswith(names, "Eye"), names == "Head"
     assert (np.abs(found.gaze[eyes]) <= 2.0).all()
@@ -245,7 +245,7 @@ def test_elements_are_on_skin_and_eyes_have_pupils(name):
     points = [real_rigs.point_of(line, element) for element in real_rigs.on_face(line)]
     is_trim = (found.colours[points] == complexion._TRIM).all(axis=1) & (found.gaze[points, 0] > 2.0)
     assert is_trim.mean() <= 0.1
-    across = camera_rows(layout, rig.skel_root.up)[0]
+    across = camera_rows(layout, rig.up)[0]
     at = deform(rig, layout.base_values) @ across
     on_eye = np.linalg.norm(found.gaze, axis=1) < 1.2 * shading.IRIS
     middle = layout.frame.plane.origin @ across

@@ -58,8 +58,8 @@ def test_ranges_are_said_where_usd_looks_for_them():
     """Inside the variant of the layout, as far as the SkelAnimation is below the SkelRoot."""
     rig = makers.face(9, 11, ranges={"chin": (-0.5, 2.0)})
     layer = Sdf.Layer.CreateAnonymous(".usda")
-    root = author_variant(layer, rig.skel_root.path)
-    skeletons = tuple(SimpleNamespace(animation=each) for each in ("", f"{rig.skel_root.path}/Anim", "/Anim"))
+    root = author_variant(layer, rig.path)
+    skeletons = tuple(SimpleNamespace(animation=each) for each in ("", f"{rig.path}/Anim", "/Anim"))
     channels = tuple(replace(each, animation=skeletons[1].animation) for each in rig.body.channels)
     control_api.author_limits(root, makers.changed(rig, channels=channels, skeletons=skeletons))
     said = layer.GetAttributeAtPath(f"{root.path}Anim.blendShapeWeights").GetInfo("limits")["soft"]

@@ -45,7 +45,7 @@ def diagonal(rig):
 
 def test_the_stage_has_every_kind_of_control(rig):
     assert {control.kind for control in rig.controls} == {"blendShape", "joint", "pose"}
-    assert {mesh.binding.skin.method for mesh in rig.body.meshes if mesh.binding.skin} == {
+    assert {mesh.skin.method for mesh in rig.body.meshes if mesh.skin} == {
         "classicLinear",
         "dualQuaternion",
     }

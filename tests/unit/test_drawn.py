@@ -43,7 +43,7 @@ def element(members, kind="fan", beside=False, normal=(0.0, 0.0, 1.0), opposed=(
 
 def layout(rig, *elements, base_values=None):
     return Layout(
-        root=rig.skel_root.path,
+        root=rig.path,
         base_values=np.zeros(len(rig.controls)) if base_values is None else base_values,
         elements=elements,
         left_off=(),

@@ -43,7 +43,7 @@ def glyph_of(folder, text, name="Arrow", up="Y", **said):
     (folder / "glyphs.usda").write_text(f'#usda 1.0\n(\n upAxis = "{up}"\n)\n{text}')
     source = skinned_stages.character(folder / "char.usda")
     config = {"controls": {"chin": {"glyph": f"glyphs.usda</{name}>", **said}}}
-    return read_rigs(source, load(config))[0].configured.glyphs[f"glyphs.usda</{name}>"]
+    return read_rigs(source, load(config))[0].glyphs[f"glyphs.usda</{name}>"]
 
 
 def curve(kind, points, counts=None, wrap="nonperiodic", basis="bezier"):
@@ -116,7 +116,7 @@ def test_a_prim_of_the_asset_itself(tmp_path):
     ring.CreatePointsAttr([(0, 0, 0), (1, 0, 0), (0, 0, 1)])
     stage.Save()
     (rig,) = read_rigs(source, load({"controls": {"chin": {"glyph": "/Glyphs/Ring"}}}))
-    glyph = rig.configured.glyphs["/Glyphs/Ring"]
+    glyph = rig.glyphs["/Glyphs/Ring"]
     assert (glyph.form, glyph.counts.tolist()) == ("curve", [4])
     assert np.array_equal(glyph.points[0], glyph.points[3])
 
@@ -280,7 +280,7 @@ def test_glyphs_follow_the_face_wherever_usdskel_takes_it(tmp_path, kind, adapt)
     poser, size = prepare(rig, layout), float(np.linalg.norm(np.ptp(deform(rig), axis=0)))
     for time, values in enumerate(poses):
         for element, at in zip(layout.elements, evaluate(poser, values).elements, strict=True):
-            drawn = laid_out.handle(stage, rig.skel_root.path, element, time)
+            drawn = laid_out.handle(stage, rig.path, element, time)
             if element.glyph.form == "curve":
                 drawn = 0.5 * (drawn[::2] + drawn[1::2])
             assert np.abs(drawn - at.glyph).max() < 1e-5 * size, (element.name, time)

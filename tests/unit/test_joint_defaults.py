@@ -204,7 +204,7 @@ def staged_body(path, *, smiling, waving):
     made.GetPointsAttr().Set(Vt.Vec3fArray.FromNumpy(mesh.points.astype(np.float32)))
     made.GetFaceVertexCountsAttr().Set([4] * (len(mesh.points) // 8 * 6))
     made.GetFaceVertexIndicesAttr().Set(mesh.topology.face_indices.tolist())
-    skel_stages.add_skin(made, mesh.binding.skin.joints, mesh.binding.skin.weights, 1)
+    skel_stages.add_skin(made, mesh.skin.joints, mesh.skin.weights, 1)
     if smiling:
         offsets = np.where(mesh.points[:, 1:2] > 1.4, [[0.0, 0.0, 0.05]], 0.0)
         skel_stages.add_shape(made, "smile", offsets)

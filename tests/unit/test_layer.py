@@ -86,7 +86,7 @@ def test_odd_source_names_are_referred_to(tmp_path, name):
     (rig,) = read_rigs(source, Settings())
     target = tmp_path / "layout.usda"
     write_layout([(rig, laid_out.layout_of(rig))], source, target, PLAIN, metadata(source))
-    assert Usd.Stage.Open(str(target)).GetPrimAtPath(rig.skel_root.path).IsDefined()
+    assert Usd.Stage.Open(str(target)).GetPrimAtPath(rig.path).IsDefined()
 
 
 @pytest.mark.parametrize("name", ["a:SDF_FORMAT_ARGS:b.usda", "a@@@b.usda", "a\nb.usda"])
@@ -158,7 +158,7 @@ def test_everything_is_a_guide_below_the_character_and_nothing_is_of_a_type_of_o
     target = tmp_path / "a.usda"
     write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
     stage = Usd.Stage.Open(str(target))
-    scope = stage.GetPrimAtPath(rig.skel_root.path).GetChild("RigUI")
+    scope = stage.GetPrimAtPath(rig.path).GetChild("RigUI")
     kinds = {prim.GetTypeName() for prim in Usd.PrimRange(scope)}
     assert kinds == {"Scope", "GeomSubset", "Mesh", "BlendShape"}
     for prim in Usd.PrimRange(scope):
@@ -176,7 +176,7 @@ def test_few_prims_draw_all_elements(char, tmp_path):
     target = tmp_path / "a.usda"
     write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
     stage = Usd.Stage.Open(str(target))
-    scope = stage.GetPrimAtPath(rig.skel_root.path).GetChild("RigUI")
+    scope = stage.GetPrimAtPath(rig.path).GetChild("RigUI")
     kinds = [str(prim.GetTypeName()) for prim in Usd.PrimRange(scope)]
     assert kinds.count("Mesh") <= 2
     assert kinds.count("BlendShape") <= len(rig.body.channels) * kinds.count("Mesh")
@@ -213,7 +213,7 @@ def test_meshes_are_named_after_their_part_and_what_no_joint_moves(tmp_path):
     target = tmp_path / "a.usda"
     write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
     stage = Usd.Stage.Open(str(target))
-    skinned, still = stage.GetPrimAtPath(rig.skel_root.path).GetChild("RigUI").GetChildren()
+    skinned, still = stage.GetPrimAtPath(rig.path).GetChild("RigUI").GetChildren()
     assert (skinned.GetName(), still.GetName()) == ("BodyControls", "BodyStillControls")
     assert skinned.GetAttribute("skel:joints").HasAuthoredValue()
     assert not still.GetAttribute("skel:joints").HasAuthoredValue()

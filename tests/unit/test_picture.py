@@ -321,7 +321,7 @@ def test_captions_say_from_where_the_layout_is_seen(rig, layout, view, expected)
 
 
 def test_camera_turns_points_to_pixels_and_back(rig, layout):
-    up = rig.skel_root.up
+    up = rig.up
     rows = directions.camera_rows(layout, up, np.array([0.3, -0.2, 0.9]))
     assert rows @ rows.T == pytest.approx(np.eye(3), abs=1e-12)
     camera = shading.Camera(rows, np.array([1.0, 2.0, 3.0]), 50.0, 200, 100)

@@ -422,7 +422,7 @@ def test_what_usd_says_while_it_parses_is_reported_once(referenced, tmp_path):
     if referenced:
         path = tmp_path / "char.usda"
         path.write_text("#usda 1.0\n(\n    subLayers = [@./geo.usda@]\n)\n")
-    issues = read_rigs_isolated(path, Settings()).rigs[0].findings.issues
+    issues = read_rigs_isolated(path, Settings()).rigs[0].issues
     assert ["99999999999999999999" in each.message for each in issues if each.code == "USD_DIAGNOSTIC"] == [True]
 
 

@@ -81,7 +81,7 @@ def element(names, point=60, adapt="deform", beside=False):
 
 def layout(made, *elements, base_values=None):
     return Layout(
-        root=made.skel_root.path,
+        root=made.path,
         base_values=np.zeros(len(made.controls)) if base_values is None else base_values,
         elements=elements,
         left_off=(),

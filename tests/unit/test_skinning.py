@@ -8,15 +8,10 @@ from pxr import Gf, UsdSkel, Vt
 
 from usdrigui.character import (
     Body,
-    Configured,
-    Findings,
     Joint,
-    MeshBinding,
-    MeshDisplay,
     Rig,
     RigMesh,
     Skeleton,
-    SkelRoot,
     Skin,
     Topology,
 )
@@ -62,14 +57,12 @@ def _rig(points, matrices, joints, weights, method, geom_bind):
     """A rig whose skinning matrices are just `matrices`: bound at the origin, posed by them."""
     skin = Skin(joints, weights.astype(np.float32).astype(np.float64), method, geom_bind, rigid=False)
     none = np.zeros(0, dtype=np.int64)
-    mesh = RigMesh(
-        "/R/M", points.astype(np.float64), Topology(none, none, False, ""), MeshBinding(np.eye(4), skin), MeshDisplay()
-    )
+    mesh = RigMesh("/R/M", points.astype(np.float64), Topology(none, none, False, ""), np.eye(4), skin)
     bones = tuple(Joint(str(i), 0, -1, np.eye(4), each, each) for i, each in enumerate(matrices))
     skeleton = Skeleton("/R/S", "", np.eye(4))
     up = np.array([0.0, 1.0, 0.0])
     body = Body((mesh,), (skeleton,), bones, (), np.zeros(0))
-    return Rig(SkelRoot("/R", "", up, 0.01, None), body, (), Findings((), ()), Configured())
+    return Rig("/R", up, 0.01, body, ())
 
 
 @pytest.mark.parametrize("sums", ["normalised", "unnormalised"])

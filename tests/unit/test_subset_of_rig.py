@@ -32,7 +32,7 @@ def test_what_does_not_touch_the_points_is_gone(rig):
     counts = []
     for start in rig.body.starts[:-1]:
         small, _ = subset(rig, np.array([start]))
-        channels = {shape.channel for mesh in small.body.meshes for shape in mesh.binding.shapes}
+        channels = {shape.channel for mesh in small.body.meshes for shape in mesh.shapes}
         for control in small.controls:
             assert set(control.drive.channels.tolist()) <= channels
             assert all(0 <= joint < len(small.body.joints) for joint in control.drive.joints)

@@ -53,7 +53,7 @@ def test_positions_and_offsets_survive_to_half_a_step(face):
     points = low + array(packed["points"]) * step
     spread = np.ptp(mesh.points, axis=0)
     assert np.abs(points - mesh.points).max() <= 0.51 * spread.max() / 65535
-    for stored, shape in zip(packed["shapes"], mesh.binding.shapes, strict=True):
+    for stored, shape in zip(packed["shapes"], mesh.shapes, strict=True):
         dense = np.zeros((1, len(mesh.points), 3))
         dense[:, array(stored["points"])] = array(stored["offsets"]) * stored["step"]
         true = np.zeros_like(dense)

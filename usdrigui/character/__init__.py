@@ -12,8 +12,6 @@ from usdrigui.character.controls import (
     Skeleton as Skeleton,
 )
 from usdrigui.character.mesh import (
-    MeshBinding as MeshBinding,
-    MeshDisplay as MeshDisplay,
     RigMesh as RigMesh,
     Shape as Shape,
     Skin as Skin,
@@ -33,11 +31,8 @@ from usdrigui.character.record import (
 from usdrigui.character.rig import (
     Body as Body,
     Clip as Clip,
-    Configured as Configured,
-    Findings as Findings,
     Glyph as Glyph,
     LeftOff as LeftOff,
     Performance as Performance,
     Rig as Rig,
-    SkelRoot as SkelRoot,
 )

@@ -228,7 +228,7 @@ def _offsets(shape: Shape, shares: Floats) -> NDArray[np.floating]:
 def _blended(mesh: RigMesh, weights: Floats) -> Floats:
     """(n, 3) points of a mesh in its own space with the shapes applied."""
     points = mesh.points
-    acting = [shape for shape in mesh.binding.shapes if weights[shape.channel] != 0.0]
+    acting = [shape for shape in mesh.shapes if weights[shape.channel] != 0.0]
     if acting:
         points = points.copy()
         for shape in acting:
@@ -285,7 +285,7 @@ class Sweep:
         if not part.turning:
             offsets = _shape_offsets(part, weights, self._base.weights)
             return _turned(offsets, self._base.maps[part.index], part.local)
-        skin = mesh.binding.skin
+        skin = mesh.skin
         if part.weighted is not None and skin is not None:
             to_root = skeleton_to_root(body.skeletons, body.joints, skin)[:3, :3]
             change = (skinning[1:] - skinning[0])[..., :3] @ to_root
@@ -321,8 +321,8 @@ class _Reached(Record):
     ) -> _Reached:
         """What the joints `turning` (joints,) and the shapes of `channels` move."""
         mesh = body.meshes[index]
-        shapes = tuple(shape for shape in mesh.binding.shapes if shape.channel in channels)
-        skin = mesh.binding.skin
+        shapes = tuple(shape for shape in mesh.shapes if shape.channel in channels)
+        skin = mesh.skin
         if skin is None or not turning.any():
             local = [shape.points for shape in shapes] or [np.zeros(0, dtype=np.int64)]
             points = local[0] if len(local) == 1 else np.unique(np.concatenate(local))

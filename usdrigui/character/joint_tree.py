@@ -103,7 +103,7 @@ def _bound_skin(meshes: Sequence[RigMesh]) -> Iterator[tuple[int, Floats, Floats
     """Of each mesh, each joint that acts on it, the points (p, 3) on which it does, bound, and its
     weights (p,)."""
     for mesh in meshes:
-        skin = mesh.binding.skin
+        skin = mesh.skin
         if skin is None:
             continue
         bound = bound_points(mesh.points, skin)[:, :3]

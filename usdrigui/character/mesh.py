@@ -18,8 +18,17 @@ class RigMesh(Record):
     points: Floats
     """(n, 3) `points` in the mesh's own space."""
     topology: Topology
-    binding: MeshBinding
-    display: MeshDisplay
+    to_root: Floats
+    """(4, 4) mesh space to root space; used where there is no skin."""
+    skin: Skin | None = None
+    shapes: tuple[Shape, ...] = ()
+    visible: bool = True
+    """False when the visibility or the purpose hides it from a default render."""
+    colours: Floats | None = None
+    """(n, 3) linear colours from 0 to 1 at the points; None where neither a material nor
+    displayColor has."""
+    texturing: Texturing | None = None
+    """None where no image gives the colours."""
 
 
 class Topology(Record):
@@ -36,27 +45,6 @@ class Topology(Record):
     others."""
     subsets: tuple[Subset, ...] = ()
     """GeomSubsets, for locality."""
-
-
-class MeshBinding(Record):
-    """How a mesh follows joints and weights: what SkelBindingAPI holds, and its transform."""
-
-    to_root: Floats
-    """(4, 4) mesh space to root space; used where there is no skin."""
-    skin: Skin | None = None
-    shapes: tuple[Shape, ...] = ()
-
-
-class MeshDisplay(Record):
-    """How a mesh is drawn."""
-
-    visible: bool = True
-    """False when the visibility or the purpose hides it from a default render."""
-    colours: Floats | None = None
-    """(n, 3) linear colours from 0 to 1 at the points; None where neither a material nor
-    displayColor has."""
-    texturing: Texturing | None = None
-    """None where no image gives the colours."""
 
 
 class Texturing(Record):

@@ -18,12 +18,35 @@ from usdrigui.errors import Issue
 class Rig(Record):
     """A character under one SkelRoot: everything the layout needs, and no USD object."""
 
-    skel_root: SkelRoot
+    path: str
+    """Prim path of the SkelRoot."""
+    up: Floats
+    """(3,) unit up direction in root space."""
+    metres_per_unit: float
     body: Body
     controls: tuple[Control, ...]
-    findings: Findings
-    """Controls that the source has but the rig does not, and the issues of the source."""
-    configured: Configured
+    left_off: tuple[LeftOff, ...] = ()
+    """Controls that the source has but the rig does not."""
+    issues: tuple[Issue, ...] = ()
+    """Of the source."""
+    variant_path: str = ""
+    """`path` with the variants that are to hold the layout, ``/Char{LOD=low}``; empty
+    without."""
+    clip: Clip | None = None
+    """The animation of what is bound under it."""
+    time_codes: tuple[float, float, float] | None = None
+    """First and last of its stage, and how many make a second; None where it has no range."""
+    excluded: tuple[Control, ...] = ()
+    """Controls that the configuration leaves out; what they move still counts for the size of the
+    face."""
+    glyphs: Mapping[str, Glyph] = field(default_factory=dict)
+    """Shapes that it wants drawn as handles, by the name that it gives them."""
+
+    @property
+    def path_in_variants(self) -> str:
+        """Of the SkelRoot, with the variants that are to hold the layout, if any: what findings
+        call the character."""
+        return self.variant_path or self.path
 
     @cached_property
     def control_names(self) -> frozenset[str]:
@@ -34,28 +57,6 @@ class Rig(Record):
     def control_indices(self) -> Mapping[str, int]:
         """The place of every control in `controls`, by its name."""
         return {control.name: i for i, control in enumerate(self.controls)}
-
-
-class SkelRoot(Record):
-    """The SkelRoot of a character on its stage."""
-
-    path: str
-    variant_path: str
-    """`path` with the variants that are to hold the layout, ``/Char{LOD=low}``; empty
-    without."""
-    up: Floats
-    """(3,) unit up direction in root space."""
-    metres_per_unit: float
-    clip: Clip | None
-    """The animation of what is bound under it."""
-    time_codes: tuple[float, float, float] | None = None
-    """First and last of its stage, and how many make a second; None where it has no range."""
-
-    @property
-    def path_in_variants(self) -> str:
-        """Of the SkelRoot, with the variants that are to hold the layout, if any: what findings
-        call the character."""
-        return self.variant_path or self.path
 
 
 class Body(Record):
@@ -74,7 +75,7 @@ class Body(Record):
         absent."""
         found: dict[int, tuple[tuple[int, Shape], ...]] = {}
         for index, mesh in enumerate(self.meshes):
-            for shape in mesh.binding.shapes:
+            for shape in mesh.shapes:
                 found[shape.channel] = (*found.get(shape.channel, ()), (index, shape))
         return found
 
@@ -86,7 +87,7 @@ class Body(Record):
     @property
     def drawn(self) -> Flags:
         """(n,) points of visible meshes."""
-        visible = [mesh.display.visible for mesh in self.meshes]
+        visible = [mesh.visible for mesh in self.meshes]
         return np.repeat(np.array(visible, dtype=bool), np.diff(self.starts))
 
     def point_of(self, path: str, local: int) -> int:
@@ -103,15 +104,6 @@ class Body(Record):
         return mesh, int(point - starts[mesh])
 
 
-class Configured(Record):
-    """What the configuration adds to a rig."""
-
-    excluded: tuple[Control, ...] = ()
-    """Controls that it leaves out; what they move still counts for the size of the face."""
-    glyphs: Mapping[str, Glyph] = field(default_factory=dict)
-    """Shapes that it wants drawn as handles, by the name that it gives them."""
-
-
 class Glyph(Record):
     """A curve or mesh that is drawn as an element's handle instead of the usual shape."""
 
@@ -119,7 +111,7 @@ class Glyph(Record):
     """As the configuration names it."""
     form: Literal["curve", "mesh"]
     points: Floats
-    """(q, 3).  In `Configured.glyphs`: x to the viewer's right, y up, z out of the face, in a
+    """(q, 3).  In `Rig.glyphs`: x to the viewer's right, y up, z out of the face, in a
     sphere of radius 1 about the origin.  In `Element.glyph`: offsets from the handle's centre in
     the base pose; root space, scene units."""
     counts: Indices
@@ -138,14 +130,6 @@ class LeftOff:
     """``read``, ``trajectories``, ``candidates``, ``groups``, ``solve`` or ``config``."""
     reason: str
     """For people: one clause, without a full stop."""
-
-
-@dataclass(frozen=True, slots=True)
-class Findings:
-    """What a stage dropped and what it complains of."""
-
-    left_off: tuple[LeftOff, ...]
-    issues: tuple[Issue, ...]
 
 
 class Clip(Record):

@@ -64,9 +64,9 @@ def point_maps(
     body: Body, mesh: RigMesh, skinning: Floats, local: Indices | slice = slice(None)
 ) -> Floats:
     """Affine maps (1 or p, 4, 3) of the `local` points from mesh space to root space."""
-    skin = mesh.binding.skin
+    skin = mesh.skin
     if skin is None:
-        return mesh.binding.to_root[None, :, :3]
+        return mesh.to_root[None, :, :3]
     rows = slice(1) if skin.rigid else local
     size = float(np.abs(mesh.points).max(initial=1e-30))
     skinned = _shared_or_own_maps(skin, rows, skinning, size)
@@ -93,7 +93,7 @@ def carrying_joint(body: Body, rows: Indices) -> int:
     share: Floats = np.zeros(len(body.joints))
     for row in rows.tolist():
         mesh, local = body.mesh_of(row)
-        skin = body.meshes[mesh].binding.skin
+        skin = body.meshes[mesh].skin
         if skin is not None:
             np.add.at(share, skin.joints[local], skin.weights[local])
     total = float(share.sum())

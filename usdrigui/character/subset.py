@@ -24,9 +24,8 @@ def subset(rig: Rig, points: Indices) -> tuple[Rig, Indices]:
         local = kept[(kept >= starts[index]) & (kept < starts[index + 1])] - starts[index]
         if len(local):
             meshes.append(_part(mesh, local))
-    still = replace(rig.skel_root, clip=None)
     body = replace(rig.body, meshes=tuple(meshes))
-    return _with_drives(replace(rig, skel_root=still, body=body)), rows.astype(np.int64)
+    return _with_drives(replace(rig, clip=None, body=body)), rows.astype(np.int64)
 
 
 def _with_drives(rig: Rig) -> Rig:
@@ -35,7 +34,7 @@ def _with_drives(rig: Rig) -> Rig:
     body = rig.body
     kept = np.zeros(len(body.joints), dtype=bool)
     for mesh in body.meshes:
-        skin = mesh.binding.skin
+        skin = mesh.skin
         if skin is not None:
             # Weightless influences name joints too, and so the skeleton that the skin is on.
             kept[np.unique(skin.joints)] = True
@@ -50,7 +49,7 @@ def _with_drives(rig: Rig) -> Rig:
     )
     meshes = tuple(_renumbered(mesh, place) for mesh in body.meshes)
     acting = np.zeros(len(body.channels), dtype=bool)
-    acting[[shape.channel for mesh in meshes for shape in mesh.binding.shapes]] = True
+    acting[[shape.channel for mesh in meshes for shape in mesh.shapes]] = True
     controls = tuple(_acting(control, acting, place) for control in rig.controls)
     body = replace(body, joints=joints, meshes=meshes)
     return replace(rig, body=body, controls=controls)
@@ -58,11 +57,10 @@ def _with_drives(rig: Rig) -> Rig:
 
 def _renumbered(mesh: RigMesh, place: Indices) -> RigMesh:
     """The mesh with its skin on joints by their new `place` (joints,)."""
-    skin = mesh.binding.skin
+    skin = mesh.skin
     if skin is None:
         return mesh
-    skin = replace(skin, joints=place[skin.joints])
-    return replace(mesh, binding=replace(mesh.binding, skin=skin))
+    return replace(mesh, skin=replace(skin, joints=place[skin.joints]))
 
 
 def _acting(control: Control, acting: Flags, place: Indices) -> Control:
@@ -86,21 +84,21 @@ def _acting(control: Control, acting: Flags, place: Indices) -> Control:
 
 def _part(mesh: RigMesh, kept: Indices) -> RigMesh:
     """The `kept` local points (ascending) of a mesh, without faces."""
-    skin = mesh.binding.skin
+    skin = mesh.skin
     if skin is not None:
         skin = replace(skin, joints=skin.joints[kept], weights=skin.weights[kept])
     shapes = tuple(
-        shape
-        for shape in (_shape_part(each, kept) for each in mesh.binding.shapes)
-        if len(shape.points)
+        shape for shape in (_shape_part(each, kept) for each in mesh.shapes) if len(shape.points)
     )
     none = np.zeros(0, dtype=np.int64)
     return replace(
         mesh,
         points=mesh.points[kept],
         topology=replace(mesh.topology, face_counts=none, face_indices=none),
-        binding=replace(mesh.binding, skin=skin, shapes=shapes),
-        display=replace(mesh.display, colours=None, texturing=None),
+        skin=skin,
+        shapes=shapes,
+        colours=None,
+        texturing=None,
     )
 
 

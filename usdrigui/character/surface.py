@@ -55,7 +55,7 @@ def mesh_triangles(meshes: Sequence[RigMesh], visible_only: bool = False) -> Ind
     parts: list[Indices] = [np.zeros((0, 3), dtype=np.int64)]
     start = 0
     for mesh in meshes:
-        if mesh.display.visible or not visible_only:
+        if mesh.visible or not visible_only:
             faces = mesh.topology
             of_mesh = (faces.face_counts, faces.face_indices, faces.left_handed)
             parts.append(triangles(mesh.points, *of_mesh) + start)

@@ -119,10 +119,10 @@ def _pages(rig: Rig, layout: Layout, labels: bool) -> Iterator[Page]:
         panels = []
         top, width = _TITLE if section.title else _MARGIN, _BOARD_WIDTH
         if on_character(section.layout):
-            panel = _panel(section, subject, camera_rows(section.layout, rig.skel_root.up), labels)
+            panel = _panel(section, subject, camera_rows(section.layout, rig.up), labels)
             panels.append(replace(panel, corner=(_MARGIN, top)))
             top, width = top + panel.size[1] + _MARGIN, panel.size[0]
-        for board in board_of(section, rig.skel_root.up, (_MARGIN, top, width), _BOARD):
+        for board in board_of(section, rig.up, (_MARGIN, top, width), _BOARD):
             panels.append(board)
             top += board.size[1] + _MARGIN
         if section.title:

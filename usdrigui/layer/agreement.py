@@ -137,7 +137,7 @@ class _Scene(Record):
     def _influences(self, point: int) -> Indices:
         """The joints that move a point."""
         mesh, local = self.rig.body.mesh_of(point)
-        skin = self.rig.body.meshes[mesh].binding.skin
+        skin = self.rig.body.meshes[mesh].skin
         return _NONE if skin is None else skin.joints[local][skin.weights[local] != 0.0]
 
     def halfway(self, towards: str, but: list[int]) -> Floats:

@@ -116,7 +116,7 @@ def author_limits(root: Sdf.PrimSpec, rig: Rig) -> None:
     USD before 25.11 cannot author them; it reads past them without a word.  Weights without a
     control of their own keep to 0 and 1.
     """
-    inside = Sdf.Path(rig.skel_root.path)
+    inside = Sdf.Path(rig.path)
     for animation in dict.fromkeys(each.animation for each in rig.body.skeletons if each.animation):
         ranges, path = _weight_ranges(rig, animation), Sdf.Path(animation)
         if len(ranges) and path.HasPrefix(inside) and hasattr(Usd, "AttributeLimits"):

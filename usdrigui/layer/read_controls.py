@@ -11,14 +11,11 @@ from pxr import Usd
 
 from usdrigui.character import (
     Body,
-    Configured,
     Control,
     Drive,
-    Findings,
     Floats,
     Indices,
     Rig,
-    SkelRoot,
 )
 from usdrigui.errors import Issue, issue
 from usdrigui.layer.properties import (
@@ -64,11 +61,11 @@ def read_controls(
                 what = f"its control {control.name!r} is another one in another element"
                 found.append(invalid_at(prim, what))
     return Rig(
-        SkelRoot(str(scope.GetParent().GetPath()), "", np.zeros(3), 1.0, None),
+        str(scope.GetParent().GetPath()),
+        np.zeros(3),
+        1.0,
         replace(body, base_weights=weights),
         tuple(controls.values()),
-        Findings((), ()),
-        Configured(),
     )
 
 

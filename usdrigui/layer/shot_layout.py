@@ -78,15 +78,15 @@ def write_shot_layouts(
         if not bare:
             layer.subLayerPaths.append(relative_asset_path(shot, target))
         for each in shots:
-            if below and each.base_root != each.rig.skel_root.path:
-                root = Sdf.CreatePrimInLayer(layer, each.rig.skel_root.path)
+            if below and each.base_root != each.rig.path:
+                root = Sdf.CreatePrimInLayer(layer, each.rig.path)
                 root.referenceList.prependedItems = [Sdf.Reference(below, each.base_root)]
             elif below and below not in layer.subLayerPaths:
                 layer.subLayerPaths.append(below)
             if each.added:
                 _author(layer, each)
     content = layer_bytes(layer, target.suffix, str(target))
-    roots = [each.rig.skel_root.path_in_variants for each in shots if each.added]
+    roots = [each.rig.path_in_variants for each in shots if each.added]
     return write(content, target, verify=functools.partial(holds_layouts, roots))
 
 
@@ -94,9 +94,9 @@ def _author(layer: Sdf.Layer, shot: ShotLayout) -> None:
     rig, layout = shot.rig, shot.layout
     as_variant = all(prim.in_variant for prim in shot.prims)
     root = (
-        author_variant(layer, rig.skel_root.path_in_variants)
+        author_variant(layer, rig.path_in_variants)
         if as_variant
-        else Sdf.CreatePrimInLayer(layer, rig.skel_root.path)
+        else Sdf.CreatePrimInLayer(layer, rig.path)
     )
     author_limits(root, rig)
     scope = Sdf.PrimSpec(root, schema.SCOPE, Sdf.SpecifierOver)
@@ -117,7 +117,7 @@ def _author_new_shapes(scope: Sdf.PrimSpec, shot: ShotLayout, elements: Sequence
     parts = {
         each.name: drawn_parts(skin, each, frame) for each in elements if not each.anchor.on_board
     }
-    prefixes = Sdf.Path(shot.base_root), Sdf.Path(shot.rig.skel_root.path)
+    prefixes = Sdf.Path(shot.base_root), Sdf.Path(shot.rig.path)
     for prim in shot.prims:
         spans = [
             span
@@ -130,7 +130,7 @@ def _author_new_shapes(scope: Sdf.PrimSpec, shot: ShotLayout, elements: Sequence
             path = (
                 Sdf.Path(prim.path)
                 .ReplacePrefix(*prefixes)
-                .ReplacePrefix(shot.rig.skel_root.path, scope.path.GetParentPath())
+                .ReplacePrefix(shot.rig.path, scope.path.GetParentPath())
             )
             targets = [Sdf.Path(each).ReplacePrefix(*prefixes) for each in prim.targets]
             existing = list(zip(prim.shapes, targets, strict=True))

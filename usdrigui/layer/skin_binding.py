@@ -20,8 +20,6 @@ from usdrigui.character import (
     Floats,
     Indices,
     Joint,
-    MeshBinding,
-    MeshDisplay,
     Record,
     Rig,
     RigMesh,
@@ -139,7 +137,7 @@ class SkinBinding:
         )
         held = [self.rig.controls[each] for each in follows.held.tolist()]
         deforms = follows.deforms
-        skeleton, skin = _skeleton_of(body, mesh), mesh.binding.skin
+        skeleton, skin = _skeleton_of(body, mesh), mesh.skin
         influences = _influences(skin, point)
         if follows.joint >= 0:
             influences = np.array([follows.joint]), np.ones(1)
@@ -209,8 +207,8 @@ class SkinBinding:
             "",
             np.full((1, 3), self.size),
             Topology(_NONE, _NONE, False, ""),
-            MeshBinding(np.eye(4), skin),
-            MeshDisplay(),
+            np.eye(4),
+            skin,
         )
         alone = replace(self.rig, body=replace(self.rig.body, meshes=(single,)))
         return np.array(posed(alone, values).maps[0][0])
@@ -231,9 +229,9 @@ def _size(body: Body) -> float:
 
 def _to_rest(body: Body, mesh: RigMesh) -> Floats:
     """(4, 3) map from mesh space to the bind pose."""
-    skin = mesh.binding.skin
+    skin = mesh.skin
     if skin is None:
-        return mesh.binding.to_root[:, :3]
+        return mesh.to_root[:, :3]
     skeleton = body.skeletons[_skeleton_of(body, mesh)]
     if abs(np.linalg.det(skeleton.to_root[:3, :3])) < 1e-30:
         raise refuse("SKELETON_INVALID", skeleton.path, "its transform collapses space")
@@ -243,9 +241,9 @@ def _to_rest(body: Body, mesh: RigMesh) -> Floats:
 def _skeleton_of(body: Body, mesh: RigMesh) -> int:
     """The Skeleton that a mesh is bound to: its joints', else the one whose animation drives its
     shapes."""
-    if mesh.binding.skin is not None:
-        return body.joints[int(mesh.binding.skin.joints[0, 0])].skeleton
-    animations = [body.channels[shape.channel].animation for shape in mesh.binding.shapes]
+    if mesh.skin is not None:
+        return body.joints[int(mesh.skin.joints[0, 0])].skeleton
+    animations = [body.channels[shape.channel].animation for shape in mesh.shapes]
     for index, skeleton in enumerate(body.skeletons):
         if skeleton.animation and skeleton.animation in animations:
             return index
@@ -321,7 +319,7 @@ def _shapes_of(
     for mesh in {mesh.path: mesh for mesh, _ in anchors}.values():
         points = np.array(sorted(point for path, point in found if path == mesh.path))
         to_rest = _to_rest(body, mesh)[:3]
-        for shape in mesh.binding.shapes:
+        for shape in mesh.shapes:
             place = np.searchsorted(shape.points, points)
             hit = np.flatnonzero(np.append(shape.points, -1)[place] == points)
             offsets = shape.offsets[:, place[hit]].astype(np.float64) @ to_rest

@@ -32,14 +32,14 @@ def fitted_glyph(
     override = next((each for each in overrides if each.glyph), None)
     if override is None:
         return None
-    glyph = face.rig.configured.glyphs[override.glyph]
+    glyph = face.rig.glyphs[override.glyph]
     width = override.glyph_size * face.handle_width
     if width == 0.0:
         width = max(float(lengths(member.track[None])[0]) for member in members)
     points = glyph.points * [-1.0 if reflected else 1.0, 1.0, 1.0]
     toward = face.views.directions[0]
     out = anchor.normal if anchor.normal.any() else toward
-    frame = seen_from(out, face.rig.skel_root.up, toward)
+    frame = seen_from(out, face.rig.up, toward)
     placed = 0.5 * width * points @ frame
     turned = reflected and glyph.form == "mesh"
     return replace(glyph, points=placed, indices=_reversed(glyph) if turned else glyph.indices)

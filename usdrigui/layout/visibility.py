@@ -112,7 +112,7 @@ def find_views(
     Without a name for it, a part `of_sides`, as hands are, is looked at from where the skin of its
     joints faces, each side by itself; and more views show what the usual ones hide of a joint.
     """
-    up, surface = rig.skel_root.up, trajectories.surface
+    up, surface = rig.up, trajectories.surface
     ahead = front(up, trajectories, plane.normal)
     directions = _directions(viewpoint, ahead, up)
     drawn = rig.body.drawn
@@ -166,7 +166,7 @@ class _Around(Record):
             weight = own.arc_length * surface.areas[own.points]
             if each.of_joint and weight.any():
                 skins.append((own.points, weight / weight.sum()))
-                moved[own.points] += own.polylines.offsets[[0, -1]].sum(axis=0)
+                moved[own.points] += own.offsets[[0, -1]].sum(axis=0)
         points, normals = frame.points(surface.points), frame.directions(surface.normals)
         return cls(caster, frame, points, normals, drawn, tuple(skins), frame.directions(moved))
 

@@ -54,8 +54,6 @@ from usdrigui.model.motion import (
     BaseSurface as BaseSurface,
     MirrorPlane as MirrorPlane,
     Motion as Motion,
-    Polylines as Polylines,
-    Shares as Shares,
     Symmetry as Symmetry,
     Trajectories as Trajectories,
 )

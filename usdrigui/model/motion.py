@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from usdrigui.character.record import Flags, Floats, Indices, Record, Singles
-from usdrigui.character.rig import Findings
+from usdrigui.character.rig import LeftOff
+from usdrigui.errors import Issue
 
 _STANDS = 0.75
 """A control of a joint is where the joint owns this share of the most that it owns anywhere."""
@@ -28,7 +29,7 @@ class BaseSurface(Record):
     """(n,) area of the surface around each place; zero for points that are not the first of a
     place."""
     face_size: float
-    """Height along `SkelRoot.up` of the region moved by the local controls: the unit of handle
+    """Height along `Rig.up` of the region moved by the local controls: the unit of handle
     sizes."""
 
 
@@ -39,13 +40,15 @@ class Trajectories(Record):
     motions: tuple[Motion, ...]
     """One per control that moves something; others are left off."""
     excluded: tuple[Motion, ...]
-    """Motions of `Configured.excluded`, which their `control` counts: part of the yardstick for
+    """Motions of `Rig.excluded`, which their `control` counts: part of the yardstick for
     whole-face controls."""
     typical_length: float
     """Median over local controls of the largest arc length (design: l0), the unit of
     displacement."""
-    findings: Findings
-    """Controls that move nothing; tiny and duplicate ones, which are kept."""
+    left_off: tuple[LeftOff, ...]
+    """Controls that move nothing."""
+    issues: tuple[Issue, ...]
+    """Of tiny and duplicate ones, which are kept."""
 
     @property
     def face_points(self) -> Indices:
@@ -73,15 +76,28 @@ class Motion(Record):
     """Index into `Rig.controls`."""
     points: Indices
     """(p,) points that move, ascending."""
-    polylines: Polylines
+    values: Floats
+    """(k,) ascending control values of the knots; includes minimum, default and maximum."""
+    offsets: Singles
+    """(k, p, 3) at each knot position minus base position, in root space; zero at the default."""
     arc_length: Floats
-    """(p,) length of each polyline from minimum to maximum."""
-    shares: Shares
+    """(p,) length of each trajectory from minimum to maximum."""
+    owned: Floats | None = None
+    """(p,) how much of each point the joint of the control owns, in [0, 1]; None where the control
+    is where it moves most."""
+    common: Floats | None = None
+    """(p,) how common the displacement of each point is, from 0 (its own) to 1 (other controls make
+    all of it as well); None where that does not count."""
+
+    @property
+    def span(self) -> Singles:
+        """(p, 3) the way from the least value to the greatest."""
+        return np.asarray(self.offsets[-1] - self.offsets[0])
 
     @property
     def of_joint(self) -> bool:
         """Whether it is that of a joint that owns skin."""
-        return self.shares.owned is not None
+        return self.owned is not None
 
     @property
     def peak(self) -> float:
@@ -95,7 +111,7 @@ class Motion(Record):
         `among` (p,) are the points that count; none of them is of the joint where its skin is
         hidden: then all may.
         """
-        owned = self.shares.owned
+        owned = self.owned
         among = np.ones(len(self.points), dtype=bool) if among is None else among
         if owned is None or not among.any() or float(owned[among].max()) <= 0.0:
             return among
@@ -104,54 +120,31 @@ class Motion(Record):
     def missing(self, points: Indices) -> Floats:
         """(q,) the share that is missing at each of `points`, of those that move, of what the joint
         of the control owns where it may stand; zero for other controls."""
-        if self.shares.owned is None or not len(points):
+        if self.owned is None or not len(points):
             return np.zeros(len(points))
-        owned = self.shares.owned[np.searchsorted(self.points, points)]
+        owned = self.owned[np.searchsorted(self.points, points)]
         should = max(_STANDS * float(owned.max()), 1e-300)
         return np.asarray(1.0 - np.minimum(owned / should, 1.0))
 
     def on_own_skin(self) -> Motion:
         """The motion of the skin that the joint of the control owns, by how much it owns of each
         point, and so the same for every axis of the joint; the whole motion where no joint does."""
-        owned = self.shares.owned
+        owned = self.owned
         if owned is None:
             return self
         own = owned >= _OWN * float(owned.max(initial=0.0))
-        return replace(self.of(own), arc_length=owned[own], shares=Shares())
+        return replace(self.of(own), arc_length=owned[own])
 
     def of(self, some: Flags) -> Motion:
         """The motion of `some` (p,) of its points."""
-        shares = self.shares
         return replace(
             self,
             points=self.points[some],
-            polylines=replace(self.polylines, offsets=self.polylines.offsets[:, some]),
+            offsets=self.offsets[:, some],
             arc_length=self.arc_length[some],
-            shares=Shares(
-                None if shares.owned is None else shares.owned[some],
-                None if shares.common is None else shares.common[some],
-            ),
+            owned=None if self.owned is None else self.owned[some],
+            common=None if self.common is None else self.common[some],
         )
-
-
-class Polylines(Record):
-    """Where a control takes points, at knots of its value."""
-
-    values: Floats
-    """(k,) ascending control values of the knots; includes minimum, default and maximum."""
-    offsets: Singles
-    """(k, p, 3) position minus base position, in root space; zero at the default."""
-
-
-class Shares(Record):
-    """How much of each point that a control moves is its own."""
-
-    owned: Floats | None = None
-    """(p,) how much of each point the joint of the control owns, in [0, 1]; None where the control
-    is where it moves most."""
-    common: Floats | None = None
-    """(p,) how common the displacement of each point is, from 0 (its own) to 1 (other controls make
-    all of it as well); None where that does not count."""
 
 
 class MirrorPlane(Record):

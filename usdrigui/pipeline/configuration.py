@@ -125,9 +125,9 @@ def _check_rig(
     controls = settings.controls
     index = control_index(rig, controls)
     with faults.collected():
-        camera_of(rig.skel_root.path, settings.candidates.view, cameras)
+        camera_of(rig.path, settings.candidates.view, cameras)
     with faults.collected():
-        base_values_of(rig.skel_root.path, rig.controls, settings.read.pose)
+        base_values_of(rig.path, rig.controls, settings.read.pose)
     for name in (each for each in controls if each in index):
         _check_places(rig, settings.controls, name, faults)
     with faults.collected():
@@ -157,7 +157,7 @@ def _check_places(
 def _check_parts(rigs: Sequence[Rig], settings: PartSettings, faults: Faults) -> None:
     """Collect CONFIG_UNKNOWN_CONTROL for names of ``[parts.controls]`` that no rig knows."""
     known = {name for rig in rigs for name in rig.control_names}
-    known |= {left.control for rig in rigs for left in rig.findings.left_off}
+    known |= {left.control for rig in rigs for left in rig.left_off}
     for name in settings.controls:
         with faults.collected():
             if name not in known:

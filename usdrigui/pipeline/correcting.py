@@ -48,7 +48,7 @@ def pin(
     unit = float(read.metadata["metersPerUnit"])
     for key, value in decisions.items():
         rig, name, what = _meant(read.rigs, key)
-        root, up = rig.skel_root.path, rig.skel_root.up.tolist()
+        root, up = rig.path, rig.up.tolist()
         known = made.pop((root, name), Correction(root, name))
         if value != "free":
             known = _decided(known, (what, value), rig, layouts[root])

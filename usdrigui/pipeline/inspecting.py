@@ -57,7 +57,7 @@ def inspect(
             weight = settings.animation.weight
             uses, odd = animation.animation_facts(whole.face, clips, weight)
             facts = replace(facts, animation=uses)
-            issues += of_character(rig.skel_root.path_in_variants, odd)
+            issues += of_character(rig.path_in_variants, odd)
         characters.append(facts)
     return Inspection(str(asset), tuple(characters), tuple(issues), clock.seconds)
 
@@ -82,15 +82,13 @@ def _facts(character: Character, parts: Sequence[ProblemInputs]) -> CharacterFac
     of_control = {control: each for each in found for control in each.motions}
     flags: dict[str, list[str]] = {}
     for note in dict.fromkeys(
-        (*rig.findings.left_off, *(note for inputs in parts for note in inputs.left_off))
+        (*rig.left_off, *(note for inputs in parts for note in inputs.left_off))
     ):
         flags.setdefault(note.control, []).append(note.reason)
-    for odd in dict.fromkeys(
-        each for inputs in parts for each in inputs.face.trajectories.findings.issues
-    ):
+    for odd in dict.fromkeys(each for inputs in parts for each in inputs.face.trajectories.issues):
         flags.setdefault(odd.path, []).append(odd.message)
     return CharacterFacts(
-        root=rig.skel_root.path,
+        root=rig.path,
         points=len(character.trajectories.surface.points),
         meshes=len(rig.body.meshes),
         joints=len(rig.body.joints),

@@ -221,9 +221,9 @@ def _read_over(shot: Path, settings: Settings, layers: ReferenceLayers) -> list[
         return [found]
     alike: dict[tuple[tuple[str, str], ...], list[Rig]] = {}
     for rig in found.source.rigs:
-        path = with_sets(found.source.variant_paths[rig.skel_root.path], sets)
+        path = with_sets(found.source.variant_paths[rig.path], sets)
         alike.setdefault(tuple(asset_selections(path).items()), []).append(
-            replace(rig, skel_root=replace(rig.skel_root, variant_path=path))
+            replace(rig, variant_path=path)
         )
     return [_of_variant(found, layers, dict(chosen), rigs) for chosen, rigs in alike.items()]
 
@@ -242,10 +242,10 @@ def _check_above(readings: Sequence[AssetReading]) -> None:
     """Raise VARIANT_BELOW where a layout would be composed for every variant of a set."""
     for name in readings[0].settings.read.variants:
         rigs = [rig for each in readings for rig in each.source.rigs]
-        if not any(name in asset_selections(rig.skel_root.variant_path) for rig in rigs):
+        if not any(name in asset_selections(rig.variant_path) for rig in rigs):
             raise refuse(
                 "VARIANT_BELOW",
-                rigs[0].skel_root.path,
+                rigs[0].path,
                 f"the variant set {name} is neither on it nor above it",
             )
 
@@ -268,10 +268,8 @@ def _laid_out(
     for each in readings:
         references, characters = followed(each.references, each.source.rigs)
         for rig in rigs_over(references, characters):
-            same = [report for _, report in reports if report.root == rig.skel_root.path]
-            if not any(
-                report.rig.skel_root.variant_path == rig.skel_root.variant_path for report in same
-            ):
+            same = [report for _, report in reports if report.root == rig.path]
+            if not any(report.rig.variant_path == rig.variant_path for report in same):
                 own = as_sibling(references, rig, same[0].layout) if same else references
                 laid = _lay_out(rig, Task(each.settings, own, each.source.cameras), clock, stop)
                 reports.append((each, laid if own is references else _beside(laid, same[0].layout)))
@@ -349,9 +347,9 @@ def _check_character(
     if any(os.path.realpath(target) == each.path for each in source.sources):
         raise refuse("ATTACH_CYCLE", target, f"is a part of {asset}")
     for rig in source.rigs:
-        inside = source.layout_inside(rig.skel_root.path)
+        inside = source.layout_inside(rig.path)
         if inside and not over_base:
-            raise refuse("SOURCE_HAS_LAYOUT", rig.skel_root.path, f"{asset} {inside}")
+            raise refuse("SOURCE_HAS_LAYOUT", rig.path, f"{asset} {inside}")
 
 
 def _check_base(reading: AssetReading, target: Path) -> None:
@@ -407,7 +405,7 @@ def _account(character: Character, laid: Sequence[LaidPart], layout: Layout) -> 
     notes = (note for each in parts for note in each.left_off if note.control in layout.controls)
     legible = (legibility_of(each.inputs.face, each.layout.elements) for each in laid)
     return CharacterReport(
-        root=rig.skel_root.path,
+        root=rig.path,
         rig=rig,
         layout=layout,
         assignment=joined_assignment(
@@ -417,7 +415,7 @@ def _account(character: Character, laid: Sequence[LaidPart], layout: Layout) -> 
         notes=tuple(dict.fromkeys(notes)),
         issues=(
             *issues_of(parts),
-            *of_character(rig.skel_root.path_in_variants, tuple(dict.fromkeys(told))),
+            *of_character(rig.path_in_variants, tuple(dict.fromkeys(told))),
         ),
         difference=None if previous is None else difference(previous, layout),
         added=added,

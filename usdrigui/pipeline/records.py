@@ -91,9 +91,9 @@ class ProblemInputs(Record):
             for which, matching in self.character.references.matchings.items()
             for told in matching_issues(which, matching)
         )
-        rig, odd = self.face.rig, self.face.trajectories.findings.issues
+        rig, odd = self.face.rig, self.face.trajectories.issues
         told = (*odd, *unexplained, *renamed, *self.requests.pins.issues)
-        return (*rig.findings.issues, *of_character(rig.skel_root.path_in_variants, told))
+        return (*rig.issues, *of_character(rig.path_in_variants, told))
 
     @property
     def explained_by(self) -> dict[str, tuple[tuple[str, float], ...]]:
@@ -110,7 +110,7 @@ class ProblemInputs(Record):
     @property
     def left_off(self) -> tuple[LeftOff, ...]:
         """Controls that the stages after reading left off, and why."""
-        return (*self.face.trajectories.findings.left_off, *self.candidates.left_off)
+        return (*self.face.trajectories.left_off, *self.candidates.left_off)
 
     @property
     def twin_names(self) -> dict[str, str]:

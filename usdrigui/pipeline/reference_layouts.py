@@ -132,7 +132,7 @@ def _of_characters(
     """Corrections of the characters of an asset, of several of one control the last; those of a
     single character are of the single one of the asset, whatever its path.  And PIN_LOST for those
     of characters that it does not have."""
-    roots, here = {each.root for each in said}, [rig.skel_root.path for rig in rigs]
+    roots, here = {each.root for each in said}, [rig.path for rig in rigs]
     if len(roots) == len(here) == 1:
         said = [
             replace(each, root=here[0], mesh=moved_path(each.mesh, each.root, here[0]))
@@ -163,7 +163,7 @@ def _kept(layer: Path | None, opening: Opening) -> LayoutsResult | None:
         _, composed = read_composed_isolated(layer, settings, opening.limits)
     except RigUIError:
         return found  # the character is gone; what is lost is told where it is missed
-    rigs = {rig.skel_root.path: rig for rig in composed.rigs}
+    rigs = {rig.path: rig for rig in composed.rigs}
     layouts = tuple(
         with_rest_places(each, rigs[each.root]) if each.root in rigs else each
         for each in found.layouts
@@ -176,7 +176,7 @@ def as_sibling(references: ReferenceLayouts, rig: Rig, first: Layout) -> Referen
     what both have stands at the same places.  As they are where a layout is given for it already,
     or the two have no control in common.
     """
-    root = rig.skel_root.path
+    root = rig.path
     given = bool(references.like) or root in references.fixed or root in references.previous
     if given or not _shares_controls(first.controls, rig):
         return references
@@ -192,22 +192,16 @@ def followed(
     Only where there is one character on either side, with a mesh of the same name below its
     SkelRoot and a control in common; its rig then has PREVIOUS_RENAMED.
     """
-    if (
-        len(rigs) != 1
-        or len(references.previous) != 1
-        or rigs[0].skel_root.path in references.previous
-    ):
+    if len(rigs) != 1 or len(references.previous) != 1 or rigs[0].path in references.previous:
         return references, rigs
     (rig,), (before,) = rigs, references.previous.values()
     layout = layout_of((before,), rig)
     if layout is None:
         return references, rigs
     was = f"was {before.root} in the previous layout"
-    renamed = issue("PREVIOUS_RENAMED", rig.skel_root.path, was)
-    told = (*rig.findings.issues, *of_character(rig.skel_root.path_in_variants, (renamed,)))
-    return replace(references, previous={rig.skel_root.path: layout}), (
-        replace(rig, findings=replace(rig.findings, issues=told)),
-    )
+    renamed = issue("PREVIOUS_RENAMED", rig.path, was)
+    told = (*rig.issues, *of_character(rig.path_in_variants, (renamed,)))
+    return replace(references, previous={rig.path: layout}), (replace(rig, issues=told),)
 
 
 def rigs_over(references: ReferenceLayouts, rigs: tuple[Rig, ...]) -> tuple[Rig, ...]:
@@ -216,10 +210,10 @@ def rigs_over(references: ReferenceLayouts, rigs: tuple[Rig, ...]) -> tuple[Rig,
     Raises BASE_MISMATCH or PREVIOUS_MISMATCH where no layout of `base` or `previous` is of any of
     them.
     """
-    if references.previous and not any(r.skel_root.path in references.previous for r in rigs):
+    if references.previous and not any(r.path in references.previous for r in rigs):
         theirs = ", ".join(references.previous)
         what = f"has another path than the characters of the layer, {theirs}"
-        raise refuse("PREVIOUS_MISMATCH", rigs[0].skel_root.path, what)
+        raise refuse("PREVIOUS_MISMATCH", rigs[0].path, what)
     if references.base is None:
         return rigs
     found = tuple(rig for rig in rigs if references.existing(rig) is not None)
@@ -227,7 +221,7 @@ def rigs_over(references: ReferenceLayouts, rigs: tuple[Rig, ...]) -> tuple[Rig,
         theirs = ", ".join(layout.root for layout in references.base.layouts)
         raise refuse(
             "BASE_MISMATCH",
-            rigs[0].skel_root.path,
+            rigs[0].path,
             f"shares mesh and controls with none of the layouts, or with several: {theirs}",
         )
     return found
@@ -270,13 +264,13 @@ def check_like(like: tuple[tuple[Rig, Layout], ...], rig: Rig, names: Mapping[st
     CONFIG_VALUE when none of several characters to imitate has the path of this one."""
     if not like:
         return
-    other, _ = imitated(like, rig.skel_root.path)
+    other, _ = imitated(like, rig.path)
     faults = Faults()
     for theirs, ours in names.items():
         for whose, name in ((other, theirs), (rig, ours)):
             with faults.collected():
                 if name and name not in whose.control_names:
-                    root, near = whose.skel_root.path, meant(name, whose.control_names)
+                    root, near = whose.path, meant(name, whose.control_names)
                     what = f"{root} has no control {name!r}{near}"
                     raise refuse("CONFIG_UNKNOWN_CONTROL", f'like.names."{theirs}"', what)
     faults.raise_all()
@@ -284,7 +278,7 @@ def check_like(like: tuple[tuple[Rig, Layout], ...], rig: Rig, names: Mapping[st
 
 def imitated(like: Sequence[tuple[Rig, Layout]], root: str) -> tuple[Rig, Layout]:
     """The character to imitate: of several the one with the path of this one."""
-    by_root = {other.skel_root.path: (other, layout) for other, layout in like}
+    by_root = {other.path: (other, layout) for other, layout in like}
     if root not in by_root and len(by_root) > 1:
         raise refuse(
             "CONFIG_VALUE", "--like", f"has layouts of {', '.join(by_root)}; none is of {root}"
@@ -299,9 +293,7 @@ def _characters(
     their files."""
     found, read = read_composed_isolated(layer, Settings(), limits)
     layouts = _by_root(found)
-    characters = tuple(
-        (rig, layouts[rig.skel_root.path]) for rig in read.rigs if rig.skel_root.path in layouts
-    )
+    characters = tuple((rig, layouts[rig.path]) for rig in read.rigs if rig.path in layouts)
     return characters, read.sources
 
 

@@ -57,14 +57,14 @@ def own_references(
     layer has no such character, or none of several characters to imitate has the path of this one,
     PREVIOUS_MISMATCH for a layout without any of its controls.
     """
-    root, names = rig.skel_root.path, settings.like.names
+    root, names = rig.path, settings.like.names
     if references.fixed and root not in references.fixed:
         have = f"has layouts of {', '.join(references.fixed)}, not of {root}"
         raise refuse("CONFIG_VALUE", "--fixed", have)
     matchings, here, then = dict[str, Matching](), dict[str, Layout](), dict[str, Layout]()
     for which, layouts in (("fixed", references.fixed), ("previous", references.previous)):
         if root in layouts:
-            then[which] = in_world(layouts[root], references.scale(root), rig.skel_root.up)
+            then[which] = in_world(layouts[root], references.scale(root), rig.up)
             matchings[which] = match_layout(then[which], rig, trajectories)
             if not matchings[which].names:
                 what = f"shares no control with its {which} layout"
@@ -122,11 +122,11 @@ def by_names_of_today(
     control is known by another spelling of its name.
     """
     found, told, names = [], [], rig.control_names
-    for each in (own for own in corrections if own.root == rig.skel_root.path):
+    for each in (own for own in corrections if own.root == rig.path):
         spelt = each.control if each.control in names else same_name(each.control, tuple(names))
         name = renamed.get(each.control, "") or spelt
         if name not in names:
-            what = f"{rig.skel_root.path} has no control of this name{meant(each.control, names)}"
+            what = f"{rig.path} has no control of this name{meant(each.control, names)}"
             told.append(issue("PIN_LOST", each.control, what))
             continue
         found.append(replace(each, control=name))
@@ -204,5 +204,5 @@ def _to_imitate(
     if not like:
         return None
     check_like(like, rig, names)
-    other, layout = imitated(like, rig.skel_root.path)
+    other, layout = imitated(like, rig.path)
     return other, find_trajectories(other, sampling), layout

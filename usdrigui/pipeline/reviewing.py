@@ -139,7 +139,7 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...],
     found, read = read_composed_isolated(layer, settings)
     wanted = settings.read.skel_root
     layouts = {each.root: each for each in found.layouts if not wanted or each.root == wanted}
-    lacking = sorted(layouts.keys() - {rig.skel_root.path for rig in read.rigs})
+    lacking = sorted(layouts.keys() - {rig.path for rig in read.rigs})
     lost = {each.character: each for each in read.lost}
     stale = tuple(
         lost.get(root) or issue("LAYOUT_STALE", root, f"{layer} no longer has this character", root)
@@ -152,9 +152,9 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...],
 
 def _with_characters(layouts: Mapping[str, Layout], read: ReadResult, source: str) -> Loaded:
     """The layouts by SkelRoot with their characters, of what was read."""
-    rigs = [rig for rig in read.rigs if rig.skel_root.path in layouts]
+    rigs = [rig for rig in read.rigs if rig.path in layouts]
     return Loaded(
-        tuple((rig, _with_base(rig, layouts[rig.skel_root.path], read.listed)) for rig in rigs),
+        tuple((rig, _with_base(rig, layouts[rig.path], read.listed)) for rig in rigs),
         source,
         read.cameras,
         tuple(Path(each.path) for each in read.sources),
@@ -167,7 +167,7 @@ def _with_characters(layouts: Mapping[str, Layout], read: ReadResult, source: st
 def _with_base(rig: Rig, layout: Layout, every: Mapping[str, Sequence[str]]) -> Layout:
     """The layout with a base pose in the order of the rig's controls, where its own is of just
     these, listed in any order by SkelRoot; where it lists none, with that of the defaults."""
-    own, listed = layout.base_values, every.get(rig.skel_root.path, ())
+    own, listed = layout.base_values, every.get(rig.path, ())
     if not len(own):
         values = {each.name: each.default for each in rig.controls}
     elif len(listed) != len(rig.controls) or not rig.control_names.issuperset(listed):
@@ -237,17 +237,17 @@ def _review_of(
 ) -> LayerReview:
     reviews = []
     for rig, layout in loaded.characters:
-        listed = frozenset(loaded.listed.get(rig.skel_root.path, ()))
+        listed = frozenset(loaded.listed.get(rig.path, ()))
         found = _reviewed(rig, layout, listed, settings, clock, loaded.cameras)
         known = {each.code for each in found.issues}
         wrong = [
             replace(e, character="")
             for e in loaded.contradictions
-            if e.character == rig.skel_root.path and e.code not in known
+            if e.character == rig.path and e.code not in known
         ]
         wrong += [*found.issues, *not_animated(rig, layout)]
-        own = replace(found, issues=of_character(rig.skel_root.path_in_variants, wrong))
-        reviews.append((rig.skel_root.path_in_variants, own))
+        own = replace(found, issues=of_character(rig.path_in_variants, wrong))
+        reviews.append((rig.path_in_variants, own))
     return LayerReview(name, tuple(reviews), clock.seconds, (*stale, *loaded.without_layout))
 
 
@@ -280,8 +280,8 @@ def _reviewed(
 def _upright(rig: Rig, layout: Layout) -> Rig:
     """The character with the up direction that its layout was made for, where it lies down in the
     stage or comes from one with another up axis."""
-    up = other_up(layout, rig.skel_root.up)
-    return rig if up is None else replace(rig, skel_root=replace(rig.skel_root, up=up))
+    up = other_up(layout, rig.up)
+    return rig if up is None else replace(rig, up=up)
 
 
 def _of_part(layout: Layout, character: Character, part: CharacterPart) -> Layout:
@@ -314,7 +314,7 @@ def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tupl
     try:
         source = read_rigs_isolated(asset, settings)
         refuse_unsound(source, settings)
-        issues = tuple(each for rig in source.rigs for each in rig.findings.issues)
+        issues = tuple(each for rig in source.rigs for each in rig.issues)
     except RigUIError as error:
         issues = error.issues
     known = {(each.code, each.path) for each in found.issues}

@@ -48,7 +48,7 @@ from usdrigui.settings import PartSettings, Settings
 
 def character_of(rig: Rig, task: Task, clock: Clock | None = None) -> Character:
     """What is found out about a character as a whole: its motions, its parts, and what is asked."""
-    clock, settings, root = clock or Clock(), task.settings, rig.skel_root.path
+    clock, settings, root = clock or Clock(), task.settings, rig.path
     view = settings.candidates
     viewpoint = Viewpoint(view.view, view.occlusion, camera_of(root, view.view, task.cameras))
     base_values = base_values_of(root, rig.controls, settings.read.pose)
@@ -61,10 +61,10 @@ def character_of(rig: Rig, task: Task, clock: Clock | None = None) -> Character:
         with clock.stage("symmetry"):
             whole = symmetry_at_pose(rig, found, displacement_fields(found), settings)
             parts = _parts(rig, found, whole, settings)
-        up = own_up(rig.skel_root.up, parts[0].trajectories, whole.plane)
-        if again or parts[0].name != FACE or (up == rig.skel_root.up).all():
+        up = own_up(rig.up, parts[0].trajectories, whole.plane)
+        if again or parts[0].name != FACE or (up == rig.up).all():
             break
-        rig = replace(rig, skel_root=replace(rig.skel_root, up=up))
+        rig = replace(rig, up=up)
     references = own_references(task.references, rig, found, settings)
     if references.existing is not None:
         refuse_stale(rig, found, references.existing, settings.read)
@@ -211,6 +211,6 @@ def layout_of(inputs: ProblemInputs, assignment: Assignment) -> Layout:
         found,
         base_values=inputs.character.base_values,
         matches=inputs.character.references.matches,
-        left_off=(*rig.findings.left_off, *inputs.left_off),
+        left_off=(*rig.left_off, *inputs.left_off),
     )
     return with_decisions(found, rig, posed(rig, None).points, inputs.requests)

@@ -82,7 +82,7 @@ def check_base(
         raise refuse("FILE_TARGET", target, "is the layout given as --base, which is never written")
     composed = _composes(source.sources, layer)
     for rig in rigs:
-        own, root = rig.skel_root.path, root_in_base(base.layouts, rig)
+        own, root = rig.path, root_in_base(base.layouts, rig)
         if root != own and not composed and base.source and not bare:
             raise refuse("BASE_APART", own, f"is {root} in {layer.name}")
         if composed and own not in source.composed_from:

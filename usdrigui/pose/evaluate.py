@@ -164,7 +164,7 @@ def checked_values(rig: Rig, values: ArrayLike) -> Floats:
     if at.shape != (len(rig.controls),):
         raise refuse(
             "POSE_VALUE",
-            rig.skel_root.path,
+            rig.path,
             f"a pose has {len(rig.controls)} values, not {at.shape}",
         )
     if not np.isfinite(at).all():
@@ -305,13 +305,13 @@ def on_one_joint(rig: Rig, joint: int) -> Rig:
 
 
 def _rigid(mesh: RigMesh, joint: int) -> RigMesh:
-    if mesh.binding.skin is None:
+    if mesh.skin is None:
         return mesh
     count = len(mesh.points)
     skin = replace(
-        mesh.binding.skin,
+        mesh.skin,
         joints=np.full((count, 1), joint),
         weights=np.ones((count, 1)),
         rigid=True,
     )
-    return replace(mesh, binding=replace(mesh.binding, skin=skin))
+    return replace(mesh, skin=skin)

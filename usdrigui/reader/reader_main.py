@@ -231,7 +231,7 @@ def read_result(stage: Usd.Stage, settings: Settings, found: Characters) -> Read
         switched_off=roots_off(stage),
         variant_paths={
             path: variant_path(stage.GetPrimAtPath(path))
-            for path in (rig.skel_root.path for rig in found.rigs)
+            for path in (rig.path for rig in found.rigs)
         },
         lost=_as_text(found.lost),
         config_faults=_as_text(found.faults.issues),
@@ -279,9 +279,9 @@ class _Asset:
         if not found.rigs:
             return found
         first, *others = found.rigs
-        issues = dict.fromkeys(first.findings.issues)
+        issues = dict.fromkeys(first.issues)
         issues |= {issue("USD_DIAGNOSTIC", self.path, each): None for each in self.diagnostics}
-        told = replace(first, findings=replace(first.findings, issues=tuple(issues)))
+        told = replace(first, issues=tuple(issues))
         return replace(found, rigs=(told, *others))
 
 
@@ -328,10 +328,8 @@ def cameras_toward(stage: Usd.Stage, rigs: Iterable[Rig], view: str) -> dict[str
     toward = cache.GetLocalToWorldTransform(camera.GetPrim()).TransformDir(Gf.Vec3d(0, 0, 1))
     found = {}
     for rig in rigs:
-        to_root = cache.GetLocalToWorldTransform(
-            stage.GetPrimAtPath(rig.skel_root.path)
-        ).GetInverse()
-        found[rig.skel_root.path] = np.array(to_root.TransformDir(toward), dtype=np.float64)
+        to_root = cache.GetLocalToWorldTransform(stage.GetPrimAtPath(rig.path)).GetInverse()
+        found[rig.path] = np.array(to_root.TransformDir(toward), dtype=np.float64)
     return found
 
 

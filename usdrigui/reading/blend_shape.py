@@ -227,7 +227,7 @@ def note_tokens(prim: Usd.Prim, found: Found, reason: str) -> None:
 
 def left_off_tokens(found: Found, body: Body) -> tuple[LeftOff, ...]:
     """Tokens that no mesh implements, with the reason."""
-    used = {shape.channel for mesh in body.meshes for shape in mesh.binding.shapes}
+    used = {shape.channel for mesh in body.meshes for shape in mesh.shapes}
     shaped = {token for (token, _), channel in found.tokens.items() if channel in used}
     names = dict.fromkeys([*(token for token, _ in found.tokens), *found.shapeless])
     return tuple(

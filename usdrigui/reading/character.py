@@ -19,12 +19,9 @@ from usdrigui.character import (
     Body,
     Channel,
     Clip,
-    Configured,
-    Findings,
     Floats,
     LeftOff,
     Rig,
-    SkelRoot,
 )
 from usdrigui.errors import Faults, Issue, issue, listed, of_character, refuse
 from usdrigui.reading.blend_shape import Binding, Found, left_off_tokens
@@ -93,7 +90,7 @@ def read_characters(
     Collects what the configuration has wrong: CONFIG_* and GLYPH_*.  Raises RigUIError: FILE_*,
     LAYER_*, SKELROOT_*, CONTROLS_MISSING, INSTANCE or, where no character is left, the code of the
     first array that cannot be right.  What can be lived with and
-    what became no control stand in `Rig.findings`; findings about the stage as a whole stand with
+    what became no control stand in `Rig.left_off`; findings about the stage as a whole stand with
     the first rig.
     """
     faults = Faults()
@@ -117,7 +114,7 @@ def read_characters(
             glyphs = read_glyphs(stage, path, settings, faults)
     check_names(readings, settings, faults)
     rigs = tuple(
-        replace(reading.rig, configured=replace(reading.rig.configured, glyphs=glyphs))
+        replace(reading.rig, glyphs=glyphs)
         for reading in readings
         if reading.rig.controls and reading.rig.body.meshes
     )
@@ -128,9 +125,8 @@ def read_characters(
     if not rigs:
         return Characters((), faults, lost)
     spoken = tuple(issue("USD_DIAGNOSTIC", path, text) for text in messages)
-    found = rigs[0].findings
-    of_stage = (*issues, *_unit_issues(stage), *spoken, *found.issues)
-    first = replace(rigs[0], findings=replace(found, issues=of_stage))
+    of_stage = (*issues, *_unit_issues(stage), *spoken, *rigs[0].issues)
+    first = replace(rigs[0], issues=of_stage)
     return Characters((first, *rigs[1:]), faults, lost)
 
 
@@ -182,20 +178,17 @@ def _read(root: Usd.Prim, settings: Settings, faults: Faults, *, instances: bool
             weights[control.drive.channels] = control.default  # A part of the base pose.
     path = with_sets(variant_path(root), settings.read.variants)
     rig = Rig(
-        skel_root=SkelRoot(
-            path=str(root.GetPath()),
-            variant_path=path,
-            up=_up(root),
-            metres_per_unit=metres_per_unit(root.GetStage().GetRootLayer()) or 0.01,
-            clip=scene.clip or read_still(scene.animated, rate),
-            time_codes=time_codes(root.GetStage()),
-        ),
+        path=str(root.GetPath()),
+        variant_path=path,
+        up=_up(root),
+        metres_per_unit=metres_per_unit(root.GetStage().GetRootLayer()) or 0.01,
+        clip=scene.clip or read_still(scene.animated, rate),
+        time_codes=time_codes(root.GetStage()),
         body=replace(body, base_weights=weights),
         controls=controls,
-        findings=Findings(
-            tuple(lost), of_character(path or str(root.GetPath()), tuple(found.issues))
-        ),
-        configured=Configured(excluded),
+        left_off=tuple(lost),
+        issues=of_character(path or str(root.GetPath()), tuple(found.issues)),
+        excluded=excluded,
     )
     known = {draft.name for draft in drafts} | {dropped.control for dropped in lost}
     return Reading(rig, frozenset(known), scene.bound_in_vain, tuple(found.faults))

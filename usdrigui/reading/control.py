@@ -45,7 +45,7 @@ class Draft:
 def blend_shape_drafts(body: Body, ranges: Sequence[Range]) -> list[Draft]:
     """One draft per token that some mesh implements; a token of several animations drives them
     all.  `ranges` are those of the channels."""
-    used = {shape.channel for mesh in body.meshes for shape in mesh.binding.shapes}
+    used = {shape.channel for mesh in body.meshes for shape in mesh.shapes}
     by_token: dict[str, list[int]] = {}
     for index, channel in enumerate(body.channels):
         if index in used:

@@ -12,8 +12,6 @@ from pxr import Sdf, Usd, UsdGeom, UsdSkel
 from usdrigui.character import (
     Floats,
     Indices,
-    MeshBinding,
-    MeshDisplay,
     RigMesh,
     Skin,
     Subset,
@@ -131,8 +129,12 @@ def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found)
         path,
         points,
         topology,
-        MeshBinding(to_root, skin, shapes),
-        MeshDisplay(_visible(mesh, time), colours, texturing),
+        to_root,
+        skin,
+        shapes,
+        _visible(mesh, time),
+        colours,
+        texturing,
     )
 
 
@@ -208,16 +210,12 @@ def hidden_issues(stage: Usd.Stage, meshes: tuple[RigMesh, ...]) -> tuple[Issue,
 
     Hidden stand-ins for what is drawn share its blend shapes, and are nothing to wonder at.
     """
-    shown = [
-        mesh
-        for mesh in meshes
-        if mesh.display.visible and (mesh.binding.shapes or mesh.binding.skin is not None)
-    ]
-    seen = {shape.channel for mesh in shown for shape in mesh.binding.shapes}
+    shown = [mesh for mesh in meshes if mesh.visible and (mesh.shapes or mesh.skin is not None)]
+    seen = {shape.channel for mesh in shown for shape in mesh.shapes}
     found = []
     for mesh in meshes:
-        own = sum(shape.channel not in seen for shape in mesh.binding.shapes)
-        if mesh.display.visible or not (own or (mesh.binding.skin is not None and not shown)):
+        own = sum(shape.channel not in seen for shape in mesh.shapes)
+        if mesh.visible or not (own or (mesh.skin is not None and not shown)):
             continue
         what = "no mesh that is drawn deforms"
         if own:

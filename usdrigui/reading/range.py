@@ -71,7 +71,7 @@ def _inbetween_ends(animated: Animated) -> list[list[float]]:
     """Least and greatest weight of the shapes of each channel that have in-betweens."""
     ends = [[0.0, 1.0] for _ in animated.body.channels]
     for mesh in animated.body.meshes:
-        for shape in mesh.binding.shapes:
+        for shape in mesh.shapes:
             if len(shape.weights) > 1:
                 known = [*ends[shape.channel], *shape.weights.tolist()]
                 ends[shape.channel] = [min(known), max(known)]

@@ -31,22 +31,22 @@ def without_controls(stage: Usd.Stage, readings: list[Reading]) -> RigUIError:
     broken = [fault for reading in readings for fault in reading.faults]
     if broken:
         return broken[0]
-    lost = [dropped for reading in readings for dropped in reading.rig.findings.left_off]
+    lost = [dropped for reading in readings for dropped in reading.rig.left_off]
     reasons = tuple({dropped.reason for dropped in lost})
     bound = [finding for reading in readings for finding in reading.bound_in_vain]
     vain = [finding for finding in bound if not finding.message.endswith(reasons)]
-    off = "".join(_inactive_clause(stage, reading.rig.skel_root.path) for reading in readings)
+    off = "".join(_inactive_clause(stage, reading.rig.path) for reading in readings)
     why = f"{_lost_clause(lost)}{_vain_clause(vain)}{off}" or _joints_clause(readings[0])
     meshes = any(reading.rig.body.meshes for reading in readings)
     what = "no blend shape, animated joint or named pose" if meshes else "no mesh to move"
-    return refuse("CONTROLS_MISSING", readings[0].rig.skel_root.path, f"{what}{why}")
+    return refuse("CONTROLS_MISSING", readings[0].rig.path, f"{what}{why}")
 
 
 def why_lost(stage: Usd.Stage, readings: list[Reading]) -> tuple[Issue, ...]:
     """Why characters that are laid out have nothing to control."""
     found = []
     for reading in readings:
-        root = reading.rig.skel_root.path
+        root = reading.rig.path
         if not reading.rig.body.meshes:
             what = f"none of its meshes is left{_inactive_clause(stage, root)}"
             found.append(issue("LAYOUT_MESH_GONE", root, what, root))
@@ -77,7 +77,7 @@ def check_names(readings: list[Reading], settings: Settings, faults: Faults) -> 
 def _joints_clause(reading: Reading) -> str:
     """A clause with the names of the first joints of a rig, empty if it has none."""
     names = joint_names(reading.rig.body.joints)
-    return f"; {reading.rig.skel_root.path} has the joints {listed(names)}" if names else ""
+    return f"; {reading.rig.path} has the joints {listed(names)}" if names else ""
 
 
 def _lost_clause(lost: list[LeftOff]) -> str:

@@ -156,7 +156,7 @@ def rows_of(
         for element in reversed(outer_first(layout.elements))  # the first level counts
         for member in element.manipulator.members
     }
-    reasons = {left.control: left.reason for left in (*rig.findings.left_off, *layout.left_off)}
+    reasons = {left.control: left.reason for left in (*rig.left_off, *layout.left_off)}
     rows = []
     for control in rig.controls:
         place: Place = "left off"

@@ -18,9 +18,9 @@ def clip_values(rig: Rig, count: int = 0) -> Floats:
     rotation vector from its base; pose controls stay at their defaults, since many mixtures of
     poses would give the same frame.  Raises RigUIError ANIMATION_MISSING.
     """
-    clip = rig.skel_root.clip
+    clip = rig.clip
     if clip is None or len(clip.times) < 2:
-        raise refuse("ANIMATION_MISSING", rig.skel_root.path, "has no animation to show")
+        raise refuse("ANIMATION_MISSING", rig.path, "has no animation to show")
     last = len(clip.times) - 1
     steps = (
         np.arange(last + 1)

@@ -177,7 +177,7 @@ def _directions(
 ) -> list[tuple[Floats, str]]:
     """Where the views are taken from, and what they are called: those asked for, else those of the
     section, else the layout's own and its companions."""
-    frame, up = section.layout.frame, rig.skel_root.up
+    frame, up = section.layout.frame, rig.up
     ahead = directions.ahead_of(section.layout, up)
     if views is not None:
         towards = [directions.turned(frame.view, up, VIEWS[view]) for view in views]
@@ -193,7 +193,7 @@ def _frames(rig: Rig, section: Section, skin: Floats, views: Sequence[str] | Non
     tracks = [track for i in placed for track in section.posed.elements[i].tracks]
     frames = []
     for towards, caption in _directions(rig, section, views):
-        rows = directions.camera_rows(section.layout, rig.skel_root.up, towards)
+        rows = directions.camera_rows(section.layout, rig.up, towards)
         low, high = framed(tracks, skin, rows, section.layout.frame.handle_width)
         frames.append(Frame(rows, low, high, caption, placed))
     return frames
@@ -266,10 +266,10 @@ def _page(
     for view, panel in zip(views, tuple(panels), strict=True):
         panels.append(_caption(view.frame.caption, panel))
     top = max((panel.corner[1] + panel.size[1] for panel in panels), default=_TITLE)
-    for board in board_of(section, rig.skel_root.up, _board_box(views, top, width)):
+    for board in board_of(section, rig.up, _board_box(views, top, width)):
         panels += [board, _caption("board", board)]
         top = max(top, board.corner[1] + board.size[1] + _CAPTION)
-    name = wanted.title or rig.skel_root.path.strip("/") or "character"
+    name = wanted.title or rig.path.strip("/") or "character"
     heading = f"{name}: {section.title}" if section.title else name
     controls = len(layout.controls) if section.title else len(rig.controls)
     title = (

@@ -46,7 +46,7 @@ def sections(rig: Rig, layout: Layout, posed: PosedLayout) -> tuple[Section, ...
         return (undivided(layout, posed),)
     found: list[Section] = []
     caster = make_caster(posed.points[mesh_triangles(rig.body.meshes, visible_only=True)])
-    up, mirrored = rig.skel_root.up, layout.frame.plane.turned
+    up, mirrored = rig.up, layout.frame.plane.turned
     ahead = directions.ahead_of(layout, up)
     for part in layout.frame.parts:
         own = [i for i, e in enumerate(layout.elements) if e.part == part.name]

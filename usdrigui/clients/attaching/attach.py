@@ -160,7 +160,7 @@ def _in_its_variant(layouts: Sequence[Layout], settings: Settings) -> Settings:
 def _check_of(asset: Path, layouts: Sequence[Layout], rigs: Sequence[Rig]) -> None:
     """Refuse the layout of another character: one at a path that the asset does not have, or
     without any control that it has."""
-    by_root = {rig.skel_root.path: rig for rig in rigs}
+    by_root = {rig.path: rig for rig in rigs}
     for layout in layouts:
         root = layout.root
         if root not in by_root:
@@ -172,7 +172,7 @@ def _check_of(asset: Path, layouts: Sequence[Layout], rigs: Sequence[Rig]) -> No
 
 
 def _controls_gone(layouts: Sequence[Layout], rigs: Sequence[Rig]) -> Iterator[Issue]:
-    known = {rig.skel_root.path: rig.control_names for rig in rigs}
+    known = {rig.path: rig.control_names for rig in rigs}
     for layout in layouts:
         root = layout.root
         unknown = sorted(layout.controls.difference(known[root]))

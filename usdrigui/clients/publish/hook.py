@@ -40,9 +40,9 @@ def judge(asset: Path, layer: Path, root: str = "") -> tuple[Issue, ...]:
         if Path(loaded.source).resolve() != asset.resolve():
             return (issue("LAYOUT_STALE", layer, f"sublayers {loaded.source}, not {asset}"),)
         for each, _ in loaded.characters if root else ():
-            if each.skel_root.path.split("/")[1] != root:
+            if each.path.split("/")[1] != root:
                 what = f"is not below /{root}, which the contribution composes"
-                return (issue("PUBLISH_ROOT", each.skel_root.path, what),)
+                return (issue("PUBLISH_ROOT", each.path, what),)
         found = pipeline.check(layer, load_beside(asset)).issues
     except RigUIError as error:
         return (error.issue,)

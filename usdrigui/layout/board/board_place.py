@@ -41,10 +41,7 @@ def _firmness(body: Body, face_points: Indices) -> Floats:
     """(n,) weight of the joint that holds most of the face; 1 throughout without skins."""
     if not body.joints:
         return np.ones(sum(len(mesh.points) for mesh in body.meshes))
-    tables = [
-        _joint_weights(mesh.binding.skin, len(mesh.points), len(body.joints))
-        for mesh in body.meshes
-    ]
+    tables = [_joint_weights(mesh.skin, len(mesh.points), len(body.joints)) for mesh in body.meshes]
     face = np.zeros(sum(len(table) for table in tables), dtype=bool)
     face[face_points] = True
     parts = (

@@ -56,7 +56,7 @@ def with_common_motion(
             share = np.ones(len(at))
             share[at >= 0] = _shares(similarity, index, on_face, at[at >= 0])
             common = _beyond_the_best(share, motion.arc_length, visible[motion.points])
-            motions[index] = replace(motion, shares=replace(motion.shares, common=common))
+            motions[index] = replace(motion, common=common)
     return replace(trajectories, motions=tuple(motions))
 
 

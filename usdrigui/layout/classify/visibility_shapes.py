@@ -36,7 +36,7 @@ def _shrunk(base: Floats, motion: Motion, parts: Indices, count: int) -> Flags:
     """(count,) which parts the control shrinks to next to nothing; `parts` (p,) are those of its
     points."""
     before = base[motion.points]
-    after = before + motion.polylines.offsets[-1]
+    after = before + motion.offsets[-1]
     return _extents(parts, after, count) < _COLLAPSED * _extents(parts, before, count)
 
 

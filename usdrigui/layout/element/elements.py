@@ -66,11 +66,10 @@ def layout(
     weights = tuple(
         (f"objective.{k}", float(f"{v:.7g}")) for k, v in asked if isinstance(v, (int, float))
     )
-    root = face.rig.skel_root
     return Layout(
-        root=root.path,
+        root=face.rig.path,
         base_values=np.zeros(0),
-        variant_path=root.variant_path,
+        variant_path=face.rig.variant_path,
         elements=tuple(
             replace(each, part=part)
             for each in with_inner(elements, placement.groups, face.rig.controls)
@@ -192,7 +191,7 @@ def _member(face: Face, control: int, point: int, source: int, least: float) -> 
     (factor,) = drawn_magnification(face, motion, one, least).tolist()
     track = face.trajectories.surface.points[point] + factor * path
     name, peak = face.control_name(control), float(motion.arc_length.max())
-    return Member(name, motion.polylines.values, track, length, factor, peak)
+    return Member(name, motion.values, track, length, factor, peak)
 
 
 def anchor_at(face: Face, point: int) -> Anchor:

@@ -167,13 +167,13 @@ def _named(rig: Rig, groups: tuple[Group, ...], name: str, where: str) -> Group 
             return group
     index = rig.control_indices.get(name, -1)
     if index < 0:
-        if name in {left.control for left in rig.findings.left_off}:
+        if name in {left.control for left in rig.left_off}:
             return None
         known = (
             *(group.name for group in groups if group.name),
             *(each.name for each in rig.controls),
         )
-        what = f"{rig.skel_root.path} has no control or element {name!r}{meant(name, known)}"
+        what = f"{rig.path} has no control or element {name!r}{meant(name, known)}"
         raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
     return next((group for group in groups if index in group.all_controls), None)
 

@@ -55,10 +55,10 @@ def activity(rig: Rig, performances: Iterable[Performance]) -> Activity:
     why, issues = "is moved by none of them", tuple[Issue, ...]()
     if unknown:
         what = f"{len(unknown)} of them: {listed(unknown)}"
-        issues = (issue("CLIP_UNKNOWN_CONTROL", rig.skel_root.path, what),)
+        issues = (issue("CLIP_UNKNOWN_CONTROL", rig.path, what),)
         why = f"has no control for what they move: {listed(unknown)}"
     if not (amounts.mean(axis=0) > _LEAST_USE).any():
-        raise refuse("CLIP_FOREIGN", rig.skel_root.path, why)
+        raise refuse("CLIP_FOREIGN", rig.path, why)
     return Activity(tuple(c.name for c in rig.controls), values, amounts, names, issues)
 
 
@@ -153,4 +153,4 @@ def _tokens(rig: Rig) -> set[str]:
         for control in rig.controls
         for channel in control.drive.channels
     }
-    return used | {left.control for left in rig.findings.left_off}
+    return used | {left.control for left in rig.left_off}

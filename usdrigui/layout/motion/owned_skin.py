@@ -63,9 +63,9 @@ def _weights(body: Body, joints: set[int]) -> Floats:
     """(n,) weight of `joints` together at every point of the rig."""
     total = np.zeros(int(body.starts[-1]))
     for start, mesh in zip(body.starts, body.meshes, strict=False):
-        if mesh.binding.skin is None:
+        if mesh.skin is None:
             continue
-        table = mesh.binding.skin.by_joint
+        table = mesh.skin.by_joint
         held = [joint for joint in sorted(joints) if joint < table.shape[1]]
         total[start : start + len(mesh.points)] = table[:, held].sum(axis=1)
     return total

@@ -85,7 +85,7 @@ def displacement_fields(trajectories: Trajectories) -> DisplacementFields:
     for field, motion in zip(vectors, trajectories.motions, strict=True):
         at = row[motion.points]
         held = at >= 0
-        field[at[held]] = (motion.polylines.offsets[-1] - motion.polylines.offsets[0])[held]
+        field[at[held]] = motion.span[held]
     weights = trajectories.surface.areas[places]
     if not weights.any():
         weights = np.ones(len(places))
@@ -108,7 +108,7 @@ def bidirectional(motions: tuple[Motion, ...]) -> tuple[int, ...]:
     return tuple(
         i
         for i, motion in enumerate(motions)
-        if motion.polylines.offsets[0].any() and motion.polylines.offsets[-1].any()
+        if motion.offsets[0].any() and motion.offsets[-1].any()
     )
 
 

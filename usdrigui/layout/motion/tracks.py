@@ -16,7 +16,7 @@ def paths(motion: Motion, points: Indices) -> Floats:
     """(p, k, 3) offsets of `points` from their base positions at the motion's knots; zero where
     unmoved."""
     rows, found = _rows(motion, points)
-    offsets = motion.polylines.offsets[:, rows].astype(np.float64).transpose(1, 0, 2)
+    offsets = motion.offsets[:, rows].astype(np.float64).transpose(1, 0, 2)
     return np.where(found[:, None, None], offsets, 0.0)
 
 

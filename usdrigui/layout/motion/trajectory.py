@@ -10,7 +10,6 @@ import numpy as np
 from usdrigui.character import (
     Body,
     Control,
-    Findings,
     Flags,
     Floats,
     Indices,
@@ -31,7 +30,7 @@ from usdrigui.character.surface import (
 from usdrigui.errors import Issue, issue
 from usdrigui.layout.motion.coverage import NOTABLE, coverage_of_smaller
 from usdrigui.layout.motion.owned_skin import owned_skin
-from usdrigui.model import BaseSurface, MirrorPlane, Motion, Polylines, Shares, Trajectories
+from usdrigui.model import BaseSurface, MirrorPlane, Motion, Trajectories
 from usdrigui.settings import CandidateSettings, TrajectorySettings
 
 STAGE = "trajectories"
@@ -122,7 +121,7 @@ def of_controls(
     """The trajectories of some controls alone, which then define how large the face is and what a
     typical control does.
 
-    `chosen` are indices into `Rig.controls` and into `Configured.excluded`.
+    `chosen` are indices into `Rig.controls` and into `Rig.excluded`.
     """
     controls, excluded = chosen
     motions = tuple(motion for motion in found.motions if motion.control in controls)
@@ -135,12 +134,9 @@ def of_controls(
         motions=motions,
         excluded=left_out,
         typical_length=typical_length,
-        findings=replace(
-            found.findings,
-            issues=(
-                *(each for each in found.findings.issues if each.code == "NORMALS_INWARD"),
-                *_doubtful(rig.controls, motions, face_size, settings.tiny),
-            ),
+        issues=(
+            *(each for each in found.issues if each.code == "NORMALS_INWARD"),
+            *_doubtful(rig.controls, motions, face_size, settings.tiny),
         ),
     )
 
@@ -150,7 +146,7 @@ def total_motion(motions: Sequence[Motion], count: int) -> Singles:
     that touch at rest."""
     total = np.zeros((count, 3), dtype=np.float32)
     for motion in motions:
-        total[motion.points] += motion.polylines.offsets[-1] - motion.polylines.offsets[0]
+        total[motion.points] += motion.span
     return total
 
 
@@ -158,11 +154,11 @@ def _excluded(
     rig: Rig, chains: Hanging, size: float, settings: TrajectorySettings
 ) -> tuple[Motion, ...]:
     """Motions of the controls that the configuration leaves out, from the default pose."""
-    alone = replace(rig, controls=rig.configured.excluded)
+    alone = replace(rig, controls=rig.excluded)
     start = posed(alone, None)
     found = (
         _motion(alone, chains, start, i, control.default, settings)
-        for i, control in enumerate(rig.configured.excluded)
+        for i, control in enumerate(rig.excluded)
     )
     return tuple(motion for motion in found if motion.arc_length.max(initial=0.0) > _EMPTY * size)
 
@@ -184,8 +180,8 @@ def _motion(
     arc = _arc_lengths(offsets)
     moving = arc > max(settings.noise * arc.max(initial=0.0), 0.0)
     owned = owned_skin(rig.body, chains, rig.controls[index], start.points)
-    shares = Shares(None if owned is None else owned[points])
-    motion = Motion(index, points, Polylines(values, offsets), arc, shares)
+    own = None if owned is None else owned[points]
+    motion = Motion(index, points, values, offsets, arc, own)
     return motion if moving.all() else motion.of(moving)
 
 
@@ -244,13 +240,8 @@ def _assembled(
         motions,
         excluded,
         typical_length,
-        Findings(
-            left_off,
-            (
-                *_inward(rig.skel_root.path, inward),
-                *_doubtful(rig.controls, motions, face_size, settings.tiny),
-            ),
-        ),
+        left_off,
+        (*_inward(rig.path, inward), *_doubtful(rig.controls, motions, face_size, settings.tiny)),
     )
 
 
@@ -268,7 +259,7 @@ def _scale(
     shown = [motions[i] for i in np.flatnonzero(local)]
     # A joint may own a single point, and all points may rest in one place.
     size = (
-        _face_size(shown, base @ rig.skel_root.up)
+        _face_size(shown, base @ rig.up)
         or diagonal(base[np.concatenate([np.zeros(0, int), *(each.points for each in shown)])])
         or diagonal(base)
         or float(peaks.max(initial=0.0))
@@ -348,12 +339,10 @@ def _doubtful(
 
 def _same_up_to_scale(motion: Motion, other: Motion) -> float:
     """Factor by which `motion` repeats `other`, or 0."""
-    if not np.array_equal(motion.points, other.points) or len(motion.polylines.values) != len(
-        other.polylines.values
-    ):
+    if not np.array_equal(motion.points, other.points) or len(motion.values) != len(other.values):
         return 0.0
-    a = motion.polylines.offsets.astype(np.float64).ravel()
-    b = other.polylines.offsets.astype(np.float64).ravel()
+    a = motion.offsets.astype(np.float64).ravel()
+    b = other.offsets.astype(np.float64).ravel()
     factor = float(a @ b) / float(b @ b)
     return (
         factor

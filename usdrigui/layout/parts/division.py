@@ -60,7 +60,7 @@ class Part(Record):
     controls: frozenset[int]
     """Indices of its controls."""
     excluded: frozenset[int] = frozenset()
-    """Indices into `Configured.excluded`: controls that count for how large the part is."""
+    """Indices into `Rig.excluded`: controls that count for how large the part is."""
 
 
 def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...]:
@@ -89,9 +89,7 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     }
     names = _together(names, _bound(settings, index))
     known = sorted(set(names.values()), key=_rank)
-    left_out = {
-        each.control: tell(rig.configured.excluded[each.control], each) for each in found.excluded
-    }
+    left_out = {each.control: tell(rig.excluded[each.control], each) for each in found.excluded}
     main = main_part(known)
     left_out = {control: name if name in known else main for control, name in left_out.items()}
     return tuple(Part(name, _named(names, name), _named(left_out, name)) for name in known)

@@ -63,7 +63,7 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
         and not heads & {fan.joint, *tree.above(fan.joint)}
     ]
     for fan in ends:
-        name = _end(rig.skel_root.up, tree, fan)
+        name = _end(rig.up, tree, fan)
         fingers = tree.below([chain[0] for chain in fan.chains])
         for joint in fingers:
             of_joint[joint] = of_skin[joint] = name
@@ -87,7 +87,7 @@ def owner_of_points(meshes: tuple[RigMesh, ...]) -> Indices:
     skinned."""
     parts = []
     for mesh in meshes:
-        skin = mesh.binding.skin
+        skin = mesh.skin
         if skin is None or not skin.joints.shape[1]:
             parts.append(np.full(len(mesh.points), -1, dtype=np.int64))
             continue

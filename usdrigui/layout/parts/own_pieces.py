@@ -48,7 +48,7 @@ def pieces_of(body: Body, tree: Tree, places: Indices) -> Pieces:
     bound = np.zeros((len(of_point), 3))
     held = np.zeros((len(body.joints), int(of_point.max(initial=-1)) + 1))
     for start, mesh in zip(body.starts, body.meshes, strict=False):
-        skin = mesh.binding.skin
+        skin = mesh.skin
         if skin is None:
             continue
         bound[start : start + len(mesh.points)] = bound_points(mesh.points, skin)[:, :3]

@@ -182,7 +182,7 @@ def _allowed(known: Measured, motion: Motion, among: Flags) -> Flags:
 def _nearest_to_hidden(face: Face, motion: Motion, near: Flags) -> Flags:
     """(p,) those `near`; where none is of the skin that its joint owns, as of a neck in a collar,
     the nearest to that."""
-    owned = motion.shares.owned
+    owned = motion.owned
     if owned is None or not near.any() or owned[near].any() or not owned.any():
         return near
     points = face.trajectories.surface.points[motion.points]

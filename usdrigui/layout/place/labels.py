@@ -203,7 +203,7 @@ def _images(face: Face, group: Group, points: Indices, tolerance: float) -> Indi
     return orbit_points(
         face.trajectories.surface,
         orbit,
-        face.rig.skel_root.up,
+        face.rig.up,
         tolerance * face.trajectories.surface.face_size,
         points,
     )

@@ -97,8 +97,7 @@ def _named_points(rig: Rig, where: str, near: str) -> Indices:
     raise refuse(
         "CONFIG_VALUE",
         where,
-        f"{near!r} is not a joint:NAME, mesh, GeomSubset or MESH#POINT of "
-        f"{rig.skel_root.path}{like}",
+        f"{near!r} is not a joint:NAME, mesh, GeomSubset or MESH#POINT of {rig.path}{like}",
     )
 
 
@@ -115,7 +114,7 @@ def _joint_position(rig: Rig, where: str, name: str) -> Floats:
             return (matrix @ body.skeletons[joint.skeleton].to_root)[3, :3]
     names = _joint_names(body.joints)
     like = meant(name, names) or (f"; its joints are {listed(names)}" if names else "")
-    raise refuse("CONFIG_VALUE", where, f"{rig.skel_root.path} has no joint {name!r}{like}")
+    raise refuse("CONFIG_VALUE", where, f"{rig.path} has no joint {name!r}{like}")
 
 
 def _joint_names(joints: tuple[Joint, ...]) -> list[str]:

@@ -78,11 +78,11 @@ def occlusion(normals: Floats, motion: Motion, points: Indices, weight: float) -
     lies inside the range.
     """
     rows = np.searchsorted(motion.points, points)
-    start = _base_knot(motion.polylines.offsets)
+    start = _base_knot(motion.offsets)
     cosines = []
     for neighbour in (start - 1, start + 1):
-        if 0 <= neighbour < len(motion.polylines.values):
-            step = motion.polylines.offsets[neighbour, rows].astype(np.float64)
+        if 0 <= neighbour < len(motion.values):
+            step = motion.offsets[neighbour, rows].astype(np.float64)
             length = np.maximum(np.linalg.norm(step, axis=1), 1e-30)
             cosines.append(np.einsum("pi,pi->p", step, normals[points]) / length)
     return np.asarray(weight * 0.5 * (1.0 - np.mean(cosines, axis=0)), dtype=np.float64)
@@ -91,11 +91,11 @@ def occlusion(normals: Floats, motion: Motion, points: Indices, weight: float) -
 def common(face: Face, motion: Motion, points: Indices, terms: LinearTerms) -> Floats:
     """(p,) A control should stand where its motion is large and its own: the weight times the
     displacement, by how common that is (`usdrigui.layout.classify.common_motion`)."""
-    if motion.shares.common is None:
+    if motion.common is None:
         return np.zeros(len(points))
     rows = np.searchsorted(motion.points, points)
     unit = displacement_unit(motion.peak, face.trajectories.typical_length, terms)
-    return terms.distinctive_weight * motion.shares.common[rows] * motion.arc_length[rows] / unit
+    return terms.distinctive_weight * motion.common[rows] * motion.arc_length[rows] / unit
 
 
 def displacement_unit(peak: float, typical: float, terms: LinearTerms) -> float:

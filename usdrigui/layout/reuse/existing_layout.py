@@ -31,7 +31,7 @@ def layout_of(layouts: tuple[Layout, ...], rig: Rig) -> Layout | None:
     name.
     """
     found = _fitting(layouts, rig)
-    return None if found is None else _moved(found, rig.skel_root.path, rig.skel_root.variant_path)
+    return None if found is None else _moved(found, rig.path, rig.variant_path)
 
 
 def root_in_base(layouts: tuple[Layout, ...], rig: Rig) -> str:
@@ -133,11 +133,11 @@ def combined(existing: Layout, added: Layout) -> Layout:
 
 
 def _fitting(layouts: tuple[Layout, ...], rig: Rig) -> Layout | None:
-    here = [layout for layout in layouts if layout.root == rig.skel_root.path]
+    here = [layout for layout in layouts if layout.root == rig.path]
     fitting = [
         layout
         for layout in here or layouts
-        if _alike(_moved(layout, rig.skel_root.path, rig.skel_root.variant_path), rig)
+        if _alike(_moved(layout, rig.path, rig.variant_path), rig)
     ]
     return fitting[0] if len(fitting) == 1 else None
 

@@ -191,9 +191,7 @@ def _blurred(character: tuple[Rig, Trajectories], points: Floats) -> Floats:
     weights = (around @ cells).tocsc()
     found = np.zeros((len(rig.controls), len(points), 3))
     for motion in trajectories.motions:
-        found[motion.control] = weights[:, motion.points] @ (
-            motion.polylines.offsets[-1] - motion.polylines.offsets[0]
-        )
+        found[motion.control] = weights[:, motion.points] @ motion.span
     return found
 
 
@@ -236,9 +234,7 @@ def _at_point(motions: tuple[Motion, ...], count: int, point: int) -> Floats:
     for motion in motions:
         at = int(np.searchsorted(motion.points, point))
         if at < len(motion.points) and motion.points[at] == point:
-            found[motion.control] = (
-                motion.polylines.offsets[-1, at] - motion.polylines.offsets[0, at]
-            )
+            found[motion.control] = motion.span[at]
     return found
 
 

@@ -35,7 +35,7 @@ def anchored_point(rig: Rig, where: str, anchor: str) -> int | None:
     what = (
         f"the mesh {path} has the points 0 to {counts[path] - 1}, not {local}"
         if path in counts
-        else f"{rig.skel_root.path} has no mesh {path!r}{meant(path, counts)}"
+        else f"{rig.path} has no mesh {path!r}{meant(path, counts)}"
     )
     raise refuse("CONFIG_VALUE", where, what)
 

@@ -139,7 +139,7 @@ def pins_of_fixed(layout: Layout, rig: Rig) -> list[Pin]:
         names, anchor = tuple(m.control for m in element.manipulator.members), element.anchor
         if unknown := [name for name in names if name not in rig.control_names]:
             where = f"{layout.root} element {element.name}"
-            what = f"{rig.skel_root.path} has no control {unknown[0]!r}"
+            what = f"{rig.path} has no control {unknown[0]!r}"
             raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
         if anchor.on_board:
             pins.append(Pin(element.name, names, (), place="board", inner=inner))
@@ -166,7 +166,7 @@ def pins_of_corrections(
             pins.append(replace(pin, place=each.place))
         elif each.place == "point":
             scale = each.unit / unit if each.unit and unit else 1.0
-            turn = turn_between(np.array(each.up), today.rig.skel_root.up)
+            turn = turn_between(np.array(each.up), today.rig.up)
             x, y, z = (scale * turn @ np.array(each.position)).tolist()
             pin = replace(pin, decisions=("anchor",), position=(x, y, z))
             pin, told = _at_point(pin, each, width, today)

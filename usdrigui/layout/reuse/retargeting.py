@@ -242,5 +242,5 @@ def _by_size(theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories]) -
     up."""
     (rig, one), (other_rig, other) = theirs, ours
     scale = other.surface.face_size / one.surface.face_size
-    rotation = Rotation.align_vectors(other_rig.skel_root.up, rig.skel_root.up)[0].as_matrix()
+    rotation = Rotation.align_vectors(other_rig.up, rig.up)[0].as_matrix()
     return _Similarity(scale, rotation, other.middle - scale * rotation @ one.middle)

@@ -43,7 +43,7 @@ def refuse_stale(
     """Raise every error for which a layout does not fit the rig any more (LAYOUT_...), by cause."""
     faults = Faults()
     reasons = stale(rig, trajectories, (layout, layout), settings)
-    for found in by_cause(of_character(rig.skel_root.path_in_variants, reasons)):
+    for found in by_cause(of_character(rig.path_in_variants, reasons)):
         with faults.collected():
             if found.severity == "error":
                 raise RigUIError(found, catalogue()[found.code].exit)
@@ -84,7 +84,7 @@ def stale(
                 yield issue(
                     "LAYOUT_CONTROL_GONE",
                     element.name,
-                    f"{rig.skel_root.path} has no control {member.control!r}{now}",
+                    f"{rig.path} has no control {member.control!r}{now}",
                 )
 
 

@@ -68,7 +68,7 @@ def find_symmetry(
     plane = named = None
     if mirror.enabled and trajectories.motions:
         named = plane_of_names(rig.body.skeletons, rig.body.joints)
-        plane = _best(trajectories, tolerance, rig.skel_root.up)
+        plane = _best(trajectories, tolerance, rig.up)
         # A robot may be as symmetric from front to back.
         if named and not (plane and abs(float(named.normal @ plane.normal)) >= ACROSS):
             plane = named
@@ -254,7 +254,7 @@ def _towards_left(
         rig.controls[motion.control].kind == "joint" for motion in trajectories.motions
     ):
         return replace(plane, normal=towards(plane.normal, named.normal))
-    left = np.cross(rig.skel_root.up, moving_normals(trajectories))
+    left = np.cross(rig.up, moving_normals(trajectories))
     return replace(plane, normal=towards(plane.normal, left))
 
 

@@ -172,7 +172,7 @@ def _of_meshes(meshes: tuple[RigMesh, ...]) -> tuple[Floats, Flags]:
     what is left out for want of a colour."""
     colours, clear = [np.zeros((0, 3))], [np.zeros(0, dtype=bool)]
     for mesh in meshes:
-        count, own = len(mesh.points), mesh.display.colours
+        count, own = len(mesh.points), mesh.colours
         usual = np.tile(np.array(_usual(mesh) or SKIN), (count, 1))
         colours.append(usual if own is None else np.asarray(own))
         clear.append(np.full(count, own is None and _LASH.search(_name(mesh)) is not None))
@@ -191,13 +191,13 @@ def _usual(mesh: RigMesh) -> tuple[float, float, float] | None:
 def _face(rig: Rig, layout: Layout, start: Posed, actions: Mapping[str, Action]) -> _Face | None:
     """None where no point is left to be coloured."""
     body, elements = rig.body, _on_face(layout)
-    plain = [mesh.display.colours is None and _usual(mesh) is None for mesh in body.meshes]
+    plain = [mesh.colours is None and _usual(mesh) is None for mesh in body.meshes]
     free = np.repeat(np.array(plain, dtype=bool), np.diff(body.starts))
     corners = mesh_triangles(body.meshes, visible_only=True)
     anchors = [body.point_of(each.anchor.mesh, each.anchor.point) for each in elements]
     if not free.any() or not len(corners) or not anchors:
         return None
-    rows = camera_rows(layout, rig.skel_root.up)
+    rows = camera_rows(layout, rig.up)
     points = np.where(np.isfinite(start.points), start.points, 0.0)
     places = weld(points)
     used = np.isin(np.arange(len(points)), corners)

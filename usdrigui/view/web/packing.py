@@ -154,11 +154,11 @@ def _character(arrays: _Arrays, rig: Rig, layout: Layout) -> Json:
     body = rig.body
     joints, packed = body.joints, _layout(rig, layout)
     return {
-        "root": rig.skel_root.path,
+        "root": rig.path,
         "identity": _identity(rig),
         "layoutDigest": hashlib.sha256(json.dumps(packed).encode()).hexdigest()[:32],
-        "up": _list(rig.skel_root.up),
-        "metresPerUnit": rig.skel_root.metres_per_unit,
+        "up": _list(rig.up),
+        "metresPerUnit": rig.metres_per_unit,
         "meshes": _meshes(arrays, body.meshes, body.starts, complexion(rig, layout)),
         "eye": {**{name: _srgb(colour) for name, colour in EYE.items()}, "radii": [PUPIL, IRIS]},
         "skeletons": [_fields(each, "path animation to_root") for each in body.skeletons],
@@ -168,8 +168,8 @@ def _character(arrays: _Arrays, rig: Rig, layout: Layout) -> Json:
         "channels": [_fields(each, "token animation index") for each in body.channels],
         "baseWeights": _list(body.base_weights),
         "controls": _controls(rig.controls, layout),
-        "timeCodes": rig.skel_root.time_codes,
-        "clip": _clip(arrays, rig.skel_root.clip, rig.findings.issues),
+        "timeCodes": rig.time_codes,
+        "clip": _clip(arrays, rig.clip, rig.issues),
         "layout": packed,
     }
 
@@ -177,9 +177,7 @@ def _character(arrays: _Arrays, rig: Rig, layout: Layout) -> Json:
 def _identity(rig: Rig) -> str:
     """Hex digest of what work on a character belongs to: its meshes and controls, not its layout or
     animation."""
-    found = hashlib.sha256(
-        json.dumps([rig.skel_root.path, [each.name for each in rig.controls]]).encode()
-    )
+    found = hashlib.sha256(json.dumps([rig.path, [each.name for each in rig.controls]]).encode())
     for mesh in rig.body.meshes:
         found.update(mesh.path.encode() + np.ascontiguousarray(mesh.points, dtype="<f4").tobytes())
     return found.hexdigest()[:32]
@@ -203,22 +201,22 @@ def _mesh(arrays: _Arrays, mesh: RigMesh, seen: Complexion) -> Json:
     at = triangles(mesh.points[points], *numbered)
     at = at[~seen.clear[points[at]].all(axis=1)]
     corners, colours, texture = points[at], seen.shaded, None
-    if mesh.display.texturing is not None:
-        texture, painted = _texture(arrays, mesh.display.texturing, faces.face_counts, at)
+    if mesh.texturing is not None:
+        texture, painted = _texture(arrays, mesh.texturing, faces.face_counts, at)
         # An image has the colours; points have the shade on them.
         shade = replace(seen, colours=np.ones_like(seen.colours)).shaded
         colours[corners[painted]] = shade[corners[painted]]
     on_eye = (np.abs(seen.gaze) < 3.0).any()
     return {
         "path": mesh.path,
-        "visible": mesh.display.visible,
+        "visible": mesh.visible,
         "low": _list(low),
         "step": _list(step),
         "points": arrays.numbers(grid, "u2"),
         "triangles": arrays.wandering(corners),
-        "toRoot": _list(mesh.binding.to_root),
-        "skin": None if mesh.binding.skin is None else _skin(arrays, mesh.binding.skin),
-        "shapes": [_shape(arrays, shape) for shape in mesh.binding.shapes],
+        "toRoot": _list(mesh.to_root),
+        "skin": None if mesh.skin is None else _skin(arrays, mesh.skin),
+        "shapes": [_shape(arrays, shape) for shape in mesh.shapes],
         "texture": texture,
         "colours": arrays.numbers(np.rint(255.0 * encoded(colours)), "u1"),
         "gaze": (
@@ -349,7 +347,7 @@ def _layout(rig: Rig, layout: Layout) -> Json:
 
 def _sections(rig: Rig, layout: Layout) -> list[Json]:
     """What is looked at by itself, the face first; all of a character in one part."""
-    posed, up = evaluate(prepare(rig, layout)), rig.skel_root.up
+    posed, up = evaluate(prepare(rig, layout)), rig.up
     corners = np.unique(mesh_triangles(rig.body.meshes, visible_only=True))
     skin = posed.points[corners] if len(corners) else posed.points
     packed: list[Json] = []

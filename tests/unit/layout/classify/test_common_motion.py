@@ -33,10 +33,10 @@ def test_a_motion_of_which_nothing_or_everything_is_common_costs_nothing_more():
     face = chain.face_of(makers.face_with(one=0.5 * SHAPES["brow_L"]), settings)
     index = {control.name: i for i, control in enumerate(face.rig.controls)}
     for name in ("one", "brow_L", "chin"):
-        assert face.trajectories.motion_of(index[name]).shares.common.max() < 0.05, name
+        assert face.trajectories.motion_of(index[name]).common.max() < 0.05, name
     lifted = chain.face_of(wing(1.0), settings)
     motion = lifted.trajectories.motion_of(index["one"])
-    shares, points = motion.shares.common, motion.points
+    shares, points = motion.common, motion.points
     assert shares[np.argmin(np.linalg.norm(lifted.trajectories.surface.points[points, :2] - [0.35, 0.6], axis=1))] > 0.5
 
 
@@ -44,4 +44,4 @@ def test_no_control_explains_another_by_going_far_beyond_its_own_range():
     settings = chain.settings(candidates={"board_composite": False})
     face = chain.face_of(makers.face_with(tiny=0.1 * SHAPES["smile_L"]), settings)
     index = [control.name for control in face.rig.controls].index("smile_L")
-    assert face.trajectories.motion_of(index).shares.common.max() < 0.25
+    assert face.trajectories.motion_of(index).common.max() < 0.25

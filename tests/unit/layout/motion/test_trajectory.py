@@ -9,7 +9,7 @@ import pytest
 from usdrigui.character import Drive, Joint, Skeleton
 from usdrigui.layout.motion.coverage import coverage_of_smaller
 from usdrigui.layout.motion.trajectory import trajectories
-from usdrigui.model import Motion, Polylines, Shares
+from usdrigui.model import Motion
 from usdrigui.settings import TrajectorySettings
 
 POINTS, QUADS = makers.mask(9, 11)
@@ -24,9 +24,9 @@ def test_a_straight_shape_is_its_offset_and_only_moving_points_are_held():
     offsets = makers.bump(POINTS, (0.0, 0.0), (0, 0, 1), 0.5)
     found = trajectories(one(offsets), DENSE)
     motion = found.motions[0]
-    assert motion.polylines.values.tolist() == [0.0, 1.0]
+    assert motion.values.tolist() == [0.0, 1.0]
     assert len(motion.points) < len(POINTS)
-    assert np.allclose(motion.polylines.offsets[1], offsets[motion.points], atol=1e-7)
+    assert np.allclose(motion.offsets[1], offsets[motion.points], atol=1e-7)
     assert np.allclose(motion.arc_length, np.linalg.norm(offsets[motion.points], axis=1), rtol=1e-5)
 
 
@@ -34,16 +34,16 @@ def test_an_in_between_bends_the_path_and_counts_in_the_arc_length():
     side = makers.bump(POINTS, (0.0, 0.0), (1, 0, 0), 0.5)
     found = trajectories(one({0.5: side, 1.0: np.zeros_like(side)}), DENSE)
     motion = found.motions[0]
-    assert motion.polylines.values.tolist() == [0.0, 0.5, 1.0]
-    assert np.allclose(motion.polylines.offsets[-1], 0.0)
+    assert motion.values.tolist() == [0.0, 0.5, 1.0]
+    assert np.allclose(motion.offsets[-1], 0.0)
     assert motion.arc_length.max() == pytest.approx(0.2, rel=1e-4)
 
 
 def test_a_signed_range_has_the_rest_in_the_middle():
     found = trajectories(one(makers.bump(POINTS, (0, 0), (0, 1, 0)), ranges={"one": (-1.0, 2.0)}), DENSE)
     motion = found.motions[0]
-    assert motion.polylines.values.tolist() == [-1.0, 0.0, 2.0]
-    assert not motion.polylines.offsets[1].any()
+    assert motion.values.tolist() == [-1.0, 0.0, 2.0]
+    assert not motion.offsets[1].any()
     assert motion.arc_length.max() == pytest.approx(0.3, rel=1e-4)
 
 
@@ -53,16 +53,16 @@ def test_the_base_pose_moves_the_start_of_the_path_and_not_its_length():
     rest, posed = trajectories(rig, DENSE), trajectories(rig, DENSE, np.array([0.25, 0.0]))
     assert np.allclose(posed.surface.points, POINTS + 0.25 * shapes["a"], atol=1e-6)
     first = posed.motions[0]
-    assert first.polylines.values.tolist() == [0.0, 0.25, 1.0]
-    assert not first.polylines.offsets[1].any()
+    assert first.values.tolist() == [0.0, 0.25, 1.0]
+    assert not first.offsets[1].any()
     assert np.allclose(first.arc_length, rest.motions[0].arc_length, rtol=1e-4)
-    assert np.allclose(posed.surface.points[first.points] + first.polylines.offsets[0], POINTS[first.points], atol=1e-6)
+    assert np.allclose(posed.surface.points[first.points] + first.offsets[0], POINTS[first.points], atol=1e-6)
 
 
 def test_an_empty_control_is_left_off_with_the_reason():
     rig = makers.rig(POINTS, QUADS, {"empty": np.zeros_like(POINTS), "full": makers.bump(POINTS, (0, 0), (0, 0, 1))})
     found = trajectories(rig, DENSE)
-    assert [(each.control, each.stage) for each in found.findings.left_off] == [("empty", "trajectories")]
+    assert [(each.control, each.stage) for each in found.left_off] == [("empty", "trajectories")]
     assert [motion.control for motion in found.motions] == [1]
 
 
@@ -73,10 +73,10 @@ def test_tiny_and_duplicate_controls_stay_and_are_named():
     )
     found = trajectories(rig, DENSE)
     assert len(found.motions) == 5
-    named = {(each.code, each.path) for each in found.findings.issues}
+    named = {(each.code, each.path) for each in found.issues}
     assert {("CONTROL_DUPLICATE", "again"), ("CONTROL_DUPLICATE", "half"), ("CONTROL_TINY", "tiny")} <= named
     assert ("CONTROL_DUPLICATE", "other") not in named
-    told = {each.path: each.message for each in found.findings.issues if each.code == "CONTROL_DUPLICATE"}
+    told = {each.path: each.message for each in found.issues if each.code == "CONTROL_DUPLICATE"}
     assert told["again"] == "moves every point the same as big"
     assert told["half"] == "moves every point the same as big, 0.5 times as far"
 
@@ -107,7 +107,7 @@ def test_a_turning_joint_is_sampled_to_the_tolerance():
     rig = jointed(np.radians(90.0))
     coarse = trajectories(rig, TrajectorySettings(tolerance=1e-2)).motions[0]
     fine = trajectories(rig, TrajectorySettings(tolerance=1e-4)).motions[0]
-    assert len(coarse.polylines.values) < len(fine.polylines.values) <= 33
+    assert len(coarse.values) < len(fine.values) <= 33
     radius = np.linalg.norm(rig.body.meshes[0].points[fine.points][:, [1, 2]], axis=1)
     assert np.allclose(fine.arc_length, radius * np.pi / 2, rtol=1e-3)
 
@@ -176,14 +176,14 @@ def test_faces_wound_inward_are_noticed_and_turned():
     wrong = trajectories(makers.rig(points, [face[::-1] for face in faces], shapes), DENSE)
     for found in (right, wrong):
         assert (np.einsum("ni,ni->n", found.surface.normals, points) > 0.0).all()
-    assert [each.code for each in wrong.findings.issues] == ["NORMALS_INWARD"]
-    assert not right.findings.issues
+    assert [each.code for each in wrong.issues] == ["NORMALS_INWARD"]
+    assert not right.issues
 
 
 def motions_of(*lengths):
     """Motions that move every point by these lengths."""
-    still = Polylines(np.array([0.0, 1.0]), np.zeros((2, 4, 3), np.float32))
-    return [Motion(i, np.arange(4), still, np.array(each, dtype=float), Shares()) for i, each in enumerate(lengths)]
+    still = np.array([0.0, 1.0]), np.zeros((2, 4, 3), np.float32)
+    return [Motion(i, np.arange(4), *still, np.array(each, dtype=float)) for i, each in enumerate(lengths)]
 
 
 @pytest.mark.parametrize(("beyond", "covered"), [(1.0, 0.5), (4.0, 0.5), (4.1, 0.0)])

@@ -104,10 +104,10 @@ def with_eyes():
     names = [*at, *hung]
     places = np.array([*at.values(), *hung.values()])
     joints = limbs.skeleton_rig(names, places, list(range(len(names)))).body.joints
-    own = BODY.body.meshes[0].binding.skin.joints
+    own = BODY.body.meshes[0].skin.joints
     above = np.maximum([joint.parent for joint in joints], 0)
     skin = replace(
-        BODY.body.meshes[0].binding.skin,
+        BODY.body.meshes[0].skin,
         joints=np.concatenate([own, above[own]], axis=1),
         weights=np.tile([0.7, 0.3], (len(own), 1)),
     )
@@ -130,7 +130,7 @@ def test_a_head_without_a_body_keeps_its_eyes():
     limb = [
         i for i, joint in enumerate(rig.body.joints) if "/a" in joint.path or "/b0" in joint.path or "l0" in joint.path
     ]
-    own = rig.body.meshes[0].binding.skin
+    own = rig.body.meshes[0].skin
     trunk = replace(own, joints=np.where(np.isin(own.joints, limb), 0, own.joints))
     bust = makers.changed(rig, meshes=(makers.changed(rig.body.meshes[0], skin=trunk), *rig.body.meshes[1:]))
     assert list(named(limbs.with_default_controls(bust))) == ["face"]
@@ -171,7 +171,7 @@ def test_the_whole_says_of_the_part_that_is_not_proved_why():
 
 
 def test_blend_shapes_are_of_the_part_whose_skin_they_move_and_a_neck_is_of_the_face():
-    points, owners = BODY.body.meshes[0].points, BODY.body.meshes[0].binding.skin.joints[:, 0]
+    points, owners = BODY.body.meshes[0].points, BODY.body.meshes[0].skin.joints[:, 0]
     paths = [joint.path for joint in BODY.body.joints]
     on = {"smile": "h/s/t/n/Head/k0", "swallow": "h/s/t/n", "biceps": "h/s/t/a0/a1", "nail": "h/s/t/a0/a1/a2/af00/af01"}
     shapes = [0.01 * (owners == paths.index(path))[:, None] * np.array([0.0, 0.0, 1.0]) for path in on.values()]

@@ -43,7 +43,7 @@ def test_a_joint_whose_skin_hangs_on_a_twist_joint_stands_along_its_own_bone():
     world[3, 1] += 0.4
     local[3, 1] = 0.4
     twist, (mesh,) = Joint("j0/j1/t", 0, 1, world, local, local), rig.body.meshes
-    skin = replace(mesh.binding.skin, joints=np.where(mesh.binding.skin.joints == 1, 3, mesh.binding.skin.joints))
+    skin = replace(mesh.skin, joints=np.where(mesh.skin.joints == 1, 3, mesh.skin.joints))
     rig = changed(rig, joints=(*rig.body.joints, twist), meshes=(changed(mesh, skin=skin),))
     found = candidates(rig)
     for axis in "xyz":

@@ -67,7 +67,7 @@ def test_a_pin_that_is_in_the_way_of_another_is_given_up_with_a_warning_and_not_
         for each in decided.elements
     )
     face = makers.face()
-    inputs, _, layout = lay_out(face, previous={face.skel_root.path: replace(decided, elements=elements)})
+    inputs, _, layout = lay_out(face, previous={face.path: replace(decided, elements=elements)})
     lost = {each.path for each in inputs.issues if each.code == "PIN_LOST"}
     assert len(lost) == 1
     assert lost <= {"brow_L", "blink_L"}
@@ -79,7 +79,7 @@ def test_a_pin_far_from_all_that_its_control_moves_says_so(decided, known):
     away = (9.0, 9.0, 9.0) if known else (np.nan,) * 3
     elements = tuple(replace(each, pinned_position=away) for each in decided.elements)
     rig = another_mesh(45, 51)
-    inputs, _, _ = lay_out(rig, previous={rig.skel_root.path: replace(decided, elements=elements)})
+    inputs, _, _ = lay_out(rig, previous={rig.path: replace(decided, elements=elements)})
     assert {each.code for each in inputs.issues if each.code.startswith("PIN_")} == {
         "PIN_CARRIED" if known else "PIN_LOST"
     }

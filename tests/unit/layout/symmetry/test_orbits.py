@@ -28,7 +28,7 @@ def test_an_orbit_is_laid_out_once_and_all_its_copies_count(arms):
     assert np.allclose(anchors[0] @ turn, anchors[1], atol=1e-6)
     found = line.face.trajectories
     assert (
-        orbit_points(found.surface, found.motions, rig.skel_root.up, 0.01 * found.surface.face_size, np.arange(60)) >= 0
+        orbit_points(found.surface, found.motions, rig.up, 0.01 * found.surface.face_size, np.arange(60)) >= 0
     ).all()
 
 
