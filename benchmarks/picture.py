@@ -23,7 +23,6 @@ from usdrigui.model import (
     Element,
     Layout,
     LayoutFrame,
-    Manipulator,
     Member,
     MirrorPlane,
     Proof,
@@ -92,7 +91,8 @@ def _slider(rig, number, j, at, points, normals, point, offsets) -> Element:
     side = "left" if points[point][0] > 0 else "right"
     return Element(
         name=f"e{number}",
-        manipulator=Manipulator(kind="slider", members=(member,)),
+        kind="slider",
+        members=(member,),
         anchor=anchor,
         label=rig.controls[j].label,
         side=side,

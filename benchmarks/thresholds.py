@@ -167,10 +167,10 @@ def laid_out(rig: Rig, settings: Settings, solved: dict[str, Assignment]) -> Lai
 def _controls(layout: Layout) -> dict[str, tuple[Any, ...]]:
     found: dict[str, list[tuple[Any, ...]]] = {}
     for element in sorted(layout.elements, key=lambda each: each.name):
-        for member in element.manipulator.members:
+        for member in element.members:
             on_face = not element.anchor.on_board
             where = element.anchor.position.tolist()
-            row = (tuple(sorted(element.manipulator.controls)), on_face, where)
+            row = (tuple(sorted(element.controls)), on_face, where)
             found.setdefault(member.control, []).append(row)
     return {name: tuple(rows) for name, rows in found.items()}
 

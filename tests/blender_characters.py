@@ -18,7 +18,6 @@ from usdrigui.model import (
     Element,
     Layout,
     LayoutFrame,
-    Manipulator,
     Member,
     MirrorPlane,
     Proof,
@@ -127,7 +126,10 @@ def _on_face(rig, base, name, kind, controls, opposed, mesh, local, side, mirror
     inner = ("cheekSquintLeft",) if name == "cheekPuff" else ()
     return Element(
         name=name,
-        manipulator=Manipulator(kind=kind, members=members, opposed=opposed, mirror=mirror),
+        kind=kind,
+        members=members,
+        opposed=opposed,
+        mirror=mirror,
         anchor=anchor,
         label=name,
         side=side,
@@ -146,7 +148,8 @@ def _joystick(rig):
         members.append(Member(name, values, place + 1.5 * share[:, None] * axis, 3.0, 1.0))
     return Element(
         name="head",
-        manipulator=Manipulator(kind="patch", members=tuple(members)),
+        kind="patch",
+        members=tuple(members),
         anchor=anchor,
         label="head",
         side="middle",

@@ -18,7 +18,6 @@ from usdrigui.model import (
     Element,
     Layout,
     LayoutFrame,
-    Manipulator,
     Member,
     MirrorPlane,
     Proof,
@@ -98,7 +97,8 @@ def _element(rig, names, members, position, point, beside, adapt):
     category, reason = ("hidden", "inside the mouth") if beside else ("", "")
     return Element(
         name="_".join(names),
-        manipulator=Manipulator(kind=kind, members=members),
+        kind=kind,
+        members=members,
         anchor=anchor,
         label=names[0].title(),
         side="left",
@@ -177,7 +177,7 @@ def tracks(stage, root, element, time):
     subsets = [each.GetChild(prim.GetName()) for each in scope_of(stage, root).GetChildren()]
     subset = max((each for each in subsets if each), key=lambda each: len(points_by_role(each, "track", "area")))
     drawn = root_points(stage, str(subset.GetParent().GetPath()), root, time)[points_by_role(subset, "track", "area")]
-    ends = np.cumsum([2 * len(member.values) - 1 for member in element.manipulator.members])
+    ends = np.cumsum([2 * len(member.values) - 1 for member in element.members])
     tracks = np.split(drawn[: ends[-1]], ends[:-1])
     return [0.5 * (each[::2] + np.concatenate([each[1::2], each[-1:]])) for each in tracks]
 

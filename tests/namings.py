@@ -79,7 +79,7 @@ def places(rig, layout):
     for element in layout.elements:
         anchor = element.anchor
         if not anchor.on_board:
-            for member in element.manipulator.members:
+            for member in element.members:
                 found.setdefault(index[member.control], []).append(rig.body.point_of(anchor.mesh, anchor.point))
     return found
 

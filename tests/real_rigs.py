@@ -51,7 +51,7 @@ def point_of(line, element):
 
 def homes(line):
     """Element of every control."""
-    return {member.control: element for element in line.layout.elements for member in element.manipulator.members}
+    return {member.control: element for element in line.layout.elements for member in element.members}
 
 
 # --- copies ------------------------------------------------------------------------------------------

@@ -12,7 +12,6 @@ from usdrigui.model import (
     Element,
     Layout,
     LayoutFrame,
-    Manipulator,
     Member,
     MirrorPlane,
     Proof,
@@ -73,12 +72,10 @@ def element(rig, base, name, kind, members, opposed, mirrors, beside):
     shift = np.array([1.5, 0.0, 0.0]) * float(np.ptp(base.points[:, 0])) * beside
     return Element(
         name=name,
-        manipulator=Manipulator(
-            kind=kind,
-            members=tuple(member_at(rig, base, index[one], point, shift) for one in members),
-            opposed=tuple(opposed),
-            mirror=mirrors.get(name, ""),
-        ),
+        kind=kind,
+        members=tuple(member_at(rig, base, index[one], point, shift) for one in members),
+        opposed=tuple(opposed),
+        mirror=mirrors.get(name, ""),
         anchor=Anchor(
             mesh=rig.body.meshes[mesh].path,
             point=local,

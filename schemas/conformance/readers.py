@@ -32,15 +32,15 @@ def layout(opened, _):
 
 
 def element(each):
-    controls = [member.control for member in each.manipulator.members]
+    controls = [member.control for member in each.members]
     return {
-        "type": each.manipulator.kind,
-        "axes": [[controls[member] for member in axis] for axis in each.manipulator.axes],
-        "mirror": each.manipulator.mirror,
+        "type": each.kind,
+        "axes": [[controls[member] for member in axis] for axis in each.axes],
+        "mirror": each.mirror,
         "side": each.side,
         "members": list(each.inner),
         "onBoard": each.anchor.on_board,
-        "values": [member.values.tolist() for member in each.manipulator.members],
+        "values": [member.values.tolist() for member in each.members],
     }
 
 

@@ -32,7 +32,7 @@ def poses_of(rig, count=2):
 def checked(run_inside, python, layer, source, rig, layout, missing=()):
     poses = poses_of(rig)
     names = [control.name for control in rig.controls]
-    laid = {member.control for element in layout.elements for member in element.manipulator.members}
+    laid = {member.control for element in layout.elements for member in element.members}
     for pose in poses:
         for j, name in enumerate(names):
             pose[j] = pose[j] if name in laid else rig.controls[j].default
@@ -52,7 +52,7 @@ def checked(run_inside, python, layer, source, rig, layout, missing=()):
         worst["values"] = max(worst["values"], float(np.abs(np.subtract(got, wanted)).max()))
         for element, each in zip(layout.elements, elements_at(poser, pose), strict=True):
             gap = np.abs(found[f"handle{number}_{element.name}"] - place(each.handle)).max()
-            if all(member.magnification == 1.0 for member in element.manipulator.members):
+            if all(member.magnification == 1.0 for member in element.members):
                 worst["handles"] = max(worst["handles"], gap / size)
             for k, track in enumerate(each.tracks):
                 gap = np.abs(found[f"track{number}_{element.name}_{k}"] - place(track)).max()

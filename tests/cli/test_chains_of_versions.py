@@ -126,7 +126,7 @@ def loaded(layer):
 
 
 def element_of(layout, name):
-    return next((e for e in layout.elements if name in e.manipulator.controls), None)
+    return next((e for e in layout.elements if name in e.controls), None)
 
 
 def with_opinion(layer, control, mesh, point):

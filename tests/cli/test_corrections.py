@@ -13,7 +13,7 @@ from usdrigui.layer.read_layout import read_layout
 
 def elements(layer):
     (layout,) = read_layout(layer)
-    return {member.control: each for each in layout.elements for member in each.manipulator.members}
+    return {member.control: each for each in layout.elements for member in each.members}
 
 
 def another_point(folder, name):
@@ -56,7 +56,7 @@ def test_decisions_hold_given_or_stacked_until_they_are_taken_back(folder, capsy
         assert found["smile_R"].pinned == ("anchor",), "the twin follows"
         assert found["chin"].anchor.point == first["chin"].anchor.point
         assert found["chin"].label == "Jut"
-        chin = next(each for each in found["chin"].manipulator.members if each.control == "chin")
+        chin = next(each for each in found["chin"].members if each.control == "chin")
         assert chin.values[-1] == 2.0
     run(capsys, "unpin", folder / "out.rigui.usda", "smile_L", "pucker", "-o", said)
     told = {each["control"]: each["place"] for each in run(capsys, "pins", said)["pins"]}

@@ -60,11 +60,9 @@ def test_the_selected_level_brings_its_own_layout(made):
 def test_levels_agree(made):
     """The same elements of the same controls, each within a face's edge of where it is on the first level."""
     first, *others = layouts(made / LAYER).values()
-    places = {each.name: (each.manipulator.controls, each.anchor.position) for each in first.elements}
+    places = {each.name: (each.controls, each.anchor.position) for each in first.elements}
     for other in others:
-        assert {each.name: each.manipulator.controls for each in other.elements} == {
-            n: c for n, (c, _) in places.items()
-        }
+        assert {each.name: each.controls for each in other.elements} == {n: c for n, (c, _) in places.items()}
         for each in other.elements:
             assert np.linalg.norm(each.anchor.position - places[each.name][1]) < 0.14, (
                 other.variant_path,

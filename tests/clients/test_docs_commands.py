@@ -95,9 +95,9 @@ def test_the_commands_of_a_page(page, tmp_path):
 def _corrections_hold(folder):
     """What the page decides by hand is so in the layout that it makes then."""
     (layout,) = read_layout(folder / "corrected.rigui.usda")
-    at = {member.control: each for each in layout.elements for member in each.manipulator.members}
+    at = {member.control: each for each in layout.elements for member in each.members}
     assert at["mouthPucker"].anchor.on_board
     assert at["browInnerUp"].label == "brows"
     assert {at[name].pinned for name in ("cheekPuff", "jawOpen")} == {("anchor",)}
-    points = {each.anchor.point for each in layout.elements if "cheekPuff" in each.manipulator.controls}
+    points = {each.anchor.point for each in layout.elements if "cheekPuff" in each.controls}
     assert 523 in points

@@ -62,7 +62,7 @@ def test_every_element_track_and_name_is_in_the_picture(characters, page):
     assert set(groups) == {element.name for element in layout.elements}
     for element in layout.elements:
         group = groups[element.name]
-        controls = [member.control for member in element.manipulator.members]
+        controls = [member.control for member in element.members]
         assert json.loads(group.get("data-controls")) == controls
         assert [each.get("data-control") for each in group.iter(f"{SVG}g")][1:] == controls
         assert all(len(list(each.iter(f"{SVG}polyline"))) == 1 for each in group.iter(f"{SVG}g") if each is not group)
@@ -94,7 +94,7 @@ def test_a_dwpicker_file_has_a_button_for_every_element(characters):
     document = json.loads(picker.to_dwpicker(picker.picker(characters), "char"))
     _, layout = characters[0]
     buttons = [shape for shape in document["shapes"] if shape["action.targets"]]
-    targets = [[member.control for member in element.manipulator.members] for element in layout.elements]
+    targets = [[member.control for member in element.members] for element in layout.elements]
     assert sorted(shape["action.targets"] for shape in buttons) == sorted(targets)
     assert document["general"]["name"] == "char"
     keys = set(document["shapes"][0])
@@ -165,9 +165,8 @@ def test_characters_and_parts_are_side_by_side(characters, page):
 def test_names_stand_in_the_picture(page, name, read):
     panel = next(panel for panel in page.panels if panel.marks)
     mark, first = panel.marks[0], panel.marks[0].element
-    member = replace(first.manipulator.members[0], control=name)
-    manipulator = replace(first.manipulator, members=(member, *first.manipulator.members[1:]))
-    odd = replace(first, name=name, label=name, manipulator=manipulator)
+    member = replace(first.members[0], control=name)
+    odd = replace(first, name=name, label=name, members=(member, *first.members[1:]))
     shown = replace(panel, marks=(replace(mark, element=odd),), labels=(Label(name, (0.0, 0.0)),))
     root = ElementTree.fromstring(svg(replace(page, panels=(shown,))))
     group, track = list(root.iter(f"{SVG}g"))[:2]

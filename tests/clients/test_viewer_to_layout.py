@@ -79,7 +79,7 @@ def laid_out_again(viewer, source, folder, control):
     again = folder / "again.rigui.usda"
     assert main(["process", str(source), "--corrections", str(said), "-o", str(again), "--quiet"]) == 0
     _, after = layout_of(again)
-    [kept] = [each for each in after.values() if control in [one.control for one in each.manipulator.members]]
+    [kept] = [each for each in after.values() if control in [one.control for one in each.members]]
     return kept
 
 

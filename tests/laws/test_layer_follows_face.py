@@ -157,13 +157,13 @@ def test_handles_stay_on_their_tracks_whatever_else_moves(tmp_path, kind):
     around = laid_out.random_values(rig, np.random.default_rng(8))
     poses, times = [], {}
     for element in layout.elements:
-        for k, value in enumerate(element.manipulator.members[0].values):
+        for k, value in enumerate(element.members[0].values):
             times[element.name, k] = len(poses)
             poses.append(around.copy())
             poses[-1][names.index(element.name)] = value
     stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, poses)
     for element in layout.elements:
-        for k in range(len(element.manipulator.members[0].values)):
+        for k in range(len(element.members[0].values)):
             time = times[element.name, k]
             centre = handle_of(stage, rig, element, time)[0]
             there = track_of(stage, rig, element, time)[k]
@@ -182,7 +182,7 @@ def test_joint_tracks_follow_shapes_and_parents_exactly_on_a_hinge(tmp_path, mov
     around = laid_out.random_values(rig, np.random.default_rng(9))
     for name in jaw:
         around[names.index(name)] = 0.0
-    for value in element.manipulator.members[0].values:
+    for value in element.members[0].values:
         poses.append(around.copy())
         poses[-1][names.index("Jaw:rx")] = value
     stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, poses)
@@ -190,7 +190,7 @@ def test_joint_tracks_follow_shapes_and_parents_exactly_on_a_hinge(tmp_path, mov
     for time in range(len(poses)):
         centre = handle_of(stage, rig, element, time)[0]
         assert np.abs(centre - track_of(stage, rig, element, time)[time]).max() < HAIR * layout.frame.handle_width
-    away = track_of(stage, rig, element, 0) - element.manipulator.members[0].track
+    away = track_of(stage, rig, element, 0) - element.members[0].track
     assert np.abs(away).max() > 0.01 * diagonal(rig)
 
 
@@ -209,7 +209,7 @@ def test_pose_controls_leave_their_own_tracks_alone(tmp_path):
     for time, element in enumerate(layout.elements, start=1):
         assert np.abs(track_of(stage, rig, element, time) - track_of(stage, rig, element, 0)).max() < 1e-6
         end = handle_of(stage, rig, element, time)[0]
-        assert np.abs(end - element.manipulator.members[0].track[-1]).max() < CLOSE * diagonal(rig)
+        assert np.abs(end - element.members[0].track[-1]).max() < CLOSE * diagonal(rig)
         assert np.linalg.norm(end - element.anchor.position) > 1e-3
 
 
@@ -237,7 +237,7 @@ def test_patches_are_still_under_all_their_controls_and_span_an_area(tmp_path):
     assert [len(each) for each in faces[patch.name]] == [3] * (7 + 2 + 1)
     fan = faces[layout.elements[1].name]
     assert len(laid_out.tracks(stage, rig.path, layout.elements[1], 0)) == 3
-    assert len(fan) > 1 + sum(len(member.values) - 1 for member in layout.elements[1].manipulator.members)
+    assert len(fan) > 1 + sum(len(member.values) - 1 for member in layout.elements[1].members)
 
 
 def drawn_faces(stage, rig, element):
@@ -265,7 +265,7 @@ def test_elements_beside_the_face_or_static_do_not_deform_but_show_their_value(t
     for element in layout.elements:
         if adapt == "deform" and element.name not in beside:
             continue
-        member = element.manipulator.members[0]
+        member = element.members[0]
         assert np.abs(track_of(stage, rig, element, 1) - member.track).max() < CLOSE * diagonal(rig)
         value = shapes_only[names.index(element.name)]
         there = [np.interp(value, member.values, member.track[:, axis]) for axis in range(3)]
@@ -282,8 +282,6 @@ def test_layouts_of_another_base_pose_stand_where_the_pose_puts_them(tmp_path):
     layout = laid_out.layout_of(rig, base_values=base)
     stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, [base, laid_out.defaults(rig)])
     for element in layout.elements:
-        assert np.abs(track_of(stage, rig, element, 0) - element.manipulator.members[0].track).max() < CLOSE * diagonal(
-            rig
-        )
+        assert np.abs(track_of(stage, rig, element, 0) - element.members[0].track).max() < CLOSE * diagonal(rig)
         rim = handle_of(stage, rig, element, 0)[2:] - element.anchor.position
         assert np.allclose(np.linalg.norm(rim, axis=1), np.hypot(0.35, 0.6) * layout.frame.handle_width, rtol=2e-2)

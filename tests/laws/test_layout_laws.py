@@ -21,7 +21,7 @@ def plain():
 def anchors(line):
     """Anchor point of every element on the face, by the controls it holds."""
     return {
-        frozenset(member.control for member in element.manipulator.members): element.anchor.point
+        frozenset(member.control for member in element.members): element.anchor.point
         for element in line.layout.elements
         if not element.anchor.on_board
     }
@@ -120,7 +120,7 @@ def test_displacement_alone_takes_every_peak():
         line.face.rig.controls[motion.control].name: motion.arc_length.max()
         for motion in line.face.trajectories.motions
     }
-    members = [member for element in line.layout.elements for member in element.manipulator.members]
+    members = [member for element in line.layout.elements for member in element.members]
     assert {member.control for member in members} == set(shapes)
     assert not any(element.anchor.on_board for element in line.layout.elements)
     for member in members:
@@ -129,12 +129,12 @@ def test_displacement_alone_takes_every_peak():
 
 def test_pairs_mirror_exactly_where_the_mesh_does(plain):
     elements = chain.by_name(plain)
-    pairs = [(e, elements[e.manipulator.mirror]) for e in elements.values() if e.manipulator.mirror]
+    pairs = [(e, elements[e.mirror]) for e in elements.values() if e.mirror]
     assert len(pairs) == 8
     for one, other in pairs:
         image = one.anchor.position * [-1.0, 1.0, 1.0]
         assert np.abs(image - other.anchor.position).max() < 1e-5
-        for a, b in zip(one.manipulator.members, other.manipulator.members, strict=True):
+        for a, b in zip(one.members, other.members, strict=True):
             assert np.abs(a.track * [-1.0, 1.0, 1.0] - b.track).max() < 1e-5
 
 

@@ -41,9 +41,7 @@ def layouts(draw):
     elements = tuple(
         replace(
             each,
-            manipulator=replace(
-                each.manipulator, mirror=draw(st.sampled_from(["", *(other.name for other in elements)]))
-            ),
+            mirror=draw(st.sampled_from(["", *(other.name for other in elements)])),
         )
         for each in elements
     )
@@ -91,19 +89,16 @@ def changed(draw, element):
             magnification=draw(st.floats(1, 9)),
             peak=draw(st.floats(0, 9)),
         )
-        for each in element.manipulator.members
+        for each in element.members
     )
     label, reason, category = draw(NAMES), draw(PRINTED), draw(st.sampled_from(["", "global", "crowded"]))
     part = draw(st.sampled_from(["", "face", "tail"]))
     return replace(
         element,
         anchor=replace(element.anchor, position=draw(VECTORS), normal=draw(DIRECTIONS), on_board=draw(st.booleans())),
-        manipulator=replace(
-            element.manipulator,
-            members=members,
-            kind=draw(st.sampled_from(["slider", "patch", "fan"])),
-            opposed=draw(st.sampled_from([(), ((0, len(members) - 1),)])) if len(members) > 1 else (),
-        ),
+        members=members,
+        kind=draw(st.sampled_from(["slider", "patch", "fan"])),
+        opposed=draw(st.sampled_from([(), ((0, len(members) - 1),)])) if len(members) > 1 else (),
         label=label,
         side=draw(st.sampled_from(["left", "right", "middle", "none"])),
         adapt=draw(st.sampled_from(["deform", "static"])),

@@ -118,7 +118,7 @@ def test_the_page_has_handles_and_tracks_where_usd_has_them(cases, pages, tmp_pa
 def told(element, drives):
     """Whether a gprim can be where the handle is: on the skin, or sliding by weights; no gprim slides by joints."""
     slides = element.anchor.on_board or element.adapt == "static"
-    return not slides or not any(len(drives[member.control].joints) for member in element.manipulator.members)
+    return not slides or not any(len(drives[member.control].joints) for member in element.members)
 
 
 def attached(folder, rig, layout, source):
@@ -174,7 +174,7 @@ def test_the_page_shows_the_elements_that_the_levels_have():
 
 def element_of(name, inner, mirror):
     return SimpleNamespace(
-        name=name, inner=inner, manipulator=SimpleNamespace(mirror=mirror)
+        name=name, inner=inner, mirror=mirror
     )  # fmt: skip
 
 

@@ -51,7 +51,7 @@ def test_meshes_handles_and_tracks(tmp_path, kind):
             centre = laid_out.handle(stage, rig.path, element, time)[0]
             assert np.abs(at.handle - centre).max() < CLOSE * diagonal, element.name
             # Where joints are the element's own controls a gprim can only hang on the joints above.
-            if element.manipulator.members[0].control in shapes:
+            if element.members[0].control in shapes:
                 (track,) = laid_out.tracks(stage, rig.path, element, time)
                 assert np.abs(at.tracks[0] - track).max() < HAIR * layout.frame.handle_width, element.name
                 followed += 1

@@ -116,7 +116,7 @@ def counterparts(names):
 def test_a_layout_knows_its_controls_by_their_motion(name):
     rig = read(name)
     _, _, layout = lay_out(rig)
-    on_face = {m.control for e in layout.elements if not e.anchor.on_board for m in e.manipulator.members}
+    on_face = {m.control for e in layout.elements if not e.anchor.on_board for m in e.members}
     copy, names = renamed(rig, numbers())
     found = match_layout(layout, *with_motions(reordered(copy, 4)))
     share, wrong = judged(found, {each: names[each] for each in on_face}, f"{name} its layout, names without meaning")

@@ -30,9 +30,9 @@ def test_fixed_anchors_are_kept_exactly_and_the_rest_is_optimal_given_them(name)
     _, found, made = lay_out(rig, proven, fixed={rig.path: half})
     for element in half.elements:
         # A control with a lobe on each side has two elements.
-        holding = [e for e in made.elements if element.manipulator.members[0].control in e.manipulator.controls]
+        holding = [e for e in made.elements if element.members[0].control in e.controls]
         now = min(holding, key=lambda e: e.anchor.point != element.anchor.point)
-        assert {m.control for m in now.manipulator.members} == {m.control for m in element.manipulator.members}
+        assert {m.control for m in now.members} == {m.control for m in element.members}
         assert now.anchor.on_board == element.anchor.on_board
         if not element.anchor.on_board:
             assert (now.anchor.mesh, now.anchor.point) == (element.anchor.mesh, element.anchor.point)
@@ -57,13 +57,13 @@ def test_with_fewer_points_nobody_moves_further_than_the_mesh_forces(name):
         for copy, controls in enumerate(each.controls)
         for control in controls
     }
-    held = [(element, control) for element in before.elements for control in element.manipulator.controls]
+    held = [(element, control) for element in before.elements for control in element.controls]
     once = Counter(control for _, control in held)
     for element, control in ((e, c) for e, c in held if not e.anchor.on_board and once[c] == 1):
         on_face = [e for e in after.elements if not e.anchor.on_board]
-        others = [e.anchor.position for e in on_face if control not in e.manipulator.controls]
+        others = [e.anchor.position for e in on_face if control not in e.controls]
         free = allowed[control][cdist(allowed[control], others).min(axis=1) >= width]
-        now = [e.anchor.position for e in on_face if control in e.manipulator.controls]
+        now = [e.anchor.position for e in on_face if control in e.controls]
         apart, nearest = (cdist([element.anchor.position], some).min() for some in (now, free))
         assert apart <= nearest + width, control
 
@@ -81,6 +81,6 @@ def test_removing_and_adding_five_moves_fewer_than_one_in_twenty():
     _, _, after = lay_out(without(going), quick, previous={rig.path: before})
     found = difference(before, after)
     told = {kind: {c.control for c in found.changes if c.kind == kind} for kind in ("added", "removed")}
-    laid = {m.control for layout in (before, after) for e in layout.elements for m in e.manipulator.members}
+    laid = {m.control for layout in (before, after) for e in layout.elements for m in e.members}
     assert told == {"added": coming & laid, "removed": going & laid}
     assert len(found.displaced) < found.shared / 20

@@ -73,10 +73,10 @@ def test_nine_in_ten_of_the_mapped_controls_stand_within_some_two_handle_widths(
     settings = load({"solve": {"gap": 1e-2, "work_limit": 6_000_000}, "like": {"names": NAMES}})
     ready, _, ours = lay_out(other, settings, like=((one, theirs),))
     face, by_hand, allowed = ready.face, carried_by_hand(), candidates_of(ready)
-    now = {member.control: element.anchor for element in ours.elements for member in element.manipulator.members}
+    now = {member.control: element.anchor for element in ours.elements for member in element.members}
     off = {}
     for element in theirs.elements:
-        for name in (member.control for member in element.manipulator.members if member.control in NAMES):
+        for name in (member.control for member in element.members if member.control in NAMES):
             anchor = now[NAMES[name]]
             if element.anchor.on_board or anchor.on_board:
                 off[name] = 0.0 if element.anchor.on_board == anchor.on_board else np.inf

@@ -24,11 +24,11 @@ pytestmark = [
 def test_pairs_mirror_where_the_mesh_does(name):
     line = line_of(name)
     symmetry, elements = line.face.symmetry, {element.name: element for element in line.layout.elements}
-    pairs = [(e, elements[e.manipulator.mirror]) for e in on_face(line) if e.manipulator.mirror]
+    pairs = [(e, elements[e.mirror]) for e in on_face(line) if e.mirror]
     assert len(pairs) >= 2
     for one, other in pairs:
         assert not other.anchor.on_board
-        assert other.manipulator.mirror == one.name
+        assert other.mirror == one.name
         apart = float((one.anchor.position - symmetry.plane.origin) @ symmetry.plane.normal)
         image = one.anchor.position - 2.0 * apart * symmetry.plane.normal
         missed = float(np.linalg.norm(image - other.anchor.position)) / line.face.trajectories.surface.face_size
@@ -61,9 +61,7 @@ def test_shapes_and_poses_keep_their_displacement_on_the_face(name, least):
     (rig,) = read_rigs(asset(name), load({"read": {"joints": "none"}}))
     line = laid_out(rig)
     peaks = {line.face.rig.controls[m.control].name: m.arc_length.max() for m in line.face.trajectories.motions}
-    kept = [
-        member.arc_length / peaks[member.control] for element in on_face(line) for member in element.manipulator.members
-    ]
+    kept = [member.arc_length / peaks[member.control] for element in on_face(line) for member in element.members]
     assert np.mean(kept) >= least
     assert len(kept) >= 0.7 * len(peaks)
 
@@ -72,9 +70,7 @@ def test_two_heads_of_one_convention_are_laid_out_with_the_same_elements():
     elements = [homes(line_of(name)) for name in ("ict_face57", "facecap_blender")]
     shared = sorted(set.intersection(*map(set, elements)))
     assert len(shared) > 40
-    made = [
-        {name: (each[name].anchor.on_board, each[name].manipulator.controls) for name in shared} for each in elements
-    ]
+    made = [{name: (each[name].anchor.on_board, each[name].controls) for name in shared} for each in elements]
     assert made[0] == made[1]
 
 
@@ -87,7 +83,7 @@ def test_shapes_that_hide_parts_stand_beside_the_face():
 def test_eyes_share_joysticks_and_opposites_share_sliders():
     ict = homes(line_of("ict_face57"))
     assert ict["jawLeft"] is ict["jawRight"]
-    assert len(ict["jawOpen"].manipulator.members) == 1
+    assert len(ict["jawOpen"].members) == 1
     for side in "LR":
         assert len({ict[f"eyeLook{way}_{side}"].name for way in ("In", "Out", "Up", "Down")}) == 1
     assert ict["mouthLeft"] is ict["mouthRight"]

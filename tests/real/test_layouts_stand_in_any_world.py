@@ -39,7 +39,7 @@ def anchors(line):
         at = point_of(line, element)
         both = {at, int(partner[at])} if element.side == "middle" else {at}
         meshes = np.searchsorted(starts, sorted(both), side="right") - 1
-        found[frozenset(member.control for member in element.manipulator.members)] = frozenset(
+        found[frozenset(member.control for member in element.members)] = frozenset(
             (int(mesh), point - int(starts[mesh])) for mesh, point in zip(meshes, sorted(both), strict=True)
         )
     return found
@@ -100,29 +100,29 @@ def test_whole_head_and_hide_shapes_stand_beside_the_face(name):
 
 def test_eyes_and_jaws_of_other_makers_share_elements_too():
     gaze = homes(line_of("godette"))["look_up"]
-    assert {member.control for member in gaze.manipulator.members} == {
+    assert {member.control for member in gaze.members} == {
         "look_up",
         "look_down",
         "look_left",
         "look_right",
     }
-    assert gaze.manipulator.kind == "patch"
+    assert gaze.kind == "patch"
     vitruvian = homes(line_of("vitruvian"))
     for side in ("Left", "Right"):
         eye = {vitruvian[f"Look_{way}_{side}"] for way in ("In", "Out", "Dwn", "Up")}
-        assert [(each.manipulator.kind, len(each.manipulator.opposed)) for each in eye] == [("patch", 2)]
+        assert [(each.kind, len(each.opposed)) for each in eye] == [("patch", 2)]
     assert vitruvian["Look_Up_Left"] is not vitruvian["Look_Up_Right"]
     assert vitruvian["Jaw_Out"] is vitruvian["Jaw_back"]
-    assert vitruvian["Jaw_Out"].manipulator.kind == "slider"
+    assert vitruvian["Jaw_Out"].kind == "slider"
 
 
 def test_elements_of_several_ways_drive_them_from_one_handle():
     """The conventions make a joystick of the gaze, and a slider of the jaw's two sides (decision 112)."""
     ict = homes(line_of("ict_face57"))
     gaze, jaw = ict["eyeLookUp_L"], ict["jawLeft"]
-    assert (gaze.manipulator.kind, len(gaze.manipulator.members), len(gaze.manipulator.opposed)) == ("patch", 4, 2)
-    assert (jaw.manipulator.kind, len(jaw.manipulator.members), len(jaw.manipulator.opposed)) == ("slider", 2, 1)
+    assert (gaze.kind, len(gaze.members), len(gaze.opposed)) == ("patch", 4, 2)
+    assert (jaw.kind, len(jaw.members), len(jaw.opposed)) == ("slider", 2, 1)
     assert jaw is ict["jawRight"]
     for element in (gaze, jaw):
-        starts = [member.track[int(np.argmin(np.abs(member.values)))] for member in element.manipulator.members]
+        starts = [member.track[int(np.argmin(np.abs(member.values)))] for member in element.members]
         assert np.ptp(starts, axis=0).max() < 1e-6 * line_of("ict_face57").face.trajectories.surface.face_size

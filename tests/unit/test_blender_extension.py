@@ -50,7 +50,7 @@ def laid(tmp_path_factory):
     layout = replace(
         layout,
         elements=(
-            replace(layout.elements[0], manipulator=replace(layout.elements[0].manipulator, opposed=((1, 0),))),
+            replace(layout.elements[0], opposed=((1, 0),)),
             *layout.elements[1:],
         ),
     )
@@ -200,9 +200,9 @@ def test_a_layer_is_read_as_our_own_reader_does_and_survives_json(extension, lai
     assert [each.width for each in found.elements] == pytest.approx([layout.frame.handle_width] * len(found.elements))
     assert [each.name for each in found.elements] == [each.name for each in layout.elements]
     for mine, theirs in zip(found.elements, layout.elements, strict=True):
-        assert mine.axes == theirs.manipulator.axes
+        assert mine.axes == theirs.axes
         assert (mine.point, bool(mine.mesh)) == (theirs.anchor.point, not theirs.anchor.on_board)
-        for one, other in zip(mine.members, theirs.manipulator.members, strict=True):
+        for one, other in zip(mine.members, theirs.members, strict=True):
             assert one.control == other.control
             assert one.values == pytest.approx(other.values)
             assert np.array(one.track) == pytest.approx(other.track, abs=1e-5)

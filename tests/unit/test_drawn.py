@@ -15,7 +15,6 @@ from usdrigui.model import (
     Element,
     Layout,
     LayoutFrame,
-    Manipulator,
     Member,
     MirrorPlane,
     Proof,
@@ -34,7 +33,9 @@ def element(members, kind="fan", beside=False, normal=(0.0, 0.0, 1.0), opposed=(
     anchor = Anchor("/Root/mesh", 50, 99, "", ORIGIN, np.array(normal), beside)
     return Element(
         name="e",
-        manipulator=Manipulator(kind, tuple(members), opposed),
+        kind=kind,
+        members=tuple(members),
+        opposed=opposed,
         anchor=anchor,
         label="e",
         side="none",
@@ -85,7 +86,7 @@ def test_areas_face_along_the_normal_between_the_ends_of_tracks(degrees, areas):
     _, tracks = drawn_parts(SkinBinding(rig, layout(rig, fan)), fan, frame(0.1))
     assert tracks.faces.counts[len(degrees) :].tolist() == areas
     assert tracks.areas == len(areas)
-    ends = np.array([ORIGIN, *(each.track[-1] for each in fan.manipulator.members)])
+    ends = np.array([ORIGIN, *(each.track[-1] for each in fan.members)])
     for corners in np.split(tracks.faces.indices, np.cumsum(tracks.faces.counts)[:-1])[len(degrees) :]:
         points = tracks.points[corners]
         assert np.cross(points[1] - points[0], points[2] - points[0])[2] > 0.0
@@ -116,8 +117,8 @@ def test_a_track_is_a_ribbon_that_ends_in_a_point():
     assert tracks.areas == 0
     assert tracks.faces.counts.tolist() == [4, 3]
     middle = 0.5 * (tracks.points[:-1:2] + tracks.points[1::2])
-    assert np.allclose(middle, slider.manipulator.members[0].track[[0, 16]])
-    assert np.allclose(tracks.points[-1], slider.manipulator.members[0].track[-1])
+    assert np.allclose(middle, slider.members[0].track[[0, 16]])
+    assert np.allclose(tracks.points[-1], slider.members[0].track[-1])
     assert np.allclose(np.linalg.norm(tracks.points[:-1:2] - tracks.points[1::2], axis=1), 0.22 * 0.1, atol=1e-5)
     corners = tracks.points[tracks.faces.indices.reshape(-1)[:4]]
     assert np.cross(corners[1] - corners[0], corners[2] - corners[0])[2] > 0.0
@@ -138,7 +139,7 @@ def test_a_drawn_track_of_a_short_turn_is_straight_and_runs_in_the_middle_of_it(
     rig = makers.face(9, 11)
     slider = element([arc("chin", turn)], "slider")
     _, tracks = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, frame(0.01))
-    track, radius = slider.manipulator.members[0].track, 1.0
+    track, radius = slider.members[0].track, 1.0
     assert tracks.faces.counts.tolist() == [3]
     begin, end = 0.5 * (tracks.points[0] + tracks.points[1]), tracks.points[2]
     height = radius * (1.0 - np.cos(np.radians(0.5 * turn)))
@@ -153,7 +154,7 @@ def test_a_track_that_bulges_out_of_the_skin_does_not_cut_into_it(out, lifted):
     normal = np.array(out) / np.sqrt(2.0)
     slider = element([arc("chin", 90.0)], "slider", normal=normal)
     _, tracks = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, frame(0.1))
-    lift = tracks.points[-1] - slider.manipulator.members[0].track[-1]
+    lift = tracks.points[-1] - slider.members[0].track[-1]
     assert np.allclose(lift, (lift @ normal) * normal, atol=1e-6)
     assert (lift @ normal > 0.05) == lifted
     assert lift @ normal > -1e-6

@@ -35,7 +35,7 @@ def test_at_the_base_pose_everything_is_as_laid_out(rig, layout):
     for laid, at in zip(layout.elements, posed.elements, strict=True):
         assert at.handle == pytest.approx(laid.anchor.position, abs=1e-12)
         assert at.rest == pytest.approx(laid.anchor.position, abs=1e-6)
-        assert at.tracks[0] == pytest.approx(laid.manipulator.members[0].track, abs=1e-12)
+        assert at.tracks[0] == pytest.approx(laid.members[0].track, abs=1e-12)
         assert at.normal == pytest.approx(laid.anchor.normal, abs=1e-12)
 
 
@@ -43,10 +43,8 @@ def test_enlarged_tracks_leave_the_handle_on_the_skin(rig, layout):
     smile = element(layout, "smile_L")
     one = layout.elements[smile]
     base = one.anchor.position
-    large = replace(
-        one.manipulator.members[0], track=base + 3.0 * (one.manipulator.members[0].track - base), magnification=3.0
-    )
-    changed = replace(layout, elements=(replace(one, manipulator=replace(one.manipulator, members=(large,))),))
+    large = replace(one.members[0], track=base + 3.0 * (one.members[0].track - base), magnification=3.0)
+    changed = replace(layout, elements=(replace(one, members=(large,)),))
     posed = evaluate(prepare(rig, changed), values_of(rig, {"smile_L": 0.5}))
     assert posed.elements[0].handle == pytest.approx(posed.points[one.anchor.point], abs=1e-12)
     assert posed.elements[0].tracks[0] == pytest.approx(large.track, abs=1e-6)
@@ -85,9 +83,7 @@ def test_refuses_layouts_of_another_character(rig, layout):
         replace(one, anchor=replace(one.anchor, mesh="/Root/gone")),
         replace(one, anchor=replace(one.anchor, point=10**6)),
         replace(one, anchor=replace(one.anchor, topology_hash="other")),
-        replace(
-            one, manipulator=replace(one.manipulator, members=(replace(one.manipulator.members[0], control="gone"),))
-        ),
+        replace(one, members=(replace(one.members[0], control="gone"),)),
     ):
         with pytest.raises(RigUIError, match="LAYOUT_STALE"):
             prepare(rig, replace(layout, elements=(broken,)))

@@ -211,7 +211,7 @@ def test_a_glyph_changes_nothing_but_the_shape(line):
     assert plain.keys() == own.keys()
     for name, element in own.items():
         assert element.anchor.point == plain[name].anchor.point
-        for with_glyph, without in zip(element.manipulator.members, plain[name].manipulator.members, strict=True):
+        for with_glyph, without in zip(element.members, plain[name].members, strict=True):
             assert np.array_equal(with_glyph.track, without.track)
             assert np.array_equal(with_glyph.values, without.values)
     assert {name for name, element in own.items() if element.glyph} == {"smile_L", "smile_R", "chin", "pucker"}
@@ -220,7 +220,7 @@ def test_a_glyph_changes_nothing_but_the_shape(line):
 def test_sizes_follow_handle_or_track(line):
     elements, width = chain.by_name(line), line.layout.frame.handle_width
     across = {n: 2.0 * np.linalg.norm(elements[n].glyph.points, axis=1).max() for n in ("smile_L", "chin", "pucker")}
-    track = elements["pucker"].manipulator.members[0].track
+    track = elements["pucker"].members[0].track
     assert across["smile_L"] == pytest.approx(width)
     assert across["chin"] == pytest.approx(3.0 * width)
     assert across["pucker"] == pytest.approx(np.linalg.norm(np.diff(track, axis=0), axis=1).sum())

@@ -37,13 +37,14 @@ def char(tmp_path):
     elements = list(layout.elements)
     elements[0] = replace(
         elements[0],
-        manipulator=replace(elements[0].manipulator, mirror=elements[3].name),
+        mirror=elements[3].name,
         side="middle",
         reason="they are alike",
     )
     elements[1] = replace(
         elements[1],
-        manipulator=replace(elements[1].manipulator, kind="slider", opposed=((1, 0),)),
+        kind="slider",
+        opposed=((1, 0),),
         label="Jaw, sideways",
         adapt="static",
     )
@@ -261,7 +262,7 @@ def hand_made(text=HAND_MADE):
 def test_a_layer_written_by_hand_takes_the_fallbacks():
     (layout,) = read_layout(hand_made())
     (element,) = layout.elements
-    (member,) = element.manipulator.members
+    (member,) = element.members
     assert (layout.root, layout.frame.space, layout.proof.status, layout.frame.handle_width) == (
         "/Char",
         "object",
@@ -269,7 +270,7 @@ def test_a_layer_written_by_hand_takes_the_fallbacks():
         0.5,
     )
     assert layout.proof.bound == -np.inf
-    assert (element.name, element.label, element.manipulator.kind, element.adapt) == (
+    assert (element.name, element.label, element.kind, element.adapt) == (
         "smile",
         "smile",
         "slider",

@@ -95,13 +95,13 @@ def captions(page):
 def crowded(layout, count):
     """The layout with many elements close to each other and one on the board, all with names of their own."""
     one, rng = layout.elements[0], np.random.default_rng(7)
-    (member, *_), shifts = one.manipulator.members, rng.uniform(-0.05, 0.05, (count, 3))
+    (member, *_), shifts = one.members, rng.uniform(-0.05, 0.05, (count, 3))
     crowd = [
         replace(
             one,
             name=f"e{i}",
             anchor=replace(one.anchor, position=one.anchor.position + shift),
-            manipulator=replace(one.manipulator, members=(replace(member, track=member.track + shift),)),
+            members=(replace(member, track=member.track + shift),),
             label=f"e{i}",
         )
         for i, shift in enumerate(shifts)

@@ -16,7 +16,6 @@ from usdrigui.model import (
     Element,
     Layout,
     LayoutFrame,
-    Manipulator,
     Member,
     MirrorPlane,
     Proof,
@@ -71,7 +70,8 @@ def element(names, point=60, adapt="deform", beside=False):
     anchor = Anchor("/Root/mesh", point, 99, "", np.zeros(3), np.array([0.0, 0, 1]), beside)
     return Element(
         name="e",
-        manipulator=Manipulator(kind="slider", members=members),
+        kind="slider",
+        members=members,
         anchor=anchor,
         label="e",
         side="none",

@@ -34,11 +34,11 @@ def choices(rig):
     return [
         (
             each.name,
-            each.manipulator.kind,
+            each.kind,
             each.anchor.point,
             each.anchor.on_board,
-            each.manipulator.mirror,
-            each.manipulator.axes,
+            each.mirror,
+            each.axes,
             each.reason,
         )
         for each in line.layout.elements

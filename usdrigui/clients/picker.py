@@ -84,9 +84,9 @@ def to_dwpicker(page: Page, name: str, background: str = "") -> str:
     shapes = [_shape("square", (0.0, 0.0, width, height), "#3c4046", background=True) | behind]
     placed = list(_elements(page))
     for (element, mark, _), box in zip(placed, _buttons(placed), strict=True):
-        form = "rounded_rect" if element.manipulator.kind == "slider" else "square"
+        form = "rounded_rect" if element.kind == "slider" else "square"
         text = {
-            "action.targets": [member.control for member in element.manipulator.members],
+            "action.targets": [member.control for member in element.members],
             "text.content": element.label,
             "text.color": _ink(mark),
         }

@@ -164,7 +164,7 @@ def disagreements(scope: Usd.Prim, layout: Layout, settings: ReadSettings) -> It
         return
     for each in scene.drawn:
         yield from _at_rest(scene, each)
-        for member, control in zip(each.element.manipulator.members, each.members, strict=True):
+        for member, control in zip(each.element.members, each.members, strict=True):
             yield from _alone(scene, each, member, int(control))
     yield from _together(scene)
 
@@ -181,7 +181,7 @@ def _at_rest(scene: _Scene, drawn: _Drawn) -> Iterator[Issue]:
         away = _worst(handle[:1] - element.anchor.position)
         if away > scene.grain + _NEAR * width:
             yield _astray(drawn.prim, f"its handle is {away:.3g} from rigUI:anchor:position")
-    tracks = [member.track for member in element.manipulator.members]
+    tracks = [member.track for member in element.members]
     beside = scene.grain + _BESIDE * width + _LONG * max(map(length, tracks))
     ways = points[drawn.track]
     if len(ways):
@@ -329,7 +329,7 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
     ]
     rig, drawn = read_controls(scope, prims, body, found), []
     for prim, element in zip(prims, layout.elements, strict=True):
-        members = [member.control for member in element.manipulator.members]
+        members = [member.control for member in element.members]
         anchor = element.anchor
         known, count = topologies.get(anchor.mesh, ("gone", 0))
         point = body.point_of(anchor.mesh, anchor.point)

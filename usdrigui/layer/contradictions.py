@@ -86,7 +86,7 @@ def _of_layout(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
                 yield _doubtful_at(prim, f"familyName is not {_FAMILY!r}")
         yield from _of_manipulator(prim, element)
         yield from _of_side(prim, element, layout)
-        mirror = element.manipulator.mirror
+        mirror = element.mirror
         if mirror in by_name:
             yield from _of_mirror(prim, element, *by_name[mirror], layout)
         elif mirror:
@@ -189,11 +189,11 @@ def _of_drawing(mesh: Usd.Prim, parts: Sequence[str]) -> Iterator[Issue]:
 
 def _of_manipulator(prim: Usd.Prim, element: Element) -> Iterator[Issue]:
     """Whether its controls make an element of its type, on one end of an axis each."""
-    least, most = _MEMBERS[element.manipulator.kind]
-    axes = len(element.manipulator.axes)
+    least, most = _MEMBERS[element.kind]
+    axes = len(element.axes)
     if not least <= axes <= most:
         yield invalid_at(prim, f"rigUI:element:elementType does not fit its {axes} axes")
-    for name, member in zip(control_instances(prim), element.manipulator.members, strict=True):
+    for name, member in zip(control_instances(prim), element.members, strict=True):
         drawn = length(member.track)
         meant = member.arc_length * member.magnification
         grain, peak = author.TOLD * np.abs(member.track).sum(), member.peak or member.arc_length
@@ -235,12 +235,12 @@ def _of_mirror(
     """Whether the element on the other side is one.  Where it lies is a warning: a person may
     call controls twins whose places on a lopsided character mirror nothing."""
     where = f"rigUI:element:mirror {other_prim.GetPath()}"
-    if other.manipulator.mirror != element.name:
+    if other.mirror != element.name:
         yield invalid_at(prim, f"{where} does not mirror it back")
         return
     if _OPPOSITE.get(element.side) != other.side:
         yield _doubtful_at(prim, f"{where} is on the side {other.side}")
-    if len(other.manipulator.members) != len(element.manipulator.members):
+    if len(other.members) != len(element.members):
         yield invalid_at(prim, f"{where} has another number of controls")
         return
     reflect = layout.frame.plane.reflected
@@ -252,14 +252,12 @@ def _of_mirror(
     if away > 3.0 * width:
         yield _doubtful_at(prim, f"{where} is {away:.3g} from its mirror image")
         return
-    if element.manipulator.kind == "fan":
+    if element.kind == "fan":
         return
-    for index, (one, twin) in enumerate(
-        zip(element.manipulator.members, other.manipulator.members, strict=True)
-    ):
+    for index, (one, twin) in enumerate(zip(element.members, other.members, strict=True)):
         mine, theirs = (track[-1] - track[0] for track in (reflect(one.track), twin.track))
         clear = CLEAR * np.linalg.norm(mine) * np.linalg.norm(theirs)
-        reversed_ = index in element.manipulator.reversed
+        reversed_ = index in element.reversed
         if one.control != twin.control and mine @ (-theirs if reversed_ else theirs) < -clear:
             yield invalid_at(prim, f"rigUI:control:{one.control}:mirrorReversed is {reversed_}")
 
@@ -270,9 +268,15 @@ def _unpaired(by_name: Mapping[str, tuple[Usd.Prim, Element]], layout: Layout) -
     plane, frame = layout.frame.plane, layout.frame
     sides: dict[str, list[tuple[Usd.Prim, Floats, float]]] = {"left": [], "right": []}
     for prim, element in by_name.values():
-        held, part, side = element.manipulator, element.part, element.side
-        if not (held.mirror or element.anchor.on_board) and frame.mirrors(part) and side in sides:
-            ends = (end for member in held.members for end in (member.track[0], member.track[-1]))
+        part, side = element.part, element.side
+        if (
+            not (element.mirror or element.anchor.on_board)
+            and frame.mirrors(part)
+            and side in sides
+        ):
+            ends = (
+                end for member in element.members for end in (member.track[0], member.track[-1])
+            )
             places = np.stack([element.anchor.position, *ends])
             # Far from the origin single precision does not tell such places apart.
             near = _MIRRORED * frame.handle_width_of(part) - author.TOLD * np.abs(places[0]).sum()

@@ -143,7 +143,7 @@ def _felt(shapes: tuple[PointShape, ...], budget: float) -> tuple[PointShape, ..
 def _tracks(skin: SkinBinding, binding: AnchorBinding, element: Element, width: float) -> Drawn:
     """A spike for each member, and polygons between those that are neighbours (paper section
     4.1)."""
-    moved = element.manipulator.members
+    moved = element.members
     base = np.array([skin.value(member.control) for member in moved])
     members = [_bent(member, element.anchor.normal, width) for member in moved]
     spikes = [
@@ -291,7 +291,7 @@ def _areas(element: Element) -> list[tuple[list[int], Floats]]:
     They end short of the tracks: surfaces that touch in a point make a mesh no manifold, and points
     that are in one place look like a mistake.
     """
-    pairs = [] if element.manipulator.kind == "slider" else _neighbours(element)
+    pairs = [] if element.kind == "slider" else _neighbours(element)
     polygons: list[list[int]] = []
     for a, b in pairs:
         if polygons and polygons[-1][-1] == a:
@@ -312,14 +312,14 @@ def _end(element: Element, end: int) -> Floats:
     """(3,) where one of `_ends` is in the base pose; the handle for -1."""
     if end < 0:
         return element.anchor.position
-    members = element.manipulator.members
+    members = element.members
     return np.asarray(members[end % len(members)].track[-1 if end < len(members) else 0])
 
 
 def _ends(element: Element) -> tuple[list[int], Floats]:
     """The ends of tracks away from the handle, with the angle of each around the normal: i the last
     point of the track of member i, m + i the first."""
-    tracks, home = [each.track for each in element.manipulator.members], element.anchor.position
+    tracks, home = [each.track for each in element.members], element.anchor.position
     away = [*(track[-1] - home for track in tracks), *(track[0] - home for track in tracks)]
     ends = [
         end
@@ -340,7 +340,7 @@ def _neighbours(element: Element) -> list[tuple[int, int]]:
     """Pairs of `_ends` that are next to each other around the normal, at most 180 degrees apart;
     never the two ends of one axis."""
     ends, angle = _ends(element)
-    count, axes = len(element.manipulator.members), element.manipulator.axes
+    count, axes = len(element.members), element.axes
     order = np.argsort(angle, kind="stable")
     rounds = list(zip(order, np.roll(order, -1), strict=True))
     pairs = []
@@ -414,7 +414,7 @@ def _slider(
     tracks."""
     around, faces = form
     shapes: dict[int, PointShape] = {}
-    for member in element.manipulator.members:
+    for member in element.members:
         along = _along_track(skin, binding, member)
         if along is not None:
             shapes.setdefault(along.channel, _short(along, step))

@@ -44,7 +44,6 @@ from usdrigui.model import (
     Layout,
     LayoutFrame,
     LayoutPart,
-    Manipulator,
     Match,
     Member,
     MirrorPlane,
@@ -124,7 +123,7 @@ def _corrected(layout: Layout, scope: Usd.Prim) -> Layout:
     again, unless somebody says more of it."""
     elements = tuple(map(corrected, layout.elements, element_prims(scope)))
     said = (new for old, new in zip(layout.elements, elements, strict=True) if new is not old)
-    names = {name for each in said for name in each.manipulator.controls}
+    names = {name for each in said for name in each.controls}
     free = layout.follow(names) - names
 
     def following(element: Element) -> Element:
@@ -134,8 +133,7 @@ def _corrected(layout: Layout, scope: Usd.Prim) -> Layout:
     return replace(
         layout,
         elements=tuple(
-            each if free.isdisjoint(each.manipulator.controls) else following(each)
-            for each in elements
+            each if free.isdisjoint(each.controls) else following(each) for each in elements
         ),
     )
 
@@ -350,16 +348,14 @@ def _element(prim: Usd.Prim, *, carried: bool) -> Element:
         refuse_broken(prim, api, free=free)
     return Element(
         name=name,
-        manipulator=Manipulator(
-            kind=get("elementType"),
-            members=tuple(_member(prim, instance) for instance in instances),
-            opposed=_opposed(prim, instances),
-            mirror=next(iter(element_names(prim, "mirror")), ""),
-            reversed=tuple(
-                i
-                for i, each in enumerate(instances)
-                if value_of(prim, schema.CONTROL, "mirrorReversed", each)
-            ),
+        kind=get("elementType"),
+        members=tuple(_member(prim, instance) for instance in instances),
+        opposed=_opposed(prim, instances),
+        mirror=next(iter(element_names(prim, "mirror")), ""),
+        reversed=tuple(
+            i
+            for i, each in enumerate(instances)
+            if value_of(prim, schema.CONTROL, "mirrorReversed", each)
         ),
         anchor=read_anchor(prim),
         label=str(prim.GetMetadata("displayName") or prim.GetName()),

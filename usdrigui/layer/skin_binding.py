@@ -160,9 +160,7 @@ class SkinBinding:
 
     def _own(self, element: Element) -> Indices:
         """The controls of an element, as indices into `Rig.controls`."""
-        return np.array(
-            [self._positions[each.control] for each in element.manipulator.members], dtype=np.int64
-        )
+        return np.array([self._positions[each.control] for each in element.members], dtype=np.int64)
 
     def maps_at(self, handle: JointBinding, settings: Sequence[dict[str, float]]) -> Floats:
         """Affine maps (len(settings), 4, 3) of the handle with some controls away from the base

@@ -341,8 +341,7 @@ def _author_element(
     paths: Mapping[str, Sdf.Path],
 ) -> None:
     """The properties of one element."""
-    manipulator = element.manipulator
-    instances = instances_of(manipulator.members)
+    instances = instances_of(element.members)
     applied = [f"{schema.CONTROL}:{instance}" for instance in instances.values()]
     author.apply(subset, (schema.ELEMENT, *applied))
     if element.label != subset.name:
@@ -353,13 +352,13 @@ def _author_element(
     _author_anchor_api(subset, element.anchor)
     _author_handle_api(subset, element)
     opposes = {
-        manipulator.members[b].control: instances[manipulator.members[a].control]
-        for a, b in manipulator.opposed
+        element.members[b].control: instances[element.members[a].control]
+        for a, b in element.opposed
     }
-    for position, member in enumerate(manipulator.members):
+    for position, member in enumerate(element.members):
         figures = {
             "opposes": opposes.get(member.control, ""),
-            "mirrorReversed": position in manipulator.reversed,
+            "mirrorReversed": position in element.reversed,
             **_track(member, skin.control(member.control)),
         }
         author_control_api(
@@ -399,12 +398,10 @@ def _author_element_api(
         schema.ELEMENT,
         {
             "name": "" if element.name == subset.name else element.name,
-            "elementType": element.manipulator.kind,
+            "elementType": element.kind,
             "controls": list(instances.values()) if len(instances) > 1 else (),
             "side": element.side,
-            "mirror": [paths[element.manipulator.mirror]]
-            if element.manipulator.mirror in paths
-            else [],
+            "mirror": [paths[element.mirror]] if element.mirror in paths else [],
             "members": [paths[name] for name in element.inner],
             "category": element.category,
             "pinned": element.pinned,

@@ -42,7 +42,6 @@ from usdrigui.model.layout import (
     LayoutFrame as LayoutFrame,
     LayoutPart as LayoutPart,
     Legibility as Legibility,
-    Manipulator as Manipulator,
     Match as Match,
     Member as Member,
     Proof as Proof,

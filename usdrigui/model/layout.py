@@ -56,20 +56,20 @@ class Layout(Record):
     @property
     def controls(self) -> frozenset[str]:
         """Names of all controls that have an element."""
-        return frozenset().union(*(each.manipulator.controls for each in self.elements))
+        return frozenset().union(*(each.controls for each in self.elements))
 
     def follow(self, controls: set[str]) -> set[str]:
         """The controls that are pinned as the mirror image of these: a new place of one side is one
         of both."""
         found, by_name = set[str](), {element.name: element for element in self.elements}
         for element in self.elements:
-            twin = by_name.get(element.manipulator.mirror)
-            if twin is None or controls.isdisjoint(element.manipulator.controls):
+            twin = by_name.get(element.mirror)
+            if twin is None or controls.isdisjoint(element.controls):
                 continue
             mine, other = (np.array(each.pinned_position) for each in (element, twin))
             apart = np.linalg.norm(self.frame.plane.reflected(mine) - other)
             if apart <= ONE_PLACE * self.frame.handle_width_of(twin.part):
-                found |= twin.manipulator.controls
+                found |= twin.controls
         return found
 
     def mesh_gone(self, mesh: str, controls: int = 0) -> Issue:
@@ -167,11 +167,20 @@ class Element(Record):
 
     name: str
     """Unique; a valid prim name is made from it by the layer."""
-    manipulator: Manipulator
+    kind: ElementKind
+    members: tuple[Member, ...]
+    """In order; a bipolar slider has two opposed members, a joystick is a patch of up to four."""
     anchor: Anchor
     label: str
     side: Side
     """Determines its colour."""
+    opposed: tuple[tuple[int, int], ...] = ()
+    """Pairs of member positions that are the two ends of one axis."""
+    mirror: str = ""
+    """Name of the element on the other side, or empty."""
+    reversed: tuple[int, ...] = ()
+    """Positions of members that mirror those of `mirror` with the opposite sign: both go both
+    ways."""
     adapt: Literal["deform", "static"] = "deform"
     glyph: Glyph | None = None
     """Drawn as its handle; None for the usual shape."""
@@ -191,21 +200,6 @@ class Element(Record):
     pinned_position: tuple[float, float, float] = (0.0, 0.0, 0.0)
     """Of the anchor at rest, in root space, on the rig for which they were made; means nothing
     without ``anchor``."""
-
-
-class Manipulator(Record):
-    """The controls that an element moves, and how."""
-
-    kind: ElementKind
-    members: tuple[Member, ...]
-    """In order; a bipolar slider has two opposed members, a joystick is a patch of up to four."""
-    opposed: tuple[tuple[int, int], ...] = ()
-    """Pairs of member positions that are the two ends of one axis."""
-    mirror: str = ""
-    """Name of the element on the other side, or empty."""
-    reversed: tuple[int, ...] = ()
-    """Positions of members that mirror those of `mirror` with the opposite sign: both go both
-    ways."""
 
     @property
     def axes(self) -> tuple[tuple[int, ...], ...]:

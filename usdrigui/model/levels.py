@@ -26,8 +26,8 @@ def with_levels(elements: Sequence[Element]) -> Iterator[tuple[Element, bool]]:
     """Those of `outer_first`, each with whether one before it has a control of it."""
     held = frozenset[str]()
     for element in outer_first(elements):
-        yield element, not held.isdisjoint(element.manipulator.controls)
-        held |= element.manipulator.controls
+        yield element, not held.isdisjoint(element.controls)
+        held |= element.controls
 
 
 def states(elements: Sequence[Element]) -> Mapping[str, frozenset[int]]:
@@ -81,5 +81,5 @@ def _members(elements: Iterable[Element]) -> Mapping[str, tuple[str, ...]]:
 
 def _opened(coarse: Iterable[Element], members: Mapping[str, tuple[str, ...]]) -> frozenset[str]:
     """What opens with some coarse elements: they and their mirrors."""
-    pairs = (opened_with(each.name, each.manipulator.mirror, members) for each in coarse)
+    pairs = (opened_with(each.name, each.mirror, members) for each in coarse)
     return frozenset().union(*pairs)

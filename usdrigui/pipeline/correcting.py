@@ -93,7 +93,7 @@ def _recorded(layout: Layout) -> list[Correction]:
     return [
         _of_record(layout.root, member.control, element)
         for element in layout.elements
-        for member in element.manipulator.members
+        for member in element.members
         if element.pinned
     ]
 
@@ -152,7 +152,7 @@ def _decided(known: Correction, said: tuple[str, str], rig: Rig, layout: Layout)
 def _placed(known: Correction, value: str, rig: Rig, layout: Layout) -> Correction:
     """The correction at a place."""
     if value == "here":
-        anchors = [e.anchor for e in layout.elements if known.control in e.manipulator.controls]
+        anchors = [e.anchor for e in layout.elements if known.control in e.controls]
         if not anchors:
             raise refuse("CONFIG_VALUE", known.control, "has no element in the layout")
         value = anchors[0].place

@@ -429,7 +429,7 @@ def _part_row(laid: LaidPart) -> PartRow:
     elements = [element for element in laid.layout.elements if not element.anchor.on_board]
     controls = [motion.control for motion in laid.inputs.face.trajectories.motions]
     names = tuple(laid.inputs.face.rig.controls[control].name for control in controls)
-    on_it = frozenset().union(*(element.manipulator.controls for element in elements))
+    on_it = frozenset().union(*(element.controls for element in elements))
     return PartRow(
         laid.inputs.part,
         names,

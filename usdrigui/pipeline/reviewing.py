@@ -293,7 +293,7 @@ def _of_part(layout: Layout, character: Character, part: CharacterPart) -> Layou
     )
 
     def own(element: Element) -> bool:
-        control = index.get(element.manipulator.members[0].control, -1)
+        control = index.get(element.members[0].control, -1)
         return control in part.controls or (part is character.parts[0] and control not in others)
 
     elements = tuple(element for element in layout.elements if own(element))

@@ -4,7 +4,7 @@ Everything is two-dimensional, in pixels, x to the right and y down: a client pr
 tracks as they are at the pose of the moment (`evaluate.elements_at`) and finds how far the pointer
 has moved.
 
-* An element has axes (`Manipulator.axes`): one control, or two opposed controls that are the
+* An element has axes (`Element.axes`): one control, or two opposed controls that are the
   negative and the positive end of one signed axis.  The *coordinate* of a single control goes from
   0 at its minimum to 1 at its maximum; that of an opposed pair from -1 through 0 to 1, and only one
   of its ends is away from its default.

@@ -194,12 +194,10 @@ def _element(
     anchor, carry = _carried(_map(skin.body, before, row), _map(skin.body, others, row), base)
     if follows.deforms:
         anchor = others.points[row]
-    tracks = tuple(
-        carried(member.track, base, anchor, carry) for member in element.manipulator.members
-    )
+    tracks = tuple(carried(member.track, base, anchor, carry) for member in element.members)
     owned = poser.owned[index]
     rest, handle = slid(
-        [member.values for member in element.manipulator.members],
+        [member.values for member in element.members],
         tracks,
         poser.layout.base_values[owned].tolist(),
         values[owned].tolist(),
@@ -284,14 +282,12 @@ def _anchor_point(body: Body, element: Element) -> int:
 
 
 def _controls(names: Mapping[str, int], element: Element) -> Indices:
-    for member in element.manipulator.members:
+    for member in element.members:
         if member.control not in names:
             raise refuse(
                 "LAYOUT_STALE", member.control, f"the control of {element.name} does not exist"
             )
-    return np.array(
-        [names[member.control] for member in element.manipulator.members], dtype=np.int64
-    )
+    return np.array([names[member.control] for member in element.members], dtype=np.int64)
 
 
 # --- elements that do not deform ------------------------------------------------------------------

@@ -124,20 +124,20 @@ def _row(row: ControlRow) -> dict[str, Any]:
 
 
 def _element(element: Element, existing: bool) -> dict[str, Any]:
-    anchor, moved = element.anchor, element.manipulator
+    anchor = element.anchor
     return {
         "name": element.name,
-        "kind": moved.kind,
-        "controls": [member.control for member in moved.members],
-        "opposed": moved.opposed,
+        "kind": element.kind,
+        "controls": [member.control for member in element.members],
+        "opposed": element.opposed,
         "side": element.side,
-        "mirror": moved.mirror,
+        "mirror": element.mirror,
         "on_board": anchor.on_board,
         "category": element.category,
         "mesh": anchor.mesh,
         "point": anchor.point,
         "position": anchor.position,
-        "gains": [member.magnification for member in moved.members],
+        "gains": [member.magnification for member in element.members],
         "reason": element.reason,
         "existing": existing,
         "members": element.inner,

@@ -154,7 +154,7 @@ def rows_of(
     carried = {
         member.control: (element, member.arc_length)
         for element in reversed(outer_first(layout.elements))  # the first level counts
-        for member in element.manipulator.members
+        for member in element.members
     }
     reasons = {left.control: left.reason for left in (*rig.left_off, *layout.left_off)}
     rows = []

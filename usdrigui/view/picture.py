@@ -353,7 +353,7 @@ def _legend_entries(elements: Sequence[Element]) -> list[tuple[str, palette.Colo
         for side, text in _SIDES.items()
         if palette.SIDES[side] in used
     ]
-    forms = {form_of(element.manipulator) for element in elements}
+    forms = {form_of(element) for element in elements}
     if forms != {"slider"}:
         entries += [(form, grey, text, False) for form, text in FORMS.items() if form in forms]
     if any(element.inner for element in elements):

@@ -21,7 +21,7 @@ from usdrigui.layout.glyph_fitting import fitted_glyph
 from usdrigui.layout.names import common_label, element_name
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.visibility import screen
-from usdrigui.model import Anchor, Element, Group, Manipulator, Member, Side
+from usdrigui.model import Anchor, Element, Group, Member, Side
 
 CATEGORIES = (
     "global", "hidden", "interior", "composite", "viseme",
@@ -99,7 +99,7 @@ def _boards(requests: Requests, middle: float, half: float, up: Floats) -> list[
 def _right_end(element: Element, frame: Floats, width: float) -> float:
     """Where an existing element, its label included, ends across the screen, and a column may
     begin."""
-    across = max(float((member.track @ frame[0]).max()) for member in element.manipulator.members)
+    across = max(float((member.track @ frame[0]).max()) for member in element.members)
     return across + (2.0 + _LETTER * len(element.label)) * width
 
 
@@ -204,14 +204,12 @@ def _element(
     flipped = face.symmetry.reversed
     return Element(
         name=names[own],
-        manipulator=Manipulator(
-            kind=group.kind,
-            members=members,
-            opposed=group.opposed,
-            mirror=names[1 - own] if len(row) == 2 else "",
-            reversed=tuple(
-                m for m, each in enumerate(entry.controls) if len(row) == 2 and flipped[each]
-            ),
+        kind=group.kind,
+        members=members,
+        opposed=group.opposed,
+        mirror=names[1 - own] if len(row) == 2 else "",
+        reversed=tuple(
+            m for m, each in enumerate(entry.controls) if len(row) == 2 and flipped[each]
         ),
         anchor=anchor,
         label=_label(face.rig.controls, entry),

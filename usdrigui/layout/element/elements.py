@@ -26,7 +26,6 @@ from usdrigui.model import (
     Group,
     Layout,
     LayoutFrame,
-    Manipulator,
     Member,
     Proof,
     Side,
@@ -138,13 +137,11 @@ def _on_face(known: Measured, group: Group, choice: Choice, label: int) -> list[
         made.append(
             Element(
                 name=names[copy],
-                manipulator=Manipulator(
-                    kind=group.kind,
-                    members=members,
-                    opposed=opposed,
-                    mirror=mirror,
-                    reversed=_reversed(face, members) if mirror else (),
-                ),
+                kind=group.kind,
+                members=members,
+                opposed=opposed,
+                mirror=mirror,
+                reversed=_reversed(face, members) if mirror else (),
                 anchor=anchor,
                 label=common_label([face.rig.controls[control].label for control in controls]),
                 side=side,

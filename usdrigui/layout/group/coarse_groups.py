@@ -61,7 +61,7 @@ def with_inner(
     made = tuple(elements)
     by_controls: dict[frozenset[str], list[str]] = {}
     for element in made:
-        by_controls.setdefault(element.manipulator.controls, []).append(element.name)
+        by_controls.setdefault(element.controls, []).append(element.name)
     inner: dict[str, list[str]] = {}
     by_name = {group.name: group for group in groups}
     for group in groups:

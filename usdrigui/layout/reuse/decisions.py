@@ -20,7 +20,7 @@ def with_decisions(layout: Layout, rig: Rig, rest: Floats, requests: Requests) -
     decided = {element.name: _configured(element, index, requests) for element in layout.elements}
     before: dict[str, tuple[float, float, float]] = {}
     for element, inner in with_levels(layout.elements):
-        controls = element.manipulator.controls
+        controls = element.controls
         for pin in requests.pins.pins:
             if pin.inner == inner and not controls.isdisjoint(pin.controls):
                 here = element.anchor.place == (pin.anchor or "board")
@@ -29,8 +29,8 @@ def with_decisions(layout: Layout, rig: Rig, rest: Floats, requests: Requests) -
     mirrored = [
         element.name
         for element in layout.elements
-        if "anchor" in decided.get(element.manipulator.mirror, ())
-        and any(requests.overrides[index[name]].anchor for name in element.manipulator.controls)
+        if "anchor" in decided.get(element.mirror, ())
+        and any(requests.overrides[index[name]].anchor for name in element.controls)
     ]
     for name in mirrored:
         decided[name].add("anchor")
@@ -55,7 +55,7 @@ def with_decisions(layout: Layout, rig: Rig, rest: Floats, requests: Requests) -
 
 def _configured(element: Element, index: Mapping[str, int], requests: Requests) -> set[Decision]:
     """What the configuration decides about an element."""
-    controls = element.manipulator.controls
+    controls = element.controls
     asked = [requests.configured[index[name]] for name in controls]
     found: set[Decision] = {"anchor"} if any(each.anchor for each in asked) else set()
     found |= {"place"} if any(each.place or each.near for each in asked) else set()

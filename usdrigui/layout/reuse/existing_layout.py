@@ -110,7 +110,7 @@ def uniquify_names(added: Layout, existing: Layout) -> Layout:
         replace(
             e,
             name=names[e.name],
-            manipulator=replace(e.manipulator, mirror=names.get(e.manipulator.mirror, "")),
+            mirror=names.get(e.mirror, ""),
             inner=tuple(names[each] for each in e.inner),
         )
         for e in added.elements
@@ -171,7 +171,7 @@ def moved_path(path: str, before: str, after: str) -> str:
 def _variable(element: Element, body: Body, base: Floats, axes: Floats, count: int) -> Variable:
     point = np.array([body.point_of(element.anchor.mesh, element.anchor.point)])
     samples = np.concatenate(
-        [resampled(member.track[None], count)[0] for member in element.manipulator.members]
+        [resampled(member.track[None], count)[0] for member in element.members]
     )
     samples, handles = (samples @ axes.T)[None, None], (base[point] @ axes.T)[None]
     return Variable(element.name, point, np.zeros(1), samples, handles, np.inf, np.zeros(1))

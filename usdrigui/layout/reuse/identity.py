@@ -153,9 +153,7 @@ def _quoted(name: str) -> str:
 def _names_of(elements: tuple[Element, ...]) -> list[str]:
     """Every control of a layout once, in the order of its elements."""
     return list(
-        dict.fromkeys(
-            member.control for each in outer_first(elements) for member in each.manipulator.members
-        )
+        dict.fromkeys(member.control for each in outer_first(elements) for member in each.members)
     )
 
 

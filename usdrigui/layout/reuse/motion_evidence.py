@@ -218,7 +218,7 @@ def _held(elements: tuple[Element, ...]) -> dict[str, _Held]:
     """By control, the first level first; tracks on the board are drawn and hold no motion."""
     found: dict[str, _Held] = {}
     for element in outer_first(elements):
-        for member in element.manipulator.members if not element.anchor.on_board else ():
+        for member in element.members if not element.anchor.on_board else ():
             held = _Held(element.anchor.position, _displacement(member))
             found.setdefault(member.control, held)
     return found

@@ -73,7 +73,7 @@ def in_world(layout: Layout, scale: float, up: Floats) -> Layout:
 
 
 def _moved(element: Element, scale: float, turn: Floats) -> Element:
-    anchor, manipulator = element.anchor, element.manipulator
+    anchor = element.anchor
     x, y, z = (scale * turn @ np.array(element.pinned_position)).tolist()
     members = tuple(
         replace(
@@ -82,11 +82,11 @@ def _moved(element: Element, scale: float, turn: Floats) -> Element:
             arc_length=scale * m.arc_length,
             peak=scale * m.peak,
         )
-        for m in manipulator.members
+        for m in element.members
     )
     return replace(
         element,
-        manipulator=replace(manipulator, members=members),
+        members=members,
         anchor=replace(
             anchor, position=scale * turn @ anchor.position, normal=turn @ anchor.normal
         ),

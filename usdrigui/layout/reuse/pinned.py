@@ -92,7 +92,7 @@ def pins_of(layout: Layout, today: Today, corrections: Sequence[Correction] = ()
     free = corrected | layout.follow(corrected)
     for element, inner in with_levels(layout.elements):
         on_board = element.anchor.on_board
-        every = [m.control for m in element.manipulator.members]
+        every = [m.control for m in element.members]
         known = tuple(name for name in every if name in names)
         if not element.pinned or not free.isdisjoint(known):
             continue
@@ -136,7 +136,7 @@ def pins_of_fixed(layout: Layout, rig: Rig) -> list[Pin]:
     """
     pins = []
     for element, inner in with_levels(layout.elements):
-        names, anchor = tuple(m.control for m in element.manipulator.members), element.anchor
+        names, anchor = tuple(m.control for m in element.members), element.anchor
         if unknown := [name for name in names if name not in rig.control_names]:
             where = f"{layout.root} element {element.name}"
             what = f"{rig.path} has no control {unknown[0]!r}"

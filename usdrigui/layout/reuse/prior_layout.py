@@ -128,9 +128,9 @@ def kept_groups(elements: tuple[Element, ...], rig: Rig) -> tuple[KeptGroup, ...
     index = rig.control_indices
     groups: list[KeptGroup] = []
     taken: set[int] = set()
-    by_name = {element.name: element.manipulator.controls for element in elements}
+    by_name = {element.name: element.controls for element in elements}
     for element in outer_first(elements):
-        members = element.manipulator.members
+        members = element.members
         kept = [
             place
             for place, member in enumerate(members)
@@ -140,12 +140,10 @@ def kept_groups(elements: tuple[Element, ...], rig: Rig) -> tuple[KeptGroup, ...
             continue
         controls = tuple(index[members[place].control] for place in kept)
         opposed = tuple(
-            (kept.index(a), kept.index(b))
-            for a, b in element.manipulator.opposed
-            if a in kept and b in kept
+            (kept.index(a), kept.index(b)) for a, b in element.opposed if a in kept and b in kept
         )
         name = element.name if len(kept) == len(members) else ""
-        doubled = by_name.get(element.manipulator.mirror) == element.manipulator.controls
+        doubled = by_name.get(element.mirror) == element.controls
         groups.append(KeptGroup(name, controls, opposed, doubled))
         taken |= set(controls)
     return tuple(groups)
@@ -198,7 +196,7 @@ def _places(layout: Layout, today: Today) -> tuple[dict[int, Place], dict[int, P
     axis_places: dict[int, Place] = {}
     inner = inner_names(layout.elements)
     for element in outer_first(layout.elements):
-        controls = [m.control for m in element.manipulator.members if m.control in index]
+        controls = [m.control for m in element.members if m.control in index]
         place = _place(element, controls, today)
         for control in map(index.__getitem__, controls):
             if control not in places:

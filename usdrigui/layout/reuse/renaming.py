@@ -24,7 +24,7 @@ def element_names(elements: tuple[Element, ...], names: Mapping[str, str]) -> di
 
 
 def _name(element: Element, names: Mapping[str, str]) -> str:
-    controls = [member.control for member in element.manipulator.members]
+    controls = [member.control for member in element.members]
     between = next((each for each in BETWEEN if element.name == each.join(controls)), None)
     return (
         element.name
@@ -34,15 +34,13 @@ def _name(element: Element, names: Mapping[str, str]) -> str:
 
 
 def _renamed(element: Element, names: Mapping[str, str], elements: Mapping[str, str]) -> Element:
-    moved = element.manipulator
     members = (
-        replace(each, control=names.get(each.control, each.control)) for each in moved.members
+        replace(each, control=names.get(each.control, each.control)) for each in element.members
     )
     return replace(
         element,
         name=elements[element.name],
-        manipulator=replace(
-            moved, members=tuple(members), mirror=elements.get(moved.mirror, moved.mirror)
-        ),
+        members=tuple(members),
+        mirror=elements.get(element.mirror, element.mirror),
         inner=tuple(elements.get(name, name) for name in element.inner),
     )

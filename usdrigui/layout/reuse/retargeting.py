@@ -79,7 +79,7 @@ def of_another(
         zip(renamed.elements, places, strict=True), key=lambda pair: pair[0].name in inner
     )
     for element, position in by_level:
-        for member in element.manipulator.members:
+        for member in element.members:
             if member.control in index and index[member.control] not in found:
                 found[index[member.control]] = Place(-1, position, element.anchor.on_board)
     return PriorLayout(

@@ -87,7 +87,7 @@ class _Pair:
     @property
     def partners(self) -> tuple[frozenset[str], frozenset[str]]:
         """The controls with which it shared its element, and those with which it shares it."""
-        return self.elements[0].manipulator.controls, self.elements[1].manipulator.controls
+        return self.elements[0].controls, self.elements[1].controls
 
     @property
     def handles(self) -> tuple[int, int]:
@@ -144,7 +144,7 @@ def _by_control(layout: Layout) -> dict[tuple[str, int], Element]:
     normal = layout.frame.plane.normal
     from_left = sorted(layout.elements, key=lambda each: -float(each.anchor.position @ normal))
     for element in outer_first(from_left):
-        for member in element.manipulator.members:
+        for member in element.members:
             count = 0
             while (member.control, count) in found:
                 count += 1
@@ -208,8 +208,7 @@ def _reasons(pair: _Pair, kind: ChangeKind) -> Iterator[str]:
         plural = "s" * (pair.handles[1] != 1)
         yield f"has {pair.handles[1]} handle{plural} now, {pair.handles[0]} before"
     then, today = (
-        next(m for m in each.manipulator.members if m.control == pair.control)
-        for each in pair.elements
+        next(m for m in each.members if m.control == pair.control) for each in pair.elements
     )
     ranges = [f"{m.values[0]:.4g} to {m.values[-1]:.4g}" for m in (then, today)]
     if ranges[0] != ranges[1]:
@@ -234,9 +233,7 @@ def _with_cause(change: Change, every: Sequence[Change], layouts: tuple[Layout, 
 
 def _handles(elements: tuple[Element, ...], control: str) -> int:
     inner = inner_names(elements)
-    return sum(
-        control in element.manipulator.controls for element in elements if element.name not in inner
-    )
+    return sum(control in element.controls for element in elements if element.name not in inner)
 
 
 def _crowd(pair: _Pair) -> Iterator[str]:
@@ -246,7 +243,7 @@ def _crowd(pair: _Pair) -> Iterator[str]:
         if element is now or element.anchor.on_board:
             continue
         apart = float(np.linalg.norm(element.anchor.position - then.anchor.position))
-        others = pair.partners[0].isdisjoint(element.manipulator.controls)
+        others = pair.partners[0].isdisjoint(element.controls)
         if others and apart < after.frame.handle_width * (1.0 - _STILL):
             decided = ", whose anchor was decided by a person" * ("anchor" in element.pinned)
             yield f"its place is taken by {element.name}{decided}"

@@ -74,7 +74,7 @@ def stale(
             yield from _anchor_faults(
                 rig.body, trajectories.surface, element, mesh, comparable=comparable
             )
-        for member in element.manipulator.members:
+        for member in element.members:
             if member.control not in known | along:
                 now = (
                     f"; {renamed[member.control]!r} moves as it did"
@@ -163,7 +163,7 @@ def not_animated(rig: Rig, layout: Layout) -> Iterator[Issue]:
         yield issue("LAYOUT_NOT_ANIMATED", where, what)
         return
     for element in layout.elements:
-        if names := sorted(element.manipulator.controls & still):
+        if names := sorted(element.controls & still):
             what = f"no SkelAnimation that is bound has {listed(names)}"
             yield issue("LAYOUT_NOT_ANIMATED", element.name, what)
 

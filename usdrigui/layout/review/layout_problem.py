@@ -48,9 +48,7 @@ def board_cost(known: Measured, candidates: Candidates, elements: tuple[Element,
     away = tuple(
         element
         for element in elements
-        if element.anchor.on_board
-        and element.name not in inner
-        and able >= element.manipulator.controls
+        if element.anchor.on_board and element.name not in inner and able >= element.controls
     )
     objective = known.settings.objective
     groups = _as_groups(face.rig.controls, elements, away)
@@ -67,7 +65,7 @@ def sound_elements(face: Face, elements: tuple[Element, ...]) -> tuple[Element, 
         for element in elements
         if not element.anchor.on_board
         and rig.body.point_of(element.anchor.mesh, element.anchor.point) >= 0
-        and all(member.control in moving for member in element.manipulator.members)
+        and all(member.control in moving for member in element.members)
     )
 
 
@@ -107,18 +105,15 @@ def _as_groups(
 ) -> tuple[Group, ...]:
     index = {control.name: number for number, control in enumerate(controls)}
     seen, parts = states(elements), _parts(elements)
-    owned = {
-        each.name: tuple(index[member.control] for member in each.manipulator.members)
-        for each in sound
-    }
+    owned = {each.name: tuple(index[member.control] for member in each.members) for each in sound}
     return tuple(
         Group(
             element.name,
-            element.manipulator.kind,
+            element.kind,
             owned[element.name],
-            element.manipulator.opposed,
+            element.opposed,
             # A copy of a doubled element is not held to the mirror plane; that of a pair never is.
-            owned.get(element.manipulator.mirror, ()),
+            owned.get(element.mirror, ()),
             "",
             part=element.name in parts,
             states=seen[element.name],
@@ -131,14 +126,9 @@ def _parts(elements: tuple[Element, ...]) -> frozenset[str]:
     """Names of the elements all of whose controls a coarse element holds too."""
     inner = inner_names(elements)
     outer = {
-        m.control
-        for element in elements
-        if element.name not in inner
-        for m in element.manipulator.members
+        m.control for element in elements if element.name not in inner for m in element.members
     }
-    return frozenset(
-        e.name for e in elements if e.name in inner and outer >= e.manipulator.controls
-    )
+    return frozenset(e.name for e in elements if e.name in inner and outer >= e.controls)
 
 
 def _with_points(

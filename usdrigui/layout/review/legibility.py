@@ -53,8 +53,8 @@ def legibility_of(face: Face, elements: tuple[Element, ...]) -> Legibility:
 
 def _obstacles(shown: list[Element], axes: Floats) -> Iterator[tuple[int, str]]:
     """The index of an element, and what is in its way; of the screen `axes` (2, 3)."""
-    tracks = [member.track @ axes.T for each in shown for member in each.manipulator.members]
-    owner = np.repeat(np.arange(len(shown)), [len(each.manipulator.members) for each in shown])
+    tracks = [member.track @ axes.T for each in shown for member in each.members]
+    owner = np.repeat(np.arange(len(shown)), [len(each.members) for each in shown])
     handles = np.stack([each.anchor.position for each in shown]) @ axes.T
     size = np.ptp(np.concatenate([handles, *tracks]), axis=0)
     pixels = SCREEN_HEIGHT / max(size[1], size[0] / _WIDEST, 1e-300)

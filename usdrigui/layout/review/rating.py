@@ -88,7 +88,7 @@ def _mates(
 ) -> list[int]:
     """For every element the other one of its pair, where the two are mirror images; else
     -1."""
-    mirror = {element.name: element.manipulator.mirror for element in elements}
+    mirror = {element.name: element.mirror for element in elements}
     index = {variable.name: i for i, variable in enumerate(problem.variables)}
     at = [int(choice.anchors[label, 0]) for choice, label in zip(choices, labels, strict=True)]
     mates = [index.get(mirror[variable.name], -1) for variable in problem.variables]

@@ -26,7 +26,7 @@ def _still_places(known: Measured, elements: tuple[Element, ...]) -> Iterator[Is
     asked = dict(zip(names, known.requests.configured, strict=True))
     peaks = {face.control_name(each.control): each.peak for each in face.trajectories.motions}
     for element in elements:
-        for member in element.manipulator.members if not element.anchor.on_board else ():
+        for member in element.members if not element.anchor.on_board else ():
             override, peak = asked[member.control], peaks[member.control]
             if (override.near or override.anchor) and member.arc_length < least * peak:
                 key = f'controls."{member.control}".{"anchor" if override.anchor else "near"}'

@@ -201,7 +201,7 @@ def _face(rig: Rig, layout: Layout, start: Posed, actions: Mapping[str, Action])
     points = np.where(np.isfinite(start.points), start.points, 0.0)
     places = weld(points)
     used = np.isin(np.arange(len(points)), corners)
-    acts = [actions.get(element.manipulator.members[0].control) for element in elements]
+    acts = [actions.get(element.members[0].control) for element in elements]
     return _Face(
         at=points @ rows.T,
         normals=vertex_normals(points, corners, places) @ rows.T,
@@ -283,9 +283,7 @@ def _turned(
     sizes = np.bincount(face.pieces[face.free], minlength=int(face.pieces.max()) + 1)
     turned: set[int] = set()
     for element in layout.elements:
-        gazes = [
-            rig.control_indices[name] for name in element.manipulator.controls if name in gazing
-        ]
+        gazes = [rig.control_indices[name] for name in element.controls if name in gazing]
         share = np.zeros(len(sizes))
         for control in gazes:
             ends = [rig.controls[control].minimum, rig.controls[control].maximum]

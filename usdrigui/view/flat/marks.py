@@ -8,7 +8,7 @@ import numpy as np
 
 from usdrigui.character import Flags, Floats, Glyph
 from usdrigui.character.palette import BOARD, SIDES, Colour
-from usdrigui.model import Element, Manipulator
+from usdrigui.model import Element
 from usdrigui.pose.evaluate import PosedElement
 from usdrigui.ties import axis_across
 from usdrigui.view.body.shading import Camera
@@ -38,13 +38,13 @@ def colour_of(element: Element) -> Colour:
     return BOARD if element.anchor.on_board else SIDES[element.side]
 
 
-def form_of(manipulator: Manipulator) -> str:
+def form_of(element: Element) -> str:
     """Which handle an element with it gets: a key of `FORMS`."""
-    signed = any(member.values[0] < 0.0 < member.values[-1] for member in manipulator.members)
-    both_ways = bool(manipulator.opposed) or signed
-    if manipulator.kind == "slider":
+    signed = any(member.values[0] < 0.0 < member.values[-1] for member in element.members)
+    both_ways = bool(element.opposed) or signed
+    if element.kind == "slider":
         return "two-way" if both_ways else "slider"
-    return "joystick" if manipulator.kind == "patch" and both_ways else manipulator.kind
+    return "joystick" if element.kind == "patch" and both_ways else element.kind
 
 
 def mark(
@@ -60,9 +60,9 @@ def mark(
     handle = camera.project(posed.handle)
     radius = max(0.5 * handle_width * camera.scale, _MIN_RADIUS)
     enlarged = radius / max(0.5 * handle_width * camera.scale, 1e-12)
-    glyph, slider = element.glyph, element.manipulator.kind == "slider"
+    glyph, slider = element.glyph, element.kind == "slider"
     return Mark(
-        form_of(element.manipulator),
+        form_of(element),
         colour_of(element),
         handle[:2],
         radius,
@@ -72,7 +72,7 @@ def mark(
         tuple(_seen(track, depth, 0.5 * handle_width) for track in tracks),
         not _seen(handle + radius * _SPREAD, depth, 0.5 * handle_width).any(),
         float(handle[2]),
-        () if slider else _fields(element.manipulator, posed, camera),
+        () if slider else _fields(element, posed, camera),
         () if glyph is None else _outlines(glyph, camera.project(posed.glyph), handle, enlarged),
         glyph is not None and glyph.form == "mesh",
     )
@@ -139,7 +139,7 @@ def _seen(at: Floats, depth: Floats | None, slack: float) -> Flags:
     return np.asarray(at[:, 2] >= depth[row, column] - slack)
 
 
-def _fields(manipulator: Manipulator, posed: PosedElement, camera: Camera) -> tuple[Floats, ...]:
+def _fields(element: Element, posed: PosedElement, camera: Camera) -> tuple[Floats, ...]:
     """Outlines (4, 2), pixels, of the parallelograms between arms next to each other by angle
     (paper section 4.2).
 
@@ -148,7 +148,7 @@ def _fields(manipulator: Manipulator, posed: PosedElement, camera: Camera) -> tu
     """
     ends = [
         (number, posed.tracks[i][end] - posed.rest)
-        for number, axis in enumerate(manipulator.axes)
+        for number, axis in enumerate(element.axes)
         for i in axis
         for end in (0, -1)
     ]

@@ -58,14 +58,14 @@ def _panel(panel: Panel) -> list[str]:
 
 
 def _group(element: Element, mark: Mark) -> list[str]:
-    anchor, manipulator = element.anchor, element.manipulator
-    controls = [member.control for member in manipulator.members]
+    anchor = element.anchor
+    controls = [member.control for member in element.members]
     facts = {
         "id": element.name,
         "data-controls": json.dumps(controls, ensure_ascii=False),
-        "data-kind": manipulator.kind,
+        "data-kind": element.kind,
         "data-side": element.side,
-        "data-mirror": manipulator.mirror,
+        "data-mirror": element.mirror,
         "data-anchor": f"{anchor.mesh}#{anchor.point}",
         "data-board": str(anchor.on_board).lower(),
     }

@@ -286,7 +286,7 @@ def _skin(arrays: _Arrays, skin: Skin) -> Json:
 
 def _controls(controls: tuple[Control, ...], layout: Layout) -> list[Json]:
     labels = shortened([control.label for control in controls])
-    members = [each for element in layout.elements for each in element.manipulator.members]
+    members = [each for element in layout.elements for each in element.members]
     attributes = {each.control: each.attribute for each in reversed(members)}
     return [
         {**_control(control, label), "attribute": attributes.get(control.name, "")}
@@ -403,10 +403,10 @@ def _element(
         )
     return {
         "name": element.name,
-        **_fields(element.manipulator, "kind axes mirror reversed"),
+        **_fields(element, "kind axes mirror reversed"),
         **_fields(anchor, "point position normal on_board"),
         **_fields(element, "side inner category reason"),
-        "members": [_member(element.name, controls, each) for each in element.manipulator.members],
+        "members": [_member(element.name, controls, each) for each in element.members],
         "mesh": meshes[anchor.mesh],
         "rank": rank(element.category),
         "heading": _capitalised(heading(element.category, element.part)),

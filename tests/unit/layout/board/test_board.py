@@ -22,19 +22,19 @@ def test_the_board_is_tidy_and_outside_the_silhouette():
     assert {element.category for element in board} == {"global", "composite"}
     spots = np.array([element.anchor.position for element in board])
     width = line.layout.frame.handle_width
-    tracks = np.concatenate([m.track for e in board for m in e.manipulator.members])
+    tracks = np.concatenate([m.track for e in board for m in e.members])
     assert tracks[:, 0].min() > POINTS[:, 0].max() + width
     apart = np.linalg.norm(spots[:, None] - spots[None], axis=2) + 9e9 * np.eye(len(spots))
     assert apart.min() >= 1.6 * width
     assert np.ptp(spots[:, 2]) < 1e-9
     for element in board:
         assert element.reason
-        for member in element.manipulator.members:
+        for member in element.members:
             drawn = np.linalg.norm(np.diff(member.track, axis=0), axis=1).sum()
             assert drawn == pytest.approx(member.magnification * member.arc_length, rel=1e-6)
-    pairs = [element for element in board if element.manipulator.mirror]
+    pairs = [element for element in board if element.mirror]
     for element in pairs:
-        other = next(each for each in board if each.name == element.manipulator.mirror)
+        other = next(each for each in board if each.name == element.mirror)
         assert element.anchor.position[1] == pytest.approx(other.anchor.position[1])
 
 
@@ -62,10 +62,10 @@ def test_a_crowded_face_sends_the_least_displaced_controls_to_the_board():
     assert {element.category for element in board} == {"crowded"}
     assert all(element.reason for element in board)
     peaks = {rig.controls[m.control].name: m.arc_length.max() for m in line.face.trajectories.motions}
-    left = [peaks[m.control] for e in board for m in e.manipulator.members]
-    stayed = [peaks[m.control] for e in line.layout.elements if not e.anchor.on_board for m in e.manipulator.members]
+    left = [peaks[m.control] for e in board for m in e.members]
+    stayed = [peaks[m.control] for e in line.layout.elements if not e.anchor.on_board for m in e.members]
     assert np.mean(left) < np.mean(stayed)
-    assert all(member.control.startswith("c") for element in board for member in element.manipulator.members)
+    assert all(member.control.startswith("c") for element in board for member in element.members)
 
 
 def test_the_board_hangs_on_the_joint_that_holds_the_face():
@@ -98,7 +98,7 @@ def test_a_new_board_begins_right_of_one_that_exists_and_of_those_of_other_parts
         SimpleNamespace(track=np.array([[9.0, 0, 1], [0, 0, 2]])),
         SimpleNamespace(track=np.array([[0.0, 0, 1.5]])),
     ]
-    element = SimpleNamespace(manipulator=SimpleNamespace(members=tracks), label="four")
+    element = SimpleNamespace(members=tracks, label="four")
     assert board._right_end(element, frame, 0.5) == pytest.approx(4.44)
 
     def element(height, on_board=True):

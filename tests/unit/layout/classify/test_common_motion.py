@@ -11,7 +11,7 @@ NOSTRIL = (0.12, 0.05)
 
 
 def height_of(name, line):
-    (element,) = (each for each in line.layout.elements if name in each.manipulator.controls)
+    (element,) = (each for each in line.layout.elements if name in each.controls)
     return element.anchor.position[1]
 
 

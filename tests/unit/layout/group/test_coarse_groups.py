@@ -126,8 +126,8 @@ def test_joysticks_are_opened_into_their_axes():
     line = lay_out(FACE, settings(groups=groups, levels={"groups": True}))
     elements = by_name(line)
     assert elements["mouth"].inner == ("chin", "pucker")
-    assert elements["mouth"].manipulator.kind == "patch"
-    assert {elements[name].manipulator.kind for name in ("chin", "pucker")} == {"slider"}
+    assert elements["mouth"].kind == "patch"
+    assert {elements[name].kind for name in ("chin", "pucker")} == {"slider"}
     # Each axis has its own best place, which the two together do not.
     alone = by_name(lay_out(FACE))
     assert elements["pucker"].anchor.point == alone["pucker"].anchor.point

@@ -73,7 +73,7 @@ def test_a_middle_control_may_be_doubled():
     elements = chain.by_name(line)
     one, other = elements["cheeks"], elements["cheeks_mirror"]
     assert one.anchor.position[0] == pytest.approx(-other.anchor.position[0], abs=1e-6)
-    assert one.manipulator.mirror == "cheeks_mirror"
+    assert one.mirror == "cheeks_mirror"
 
 
 def test_the_paper_preset_takes_the_constants_literally():

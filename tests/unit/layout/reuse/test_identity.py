@@ -120,7 +120,7 @@ def test_a_renamed_control_is_neither_lost_nor_new(line):
 def test_a_control_with_two_handles_counts_once(line):
     """And why it moved is told where a decision of a person no longer holds."""
     first, second, *_ = (each for each in line.layout.elements if not each.anchor.on_board)
-    copy = replace(second, name="copy", manipulator=replace(second.manipulator, members=first.manipulator.members))
+    copy = replace(second, name="copy", members=first.members)
     pair = [replace(each, pinned=("anchor",)) for each in (first, copy)]
     before = replace(line.layout, elements=(*pair, *line.layout.elements[1:]))
     moved = [replace(each, anchor=replace(each.anchor, point=each.anchor.point + 1), pinned=()) for each in pair]
@@ -132,17 +132,14 @@ def test_a_control_with_two_handles_counts_once(line):
 def test_elements_of_a_layout_take_the_new_names_where_they_refer_to_each_other(line):
     both = with_names(line.layout, {"smile_L": "a", "smile_R": "b"})
     elements = {each.name: each for each in both.elements}
-    assert (elements["a"].manipulator.mirror, elements["b"].manipulator.mirror) == ("b", "a")
+    assert (elements["a"].mirror, elements["b"].mirror) == ("b", "a")
     assert np.array_equal(elements["a"].anchor.position, chain.by_name(line)["smile_L"].anchor.position)
 
 
 def test_a_doubled_element_is_the_same_whichever_side_comes_first(line):
     left, right = (chain.by_name(line)[name] for name in ("smile_L", "smile_R"))
     others = tuple(each for each in line.layout.elements if each not in (left, right))
-    both = [
-        replace(each, name=f"both{n}", manipulator=replace(each.manipulator, members=left.manipulator.members))
-        for n, each in enumerate((left, right))
-    ]
+    both = [replace(each, name=f"both{n}", members=left.members) for n, each in enumerate((left, right))]
     layouts = [replace(line.layout, elements=(*others, *pair)) for pair in (both, both[::-1])]
     assert not difference(*layouts).changes
 

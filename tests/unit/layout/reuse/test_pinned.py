@@ -30,7 +30,7 @@ def pinned(layout):
 
 
 def place(layout, control):
-    (element,) = [each for each in layout.elements if control in each.manipulator.controls and not each.inner]
+    (element,) = [each for each in layout.elements if control in each.controls and not each.inner]
     return None if element.anchor.on_board else element.anchor.position
 
 
@@ -71,7 +71,7 @@ def test_a_pin_that_is_in_the_way_of_another_is_given_up_with_a_warning_and_not_
     lost = {each.path for each in inputs.issues if each.code == "PIN_LOST"}
     assert len(lost) == 1
     assert lost <= {"brow_L", "blink_L"}
-    assert {member.control for each in layout.elements for member in each.manipulator.members} >= {"brow_L", "blink_L"}
+    assert {member.control for each in layout.elements for member in each.members} >= {"brow_L", "blink_L"}
 
 
 @pytest.mark.parametrize("known", [True, False])

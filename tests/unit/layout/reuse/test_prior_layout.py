@@ -29,12 +29,12 @@ def anchors(layout):
     return {
         member.control: "board" if element.anchor.on_board else element.anchor.point
         for element in layout.elements
-        for member in element.manipulator.members
+        for member in element.members
     }
 
 
 def partners(layout):
-    return {frozenset(member.control for member in element.manipulator.members) for element in layout.elements}
+    return {frozenset(member.control for member in element.members) for element in layout.elements}
 
 
 @pytest.fixture(scope="module")
@@ -57,7 +57,7 @@ def at_another_place(line, name, column=0):
     motion = next(
         each
         for each in line.face.trajectories.motions
-        if line.face.rig.controls[each.control].name == element.manipulator.members[0].control
+        if line.face.rig.controls[each.control].name == element.members[0].control
     )
     reach = np.linalg.norm(line.face.trajectories.surface.points[motion.points] - element.anchor.position, axis=1)
     point = int(motion.points[np.argsort(reach)[len(reach) // 2 + column]])
@@ -73,8 +73,8 @@ def test_a_fixed_layout_comes_back_to_the_point_and_in_its_pairs(face, before):
     again = lay_out(face, fixed=before.layout)
     assert anchors(again.layout) == anchors(before.layout)
     assert partners(again.layout) == partners(before.layout)
-    mirrors = {element.name: element.manipulator.mirror for element in before.layout.elements}
-    assert {element.name: element.manipulator.mirror for element in again.layout.elements} == mirrors
+    mirrors = {element.name: element.mirror for element in before.layout.elements}
+    assert {element.name: element.mirror for element in again.layout.elements} == mirrors
 
 
 def test_a_doubled_element_keeps_both_of_its_handles_and_pays_nothing(face):
@@ -209,19 +209,19 @@ def test_groups_stay_and_new_controls_do_not_join_old_ones(face):
     assert frozenset(["jawLeft", "jawRight"]) in partners(merged.layout)
     kept = lay_out(face, chain.settings(groups={"opposed": False}), chain.prior(merged.layout, face, 0.1))
     assert frozenset(["jawLeft", "jawRight"]) in partners(kept.layout)
-    (jaw,) = [element for element in kept.layout.elements if len(element.manipulator.members) > 1]
-    assert jaw.manipulator.opposed == ((0, 1),)
+    (jaw,) = [element for element in kept.layout.elements if len(element.members) > 1]
+    assert jaw.opposed == ((0, 1),)
 
 
 def test_every_move_between_two_layouts_has_a_reason(before):
     elsewhere, _ = at_another_place(before, "chin")
     weights = dict(before.layout.proof.weights) | {"objective.displacement_weight": 0.5}
-    chin = chain.by_name(before)["chin"].manipulator
-    half = replace(chin, members=(replace(chin.members[0], peak=0.5 * chin.members[0].peak),))
+    chin = chain.by_name(before)["chin"]
+    half = replace(chin.members[0], peak=0.5 * chin.members[0].peak)
     told = {
         "it moves its farthest point 0.50 times as far as before": replace(
             before.layout,
-            elements=tuple(replace(e, manipulator=half) if e.name == "chin" else e for e in before.layout.elements),
+            elements=tuple(replace(e, members=(half,)) if e.name == "chin" else e for e in before.layout.elements),
         ),
         "no reason recorded": before.layout,
         "made with other settings: objective.displacement_weight": replace(

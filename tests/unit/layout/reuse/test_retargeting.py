@@ -48,10 +48,10 @@ def theirs():
 def widths_off(theirs, ours, names=None):
     """Distance in handle widths of every shared control's anchor from the corresponding place."""
     names = names or {}
-    now = {m.control: e.anchor for e in ours.layout.elements for m in e.manipulator.members}
+    now = {m.control: e.anchor for e in ours.layout.elements for m in e.members}
     apart = {}
     for element in theirs.layout.elements:
-        for member in element.manipulator.members:
+        for member in element.members:
             name = names.get(member.control, member.control)
             if name in now and not element.anchor.on_board:
                 place = reshaped(element.anchor.position[None])[0]
@@ -66,8 +66,8 @@ def test_nine_in_ten_stand_within_two_handle_widths_of_the_corresponding_place(t
     apart = np.array(list(widths_off(theirs, ours).values()))
     assert len(apart) == 12
     assert (apart <= 2.0).mean() >= 0.9
-    assert {frozenset(m.control for m in e.manipulator.members) for e in ours.layout.elements} == {
-        frozenset(m.control for m in e.manipulator.members) for e in theirs.layout.elements
+    assert {frozenset(m.control for m in e.members) for e in ours.layout.elements} == {
+        frozenset(m.control for m in e.members) for e in theirs.layout.elements
     }
 
 
@@ -81,7 +81,7 @@ def test_the_layout_itself_is_not_already_alike(theirs):
         motion = next(
             m
             for m in theirs.face.trajectories.motions
-            if theirs.face.rig.controls[m.control].name == element.manipulator.members[0].control
+            if theirs.face.rig.controls[m.control].name == element.members[0].control
         )
         strong = motion.points[motion.arc_length >= 0.75 * motion.arc_length.max()]
         far = int(strong[np.argmax(np.linalg.norm(base[strong] - element.anchor.position, axis=1))])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from usdrigui.layout.review.legibility import SCREEN_HEIGHT, legibility
-from usdrigui.model import Anchor, Element, Manipulator, Member
+from usdrigui.model import Anchor, Element, Member
 
 SCREEN = np.eye(3)[:2]
 FRAME = (("low", (0, 0), (0, 20)), ("high", (0, SCREEN_HEIGHT - 20), (0, SCREEN_HEIGHT)))
@@ -17,7 +17,7 @@ def element(name: str, *track: tuple[float, float], inner: tuple[str, ...] = (),
     points = np.array([(*point, 0.0) for point in track])
     member = Member(name, np.linspace(0.0, 1.0, len(points)), points, 1.0, 1.0)
     anchor = Anchor("/Face", 0, 1, "", points[0], np.array([0.0, 0.0, 1.0]), on_board)
-    return Element(name, Manipulator("slider", (member,)), anchor, name, "none", inner=inner)
+    return Element(name, "slider", (member,), anchor, name, "none", inner=inner)
 
 
 def unclear(*elements: Element) -> dict[str, str]:

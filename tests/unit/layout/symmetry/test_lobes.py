@@ -21,7 +21,7 @@ def elements_of(control, x, **settings):
     lobes = sum(makers.bump(POINTS, (side * x, -0.1), (side * x, 0.0, 1.0), 0.2, 0.1) for side in (-1, 1))
     line = chain.lay_out(makers.rig(POINTS, QUADS, SHAPES | {control: lobes}), chain.settings(**settings))
     layout = chain.by_name(line)
-    return [each for each in layout.values() if any(member.control == control for member in each.manipulator.members)]
+    return [each for each in layout.values() if any(member.control == control for member in each.members)]
 
 
 @pytest.mark.parametrize(("x", "count"), [(0.45, 2), (0.3, 2), (0.1275, 2), (0.12, 1), (0.05, 1)])
@@ -31,8 +31,8 @@ def test_two_lobes_off_the_plane_have_a_handle_each_and_one_lobe_stands_in_the_m
     assert len(elements_of("target", x)) == min(count, 1 + (x > 0.2)), "nearly in the middle, under no name"
     if count == 2:
         left, right = found
-        assert left.manipulator.mirror == right.name
-        assert right.manipulator.mirror == left.name
+        assert left.mirror == right.name
+        assert right.mirror == left.name
         assert left.anchor.position[0] == pytest.approx(-right.anchor.position[0], abs=1e-6)
 
 
@@ -61,7 +61,7 @@ def test_a_control_that_is_expected_on_the_sides_alone_has_no_handle_on_one_of_t
     """A clench that moves the whole jaw, the chin a little more."""
     jaw = makers.bump(POINTS, (0.0, -0.6), (0, -0.3, 1.0), 1.2, 0.1)
     line = chain.lay_out(makers.rig(POINTS, QUADS, SIDES | {"jawOpen": SHAPES["chin"], "jawClench": jaw}))
-    found = [each for each in line.layout.elements if any(m.control == "jawClench" for m in each.manipulator.members)]
+    found = [each for each in line.layout.elements if any(m.control == "jawClench" for m in each.members)]
     across = [round(each.anchor.position[0], 3) for each in found]
     assert min(across) < 0.0 < max(across)
 

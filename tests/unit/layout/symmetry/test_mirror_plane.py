@@ -179,15 +179,12 @@ def test_twins_of_opposite_sign_are_found_where_both_go_both_ways():
 def test_elements_of_reversed_twins_mirror_each_other_and_say_so():
     line = chain.lay_out(eyes(-1.0))
     left, right = (chain.by_name(line)[name] for name in ("yaw_L", "yaw_R"))
-    assert (left.manipulator.mirror, right.manipulator.mirror) == ("yaw_R", "yaw_L")
-    assert (left.manipulator.reversed, right.manipulator.reversed) == ((0,), (0,))
+    assert (left.mirror, right.mirror) == ("yaw_R", "yaw_L")
+    assert (left.reversed, right.reversed) == ((0,), (0,))
     assert np.abs(left.anchor.position * [-1.0, 1.0, 1.0] - right.anchor.position).max() < 1e-6
-    assert (
-        np.abs(left.manipulator.members[0].track * [-1.0, 1.0, 1.0] - right.manipulator.members[0].track[::-1]).max()
-        < 1e-5
-    )
+    assert np.abs(left.members[0].track * [-1.0, 1.0, 1.0] - right.members[0].track[::-1]).max() < 1e-5
     forced = chain.lay_out(eyes(-1.0), chain.settings(controls={"yaw_L": {"twin": "none"}}))
-    assert chain.by_name(forced)["yaw_L"].manipulator.reversed == ()
+    assert chain.by_name(forced)["yaw_L"].reversed == ()
 
 
 def test_left_and_right_shapes_may_differ_and_weak_ones_need_the_name():
