@@ -154,14 +154,10 @@ def at_centroid(inputs: ProblemInputs, _: SolveSettings) -> Indices:
         moving = [motions[control] for control in choice.controls[0]]
         points = np.concatenate([each.points for each in moving])
         weight = np.concatenate(
-            [each.arc_length * face.trajectories.surface.areas[each.points] for each in moving]
+            [each.arc_length * face.surface.areas[each.points] for each in moving]
         )
-        middle = np.average(
-            face.trajectories.surface.points[points], axis=0, weights=weight + 1e-30
-        )
-        apart = np.linalg.norm(
-            face.trajectories.surface.points[choice.anchors[:, 0]] - middle, axis=1
-        )
+        middle = np.average(face.surface.points[points], axis=0, weights=weight + 1e-30)
+        apart = np.linalg.norm(face.surface.points[choice.anchors[:, 0]] - middle, axis=1)
         labels.append(int(apart.argmin()) if len(apart) else -1)
     return np.array(labels)
 
@@ -314,8 +310,7 @@ def _row(
         cost=cost,
         bound=bound,
         seconds=seconds,
-        nearest=nearest_handles(inputs.face.trajectories.surface.points[points])
-        / inputs.face.handle_width,
+        nearest=nearest_handles(inputs.face.surface.points[points]) / inputs.face.handle_width,
         visible=float(inputs.face.views.visible[:, points].mean()) if len(points) else 1.0,
         clear=legible.clear / max(legible.elements, 1),
         kept=displacement_kept(inputs, labels),

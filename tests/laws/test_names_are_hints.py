@@ -39,7 +39,7 @@ def placed(rig):
     character = stages.character_of(rig, Task(SETTINGS))
     inputs = stages.part_problem(character, character.parts[0])
     layout = stages.layout_of(inputs, solve(inputs.placement.problem, SETTINGS.solve))
-    return namings.places(rig, layout), inputs.face.trajectories.surface
+    return namings.places(rig, layout), inputs.face.surface
 
 
 @pytest.fixture(scope="module", params=RIGS, ids=lambda path: path.stem)

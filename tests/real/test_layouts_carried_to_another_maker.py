@@ -50,7 +50,7 @@ def carried_by_hand():
 
 def place_at(face, across_and_up):
     """(3,) the foremost visible point there; the other maker's head has Z up and faces -Y."""
-    base = face.trajectories.surface.points
+    base = face.surface.points
     off = np.linalg.norm(base[:, [0, 2]] - across_and_up, axis=1)
     near = np.flatnonzero(face.views.anywhere & (off < 2.0 * face.handle_width))
     return base[near[np.argmin(base[near, 1] + off[near])]]
@@ -58,7 +58,7 @@ def place_at(face, across_and_up):
 
 def candidates_of(ready):
     """Where each control may stand, by name."""
-    base, names = ready.face.trajectories.surface.points, [control.name for control in ready.face.rig.controls]
+    base, names = ready.face.surface.points, [control.name for control in ready.face.rig.controls]
     return {
         names[control]: base[choice.anchors[:, copy]]
         for choice in ready.placement.choices

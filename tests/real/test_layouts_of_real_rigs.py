@@ -31,7 +31,7 @@ def test_pairs_mirror_where_the_mesh_does(name):
         assert other.mirror == one.name
         apart = float((one.anchor.position - symmetry.plane.origin) @ symmetry.plane.normal)
         image = one.anchor.position - 2.0 * apart * symmetry.plane.normal
-        missed = float(np.linalg.norm(image - other.anchor.position)) / line.face.trajectories.surface.face_size
+        missed = float(np.linalg.norm(image - other.anchor.position)) / line.face.surface.face_size
         assert missed <= 5e-5, "the meshes of these rigs mirror everywhere"
 
 

@@ -75,7 +75,7 @@ def test_a_shot_that_scales_and_turns_the_asset_gives_the_same_anchors(name, z_u
 @cache
 def with_whole_head(name):
     plain = line_of(name)
-    base = plain.face.trajectories.surface.points
+    base = plain.face.surface.points
     moved = np.zeros(len(base), dtype=bool)
     for candidate_set in plain.candidates.sets:
         if candidate_set.category != "global":
@@ -125,4 +125,4 @@ def test_elements_of_several_ways_drive_them_from_one_handle():
     assert jaw is ict["jawRight"]
     for element in (gaze, jaw):
         starts = [member.track[int(np.argmin(np.abs(member.values)))] for member in element.members]
-        assert np.ptp(starts, axis=0).max() < 1e-6 * line_of("ict_face57").face.trajectories.surface.face_size
+        assert np.ptp(starts, axis=0).max() < 1e-6 * line_of("ict_face57").face.surface.face_size

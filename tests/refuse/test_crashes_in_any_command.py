@@ -11,7 +11,7 @@ from pxr import Sdf, Usd
 
 from usdrigui.cli import main
 from usdrigui.reader.reader_process import read_layer_isolated
-from usdrigui.reader.reader_records import Opening
+from usdrigui.settings import ReadSettings
 
 COMMANDS = (
     "process char.usda -o out.usda",
@@ -61,7 +61,7 @@ def test_a_layer_by_itself_names_all_that_it_brings_along(tmp_path):
     }.items():
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text(f"#usda 1.0\n{text}")
-    found = read_layer_isolated(tmp_path / "a.usda", Opening())
+    found = read_layer_isolated(tmp_path / "a.usda", ReadSettings())
     assert found.sublayers == ("./gone.usda", "./b.usda")
     assert {str((tmp_path / each).resolve().relative_to(tmp_path.resolve())) for each in found.needed} == {
         "gone.usda",

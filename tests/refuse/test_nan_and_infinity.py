@@ -88,7 +88,7 @@ def test_there_are_numbers_to_spoil():
 
 def fault_of_configuration(target, told):
     """Code of what the reader finds in a prim that the configuration names, a glyph; it is refused with all the rest."""
-    return next((each.code for each in read_characters(target, told.rig).faults.issues), "")
+    return next((each.code for each in read_characters(target, told).faults.issues), "")
 
 
 @pytest.mark.parametrize(("name", "path"), NUMERIC, ids=[f"{name}-{path}" for name, path in NUMERIC])

@@ -23,7 +23,7 @@ from usdrigui.errors import RigUIError, catalogue
 from usdrigui.isolation import record_stream
 from usdrigui.layer import author
 from usdrigui.reader import faults, reader_main
-from usdrigui.reader.reader_records import Limits, Request, Response
+from usdrigui.reader.reader_records import Request, Response
 from usdrigui.reading.clips import read_performances
 from usdrigui.settings import Settings, load
 from usdrigui.stages import schema
@@ -212,7 +212,7 @@ def variants(layer, path, folder, texts=TEXTS, values=VALUES):
 
 def refusal_of(task, path, settings=SETTINGS):
     """The refusal, or None for a result; the response can be handed over."""
-    response = reader_main.answer(Request(task, str(path), settings, Limits()))
+    response = reader_main.answer(Request(task, str(path), settings))
     record_stream.decode(b"".join(record_stream.encode(response)), Response)
     return response.refusal
 

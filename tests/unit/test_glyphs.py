@@ -20,9 +20,8 @@ from usdrigui.layer.read_layout import read_layout
 from usdrigui.layer.write_layout import layer_for, stage_metadata
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare
 from usdrigui.reader.reader_process import read_layouts_isolated
-from usdrigui.reader.reader_records import Opening
 from usdrigui.reading.character import read_rigs
-from usdrigui.settings import OutputSettings, load
+from usdrigui.settings import OutputSettings, ReadSettings, load
 from usdrigui.view.body import shading
 from usdrigui.view.flat import marks
 from usdrigui.view.flat.pillow import painted
@@ -292,7 +291,7 @@ def test_glyphs_come_back_from_the_layer(tmp_path):
     layout = with_glyphs(laid_out.layout_of(rig, beside=("brow_L",)))
     path = written(tmp_path, rig, layout, source)
     assert not laid_out.validation_errors(Usd.Stage.Open(str(path)))
-    (back,) = read_layouts_isolated(path, Opening()).layouts
+    (back,) = read_layouts_isolated(path, ReadSettings()).layouts
     for one, other in zip(layout.elements, back.elements, strict=True):
         assert (one.glyph.name, one.glyph.form) == (other.glyph.name, other.glyph.form)
         assert np.allclose(one.glyph.points, other.glyph.points, atol=1e-6)

@@ -26,17 +26,17 @@ from usdrigui.isolation import record_stream
 from usdrigui.isolation.foreign_file import check_unchanged
 from usdrigui.reader import reader_main
 from usdrigui.reader.reader_process import read_rigs_isolated
-from usdrigui.reader.reader_records import Limits, Request
+from usdrigui.reader.reader_records import Request
 from usdrigui.reading.character import read_characters, read_rigs
-from usdrigui.settings import Settings, load
+from usdrigui.settings import ReadSettings, Settings, load
 
 HANG = '#usda 1.0\n(\n    subLayers = [@./pipe.usda@]\n)\ndef SkelRoot "A" {}\n'
 """Over a pipe that nobody writes to, this keeps USD waiting for ever."""
 
 
-def refused(path, limits=None, config=None):
+def refused(path, read=None):
     with pytest.raises(RigUIError) as caught:
-        read_rigs_isolated(path, load(config or {}), limits)
+        read_rigs_isolated(path, load({"read": read or {}}))
     return caught.value
 
 
@@ -124,7 +124,7 @@ def test_every_death_has_its_code(how, tmp_path, monkeypatch, capfd):
     impostor.write_text(f"#!/bin/sh\n{script}\n")
     impostor.chmod(0o755)
     monkeypatch.setattr(sys, "executable", str(impostor))
-    error = refused(head(tmp_path / "char.usda"), Limits(seconds=0.5))
+    error = refused(head(tmp_path / "char.usda"), {"time_limit": 0.5})
     assert (error.issue.code, error.exit_code) == (code, leaves)
     assert capfd.readouterr() == ("", "")
 
@@ -154,7 +154,7 @@ def test_grandchildren_die_with_the_reader(tmp_path, monkeypatch):
     impostor.write_text(f"#!/bin/sh\nsleep 60 &\necho $! > {tmp_path}/grandchild\nwait\n")
     impostor.chmod(0o755)
     monkeypatch.setattr(sys, "executable", str(impostor))
-    assert refused(head(tmp_path / "char.usda"), Limits(seconds=0.5)).issue.code == "SOURCE_TIME_LIMIT"
+    assert refused(head(tmp_path / "char.usda"), {"time_limit": 0.5}).issue.code == "SOURCE_TIME_LIMIT"
     until(lambda: gone(int((tmp_path / "grandchild").read_text())))
 
 
@@ -163,7 +163,7 @@ def test_grandchildren_die_with_the_reader(tmp_path, monkeypatch):
 
 def test_usd_never_returns(tmp_path):
     before = time.monotonic()
-    assert refused(hanging(tmp_path), Limits(seconds=1.5)).issue.code == "SOURCE_TIME_LIMIT"
+    assert refused(hanging(tmp_path), {"time_limit": 1.5}).issue.code == "SOURCE_TIME_LIMIT"
     assert time.monotonic() - before < 3.5
     assert not any(map(children_of, children_of(os.getpid())))
 
@@ -185,7 +185,7 @@ def test_the_reader_ends_with_a_host_that_was_killed(tmp_path):
 
 def test_the_reader_has_an_alarm_of_its_own(tmp_path):
     """Even where nothing watches it any more."""
-    request = Request("rigs", str(hanging(tmp_path)), Settings(), Limits(seconds=0.2))
+    request = Request("rigs", str(hanging(tmp_path)), Settings(read=ReadSettings(time_limit=0.2)))
     done = subprocess.run(
         [sys.executable, "-m", "usdrigui.isolation.reader", "usdrigui.reader.reader_main"],
         input=b"".join(record_stream.encode(request)),
@@ -303,7 +303,7 @@ def test_a_mistake_of_ours_is_called_one(tmp_path, monkeypatch):
         raise IndexError("of ours")
 
     monkeypatch.setattr("usdrigui.reader.reader_main.read_characters", broken)
-    request = Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits())
+    request = Request("rigs", str(head(tmp_path / "char.usda")), Settings())
     found = reader_main.answer(request)
     assert found.refusal is not None
     assert (found.refusal.code, found.exit_code) == ("BUG", Exit.BUG)
@@ -322,7 +322,7 @@ def test_what_usd_raises_blames_the_asset(error, code, tmp_path, monkeypatch):
         raise error
 
     monkeypatch.setattr("usdrigui.reader.reader_main.read_characters", broken)
-    request = Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits())
+    request = Request("rigs", str(head(tmp_path / "char.usda")), Settings())
     assert reader_main.answer(request).refusal.code == code
 
 
@@ -375,7 +375,7 @@ def test_a_change_while_usd_reads_is_noticed(tmp_path):
 
     thread = threading.Thread(target=meddle)
     thread.start()
-    error = refused(path, Limits(seconds=20))
+    error = refused(path, {"time_limit": 20})
     thread.join()
     assert (error.issue.code, error.exit_code) == ("SOURCE_CHANGED", Exit.FILE)
 
@@ -398,7 +398,7 @@ def test_a_sublayer_that_changes_around_its_reading_is_noticed(layered, when, mo
         return rigs
 
     monkeypatch.setattr("usdrigui.reader.reader_main.read_characters", read)
-    request = Request("rigs", str(layered), Settings(), Limits())
+    request = Request("rigs", str(layered), Settings())
     found = reader_main.answer(request)
     assert found.refusal is not None
     assert (found.refusal.code, found.refusal.path) == ("SOURCE_CHANGED", os.path.realpath(below))
@@ -412,7 +412,7 @@ def test_an_asset_of_one_file_is_parsed_once(tmp_path, monkeypatch):
         return read_characters(path, settings)
 
     monkeypatch.setattr("usdrigui.reader.reader_main.read_characters", read)
-    assert reader_main.answer(Request("rigs", str(path), Settings(), Limits())).rigs is not None
+    assert reader_main.answer(Request("rigs", str(path), Settings())).rigs is not None
 
 
 @pytest.mark.parametrize("referenced", [False, True])

@@ -17,7 +17,6 @@ from usdrigui.errors import NO_LAYOUT, RigUIError, refuse
 from usdrigui.isolation import worker
 
 if TYPE_CHECKING:
-    from usdrigui.reader.reader_records import Opening
     from usdrigui.settings import ReadSettings, Settings, UnsoundSettingsError
 
 
@@ -147,7 +146,7 @@ keys of TOML."""
 _ASSIGNED = re.compile(rf"({_WORD}(?:\.{_WORD})*)=(.*)", re.DOTALL)
 
 
-def _configuration(arguments: argparse.Namespace, limits: ReadSettings) -> Sequence[Path]:
+def _configuration(arguments: argparse.Namespace, opening: ReadSettings) -> Sequence[Path]:
     """The configurations of a command: those given, or that of its asset or layer; none if there
     is no such file."""
     given: list[Path] = getattr(arguments, "config", [])
@@ -159,12 +158,12 @@ def _configuration(arguments: argparse.Namespace, limits: ReadSettings) -> Seque
         return list(_existing(_beside(asset)))
     if layer is None:
         return []
-    from usdrigui.reader.reader_records import Opening
-
-    return list(itertools.islice(_of_layer(layer, Opening.of(limits)), 1))
+    return list(itertools.islice(_of_layer(layer, opening), 1))
 
 
-def _of_layer(layer: Path, opening: Opening, above: frozenset[str] = frozenset()) -> Iterator[Path]:
+def _of_layer(
+    layer: Path, opening: ReadSettings, above: frozenset[str] = frozenset()
+) -> Iterator[Path]:
     """The configurations of what a command takes as a layout, the first of which counts; `above`
     are layers over it.
 

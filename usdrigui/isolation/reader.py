@@ -31,18 +31,6 @@ MESSAGE = 1 << 16
 """Bytes of a message at most."""
 
 
-class Limits(Protocol):
-    """What a reader may take."""
-
-    @property
-    def seconds(self) -> float:
-        """Wall clock."""
-
-    @property
-    def memory(self) -> int:
-        """MiB of private memory, beyond what the program itself takes."""
-
-
 class Question(Protocol):
     """What can be asked about a file."""
 
@@ -51,8 +39,12 @@ class Question(Protocol):
         """Of the file."""
 
     @property
-    def limits(self) -> Limits:
-        """What the answer may cost."""
+    def seconds(self) -> float:
+        """Wall clock that the answer may take."""
+
+    @property
+    def memory(self) -> int:
+        """MiB of private memory that it may take, beyond what the program itself does."""
 
 
 def main() -> NoReturn:
@@ -110,7 +102,7 @@ def _answer(program: ModuleType, question_from: int, answer_to: int) -> NoReturn
     farewell, which may crash on what was read."""
     with os.fdopen(question_from, "rb") as stream:
         question = decode(stream.read(), program.QUESTION)
-    confine(question.limits.seconds, question.limits.memory)
+    confine(question.seconds, question.memory)
     for chunk in encode(program.answer(question)):
         rest = chunk
         while rest:

@@ -56,12 +56,12 @@ def answered(question: Question, program: str, kind: type[_Answer]) -> _Answer:
     Raises RigUIError SOURCE_CRASHES_USD, SOURCE_TIME_LIMIT, SOURCE_MEMORY_LIMIT,
     SOURCE_READER_LOST, PYTHON_PERMISSION.
     """
-    limits, reader = question.limits, None
-    deadline = time.monotonic() + limits.seconds
+    reader = None
+    deadline = time.monotonic() + question.seconds
     try:
         with _private_file(question) as asked:
             reader = _started(program, asked, deadline)
-        answer, printed = Drain(reader.answer, limits.memory << 20), Drain(reader.printed)
+        answer, printed = Drain(reader.answer, question.memory << 20), Drain(reader.printed)
         late = not answer.ended(deadline - time.monotonic())
         code, peak = reader.end()
         answer.close()
@@ -92,11 +92,11 @@ def answer_invalid(path: str) -> RigUIError:
 
 def _failure(end: ProcessEnd, late: bool, question: Question) -> RigUIError:
     """What it means that a reader ended without an answer."""
-    path, limits = question.path, question.limits
+    path = question.path
     if late or end.was_killed_by("SIGALRM"):
-        return refuse("SOURCE_TIME_LIMIT", path, f"was not read within {limits.seconds:g} s")
-    if end.starved(limits.memory):
-        message = f"needs more than {limits.memory} MiB to be read"
+        return refuse("SOURCE_TIME_LIMIT", path, f"was not read within {question.seconds:g} s")
+    if end.starved(question.memory):
+        message = f"needs more than {question.memory} MiB to be read"
         return refuse("SOURCE_MEMORY_LIMIT", path, message)
     if end.was_killed_by("SIGKILL"):
         return refuse("SOURCE_READER_LOST", path, "the reading process was killed from outside")

@@ -12,7 +12,7 @@ from usdrigui.character.surface import components, mesh_triangles
 from usdrigui.conventions import Meaning
 from usdrigui.layout.canonical_face import Expectation
 from usdrigui.layout.visibility import Views, clear_handles
-from usdrigui.model import Symmetry, Trajectories
+from usdrigui.model import BaseSurface, Symmetry, Trajectories
 from usdrigui.ties import first_largest
 
 
@@ -35,6 +35,11 @@ class Face(Record):
     """Whether elements are kept apart as they are seen on the screen, not in space."""
 
     @property
+    def surface(self) -> BaseSurface:
+        """The character at its base pose."""
+        return self.trajectories.surface
+
+    @property
     def drawing_axes(self) -> Floats:
         """(d, 3) the axes along which drawn elements are measured."""
         return self.views.drawing_axes(self.flat)
@@ -42,7 +47,7 @@ class Face(Record):
     @cached_property
     def clear(self) -> Flags:
         """(n,) points at which a handle can be seen as a whole."""
-        base, normals = self.trajectories.surface.points, self.trajectories.surface.normals
+        base, normals = self.surface.points, self.surface.normals
         return clear_handles(self.views, base, normals, self.handle_width)
 
     @cached_property
@@ -64,7 +69,7 @@ class Face(Record):
     @cached_property
     def pieces(self) -> Indices:
         """(n,) the connected piece of surface of each point."""
-        return components(mesh_triangles(self.rig.body.meshes), self.trajectories.surface.places)
+        return components(mesh_triangles(self.rig.body.meshes), self.surface.places)
 
     def control_name(self, control: int) -> str:
         """Name of a control by its index."""

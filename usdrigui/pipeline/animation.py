@@ -19,15 +19,14 @@ from usdrigui.layout.motion.activity import (
     with_importances,
 )
 from usdrigui.reader.reader_process import read_performances_isolated
-from usdrigui.reader.reader_records import Opening
 from usdrigui.report.inspection import AnimationFacts, UseFacts
-from usdrigui.settings import ControlSettings
+from usdrigui.settings import ControlSettings, ReadSettings
 
 _ACTIVE = 0.05
 """Activity from which a control is active in a frame."""
 
 
-def performances(paths: Sequence[Path], opening: Opening) -> tuple[Performance, ...]:
+def performances(paths: Sequence[Path], opening: ReadSettings) -> tuple[Performance, ...]:
     """Every animation of some files.  Raises ANIMATION_MISSING and everything that reading an asset
     can raise."""
     return tuple(each for path in paths for each in read_performances_isolated(path, opening))

@@ -23,9 +23,8 @@ from usdrigui.reader.reader_process import (
     read_layer_isolated,
     read_layouts_isolated,
 )
-from usdrigui.reader.reader_records import Opening
 from usdrigui.replacing.transaction import State, Transaction, same_file
-from usdrigui.settings import ControlSettings, Settings, literal, load
+from usdrigui.settings import ControlSettings, ReadSettings, Settings, literal, load
 
 
 def pin(
@@ -44,7 +43,7 @@ def pin(
     """
     found, read = read_composed_isolated(layer, settings)
     layouts = {each.root: each for each in found.layouts}
-    made = _existing(output, layer, Opening.of(settings.read))
+    made = _existing(output, layer, settings.read)
     unit = float(read.metadata["metersPerUnit"])
     for key, value in decisions.items():
         rig, name, what = _meant(read.rigs, key)
@@ -61,7 +60,7 @@ def pin(
 
 def pins(layer: Path, settings: Settings) -> tuple[Correction, ...]:
     """The corrections that a layer brings, and as such what its layouts have on record."""
-    found = read_layouts_isolated(layer, Opening.of(settings.read))
+    found = read_layouts_isolated(layer, settings.read)
     recorded = (each for layout in found.layouts for each in _recorded(layout))
     told = {(each.root, each.control): each for each in (*recorded, *found.corrections)}
     return tuple(told.values())
@@ -81,7 +80,7 @@ def bake(shot: Path, settings: Settings, output: Path | None = None) -> tuple[St
         raise refuse("FILE_TARGET", target, "what is baked is USD text and ends in .usda")
     if target.is_file() and BAKED.encode() not in whole_content(target, 256):
         raise refuse("FILE_TARGET", target, "exists and is not what `usdrigui bake` wrote")
-    content = read_baked_isolated(shot, settings)
+    content = read_baked_isolated(shot, settings.read)
     make_folder(target)
     with Transaction([shot]) as files:
         state = files.stage(content.encode(), target)
@@ -106,7 +105,9 @@ def _of_record(root: str, control: str, element: Element) -> Correction:
     return Correction(root, control, placed, element.pinned_position, reason=reason)
 
 
-def _existing(output: Path, layer: Path, opening: Opening) -> dict[tuple[str, str], Correction]:
+def _existing(
+    output: Path, layer: Path, opening: ReadSettings
+) -> dict[tuple[str, str], Correction]:
     """What a layer of corrections holds already; raises FILE_TARGET for another file."""
     if same_file(output, layer):
         raise refuse("FILE_TARGET", output, "is the layout itself, which stays as it is")

@@ -19,7 +19,6 @@ from usdrigui.pipeline.records import Character, ProblemInputs, Task
 from usdrigui.pipeline.reference_layouts import ReferenceLayers, read_references
 from usdrigui.pipeline.stages import build_problem, character_of, part_problem
 from usdrigui.reader.reader_process import read_rigs_isolated
-from usdrigui.reader.reader_records import Opening
 from usdrigui.report.inspection import CharacterFacts, ControlFacts, Inspection, Likeness, PartFacts
 from usdrigui.settings import Settings
 
@@ -40,7 +39,7 @@ def inspect(
     clock = Clock(progress)
     with clock.stage("read"):
         source = read_rigs_isolated(asset, settings)
-        opening = Opening.of(settings.read)
+        opening = settings.read
         clips = animation.performances(animations, opening)
         references = read_references(ReferenceLayers(like=like), opening, source)
         refuse_unsound(source, settings, references.like)

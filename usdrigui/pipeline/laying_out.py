@@ -40,7 +40,7 @@ from usdrigui.pipeline.stages import character_of, layout_of, part_problem, with
 from usdrigui.pipeline.targets import check_place, check_replaceable, check_target, default_output
 from usdrigui.pipeline.writing import check_base, stage_layer
 from usdrigui.reader.reader_process import read_rigs_isolated, read_variants_isolated
-from usdrigui.reader.reader_records import Opening, ReadResult
+from usdrigui.reader.reader_records import ReadResult
 from usdrigui.replacing.transaction import Transaction, same_file
 from usdrigui.report import documents
 from usdrigui.report.run_report import CharacterReport, Outcome, PartRow, Report, SourceRow, rows_of
@@ -84,7 +84,7 @@ def process(
                 asset, target, each.source, each.settings.output, over_base=layers.base is not None
             )
             _check_base(each, target)
-        opening = Opening.of(settings.read)
+        opening = settings.read
         check_replaceable(target, opening, asset if output is None else None)
         if dry_run:
             check_place(target)
@@ -178,7 +178,7 @@ def _readings(
             )
         over = _read_over(asset, settings, layers)
         return over, over[0].references.ignored
-    sets = functools.partial(read_variants_isolated, asset, Opening.of(settings.read))
+    sets = functools.partial(read_variants_isolated, asset, settings.read)
     return _read_each(
         settings,
         sets,
@@ -201,7 +201,7 @@ def _read(
     read: Callable[[Settings], ReadResult], layers: ReferenceLayers, settings: Settings
 ) -> AssetReading:
     source = read(settings)
-    references = read_references(layers, Opening.of(settings.read), source)
+    references = read_references(layers, settings.read, source)
     corrected = with_corrections(settings, references.corrections, source.rigs)
     if corrected != settings:
         source, settings = read(corrected), corrected
@@ -234,7 +234,7 @@ def _of_variant(
     """Some characters of a shot, over the layout that the base has for the variants that they
     select."""
     source = replace(found.source, rigs=tuple(rigs))
-    opening = Opening.of(variants.selecting(found.settings, chosen).read)
+    opening = variants.selecting(found.settings, chosen).read
     return AssetReading(found.settings, source, read_references(layers, opening, source))
 
 

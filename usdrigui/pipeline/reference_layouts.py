@@ -25,7 +25,7 @@ from usdrigui.reader.reader_process import (
     read_layer_isolated,
     read_layouts_isolated,
 )
-from usdrigui.reader.reader_records import LayoutsResult, Limits, Opening, ReadResult
+from usdrigui.reader.reader_records import LayoutsResult, ReadResult
 from usdrigui.settings import ReadSettings, Settings
 
 
@@ -83,7 +83,7 @@ class ReferenceLayouts(Record):
 
 
 def read_references(
-    layers: ReferenceLayers, opening: Opening, source: ReadResult
+    layers: ReferenceLayers, opening: ReadSettings, source: ReadResult
 ) -> ReferenceLayouts:
     """Read the layers, each in a process of its own, for an asset that was read.
 
@@ -104,7 +104,7 @@ def read_references(
         )
     base = read_layouts_isolated(layers.base, opening) if layers.base else None
     kept = [_kept(each, opening) for each in (layers.fixed, layers.previous)]
-    like, theirs = _characters(layers.like, opening.limits) if layers.like else ((), ())
+    like, theirs = _characters(layers.like, opening) if layers.like else ((), ())
     read = [each for each in (base, *kept) if each is not None]
     given = (read_layer_isolated(each, opening).corrections for each in layers.corrections)
     stacked = (*(each.corrections for each in read), source.corrections)
@@ -149,7 +149,7 @@ def _of_characters(
     return tuple(found.values()), lost
 
 
-def _kept(layer: Path | None, opening: Opening) -> LayoutsResult | None:
+def _kept(layer: Path | None, opening: ReadSettings) -> LayoutsResult | None:
     """A layout to keep; anchors that a stronger layer gives as a point alone have the place of that
     point in the stage that the layer composes."""
     if layer is None:
@@ -158,9 +158,9 @@ def _kept(layer: Path | None, opening: Opening) -> LayoutsResult | None:
     pinned = (e.pinned_position for each in found.layouts for e in each.elements)
     if np.isfinite([*pinned]).all():
         return found
-    settings = Settings(read=ReadSettings(variants=opening.variants))
+    settings = _unconfigured(opening, opening.variants)
     try:
-        _, composed = read_composed_isolated(layer, settings, opening.limits)
+        _, composed = read_composed_isolated(layer, settings)
     except RigUIError:
         return found  # the character is gone; what is lost is told where it is missed
     rigs = {rig.path: rig for rig in composed.rigs}
@@ -287,14 +287,26 @@ def imitated(like: Sequence[tuple[Rig, Layout]], root: str) -> tuple[Rig, Layout
 
 
 def _characters(
-    layer: Path, limits: Limits
+    layer: Path, opening: ReadSettings
 ) -> tuple[tuple[tuple[Rig, Layout], ...], tuple[SourceFile, ...]]:
     """The characters of a layer to imitate, read without the configuration of ours, and
     their files."""
-    found, read = read_composed_isolated(layer, Settings(), limits)
+    found, read = read_composed_isolated(layer, _unconfigured(opening, {}))
     layouts = _by_root(found)
     characters = tuple((rig, layouts[rig.path]) for rig in read.rigs if rig.path in layouts)
     return characters, read.sources
+
+
+def _unconfigured(opening: ReadSettings, variants: Mapping[str, str]) -> Settings:
+    """The limits of reading and some variants; nothing else that is said of our character."""
+    return Settings(
+        read=ReadSettings(
+            variants=variants,
+            time_limit=opening.time_limit,
+            memory_limit=opening.memory_limit,
+            size_limit=opening.size_limit,
+        )
+    )
 
 
 def _by_root(found: LayoutsResult | None) -> Mapping[str, Layout]:

@@ -32,8 +32,8 @@ from usdrigui.reader.reader_process import (
     read_rigs_isolated,
     read_variants_isolated,
 )
-from usdrigui.reader.reader_records import Opening, ReadResult
-from usdrigui.settings import Settings
+from usdrigui.reader.reader_records import ReadResult
+from usdrigui.settings import ReadSettings, Settings
 
 if TYPE_CHECKING:
     from pxr import Sdf, Usd
@@ -198,7 +198,7 @@ def check(
 def _checked(layer: Path, settings: Settings, clock: Clock) -> LayerReview:
     reviews, plain = variants.in_each_variant(
         settings,
-        functools.partial(read_variants_isolated, layer, Opening.of(settings.read)),
+        functools.partial(read_variants_isolated, layer, settings.read),
         lambda chosen: _checked_as_selected(layer, chosen, clock),
     )
     characters = {root: review for each in reviews for root, review in each.characters}
@@ -308,7 +308,7 @@ def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tupl
     if missing.code not in NO_LAYOUT:
         raise refusal
     off = [] if missing.code == "LAYOUT_MISSING" else [replace(missing, severity="info")]
-    found = read_faults_isolated(asset, Opening.of(settings.read))
+    found = read_faults_isolated(asset, settings.read)
     if found.empty:
         raise refusal
     try:
@@ -330,8 +330,8 @@ def diff(before: Path, after: Path, settings: Settings) -> LayerDifference:
     """
     each, _ = variants.in_each_variant(
         settings,
-        functools.partial(read_variants_isolated, after, Opening.of(settings.read)),
-        lambda chosen: _difference(before, after, Opening.of(chosen.read)),
+        functools.partial(read_variants_isolated, after, settings.read),
+        lambda chosen: _difference(before, after, chosen.read),
     )
     characters = {one.root: one for found in each for one in found.characters}
     only = {root for found in each for root in found.only_in_one}
@@ -340,7 +340,7 @@ def diff(before: Path, after: Path, settings: Settings) -> LayerDifference:
     return LayerDifference(str(before), str(after), compared, tuple(sorted(only)), issues)
 
 
-def _difference(before: Path, after: Path, opening: Opening) -> LayerDifference:
+def _difference(before: Path, after: Path, opening: ReadSettings) -> LayerDifference:
     layers = [read_layouts_isolated(layer, opening) for layer in (before, after)]
     old, new = ({each.root: each for each in read.layouts} for read in layers)
     issues = tuple(dict.fromkeys(told for read in layers for told in read.ignored))

@@ -9,8 +9,8 @@ from pathlib import Path
 
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.reader.reader_process import read_layer_isolated
-from usdrigui.reader.reader_records import Opening
 from usdrigui.replacing.transaction import State, Transaction, check_not_read, file_error, same_file
+from usdrigui.settings import ReadSettings
 
 _LAYER_SUFFIXES = (".usd", ".usda", ".usdc")
 _USD_SUFFIXES = (*_LAYER_SUFFIXES, ".usdz")
@@ -64,7 +64,7 @@ def check_target(asset: Path, target: Path) -> None:
         raise refuse("FILE_TARGET", target, "a layout layer ends in .usda, .usdc or .usd")
 
 
-def check_replaceable(target: Path, opening: Opening, asset: Path | None = None) -> None:
+def check_replaceable(target: Path, opening: ReadSettings, asset: Path | None = None) -> None:
     """A file at the target must be a layout layer of ours: no other work is replaced by a
     slip of the hand.
 

@@ -37,7 +37,6 @@ from usdrigui.reader.reader_records import (
     FaultsResult,
     LayerResult,
     LayoutsResult,
-    Limits,
     ReadResult,
     Request,
     Response,
@@ -65,7 +64,7 @@ def answer(request: Request) -> Response:
         return _TASKS[request.task](Path(request.path), request.settings)
     except RigUIError as error:
         return _refusal(
-            _starved(request) if _is_memory(error.issue, _peak() - peak, request.limits) else error
+            _starved(request) if _is_memory(error.issue, _peak() - peak, request.memory) else error
         )
     except MemoryError:
         return _refusal(_starved(request))
@@ -364,17 +363,17 @@ def _text(value: object) -> str:
 
 
 def _starved(request: Request) -> RigUIError:
-    limit = f"needs more than {request.limits.memory} MiB to be read"
+    limit = f"needs more than {request.memory} MiB to be read"
     return refuse("SOURCE_MEMORY_LIMIT", request.path, limit)
 
 
-def _is_memory(found: Issue, grown: int, limits: Limits) -> bool:
+def _is_memory(found: Issue, grown: int, memory: int) -> bool:
     """Whether USD's issues of the asset are really about the limit: it catches failed allocations
     itself."""
     if found.code not in ("FILE_NOT_USD", "LAYER_UNREADABLE", "LAYER_MISSING", "USD_ERROR"):
         return False
     return any(message in found.message for message in _OUT_OF_MEMORY) or grown > 0.7 * (
-        limits.memory << 20
+        memory << 20
     )
 
 

@@ -16,8 +16,6 @@ from usdrigui.reader.reader_records import (
     FaultsResult,
     LayerResult,
     LayoutsResult,
-    Limits,
-    Opening,
     ReadResult,
     Request,
     Response,
@@ -30,7 +28,7 @@ _Part = TypeVar("_Part")
 _PROGRAM = "usdrigui.reader.reader_main"
 
 
-def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> ReadResult:
+def read_rigs_isolated(path: Path, settings: Settings) -> ReadResult:
     """As `usdrigui.reading.character.read_rigs`, in a child process that may crash or hang without
     harm.
 
@@ -38,10 +36,9 @@ def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = N
     SOURCE_TOO_LARGE, SOURCE_LFS_POINTER, SOURCE_CRASHES_USD, SOURCE_TIME_LIMIT,
     SOURCE_MEMORY_LIMIT, SOURCE_READER_LOST, SOURCE_CHANGED.
     """
-    limits = limits or Limits.of(settings.read)
-    before = check_source(path, limits.size)
+    before = check_source(path, settings.read.size_limit)
     try:
-        result = _understood(_response("rigs", path, settings, limits).rigs, path)
+        result = _understood(_response("rigs", path, settings).rigs, path)
     except RigUIError:
         check_unchanged([before])  # A file that is being written is not the asset.
         raise
@@ -50,64 +47,59 @@ def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = N
     return result
 
 
-def read_layouts_isolated(path: Path, opening: Opening) -> LayoutsResult:
+def read_layouts_isolated(path: Path, opening: ReadSettings) -> LayoutsResult:
     """As `usdrigui.layer.read_layout.read_layout` and `source_of`, in a reader; raises as
     `read_rigs_isolated`."""
     return _understood(_asked("layouts", path, opening).layouts, path)
 
 
-def read_composed_isolated(
-    path: Path, settings: Settings, limits: Limits | None = None
-) -> tuple[LayoutsResult, ReadResult]:
+def read_composed_isolated(path: Path, settings: Settings) -> tuple[LayoutsResult, ReadResult]:
     """The layouts of a stage, and their characters as that stage composes them: variants,
     overrides, instances and all.
 
     Raises as `read_rigs_isolated`, LAYOUT_MISSING, LAYOUT_STALE where it has none of the
     characters, SOURCE_MISSING for a layer that brings in no character at all.
     """
-    limits = limits or Limits.of(settings.read)
     try:
-        check_source(path, limits.size)
-        response = _response("composed", path, settings, limits)
+        check_source(path, settings.read.size_limit)
+        response = _response("composed", path, settings)
     except RigUIError as error:
         if (
             error.issue.code == "SKELROOT_MISSING"
-            and not read_layouts_isolated(path, Opening(settings.read.variants, limits)).source
+            and not read_layouts_isolated(path, settings.read).source
         ):
             raise refuse("SOURCE_MISSING", path, "does not sublayer any asset") from error
         raise
     return _understood(response.layouts, path), _understood(response.rigs, path)
 
 
-def read_performances_isolated(path: Path, opening: Opening) -> tuple[Performance, ...]:
+def read_performances_isolated(path: Path, opening: ReadSettings) -> tuple[Performance, ...]:
     """As `usdrigui.reading.clips.read_performances`, in a reader; raises as
     `read_rigs_isolated`."""
     return _understood(_asked("clips", path, opening).performances or None, path)
 
 
-def read_faults_isolated(path: Path, opening: Opening) -> FaultsResult:
+def read_faults_isolated(path: Path, opening: ReadSettings) -> FaultsResult:
     """As `usdrigui.reader.faults.stage_faults`, in a reader; raises as `read_rigs_isolated` where
     nothing can be read."""
     return _understood(_asked("faults", path, opening).faults, path)
 
 
-def read_layer_isolated(path: Path, opening: Opening) -> LayerResult:
+def read_layer_isolated(path: Path, opening: ReadSettings) -> LayerResult:
     """A layer by itself, in a reader; what it composes need not be there.  Raises as
     `read_rigs_isolated`."""
     return _understood(_asked("layer", path, opening).layer, path)
 
 
-def read_variants_isolated(path: Path, opening: Opening) -> Mapping[str, tuple[str, ...]]:
+def read_variants_isolated(path: Path, opening: ReadSettings) -> Mapping[str, tuple[str, ...]]:
     """As `usdrigui.stages.variants.variant_sets`, in a reader; raises as `read_rigs_isolated` and
     VARIANT_UNKNOWN."""
     return _understood(_asked("variants", path, opening).variants, path)
 
 
-def read_baked_isolated(path: Path, settings: Settings) -> str:
+def read_baked_isolated(path: Path, opening: ReadSettings) -> str:
     """As `usdrigui.layer.baking.bake`, as text, in a reader; raises as `read_rigs_isolated`."""
-    limits = Limits.of(settings.read)
-    check_source(path, limits.size)
-    return _understood(_response("bake", path, settings, limits).baked, path)
+    return _understood(_asked("bake", path, opening).baked, path)
 
 
 def _understood(part: _Part | None, path: Path) -> _Part:
@@ -117,16 +109,15 @@ def _understood(part: _Part | None, path: Path) -> _Part:
     return part
 
 
-def _asked(task: Task, path: Path, opening: Opening) -> Response:
+def _asked(task: Task, path: Path, opening: ReadSettings) -> Response:
     """The reader's response about a file that it may be shown, whatever becomes a control."""
-    check_source(path, opening.limits.size)
-    settings = Settings(read=ReadSettings(variants=opening.variants))
-    return _response(task, path, settings, opening.limits)
+    check_source(path, opening.size_limit)
+    return _response(task, path, Settings(read=opening))
 
 
-def _response(task: Task, path: Path, settings: Settings, limits: Limits) -> Response:
+def _response(task: Task, path: Path, settings: Settings) -> Response:
     # It keeps symbolic links, where resolve() would follow them.
-    request = Request(task, os.path.abspath(path), settings, limits)  # noqa: PTH100
+    request = Request(task, os.path.abspath(path), settings)  # noqa: PTH100
     response = answered(request, _PROGRAM, Response)
     if response.refusal is not None:
         raise RigUIError(response.refusal, Exit(response.exit_code), response.others)

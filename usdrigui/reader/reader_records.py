@@ -4,47 +4,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, Literal
 
 from usdrigui.character import Floats, Performance, Record, Rig
 from usdrigui.errors import Issue
 from usdrigui.isolation.foreign_file import SourceFile
 from usdrigui.model import Correction, ExistingPrim, Layout
-from usdrigui.settings import ReadSettings, Settings
+from usdrigui.settings import Settings
 
 Task = Literal["rigs", "layouts", "composed", "clips", "faults", "layer", "variants", "bake"]
-
-
-@dataclass(frozen=True, slots=True)
-class Limits:
-    """What the reading process may take."""
-
-    seconds: float = ReadSettings().time_limit
-    """Wall clock."""
-    memory: int = ReadSettings().memory_limit
-    """MiB of private memory, beyond what USD itself takes."""
-    size: int = ReadSettings().size_limit
-    """MiB of the asset's file."""
-
-    @classmethod
-    def of(cls, settings: ReadSettings) -> Limits:
-        """The limits that the settings name."""
-        return cls(settings.time_limit, settings.memory_limit, settings.size_limit)
-
-
-@dataclass(frozen=True, slots=True)
-class Opening:
-    """How a file is opened."""
-
-    variants: Mapping[str, str] = field(default_factory=dict)
-    """Those selected, by the names of their sets."""
-    limits: Limits = field(default_factory=Limits)
-
-    @classmethod
-    def of(cls, settings: ReadSettings) -> Opening:
-        """As the settings say."""
-        return cls(settings.variants, Limits.of(settings))
 
 
 class ReadResult(Record):
@@ -139,7 +108,16 @@ class Request(Record):
     task: Task
     path: str
     settings: Settings
-    limits: Limits
+
+    @property
+    def seconds(self) -> float:
+        """Wall clock that the answer may take."""
+        return self.settings.read.time_limit
+
+    @property
+    def memory(self) -> int:
+        """MiB of private memory that it may take, beyond what USD itself does."""
+        return self.settings.read.memory_limit
 
 
 class Response(Record):

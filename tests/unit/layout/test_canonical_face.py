@@ -41,7 +41,7 @@ def expected(shapes, **settings):
 def test_controls_are_expected_where_they_act_on_whichever_side_their_names_put_them(swapped):
     face, found = expected(shapes(swapped))
     for motion in face.trajectories.motions:
-        peak = face.trajectories.surface.points[[motion.points[np.argmax(motion.arc_length)]]]
+        peak = face.surface.points[[motion.points[np.argmax(motion.arc_length)]]]
         assert found[face.control_name(motion.control)].distance(peak)[0] < 0.2
 
 

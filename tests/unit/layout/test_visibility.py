@@ -55,9 +55,9 @@ def test_what_lies_behind_the_face_is_not_seen_unless_occlusion_is_off():
 def test_tracks_inside_the_model_are_hidden_and_shallow_ones_are_not():
     face = chain.face_of(makers.face())
     point = np.argmin(np.linalg.norm(POINTS[:, :2], axis=1))
-    steps = np.linspace(0.0, 1.0, 5)[:, None] * face.trajectories.surface.normals[point]
+    steps = np.linspace(0.0, 1.0, 5)[:, None] * face.surface.normals[point]
     deep, out, shallow = (POINTS[point] + length * steps for length in (-0.3, 0.3, -0.01))
-    normals = np.repeat(face.trajectories.surface.normals[[point]], 3, axis=0)
+    normals = np.repeat(face.surface.normals[[point]], 3, axis=0)
     found = mostly_hidden(face.views, np.stack([deep, out, shallow]), normals, depth=0.02)
     assert found.tolist() == [True, False, False]
 

@@ -31,10 +31,9 @@ from usdrigui.reader.reader_process import (
     read_layouts_isolated,
     read_rigs_isolated,
 )
-from usdrigui.reader.reader_records import Opening
 from usdrigui.replacing.exchange import Original, editing, replace_source
 from usdrigui.replacing.transaction import commit, same_file
-from usdrigui.settings import Settings
+from usdrigui.settings import ReadSettings, Settings
 from usdrigui.stages import schema
 from usdrigui.stages.opening import open_layer
 from usdrigui.stages.variant_paths import asset_selections
@@ -107,11 +106,11 @@ def _attached(
     asset: Path, layer: Path, settings: Settings, tell: Callable[[Issue], None], in_variant: bool
 ) -> Outcome:
     before = check_source(asset, settings.read.size_limit)
-    layouts = read_layouts_isolated(layer, Opening.of(settings.read)).layouts
+    layouts = read_layouts_isolated(layer, settings.read).layouts
     settings = _in_its_variant(layouts, settings)
     read = read_rigs_isolated(asset, settings)
     _check_of(asset, layouts, read.rigs)
-    opening = Opening.of(settings.read)
+    opening = settings.read
     _check_bare(asset, layer, opening)
     for found in _controls_gone(layouts, read.rigs):
         tell(found)
@@ -183,7 +182,7 @@ def _controls_gone(layouts: Sequence[Layout], rigs: Sequence[Rig]) -> Iterator[I
 def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:
     before = check_source(asset, settings.read.size_limit)
     # What survives that may be opened here.
-    read_layer_isolated(asset, Opening.of(settings.read))
+    read_layer_isolated(asset, settings.read)
     source = open_layer(asset)
     sublayers, inside = _entries(asset, source, layer)
     if not (sublayers or inside):
@@ -219,7 +218,7 @@ def _check_editable(asset: Path, size_limit: int) -> None:
     check_source(asset, size_limit)
 
 
-def _check_bare(asset: Path, layer: Path, opening: Opening) -> None:
+def _check_bare(asset: Path, layer: Path, opening: ReadSettings) -> None:
     """Refuse layers that bring sublayers of their own, or lead back to the asset."""
     if same_file(asset, layer):
         raise refuse("ATTACH_CYCLE", layer, "is the asset itself")
@@ -276,7 +275,7 @@ def _edit(layer: Sdf.Layer, added: str, removed: Sequence[str]) -> None:
         layer.subLayerOffsets[index] = offset
 
 
-def _holds_layouts(roots: Sequence[str], opening: Opening, path: Path) -> bool:
+def _holds_layouts(roots: Sequence[str], opening: ReadSettings, path: Path) -> bool:
     """Whether the file composes to a character with the layouts."""
     return set(roots) <= {each.root for each in read_layouts_isolated(path, opening).layouts}
 

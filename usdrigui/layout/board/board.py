@@ -61,7 +61,7 @@ def board_elements(
     if not board:
         return []
     rows = _rows(face.rig.controls, board)
-    width, height = face.handle_width, _TALL * face.trajectories.surface.face_size
+    width, height = face.handle_width, _TALL * face.surface.face_size
     middle = face.symmetry.plane.projected(face.trajectories.middle)
     frame = screen(face.views)
     columns = _columns(rows, max(1, int(height / (_ROW * width))))

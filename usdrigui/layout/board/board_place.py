@@ -16,7 +16,7 @@ def silhouette(face: Face, middle: Floats, frame: Floats, half: float) -> float:
 
     `frame` (2, 3) are right and up on the screen.
     """
-    flat = face.trajectories.surface.points[face.rig.body.drawn] @ frame.T
+    flat = face.surface.points[face.rig.body.drawn] @ frame.T
     near = flat[np.abs(flat[:, 1] - middle @ frame[1]) <= half, 0]
     return float(near.max()) if len(near) else float(middle @ frame[0])
 

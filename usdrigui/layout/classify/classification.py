@@ -59,7 +59,7 @@ def classify(
     Whether one is global does not depend on which others the configuration excludes: those still
     count for what the face is.
     """
-    surface, motions = face.trajectories.surface, face.trajectories.motions
+    surface, motions = face.surface, face.trajectories.motions
     seen = face.views.anywhere
     visible_areas = np.where(seen, surface.areas, 0.0)
     every = (*motions, *face.trajectories.excluded)

@@ -163,7 +163,7 @@ def _reversed(face: Face, members: tuple[Member, ...]) -> tuple[int, ...]:
 
 
 def _normal(face: Face, point: int) -> Floats:
-    normal = face.trajectories.surface.normals[point]
+    normal = face.surface.normals[point]
     return np.array(normal if normal.any() else face.views.directions[0])
 
 
@@ -186,7 +186,7 @@ def _member(face: Face, control: int, point: int, source: int, least: float) -> 
     one = np.array([source])
     (length,), (path,) = arc_lengths(motion, one).tolist(), paths(motion, one)
     (factor,) = drawn_magnification(face, motion, one, least).tolist()
-    track = face.trajectories.surface.points[point] + factor * path
+    track = face.surface.points[point] + factor * path
     name, peak = face.control_name(control), float(motion.arc_length.max())
     return Member(name, motion.values, track, length, factor, peak)
 
@@ -195,7 +195,7 @@ def anchor_at(face: Face, point: int) -> Anchor:
     """The anchor on a point of the face."""
     index, local = face.rig.body.mesh_of(point)
     mesh = face.rig.body.meshes[index]
-    base, normal = face.trajectories.surface.points[point], face.trajectories.surface.normals[point]
+    base, normal = face.surface.points[point], face.surface.normals[point]
     return Anchor(mesh.path, local, len(mesh.points), mesh.topology.hash, base, normal, False)
 
 
@@ -203,7 +203,7 @@ def _side(face: Face, point: int) -> Side:
     """The side of the character on which a point lies."""
     if not face.symmetry.plane.normal.any():
         return "none"
-    apart = float(face.symmetry.plane.distance(face.trajectories.surface.points[point]))
-    if abs(apart) <= _ON_PLANE * face.trajectories.surface.face_size:
+    apart = float(face.symmetry.plane.distance(face.surface.points[point]))
+    if abs(apart) <= _ON_PLANE * face.surface.face_size:
         return "middle"
     return "left" if apart > 0.0 else "right"

@@ -148,7 +148,7 @@ class Evidence:
         """How far a motion runs along the surface rather than out of it: what a drag on a screen
         can follow."""
         fields, vectors = self.similarity.fields, self.similarity.fields.vectors[index]
-        normals = self.face.trajectories.surface.normals[fields.places]
+        normals = self.face.surface.normals[fields.places]
         out = fields.weights @ np.einsum("mi,mi->m", vectors, normals) ** 2
         return 1.0 - float(out) / max(float(self.similarity.norm[index]) ** 2, 1e-300)
 

@@ -309,9 +309,7 @@ class _Grouping:
         4.2)."""
         groups: dict[frozenset[int], Flags] = {}
         for i in sorted(free):
-            groups[frozenset([i])] = flags = np.zeros(
-                len(self.face.trajectories.surface.points), dtype=bool
-            )
+            groups[frozenset([i])] = flags = np.zeros(len(self.face.surface.points), dtype=bool)
             flags[self.sets[i].points] = True
         while alike := self._most_alike(groups):
             for a, b in alike:
@@ -401,7 +399,7 @@ class _Grouping:
     def _leftness(self, element: _Merged) -> tuple[float, list[tuple[bool, str]]]:
         """Sorts elements from the character's left, where their candidates lie; names with a side
         decide in the middle."""
-        surface = self.face.trajectories.surface
+        surface = self.face.surface
         points = np.concatenate([self.sets[i].points for i in sorted(element.motions)])
         apart = self.face.symmetry.plane.distance(surface.points[points])
         names = sorted((not has_side(self.names[i]), self.names[i]) for i in element.motions)
@@ -446,7 +444,7 @@ class _Grouping:
 
     def _has_two_lobes(self, index: int) -> bool:
         face, motion = self.face, self.face.trajectories.motions[index]
-        surface, plane = face.trajectories.surface, face.symmetry.plane
+        surface, plane = face.surface, face.symmetry.plane
         expected, meaning = face.expected[motion.control], face.meanings[motion.control]
         override = self.requests.overrides[motion.control]
         placed = bool(override.anchor or override.near)

@@ -141,7 +141,7 @@ def _with_prior(
     own = np.array_equal(points, sources)
     if place is None or place.on_board or not own or place.point not in motion.points:
         return places
-    apart = np.linalg.norm(face.trajectories.surface.points[motion.points] - place.position, axis=1)
+    apart = np.linalg.norm(face.surface.points[motion.points] - place.position, axis=1)
     here = motion.points == place.point
     if float(apart[here][0]) > _THERE * face.handle_width:
         reach = float(apart[here][0]) + face.handle_width
@@ -173,7 +173,7 @@ def _allowed(known: Measured, motion: Motion, among: Flags) -> Flags:
     """Those `among` (p,) the moving points where the control may stand, before any pruning: one of
     each place, near what the configuration names, on the skin that its joint owns."""
     face = known.face
-    first = among & (face.trajectories.surface.places[motion.points] == motion.points)
+    first = among & (face.surface.places[motion.points] == motion.points)
     near = kept_near(face, motion.control, known.requests, motion.points, first)
     near = _nearest_to_hidden(face, motion, near)
     return motion.stands_on(near) | _in_the_middle(known, motion, near)
@@ -185,7 +185,7 @@ def _nearest_to_hidden(face: Face, motion: Motion, near: Flags) -> Flags:
     owned = motion.owned
     if owned is None or not near.any() or owned[near].any() or not owned.any():
         return near
-    points = face.trajectories.surface.points[motion.points]
+    points = face.surface.points[motion.points]
     apart = np.linalg.norm(points - owned @ points / owned.sum(), axis=1)
     return np.asarray(near & (apart <= _BESIDE * apart[near].min()))
 
@@ -194,9 +194,7 @@ def _in_the_middle(known: Measured, motion: Motion, near: Flags) -> Flags:
     """(p,) those `near` in the middle where the handle of a joint that is its own mirror image
     stands: on skin that the joint owns, with enough of the displacement."""
     face = known.face
-    middle = near & in_the_middle(
-        face.trajectories.surface, face.symmetry, motion, face.handle_width
-    )
+    middle = near & in_the_middle(face.surface, face.symmetry, motion, face.handle_width)
     if not middle.any():
         return middle
     enough = motion.arc_length >= _kept(motion, near, known.pruning.least_kept)
@@ -221,7 +219,7 @@ def _off_strands(face: Face, motion: Motion, seen: Flags) -> Flags:
     """(p,) those `seen` but for whiskers and hair: pieces of surface with little of what the
     control moves; all of them where the rest moves too little."""
     pieces = face.pieces[motion.points]
-    moved = face.trajectories.surface.areas[motion.points] * motion.arc_length * seen
+    moved = face.surface.areas[motion.points] * motion.arc_length * seen
     by_piece = np.bincount(pieces, moved)
     return _kept_in(motion, seen, (by_piece >= _STRAND * by_piece.max())[pieces], _NOTABLE)
 
@@ -230,7 +228,7 @@ def _among_others(face: Face, motion: Motion, seen: Flags) -> Flags:
     """(p,) which points count where nothing is expected: those `seen`, or, where the largest motion
     is far from all that other controls are for, as on ears that go with the brows, those much
     nearer to that, if it moves them enough."""
-    surface, top = face.trajectories.surface, first_largest(motion.arc_length * seen)
+    surface, top = face.surface, first_largest(motion.arc_length * seen)
     others = [
         peak
         for other, peak in zip(face.trajectories.motions, face.peaks, strict=True)
@@ -253,7 +251,7 @@ def _where_expected(face: Face, motion: Motion, seen: Flags, expected: Expectati
     """
     if expected is None:
         return _among_others(face, motion, seen)
-    near, around = expected.regions(face.trajectories.surface.points[motion.points])
+    near, around = expected.regions(face.surface.points[motion.points])
     close = _kept_in(motion, seen, near, _MOST)
     return close if close is not seen else _kept_in(motion, seen, around, _NOTABLE)
 
@@ -299,7 +297,7 @@ def _seen(known: Measured, motion: Motion) -> Flags:
 def _without_occluded(known: Measured, motion: Motion, kept: Flags) -> Flags:
     """(p,) those `kept` whose trajectory does not run largely inside or behind the model."""
     face, points = known.face, motion.points[kept]
-    surface, samples = face.trajectories.surface, known.settings.objective.samples
+    surface, samples = face.surface, known.settings.objective.samples
     tracks = polylines(motion, surface.points, points, points, samples)
     hidden = mostly_hidden(face.views, tracks, surface.normals[points], 0.5 * face.handle_width)
     clear = kept.copy()

@@ -105,7 +105,7 @@ def drawn_points(
         ]
         samples.append(np.concatenate(tracks, axis=1))
     axes = face.drawing_axes.T
-    return np.stack(samples, axis=1) @ axes, face.trajectories.surface.points[choice.anchors] @ axes
+    return np.stack(samples, axis=1) @ axes, face.surface.points[choice.anchors] @ axes
 
 
 def _drawn_track(
@@ -116,7 +116,7 @@ def _drawn_track(
     motion = face.trajectories.motion_of(control)
     offsets = resampled(paths(motion, sources), samples)
     factor = drawn_magnification(face, motion, sources, least)
-    return face.trajectories.surface.points[anchors][:, None] + factor[:, None, None] * offsets
+    return face.surface.points[anchors][:, None] + factor[:, None, None] * offsets
 
 
 def drawn_magnification(face: Face, motion: Motion, sources: Indices, least: float) -> Floats:
@@ -165,7 +165,7 @@ def _with_copies(
     kept = (anchors >= 0).all(axis=1) & (sources >= 0).all(axis=1)
     if group.doubled:
         # The mirror image of a label of a doubled element is the same layout.
-        kept &= face.symmetry.plane.distance(face.trajectories.surface.points[anchors[:, 0]]) >= 0.0
+        kept &= face.symmetry.plane.distance(face.surface.points[anchors[:, 0]]) >= 0.0
     return Choice(index, group.copies, anchors[kept], sources[kept])
 
 
@@ -178,7 +178,7 @@ def _with_earlier_pairs(
     first, *others = (place for place in places if place is not None)
     if len(places) != 1 + len(others) or min(place.point for place in (first, *others)) < 0:
         return choice
-    base = face.trajectories.surface.points
+    base = face.surface.points
     mine, theirs = (sets[controls[0]].points for controls in choice.controls)
     lone = np.setdiff1d(mine, choice.anchors[:, 0])
     apart = np.linalg.norm(base[[first.point, *lone]] - first.position, axis=1)
@@ -201,9 +201,9 @@ def _images(face: Face, group: Group, points: Indices, tolerance: float) -> Indi
         return np.stack([points, face.symmetry.partner[points]], axis=1)
     orbit = [face.trajectories.motion_of(controls[0]) for controls in group.copies]
     return orbit_points(
-        face.trajectories.surface,
+        face.surface,
         orbit,
         face.rig.up,
-        tolerance * face.trajectories.surface.face_size,
+        tolerance * face.surface.face_size,
         points,
     )

@@ -26,7 +26,7 @@ def kept_near(face: Face, control: int, requests: Requests, points: Indices, amo
     if not override.near or not among.any():
         return among
     apart = _distances(face, f'controls."{face.control_name(control)}".near', override.near)[points]
-    radius = override.within * face.trajectories.surface.face_size
+    radius = override.within * face.surface.face_size
     inside: Flags = among & (apart <= radius)
     if not inside.any():
         inside[first_smallest(np.where(among, apart, np.inf))] = True
@@ -45,7 +45,7 @@ def check_near(rig: Rig, where: str, near: str) -> None:
 def proxies(face: Face, point: int) -> Indices:
     """Visible places nearest to a hidden `point`, ascending: where a hidden control can stand on
     the face."""
-    surface = face.trajectories.surface
+    surface = face.surface
     places = surface.places
     seen = np.flatnonzero(face.views.anywhere & (places == np.arange(len(places))))
     if not len(seen):
@@ -58,7 +58,7 @@ def proxies(face: Face, point: int) -> Indices:
 def _distances(face: Face, where: str, near: str) -> Floats:
     """(n,) how far every point is from what `near` names: along the surface, so that a lip is not
     near the other, and straight where no surface leads there (another mesh, a joint)."""
-    surface = face.trajectories.surface
+    surface = face.surface
     base, name = surface.points, near.removeprefix(MIRROR)
     joint = name.startswith("joint:")
     if joint:

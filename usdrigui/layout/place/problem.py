@@ -72,7 +72,7 @@ def placement_problem(
     existing = existing_variables(
         requests.fixed_elements,
         face.rig.body,
-        face.trajectories.surface.points,
+        face.surface.points,
         face.drawing_axes,
         objective.samples,
     )
@@ -101,7 +101,7 @@ def placement_problem(
 def penalties_of_leaving(face: Face, requests: Requests, choice: Choice) -> tuple[Floats, float]:
     """What an earlier layout makes each label cost (R,), and what it makes leaving the face
     cost."""
-    prior, base = requests.prior, face.trajectories.surface.points
+    prior, base = requests.prior, face.surface.points
     stay, leave = np.zeros(len(choice.anchors)), 0.0
     copies = [set(controls) for controls in choice.controls]
     for controls in choice.controls:

@@ -67,7 +67,7 @@ def _apart(some: list[_Standing], others: list[_Standing]) -> Floats:
 
 
 def _standing(face: Face, group: Group) -> _Standing:
-    surface = face.trajectories.surface
+    surface = face.surface
     known = [each.action for i in group.controls if (each := face.meanings[i]) is not None]
     own = [face.trajectories.motion_of(i) for i in group.controls]
     places = []

@@ -64,7 +64,7 @@ class LinearTerms:
 
 def linear_cost(face: Face, motion: Motion, points: Indices, terms: LinearTerms) -> Floats:
     """(p,) sum of all linear terms at `points`, which must be among the motion's points."""
-    own = occlusion(face.trajectories.surface.normals, motion, points, terms.occlusion_weight)
+    own = occlusion(face.surface.normals, motion, points, terms.occlusion_weight)
     own = own + common(face, motion, points, terms) + _LOOSE * motion.missing(points)
     return own + user_linear_cost(face, motion, points, terms.user)
 
@@ -113,9 +113,7 @@ def off_plane(face: Face, points: Indices, weight: float, *, of_joint: bool = Fa
     nearest of `points`, so that an element with none on the plane is not driven off the face; of
     two mirror images it then takes the one on the character's left.  An element of a joint, which
     moves its own skin much alike, is more firmly held to the plane."""
-    apart = (
-        face.symmetry.plane.distance(face.trajectories.surface.points[points]) / face.handle_width
-    )
+    apart = face.symmetry.plane.distance(face.surface.points[points]) / face.handle_width
     cost = weight * np.abs(apart) + np.where(apart < -_MIDDLE, _TIE, 0.0)
     if of_joint and weight:
         cost += _BESIDE * (np.abs(apart) > ON_PLANE)

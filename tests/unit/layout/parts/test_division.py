@@ -142,7 +142,7 @@ def test_a_body_does_not_change_the_scale_of_its_face():
     character = character_of(BODY, Task(Settings()))
     face = part_problem(character, character.parts[0]).face
     sizes = [trajectories(rig, Settings().trajectories).surface.face_size for rig in (BODY, alone)]
-    assert face.trajectories.surface.face_size == sizes[1]
+    assert face.surface.face_size == sizes[1]
     assert sizes[0] > 5.0 * sizes[1]
 
 

@@ -23,7 +23,7 @@ class KeepLow:
     @staticmethod
     def linear(face, motion, points):
         del motion
-        heights = face.trajectories.surface.points[points] @ face.rig.up
+        heights = face.surface.points[points] @ face.rig.up
         return 5.0 * (heights - heights.min())
 
     @staticmethod

@@ -28,7 +28,7 @@ def width(rig, **objective):
     """In face sizes; nothing goes on the board for what it repeats."""
     said = chain.settings(objective=objective, candidates={"board_composite": False}, levels={"crowds": False})
     face = chain.face_of(rig, said)
-    return face.handle_width / face.trajectories.surface.face_size
+    return face.handle_width / face.surface.face_size
 
 
 def test_a_face_with_room_has_handles_of_the_size_asked_for():
@@ -59,7 +59,7 @@ def test_a_crowd_of_what_stands_beside_the_face_does_not_count():
     beside = {f"c{i}": {"place": "board"} for i in range(80)}
     said = chain.settings(controls=beside, objective={"handle_size": 0.04, "handle_size_min": 0.001})
     face = chain.face_of(rig, said)
-    assert face.handle_width == 0.04 * face.trajectories.surface.face_size
+    assert face.handle_width == 0.04 * face.surface.face_size
 
 
 def test_the_width_does_not_know_how_finely_the_mesh_is_divided():

@@ -14,7 +14,7 @@ from usdrigui.character import Joint
 def candidates(rig, **parts):
     """Height of every candidate of each control."""
     found = chain.with_candidates(rig, chain.settings(**parts))
-    base = found.face.trajectories.surface.points
+    base = found.face.surface.points
     return {c.name: base[chain.set_of(found, c.name).points] for c in rig.controls}
 
 
@@ -74,7 +74,7 @@ def test_a_joint_that_is_its_own_mirror_image_stands_on_the_plane():
     symmetry, anchors = line.face.symmetry, [each.anchor.point for each in line.layout.elements]
     assert symmetry.twins.tolist() == list(range(len(rig.controls)))
     assert min(anchors) >= 0
-    apart = (line.face.trajectories.surface.points[anchors] - symmetry.plane.origin) @ symmetry.plane.normal
+    apart = (line.face.surface.points[anchors] - symmetry.plane.origin) @ symmetry.plane.normal
     assert np.abs(apart).max() <= 0.5 * line.face.handle_width
 
 

@@ -52,7 +52,7 @@ def test_a_group_counts_its_worst_member():
     motions = [m for m in line.face.trajectories.motions if line.face.rig.controls[m.control].name.startswith("jaw")]
     arcs = np.stack([m.arc_length[np.searchsorted(m.points, variable.points)] for m in motions])
     worst = -0.85 * arcs.min(axis=0) / line.face.trajectories.typical_length
-    left = line.face.trajectories.surface.points[variable.points][:, 0] >= 0.0  # the other side pays to break the tie
+    left = line.face.surface.points[variable.points][:, 0] >= 0.0  # the other side pays to break the tie
     assert np.allclose(variable.cost[left], worst[left], rtol=1e-6)
     assert variable.samples.shape[2] == 10
 
@@ -81,7 +81,7 @@ def test_the_paper_preset_takes_the_constants_literally():
     from usdrigui.settings import load
 
     line = chain.problem_of(makers.face(), load(preset="paper"))
-    places = line.face.trajectories.surface.places
+    places = line.face.surface.places
     edge = mean_edge_length(POINTS, mesh_triangles(line.face.rig.body.meshes), places)
     overlap = line.problem.overlap
     assert overlap.radius == pytest.approx(edge)

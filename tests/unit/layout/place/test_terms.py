@@ -23,7 +23,7 @@ def costs(rig, **candidates):
     face = chain.face_of(rig, settings)
     motion = face.trajectories.motions[0]
     terms = LinearTerms.of(settings)
-    own = occlusion(face.trajectories.surface.normals, motion, motion.points, terms.occlusion_weight)
+    own = occlusion(face.surface.normals, motion, motion.points, terms.occlusion_weight)
     return own, linear_cost(face, motion, motion.points, terms)
 
 

@@ -59,9 +59,9 @@ def at_another_place(line, name, column=0):
         for each in line.face.trajectories.motions
         if line.face.rig.controls[each.control].name == element.members[0].control
     )
-    reach = np.linalg.norm(line.face.trajectories.surface.points[motion.points] - element.anchor.position, axis=1)
+    reach = np.linalg.norm(line.face.surface.points[motion.points] - element.anchor.position, axis=1)
     point = int(motion.points[np.argsort(reach)[len(reach) // 2 + column]])
-    anchor = replace(element.anchor, point=point, position=np.array(line.face.trajectories.surface.points[point]))
+    anchor = replace(element.anchor, point=point, position=np.array(line.face.surface.points[point]))
     changed = tuple(replace(each, anchor=anchor) if each is element else each for each in line.layout.elements)
     return replace(line.layout, elements=changed), point
 

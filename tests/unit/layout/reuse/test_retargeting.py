@@ -75,7 +75,7 @@ def test_the_layout_itself_is_not_already_alike(theirs):
     """The bar above means something: a layout moved by hand is followed, against the optimum."""
     from dataclasses import replace
 
-    base = theirs.face.trajectories.surface.points
+    base = theirs.face.surface.points
     moved = []
     for element in theirs.layout.elements:
         motion = next(

@@ -17,7 +17,7 @@ def rig():
 
 def apart(face):
     """Distance of each point's partner from its exact mirror image."""
-    points = face.trajectories.surface.points
+    points = face.surface.points
     return np.linalg.norm(face.symmetry.plane.reflected(points) - points[face.symmetry.partner], axis=1)
 
 
