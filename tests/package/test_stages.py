@@ -15,7 +15,7 @@ CHANGES = {"Budget"}
 """A solver's only object that changes: it counts the work, is no record of a stage, and goes to every search."""
 SHARED = {"Face", "Requests"}
 """What is measured of a face and what is asked for, once each: what nearly every stage of placing reads."""
-THINGS = {"Rig", "RigMesh", "Trajectories", "Motion", "Layout", "Element", "Settings"}
+THINGS = {"Rig", "RigMesh", "Trajectories", "Motion", "Layout", "Element", "Settings", "ReadSettings"}
 """What the field has one word for: taken apart into records of a few fields it would only be read through one dot
 more."""
 
