@@ -16,7 +16,8 @@ from usdrigui.reader.faults import layout_faults
 from usdrigui.settings import load
 from usdrigui.stages import schema
 
-SAMPLE = Path(__file__).resolve().parents[2] / "sample_assets" / "char.usda"
+ROOT = Path(__file__).resolve().parents[2]
+SAMPLE, CONFORMANCE = ROOT / "sample_assets" / "char.usda", ROOT / "schemas" / "conformance"
 SCOPE = "/Char/RigUI"
 MESH = f"{SCOPE}/FaceControls"
 SMILE, OTHER, WIDE = "mouthSmileLeft", "mouthSmileRight", "eyeBlinkLeft_eyeWideLeft"
@@ -420,22 +421,31 @@ def typed(declared, numbers):
     return type(declared.fallback)(rows) if declared.type_name.endswith("[]") else rows[0]
 
 
+@pytest.fixture
+def joystick():
+    """A stage with a joystick alone, on which a rule is told in a tenth of the time."""
+    stage = Usd.Stage.Open(str(CONFORMANCE / "joint_joystick.usda"))
+    stage.SetEditTarget(stage.GetSessionLayer())
+    return stage
+
+
 @pytest.mark.parametrize(("api", "declared", "value"), list(rules_of_the_schema()))
-def test_a_value_that_breaks_a_rule_of_the_schema_is_refused(stage, api, declared, value):
-    where = {schema.LAYOUT: SCOPE, schema.CORRECTION: f"/Char/{schema.CORRECTIONS}/smile"}.get(api, f"{MESH}/{EYE}")
+def test_a_value_that_breaks_a_rule_of_the_schema_is_refused(joystick, api, declared, value):
+    correction = f"/Char/{schema.CORRECTIONS}/smile"
+    where = {schema.LAYOUT: SCOPE, schema.CORRECTION: correction}.get(api, f"{MESH}/Jaw_ry_Jaw_rx")
     if api == schema.CORRECTION:
-        stage.DefinePrim(where, "Scope").AddAppliedSchema(schema.CORRECTION)
+        joystick.DefinePrim(where, "Scope").AddAppliedSchema(schema.CORRECTION)
     if api == schema.PART:
         where = SCOPE
-        stage.GetPrimAtPath(where).AddAppliedSchema(f"{schema.PART}:EyeLeft_ry")
-        Layout(stage).set("rigUI:part:EyeLeft_ry:handleWidth", 0.1, where)
-    name = declared.name.replace("__INSTANCE_NAME__", "EyeLeft_ry")
+        joystick.GetPrimAtPath(where).AddAppliedSchema(f"{schema.PART}:Jaw_ry")
+        Layout(joystick).set("rigUI:part:Jaw_ry:handleWidth", 0.1, where)
+    name = declared.name.replace("__INSTANCE_NAME__", "Jaw_ry")
     if declared.type_name:
-        Layout(stage).set(name, value, where)
+        Layout(joystick).set(name, value, where)
     else:
-        Layout(stage).target(name, MESH, SCOPE, prim=where)
-    (found,) = layout_faults(stage)
+        Layout(joystick).target(name, MESH, SCOPE, prim=where)
+    (found,) = layout_faults(joystick)
     assert (found.code, found.path.partition(".")[0]) == (INVALID, where)
-    named = found.path.partition(".")[2].replace("EyeLeft_ry", "__INSTANCE_NAME__")
+    named = found.path.partition(".")[2].replace("Jaw_ry", "__INSTANCE_NAME__")
     told = " ".join(DECLARED[named].rules.values())
     assert named == declared.name or declared.name.rpartition(":")[2] in told, found
