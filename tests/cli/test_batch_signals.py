@@ -14,8 +14,8 @@ from processes import children_of, gone, until
 
 from usdrigui.clients.batch import run
 
-pytestmark = [pytest.mark.slow, pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")]
-ENDING = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP] if sys.platform != "win32" else []
+pytestmark = pytest.mark.slow
+ENDING = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
 
 
 def hanging(folder, count=3):

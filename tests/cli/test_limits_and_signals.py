@@ -20,7 +20,7 @@ from usdrigui.cli import main
 from usdrigui.layer.read_layout import read_layout
 from usdrigui.settings import Settings
 
-pytestmark = [pytest.mark.slow, pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")]
+pytestmark = pytest.mark.slow
 SAMPLE = Path(__file__).parents[2] / "sample_assets" / "char.usda"
 SOON = 60.0
 """Seconds; generous, for a busy machine."""

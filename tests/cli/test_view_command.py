@@ -128,7 +128,6 @@ def test_a_live_file_is_none_that_was_read_and_none_of_anybody_else(layer, tmp_p
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 def test_a_live_link_ends_with_ctrl_c_and_leaves_a_whole_file(layer, tmp_path):
     """Amid writes, as fast as they come; with exit code 0 and no temporary file."""
     edit = tmp_path / "live" / "edit.usda"

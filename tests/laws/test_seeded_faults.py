@@ -17,7 +17,7 @@ from usdrigui.settings import load
 from usdrigui.stages import schema
 
 ROOT = Path(__file__).resolve().parents[2]
-SAMPLE, CONFORMANCE = ROOT / "sample_assets" / "char.usda", ROOT / "schemas" / "conformance"
+SAMPLE, JOYSTICK = ROOT / "sample_assets/char.usda", ROOT / "schemas/conformance/joint_joystick.usda"
 SCOPE = "/Char/RigUI"
 MESH = f"{SCOPE}/FaceControls"
 SMILE, OTHER, WIDE = "mouthSmileLeft", "mouthSmileRight", "eyeBlinkLeft_eyeWideLeft"
@@ -31,12 +31,16 @@ def layer(tmp_path_factory):
     return target
 
 
-@pytest.fixture
-def stage(layer):
+def opened(layer):
     """Edits go to the session layer."""
     stage = Usd.Stage.Open(str(layer))
     stage.SetEditTarget(stage.GetSessionLayer())
     return stage
+
+
+@pytest.fixture
+def stage(layer):
+    return opened(layer)
 
 
 class Layout:
@@ -421,22 +425,14 @@ def typed(declared, numbers):
     return type(declared.fallback)(rows) if declared.type_name.endswith("[]") else rows[0]
 
 
-@pytest.fixture
-def joystick():
-    """A stage with a joystick alone, on which a rule is told in a tenth of the time."""
-    stage = Usd.Stage.Open(str(CONFORMANCE / "joint_joystick.usda"))
-    stage.SetEditTarget(stage.GetSessionLayer())
-    return stage
-
-
 @pytest.mark.parametrize(("api", "declared", "value"), list(rules_of_the_schema()))
-def test_a_value_that_breaks_a_rule_of_the_schema_is_refused(joystick, api, declared, value):
-    correction = f"/Char/{schema.CORRECTIONS}/smile"
-    where = {schema.LAYOUT: SCOPE, schema.CORRECTION: correction}.get(api, f"{MESH}/Jaw_ry_Jaw_rx")
+def test_a_value_that_breaks_a_rule_of_the_schema_is_refused(api, declared, value):
+    joystick = opened(JOYSTICK)  # as small as it can be: there are many rules
+    of_other = {schema.LAYOUT: SCOPE, schema.PART: SCOPE, schema.CORRECTION: f"/Char/{schema.CORRECTIONS}/smile"}
+    where = of_other.get(api, f"{MESH}/Jaw_ry_Jaw_rx")
     if api == schema.CORRECTION:
         joystick.DefinePrim(where, "Scope").AddAppliedSchema(schema.CORRECTION)
     if api == schema.PART:
-        where = SCOPE
         joystick.GetPrimAtPath(where).AddAppliedSchema(f"{schema.PART}:Jaw_ry")
         Layout(joystick).set("rigUI:part:Jaw_ry:handleWidth", 0.1, where)
     name = declared.name.replace("__INSTANCE_NAME__", "Jaw_ry")

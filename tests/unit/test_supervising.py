@@ -17,8 +17,6 @@ import pytest
 from usdrigui.errors import Exit, refuse
 from usdrigui.isolation.supervising import KILL, STOP, supervise
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="the workers are shell scripts")
-
 
 def message(**fields):
     return f"echo '{json.dumps(fields)}'"

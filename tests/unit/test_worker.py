@@ -13,8 +13,6 @@ from usdrigui import cli, pipeline
 from usdrigui.errors import Exit
 from usdrigui.isolation import worker
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="interruptions are signals")
-
 
 @pytest.fixture
 def ask(monkeypatch):
