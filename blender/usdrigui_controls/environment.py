@@ -159,6 +159,19 @@ class Job:
         return self._said.read_text("utf-8", "replace").splitlines()
 
 
+def in_one_line(work):
+    """``work(operator, context)`` that reports what is refused in one line, and is cancelled."""
+
+    def guarded(self, context):
+        try:
+            return work(self, context)
+        except LayoutError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+
+    return guarded
+
+
 class Background:
     """An operator whose work is a `Job`: in the background with a window, at once without.
 
@@ -166,9 +179,16 @@ class Background:
     both may raise LayoutError.
     """
 
+    @in_one_line
     def execute(self, context):
         """Start, and come back when it is done; without a window run to the end."""
-        return self._guarded(self._whole if bpy.app.background else self._begin, context)
+        self.job = self.prepare(context)
+        if bpy.app.background:
+            self.job.wait()
+            return self._finished(context)
+        self.timer = context.window_manager.event_timer_add(0.2, window=context.window)
+        context.window_manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
 
     def modal(self, context, event):
         """See how far it is; Escape ends it."""
@@ -178,21 +198,11 @@ class Background:
         if event.type != "TIMER":
             return {"PASS_THROUGH"}
         if self.job.is_done():
-            return self._end(context, self._guarded(self._finished, context))
+            return self._end(context, self._finished(context))
         context.workspace.status_text_set(f"{self.bl_label}: {told(self.job.lines())}  (Esc stops)")
         return {"PASS_THROUGH"}
 
-    def _whole(self, context):
-        self.job = self.prepare(context)
-        self.job.wait()
-        return self._finished(context)
-
-    def _begin(self, context):
-        self.job = self.prepare(context)
-        self.timer = context.window_manager.event_timer_add(0.2, window=context.window)
-        context.window_manager.modal_handler_add(self)
-        return {"RUNNING_MODAL"}
-
+    @in_one_line
     def _finished(self, context):
         if self.job.failed():
             raise LayoutError(failure(self.job.lines()))
@@ -204,19 +214,13 @@ class Background:
         context.workspace.status_text_set(None)
         return result
 
-    def _guarded(self, work, context):
-        try:
-            return work(context)
-        except LayoutError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-
 
 def told(lines):
-    """How far a program is, for people."""
-    said = [line.partition(":")[2].strip() for line in lines if line.startswith("openjd_")]
+    """How far a program is, for people: the last share and the last stage that it named."""
+    marks = (line.partition(": ") for line in lines if line.startswith("openjd_"))
+    said = {mark: text for mark, _, text in marks}
     if said:
-        return "  ".join(each if not each.isdigit() else f"{each} %" for each in said[-2:])
+        return f"{said.get('openjd_progress', 0)} %  {said.get('openjd_status', '')}"
     return lines[-1][:80] if lines else "starting"
 
 

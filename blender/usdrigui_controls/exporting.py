@@ -98,6 +98,12 @@ def _check(face, chosen, context):
             f"{chosen[0].name} has no shape keys and no bones: select the mesh that has the"
             " expressions"
         )
+    free = any(is_free for mesh in face.meshes for _, is_free in _keys(mesh))
+    if not face.armatures and not free:
+        raise LayoutError(
+            f"all shape keys of {chosen[0].name} are driven or muted: free those that are to have"
+            " controls"
+        )
     depsgraph = context.evaluated_depsgraph_get()
     for thing in (*face.meshes, *face.armatures):
         keys = thing.data.shape_keys if thing.type == "MESH" else None

@@ -26,7 +26,7 @@ def add_controls(stage, objects=None, fresh=False):
 
     layouts = read_layouts(stage)
     if not layouts:
-        raise LayoutError("this stage holds no rig UI layout")
+        raise LayoutError("this file holds no layout: choose the .rigui.usda of the character")
     if objects is None:
         found = match(
             stage, layouts, [each for each in bpy.context.scene.objects if not each.library]
@@ -61,7 +61,7 @@ def has_usd():
 def need_usd():
     """Raise LayoutError unless Python can import USD."""
     if not has_usd():
-        raise LayoutError("this Blender comes without USD's Python modules")
+        raise LayoutError("this Blender comes without USD: use one from blender.org")
 
 
 def open_stage(path):
@@ -72,7 +72,7 @@ def open_stage(path):
     try:
         return Usd.Stage.Open(path)
     except Tf.ErrorException as error:
-        raise LayoutError(f"{path} is not a USD file that can be opened") from error
+        raise LayoutError(f"{path} is no USD file that can be opened: choose another") from error
 
 
 def _hide_guides(objects, root):

@@ -119,7 +119,7 @@ def _add(mesh, key, shape):
     knots = sorted({0.0, 1.0, *(each.GetWeight() for each in between)})
     indices = np.array(shape.GetPointIndicesAttr().Get() or (), dtype=np.int64)
     block = mesh.data.shape_keys
-    rest, full = coordinates(block.reference_key.data), coordinates(key.data)
+    rest, full = coordinates(block.reference_key.points), coordinates(key.points)
     names = []
     for each in between:
         weight = each.GetWeight()
@@ -155,12 +155,13 @@ def drive(key, source, path, expression):
 def key_offsets(mesh, key):
     """(n, 3) what a shape key adds at 1: to the key that it is relative to, where its mask lets
     it."""
-    offsets = coordinates(key.data) - coordinates(key.relative_key.data)
+    offsets = coordinates(key.points) - coordinates(key.relative_key.points)
     return offsets * shares(mesh, key, range(len(offsets)))[:, None]
 
 
 def coordinates(items):
-    """(n, 3) coordinates of vertices or of the points of a shape key."""
+    """(n, 3) coordinates of vertices, or of the ``points`` of a shape key, which are read at once
+    where its ``data`` takes a call for each."""
     flat = np.zeros(3 * len(items), dtype=np.float32)
     items.foreach_get("co", flat)
     return flat.reshape(-1, 3).astype(np.float64)

@@ -7,11 +7,10 @@ import bpy
 from . import visibility
 from .bones import SwitchBones, remove_bones
 from .character import BONES, Character, at_frames, holders, unbind
-from .environment import MakeEnvironment, Preferences
+from .environment import MakeEnvironment, Preferences, in_one_line
 from .gizmos import Hand, active, chosen, give
 from .importing import add_controls, open_stage
 from .laying_out import LayOutFace, PinElement
-from .layout import LayoutError
 from .posing import flipped, mirrored_from
 from .reach import crossing
 from .saving import SaveAnimation
@@ -62,13 +61,10 @@ class LoadLayout(bpy.types.Operator):
         context.window_manager.fileselect_add(self)
         return {"RUNNING_MODAL"}
 
+    @in_one_line
     def execute(self, context):
         """Read the layer and bind it to the objects that it means."""
-        try:
-            built = add_controls(open_stage(bpy.path.abspath(self.filepath)))
-        except LayoutError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
+        built = add_controls(open_stage(bpy.path.abspath(self.filepath)))
         visibility.forget()
         for holder, _ in built:
             missing = Character(holder).missing()

@@ -200,4 +200,4 @@ def _ancestors(prim):
 def rest_points(mesh):
     """(n, 3) points of a mesh object's data without any shape."""
     block = mesh.data.shape_keys
-    return coordinates(block.reference_key.data if block else mesh.data.vertices)
+    return coordinates(block.reference_key.points if block else mesh.data.vertices)

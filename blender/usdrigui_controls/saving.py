@@ -14,6 +14,7 @@ import numpy as np
 from bpy_extras.io_utils import ExportHelper
 
 from .character import SOURCE, Character, at_frames, holders, is_single_joint
+from .environment import in_one_line
 from .importing import need_usd
 from .inbetweens import tokens_of
 from .layout import LayoutError
@@ -55,14 +56,11 @@ class SaveAnimation(bpy.types.Operator, ExportHelper):
             self.filepath = str(Path(held[0].get(SOURCE, "")).parent / f"{stem}.anim.usda")
         return ExportHelper.invoke(self, context, event)
 
+    @in_one_line
     def execute(self, context):
         """Play the scene once and write the layer."""
-        try:
-            target = Path(bpy.path.abspath(self.filepath))
-            size = save_animation(context.scene, target, self.steps, self.with_values)
-        except LayoutError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
+        target = Path(bpy.path.abspath(self.filepath))
+        size = save_animation(context.scene, target, self.steps, self.with_values)
         self.report({"INFO"}, f"{self.filepath}: {size / 1024:.0f} KB")
         return {"FINISHED"}
 

@@ -175,7 +175,6 @@ def test_hidden_controls_are_neither_drawn_nor_caught(window):
     assert np.ptp(skin) < 25
     window.drag(start, end)
     assert away(window) == {}
-    window.key("Escape")
 
 
 def test_opacity(window):

@@ -45,9 +45,11 @@ def world_points(stage, path, time):
 
 REFUSED = {
     "nothing": "select the face",
+    "no layer": "choose another",
     "no controls": "lay one out, or load a layout",
     "no keys": "select the mesh that has the expressions",
     "edit mode": "leave this mode first",
+    "muted": "free those that are to have controls",
     "mirror": "the modifier Half of Cube changes its vertices: apply it",
     "no environment": "press Make Environment",
     "a python without usdrigui": "press Make Environment",

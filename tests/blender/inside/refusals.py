@@ -18,7 +18,6 @@ def refused(name, operator=None, **options):
     """Keep the line that an operator answers with."""
     try:
         (operator or bpy.ops.usdrigui.lay_out)(**options)
-        said[name] = ""
     except RuntimeError as error:
         said[name] = str(error).removeprefix("Error: ").strip()
 
@@ -41,6 +40,7 @@ def head(*shapes):
 
 emptied()
 refused("nothing")
+refused("no layer", bpy.ops.usdrigui.load_layout, filepath=__file__)
 refused("no controls", bpy.ops.usdrigui.save_animation, filepath=task["result"] + ".usda")
 cube = head()
 refused("no keys")
@@ -51,13 +51,17 @@ bpy.ops.object.mode_set(mode="OBJECT")
 cube.modifiers.new("Half", "MIRROR")
 refused("mirror")
 cube.modifiers.clear()
+cube.active_shape_key_index = 1
+cube.active_shape_key.mute = True
+refused("muted")
+cube.active_shape_key.mute = False
 preferences = bpy.context.preferences.addons["usdrigui_controls"].preferences
-preferences.python = task["result"] + "_absent"
+preferences.python = "absent"
 refused("no environment")
 preferences.python = sys.executable
 refused("a python without usdrigui")
 whole = shutil.disk_usage
-shutil.disk_usage = lambda _path: SimpleNamespace(total=1, used=1, free=1000)
+shutil.disk_usage = lambda _path: SimpleNamespace(free=1000)
 refused("no room")
 refused("no room for the environment", bpy.ops.usdrigui.make_environment)
 shutil.disk_usage = whole

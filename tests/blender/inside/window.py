@@ -159,9 +159,7 @@ def _start():
         for each in list(window.screen.areas):
             if each.type in ("DOPESHEET_EDITOR", "TIMELINE"):
                 each.type = "INFO"
-        area.spaces.active.shading.type = "SOLID"
         area.spaces.active.overlay.show_floor = False
-        bpy.ops.object.select_all(action="DESELECT")
     bpy.ops.ed.undo_push(message="Scene")
     (FOLDER / "ready").write_text("")
 
