@@ -75,6 +75,12 @@ def add_skin(mesh, indices, weights, width, geom_bind=None, method=None, joints=
         api.CreateJointsAttr(Vt.TokenArray(joints))
 
 
+def add_even_skin(mesh, count, *more):
+    """Each of the SIDE**2 points follows the first `count` joints alike."""
+    indices, weights = [range(count)] * SIDE**2, [[1.0 / count] * count] * SIDE**2
+    add_skin(mesh, indices, weights, count, *more)
+
+
 def add_skeleton(stage, path, joints=(), rest=(), bind=None, transform=None):
     """A Skeleton; bind transforms default to the accumulated rest transforms."""
     skeleton = UsdSkel.Skeleton.Define(stage, path)
@@ -144,7 +150,7 @@ def posed(path, names):
     rest = (matrix(), matrix(translation=(0, 1, 0)))
     add_skeleton(stage, "/Char/Skel", ("a", "a/b"), rest)
     mesh = add_mesh(stage, "/Char/Face", "/Char/Skel")
-    add_skin(mesh, [[0, 1]] * SIDE**2, [[0.5, 0.5]] * SIDE**2, 2)
+    add_even_skin(mesh, 2)
     frames = {
         0.0: rest,
         1.0: (rest[0], matrix((0, 0, 30), (0, 1, 0))),

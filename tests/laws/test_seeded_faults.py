@@ -204,6 +204,11 @@ def cut_track(layout):
     layout.set("points", lambda old: moved(old, rows, 0.8 * (old[home] - old[rows])), MESH)
 
 
+def short_limits(layout):
+    limits = dict.fromkeys(["minimum", "maximum"], Vt.FloatArray(3))
+    layout.attribute("blendShapeWeights", "/Char/Animation").SetMetadata("limits", {"soft": limits})
+
+
 def shift_areas(layout):
     layout.set("points", lambda old: moved(old, drawn(layout, "area", EYE), 1.0), MESH)
 
@@ -231,9 +236,10 @@ FAULTS = {
         "half the weight": mesh("primvars:skel:jointWeights", lambda old: 0.5 * old),
         "bound elsewhere": mesh("primvars:skel:geomBindTransform", Gf.Matrix4d().SetTranslate((0, 1, 0))),
         "the anchor's place moved": element("anchor:position", GONE),
-        "another lift": element("handle:lift", 3.0),
+        "another lift": element("handle:lift", 0.0),
+        "a normal the other way": element("anchor:normal", lambda old: -old),
         "a track elsewhere": control("trackPoints", lambda old: old + 2.0),
-        "narrow handles": layout("handleWidth", lambda old: 0.1 * old),
+        "wide handles": layout("handleWidth", lambda old: 3.0 * old),
         "skin that is static": element("handle:adapt", "static"),
         "a track cut short": cut_track,
         "a track called an area": call_tracks_areas,
@@ -247,13 +253,15 @@ FAULTS = {
         "points in time": lambda each: in_time(each.attribute("points", MESH)),
         "indices of points": lambda each: each.set("elementType", "point"),
         "no Skeleton": relation("skel:skeleton", prim=MESH),
-        "a purpose of render on the mesh": lambda each: UsdGeom.Imageable(each.prim(MESH)).CreatePurposeAttr("render"),
+        "a purpose of render on the mesh": mesh("purpose", "render"),
         "smooth handles": mesh("subdivisionScheme", "catmullClark"),
-        "faces inside out": lambda each: UsdGeom.Mesh(each.prim(MESH)).CreateOrientationAttr("leftHanded"),
-        "holes": lambda each: UsdGeom.Mesh(each.prim(MESH)).CreateHoleIndicesAttr([0]),
+        "faces inside out": mesh("orientation", "leftHanded"),
+        "holes": mesh("holeIndices", Vt.IntArray(1)),
         "another extent": mesh("extent", lambda old: 0.5 * old),
-        "normals of its own": lambda each: UsdGeom.Mesh(each.prim(MESH)).CreateNormalsAttr([Gf.Vec3f.ZAxis()]),
-        "nothing to be seen": lambda each: UsdGeom.Mesh(each.prim(MESH)).CreateDisplayOpacityAttr([0.0]),
+        "normals of its own": mesh("normals", Vt.Vec3fArray(1)),
+        "nothing to be seen": mesh("primvars:displayOpacity", Vt.FloatArray(1)),
+        "a face of no element": lambda each: each.set("indices", lambda old: old[1:]),
+        "members beside others": relation("rigUI:element:members", f"{MESH}/{OTHER}"),
         "points for a mesh": lambda each: each.prim(MESH).SetTypeName("Points"),
         "an unknown way of skinning": mesh("primvars:skel:skinningMethod", "magic"),
         "a part that is none": other_part,
@@ -288,7 +296,9 @@ FAULTS = {
         "the plane elsewhere": layout("planeOrigin", Gf.Vec3f(5, 0, 0)),
         "a normal aside": element("anchor:normal", lambda old: Gf.Cross(old, Gf.Vec3f.YAxis()).GetNormalized()),
         "a side without a plane": layout("planeNormal", Gf.Vec3f()),
-        "a path longer than the longest": control("peak", 0.01),
+        "a peak too low": control("peak", lambda old: 0.3 * old),
+        "a peak too high": control("peak", lambda old: 3.0 * old),
+        "an animation that is none": relation(f"rigUI:control:{SMILE}:animation", "/Char/Skeleton"),
     },
     (DRAWN, SQUASH): {
         "a shape of the board left out": lambda each: drop_shape(each, SQUASH),
@@ -317,6 +327,9 @@ FAULTS = {
         "twice the range": control("maximum", 2.0),
         "a track the other way": control("trackPoints", np.flipud),
     },
+    ("RANGE_INVALID", "/Char/Animation"): {
+        "limits that are short": short_limits,
+    },
     ("LAYOUT_TOPOLOGY", SMILE): {
         "another topology": element("anchor:topologyHash", "0123"),
     },
@@ -335,12 +348,14 @@ FAULTS = {
         "weights for degrees": control("unit", "weight", EYE, "EyeLeft_ry"),
         "a Skeleton of nobody": relation("rigUI:control:EyeLeft_ry:skeleton", "/Skeleton", prim=EYE),
         "an axis listed twice": element("element:controls", ["EyeLeft_ry"] * 2, EYE),
+        "another joint": control("joints", ["Neck/Head/Jaw"], EYE, "EyeLeft_ry"),
+        "another joint's name": control("source", "Neck/Head/Jaw", EYE, "EyeLeft_ry"),
+        "a range beyond the track": control("maximum", 99.0, EYE, "EyeLeft_rx"),
     },
     (INVALID, WIDE): {
         "two ends that are not opposed": control("opposes", "", WIDE, "eyeWideLeft"),
     },
     (TRACK, EYE): {
-        "another joint": control("joints", ["Neck/Head/Jaw"], EYE, "EyeLeft_ry"),
         "a turn the other way": control("jointRotationVectors", lambda old: -old, EYE, "EyeLeft_ry"),
     },
     (INVALID, f"{PUFF}_mirror"): {
@@ -348,12 +363,16 @@ FAULTS = {
     },
     (INVALID, SQUASH): {
         "the view from behind": layout("viewDirection", lambda old: -old),
+        "no side on the board": element("element:side", "none", SQUASH),
+        "a carrier that is no mesh": relation("rigUI:anchor:carrier", "/Char/Skeleton", prim=SQUASH),
     },
     (DRAWN, EYE): {
+        "axes exchanged": element("element:controls", ["EyeLeft_rx", "EyeLeft_ry"], EYE),
         "a base pose outside": layout("baseValues", [9.0] * 53),
         "areas shifted": shift_areas,
     },
     (INVALID, HEAD): {
+        "a head that turns farther": control("jointRotationVectors", lambda old: 3.0 * old, HEAD, "Head_ry"),
         "a path of the board that is not the longest": both(
             control("arcLength", lambda old: 9.0 * old, HEAD, "Head_ry"),
             control("magnification", lambda old: old / 9.0, HEAD, "Head_ry"),

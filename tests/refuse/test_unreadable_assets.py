@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel, Vt
-from skel_stages import SIDE, add_mesh, add_shape, add_skeleton, add_skin, character, head, matrix, new_stage
+from skel_stages import SIDE, add_even_skin, add_mesh, add_shape, add_skeleton, character, head, matrix, new_stage
 
 from usdrigui.errors import Exit, RigUIError
 from usdrigui.reading.character import read_rigs
@@ -173,7 +173,7 @@ def test_what_moves_the_character_may_be_no_instance(tmp_path, kind, path):
 
 def _joints_for_shapes(stage):
     """Give the face joint influences instead of its shapes."""
-    add_skin(_face(stage), [0] * SIDE**2, [1.0] * SIDE**2, 1)
+    add_even_skin(_face(stage), 1)
     for name in ("skel:blendShapes", "skel:blendShapeTargets"):
         stage.GetPrimAtPath("/Char/Face").RemoveProperty(name)
 
@@ -356,7 +356,7 @@ def _boned(tmp_path, edit):
     add_skeleton(stage, "/Char/Skel", ("a", "a/b"), (matrix(), matrix(translation=(0, 1, 0))))
     mesh = add_mesh(stage, "/Char/Face", "/Char/Skel")
     add_shape(mesh, "smile", np.ones((SIDE**2, 3)))
-    add_skin(mesh, [[0, 1]] * SIDE**2, [[0.5, 0.5]] * SIDE**2, 2)
+    add_even_skin(mesh, 2)
     edit(stage)
     stage.GetRootLayer().Save()
     return refused(tmp_path / "bones.usda")

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 import skel_stages
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel, Vt
-from skel_stages import SIDE, add_animation, add_mesh, add_shape, add_skeleton, add_skin, matrix, new_stage
+from skel_stages import SIDE, add_animation, add_even_skin, add_mesh, add_shape, add_skeleton, matrix, new_stage
 
 from usdrigui.cli import main
 from usdrigui.errors import RigUIError, catalogue
@@ -105,7 +105,7 @@ def _face(stage):
         between = {0.5: rng.normal(size=(count, 3))}
         add_shape(mesh, token, rng.normal(size=(count, 3)), indices, between)
     joints = ["neck", "neck/jaw"]
-    add_skin(mesh, [[0, 1]] * SIDE**2, [[0.5, 0.5]] * SIDE**2, 2, matrix(), "dualQuaternion", joints)
+    add_even_skin(mesh, 2, matrix(), "dualQuaternion", joints)
     mesh.CreateSubdivisionSchemeAttr("none")
     mesh.CreateOrientationAttr("leftHanded")
     mesh.CreateVisibilityAttr("inherited")

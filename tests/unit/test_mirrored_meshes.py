@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from pxr import UsdGeom
-from skel_stages import SIDE, add_mesh, add_shape, add_skeleton, add_skin, matrix, new_stage
+from skel_stages import SIDE, add_even_skin, add_mesh, add_shape, add_skeleton, matrix, new_stage
 
 from usdrigui.character import surface
 from usdrigui.character.deform import deform
@@ -23,7 +23,7 @@ def towards(tmp_path, *, mesh=None, skeleton=None, geom_bind=None, skinned=False
     sheet = add_mesh(stage, "/Char/Face", "/Char/Skel", transform=mesh)
     add_shape(sheet, "smile", np.ones((SIDE**2, 3)))
     if skinned:
-        add_skin(sheet, [0] * SIDE**2, [1.0] * SIDE**2, 1, geom_bind)
+        add_even_skin(sheet, 1, geom_bind)
     if turned:
         sheet.CreateOrientationAttr(UsdGeom.Tokens.leftHanded)
     stage.GetRootLayer().Save()

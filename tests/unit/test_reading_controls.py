@@ -11,6 +11,7 @@ from skel_stages import (
     JOINTS,
     SIDE,
     add_animation,
+    add_even_skin,
     add_mesh,
     add_shape,
     add_skeleton,
@@ -131,9 +132,9 @@ def test_a_mesh_with_influences_and_a_skeleton_in_vain_is_reported(tmp_path):
     def edit(stage):
         stage.DefinePrim("/Char/Extra")
         mesh = add_mesh(stage, "/Char/Extra/Hat", skeleton="/Char/Skel")
-        add_skin(mesh, [0] * SIDE**2, [1.0] * SIDE**2, 1)
+        add_even_skin(mesh, 1)
         loose = add_mesh(stage, "/Char/Loose")  # nobody says what should move it: a prop as good as any
-        add_skin(loose, [0] * SIDE**2, [1.0] * SIDE**2, 1)
+        add_even_skin(loose, 1)
 
     rig = edited(tmp_path, edit)
     assert list(controls(rig)) == ["smile", "frown"]
@@ -165,7 +166,7 @@ def test_a_hidden_stand_in_for_what_is_seen_is_nothing_to_tell(tmp_path):
     def edit(stage):
         mesh = add_mesh(stage, "/Char/Proxy", skeleton="/Char/Skel")
         add_shape(mesh, "smile", np.ones((SIDE**2, 3)))
-        add_skin(mesh, [0] * SIDE**2, [1.0] * SIDE**2, 1)
+        add_even_skin(mesh, 1)
         UsdGeom.Imageable(mesh).CreatePurposeAttr("proxy")
 
     assert edited(tmp_path, edit).issues == ()
@@ -519,7 +520,7 @@ def test_units_of_a_type_that_usd_refuses(tmp_path):
 def test_a_mesh_outside_the_skelroot_is_named(tmp_path):
     def edit(stage):
         skinned, shaped, plain = (add_mesh(stage, f"/{name}", seed=4) for name in ("Skinned", "Shaped", "Plain"))
-        add_skin(skinned, [[0]] * SIDE**2, [[1.0]] * SIDE**2, 1)
+        add_even_skin(skinned, 1)
         add_shape(shaped, "smile", np.ones((SIDE**2, 3)))
         UsdSkel.BindingAPI.Apply(plain.GetPrim())
 
@@ -626,7 +627,7 @@ def test_missing_rest_transforms_come_from_the_bind_transforms(tmp_path):
     add_skeleton(stage, "/Char/Skel", ("a", "a/b"), rest).GetRestTransformsAttr().Clear()
     mesh = add_mesh(stage, "/Char/Face", "/Char/Skel")
     add_shape(mesh, "smile", np.ones((SIDE**2, 3)))
-    add_skin(mesh, [[0, 1]] * SIDE**2, [[0.5, 0.5]] * SIDE**2, 2)
+    add_even_skin(mesh, 2)
     stage.GetRootLayer().Save()
     rig = read(tmp_path / "r.usda")
     assert "REST_MISSING" in [each.code for each in rig.issues]

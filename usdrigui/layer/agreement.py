@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import replace
 from functools import cached_property
+from itertools import islice, pairwise
 
 import numpy as np
 from pxr import Usd, UsdGeom
@@ -24,10 +25,12 @@ from usdrigui.errors import Issue, issue
 from usdrigui.layer import author
 from usdrigui.layer.properties import value_of
 from usdrigui.layer.read_controls import invalid_at, read_controls
-from usdrigui.layer.read_layout import base_controls, element_prims, points_by_role
+from usdrigui.layer.read_layout import base_controls, element_prims, faces_by_role
 from usdrigui.model import Element, Layout, Member
 from usdrigui.overlap import segment_distances
 from usdrigui.reading.character import read_animated
+from usdrigui.reading.mesh import drawable
+from usdrigui.reading.range import limits_of
 from usdrigui.settings import ReadSettings
 from usdrigui.stages import schema
 
@@ -45,8 +48,11 @@ together."""
 _ALONG, _SHARE = 0.05, 0.08
 """Of a handle's width, and of the way that a control takes its anchor: tracks differ from the
 anchor's way by less than both together."""
-_SIZES = 4.0
-"""Times as wide or narrow as the layout says may be what draws a handle."""
+_SIZES = 1.5
+"""Times as large or small as the layout says may be what is measured of it: the way of a half turn
+is so much longer than a track of two points."""
+_LIFTED = 0.25
+"""Of a handle's width: so far from its lift may the middle of a handle be."""
 CLEAR = 0.5
 """Cosine beyond which two directions are one, or opposite."""
 _HALF = 0.5
@@ -65,15 +71,20 @@ class _Drawn(Record):
     handle: Indices
     track: Indices
     """Of its tracks, and of the areas between them."""
-    line: Indices
-    """Of its tracks alone."""
+    lines: tuple[Indices, ...]
+    """Of each of its tracks, face by face."""
     members: Indices
     """Its controls, as indices into `Rig.controls`."""
 
     @property
-    def rows(self) -> Indices:
+    def drawn(self) -> Indices:
         """Of everything drawn."""
         return np.concatenate([self.handle, self.track])
+
+    @property
+    def rows(self) -> Indices:
+        """Of everything that counts."""
+        return np.append(self.drawn, self.anchor)
 
     @property
     def slides(self) -> bool:
@@ -88,12 +99,21 @@ class _Scene(Record):
     drawn: tuple[_Drawn, ...]
     base_values: Floats
     size: float
-    """Diagonal of the box around the meshes that elements are anchored to."""
+    """Diagonal of the largest box around one of the meshes that draw elements, or that elements are
+    anchored to."""
 
     @cached_property
     def grain(self) -> float:
         """How exactly the layer and UsdSkel tell places and ways: far from the origin, little."""
-        return _FOLLOWS * self.size + author.TOLD * float(np.abs(self.base.points).max(initial=0.0))
+        far = np.abs(self.base.points[np.concatenate([each.rows for each in self.drawn])])
+        return _FOLLOWS * self.size + 2.0 * author.TOLD * float(far.max(initial=0.0))
+
+    @cached_property
+    def skin(self) -> Floats:
+        """(points,) 1 for those of the character, 0 for those of what is drawn."""
+        found = np.ones(len(self.base.points))
+        found[np.concatenate([each.drawn for each in self.drawn])] = 0.0
+        return found
 
     @cached_property
     def base(self) -> Posed:
@@ -153,12 +173,11 @@ def disagreements(scope: Usd.Prim, layout: Layout, settings: ReadSettings) -> It
     """LAYOUT_MESH_GONE, LAYOUT_TOPOLOGY and LAYOUT_INVALID of what cannot be evaluated,
     LAYOUT_TRACK of controls that take their anchor elsewhere than their track shows, and
     LAYOUT_DRAWN of what is drawn and does not go along."""
-    found: list[Issue] = []
-    stage = scope.GetStage()
-    anchored = dict.fromkeys(each.anchor.mesh for each in layout.elements if each.anchor.mesh)
-    meshes = [each for each in map(stage.GetPrimAtPath, anchored) if each and each.IsActive()]
-    body = read_animated(scope.GetParent(), settings, [*meshes, *drawings(scope)]).body
-    scene = _scene(scope, layout, body, found)
+    found, root = list[Issue](), scope.GetParent()
+    animated = read_animated(root, settings, [*drawable(root), *drawings(scope)])
+    scene = _scene(scope, layout, animated.body, found)
+    for armature in animated.armatures:
+        limits_of(armature, found)
     yield from found
     if scene is None:
         return
@@ -166,7 +185,8 @@ def disagreements(scope: Usd.Prim, layout: Layout, settings: ReadSettings) -> It
         yield from _at_rest(scene, each)
         for member, control in zip(each.element.members, each.members, strict=True):
             yield from _alone(scene, each, member, int(control))
-    yield from _together(scene)
+    yield from _facing(scene)
+    yield from _together(_thinned(scene))
 
 
 # --- one element ----------------------------------------------------------------------------------
@@ -187,10 +207,22 @@ def _at_rest(scene: _Scene, drawn: _Drawn) -> Iterator[Issue]:
     if len(ways):
         pieces = ((track[:-1, :, None], track[1:, :, None]) for track in tracks)
         apart = np.concatenate([segment_distances(ways.T[None], *each) for each in pieces])
-        ends = np.concatenate([track[[0, -1]] for track in tracks])
-        short = np.linalg.norm(ends[:, None] - points[drawn.line], axis=2)
+        off = [
+            np.linalg.norm(points[line[each]] - track[end], axis=1).min()
+            for track, line in zip(tracks, drawn.lines, strict=False)
+            for each, end in ((slice(4), 0), (slice(-3, None), -1))
+        ]
         # Lifted over an arch, a straight track is off its ends by as much again.
-        away = max(apart.min(axis=0).max(), 0.5 * short.min(axis=1, initial=np.inf).max())
+        away = max(apart.min(axis=0).max(), 0.5 * max(off, default=0.0))
+        ends = np.concatenate([track[[-1, 0]] for track in tracks])
+        tips = [
+            np.linalg.norm(ends[:, None] - points[line[-3:]], axis=2).min(axis=1)
+            for line in drawn.lines
+        ]
+        own = len(tips) == len(tracks) and all(
+            tip[2 * i] < tip.min() + 0.5 * beside for i, tip in enumerate(tips)
+        )
+        away = away if own else np.inf
         if away > beside:
             yield _astray(drawn.prim, f"its tracks are drawn {away:.3g} from their trackPoints")
 
@@ -200,15 +232,15 @@ def _as_wide(drawn: _Drawn, handle: Floats, grain: float) -> Iterator[Issue]:
     and lifted as far."""
     if len(handle) < 2:
         return
-    shell, width = handle[1:], drawn.width
-    across = _worst(np.ptp(shell, axis=0))
-    if not width / _SIZES - grain < across < width * _SIZES + grain:
+    middle, width = handle[1:].mean(axis=0), drawn.width
+    across, lifted = 2.0 * _worst(handle[1:] - middle), middle - handle[0]
+    if _unlike(width, across, grain):
         yield _astray(drawn.prim, f"its handle is {across:.3g} wide, the layout's {width:.3g}")
-    middle = _worst(shell.mean(axis=0) - handle[0])
-    if abs(middle - value_of(drawn.prim, schema.HANDLE, "lift")) > width + grain:
-        yield _astray(
-            drawn.prim, f"its handle is {middle:.3g} from its anchor, not rigUI:handle:lift"
-        )
+    lift = value_of(drawn.prim, schema.HANDLE, "lift")
+    loose = _LIFTED * width + grain
+    if abs(_worst(lifted) - lift) > loose or lifted @ drawn.element.anchor.normal < -loose:
+        what = f"its handle is {_worst(lifted):.3g} from its anchor, along the normal"
+        yield _astray(drawn.prim, f"{what} and rigUI:handle:lift is {lift:.3g}")
 
 
 def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterator[Issue]:
@@ -220,47 +252,62 @@ def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterat
     motion[:, moved] = offsets[1:] - offsets[0]
     track = np.stack([np.interp(values, member.values, axis) for axis in member.track.T], axis=1)
     along = track[1:] - track[0]
-    drive = scene.rig.controls[control].drive
     anchor, steps = motion[:, drawn.anchor], f"as {member.control!r} goes along its track"
     handle = motion[:, drawn.handle]
-    tolerance = scene.grain + _EXACT * drawn.width
+    width = drawn.width
+    tolerance = scene.grain + _EXACT * width
+    ways = np.zeros(len(scene.skin))
+    ways[moved] = np.linalg.norm(np.diff(offsets[1:], axis=0), axis=2).sum(axis=0)
+    far = float((ways * scene.skin).max())
+    own = far if drawn.element.anchor.on_board else ways[drawn.anchor]
+    subject = scene.rig.controls[control]
+    # Of values too, so many handle widths.
+    for name, said, found in (
+        ("peak", member.peak, far),
+        ("arcLength", member.arc_length, own),
+        ("magnification", member.arc_length * member.magnification, length(member.track)),
+        ("trackValues", np.ptp(member.values) * width, (subject.maximum - subject.minimum) * width),
+    ):
+        if said and _unlike(said, found, tolerance + author.TOLD * np.abs(member.track).sum()):
+            what = f"rigUI:control:*:{name} of {member.control!r} would be {found / said:.3g} times"
+            yield invalid_at(drawn.prim, f"{what} as much, as the character moves")
     if drawn.slides:
+        drive = subject.drive
         single = len(drive.channels) == 1 and not len(drive.joints)
-        expected, slack = along if single else np.zeros_like(along), _NEAR * drawn.width + tolerance
+        expected, slack = along if single else np.zeros_like(along), _NEAR * width + tolerance
         if _worst(handle - expected[:, None]) > slack:
             yield _astray(drawn.prim, f"its handle does not go along it, {steps}")
         return
     off = _worst(along / member.magnification - anchor)
-    if off > scene.grain + _ALONG * drawn.width + _SHARE * _worst(anchor):
+    if off > scene.grain + _ALONG * width + _SHARE * _worst(anchor):
         clause = f"{off:.3g} from rigUI:control:*:trackPoints, {steps}"
         yield issue("LAYOUT_TRACK", drawn.prim.GetPath(), f"its anchor is up to {clause}")
     away = _worst(handle[:, :1] - anchor[:, None])
     if drawn.element.glyph is None and away > tolerance:
         yield _astray(drawn.prim, f"its handle leaves its anchor by {away:.3g}, {steps}")
-    if _worst(motion[:, drawn.track]) > scene.grain + _STILL * drawn.width:
+    if _worst(motion[:, drawn.track]) > scene.grain + _STILL * width:
         yield _astray(drawn.prim, f"its tracks move, {steps}")
 
 
 def _together(scene: _Scene) -> Iterator[Issue]:
     """What does not follow the character while many controls are away from the base pose."""
-    told: set[int] = set()
     on_board = [each for each in scene.drawn if each.element.anchor.on_board]
     board = {control for each in on_board for control in each.members.tolist()}
-    anchors = [each.anchor for each in on_board]
-    for towards in ("maximum", "minimum"):
-        whole = posed(scene.rig, scene.halfway(towards, []))
-        still = posed(scene.rig, scene.halfway(towards, scene.with_ignored(board, anchors)))
-        for index, each in enumerate(scene.drawn):
-            if index in told:
-                continue
-            for what, off, slack in _departures(scene, each, towards, whole, still):
-                if off > scene.grain + slack:
-                    clause = f"its {what} leaves the character by {off:.3g}"
-                    yield _astray(
-                        each.prim, f"{clause} as all controls go half way to their {towards}"
-                    )
-                    told.add(index)
-                    break
+    ignored = scene.with_ignored(board, [each.anchor for each in on_board])
+    poses = {
+        towards: [posed(scene.rig, scene.halfway(towards, but)) for but in ([], ignored)]
+        for towards in ("maximum", "minimum")
+    }
+    for each in scene.drawn:
+        astray = (
+            f"its {what} leaves the character by {off:.3g} as all controls go half way to their"
+            f" {towards}"
+            for towards, pose in poses.items()
+            for what, off, slack in _departures(scene, each, towards, *pose)
+            if off > scene.grain + slack
+        )
+        for first in islice(astray, 1):
+            yield _astray(each.prim, first)
 
 
 def _departures(
@@ -270,13 +317,13 @@ def _departures(
     half way (`whole`), or all but those of the board (`still`)."""
     loose = _STILL * drawn.width
     if drawn.element.anchor.on_board:
-        yield "drawing", _off(scene, drawn, still, drawn.rows), loose
+        yield "drawing", _off(scene, drawn, still, drawn.drawn), loose
         return
     if drawn.slides:
         # No shape moves it; joints may.
         turning = [i for i, each in enumerate(scene.rig.controls) if len(each.drive.joints)]
         shaped = posed(scene.rig, scene.halfway(towards, [*drawn.members, *turning]))
-        yield "drawing", _worst((shaped.points - scene.base.points)[drawn.rows]), loose
+        yield "drawing", _worst((shaped.points - scene.base.points)[drawn.drawn]), loose
         return
     yield "handle", _off(scene, drawn, whole, drawn.handle[:1]), _EXACT * drawn.width
     yield "handle", _off(scene, drawn, whole, drawn.handle), loose
@@ -294,6 +341,10 @@ def _off(scene: _Scene, drawn: _Drawn, at: Posed, rows: Indices) -> float:
     if drawn.element.anchor.on_board:
         start, end = before[3], now[3]
     return _worst(at.points[rows] - end - (points[rows] - start) @ carry)
+
+
+def _unlike(said: float, found: float, slack: float) -> bool:
+    return not found / _SIZES - slack < said < found * _SIZES + slack
 
 
 def _astray(prim: Usd.Prim, message: str) -> Issue:
@@ -346,9 +397,9 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
                     element,
                     layout.frame.handle_width_of(element.part),
                     point,
-                    _rows(drawing, prim, "handle"),
-                    _rows(drawing, prim, "track", "area"),
-                    _rows(drawing, prim, "track"),
+                    _points(drawing, prim, "handle"),
+                    _points(drawing, prim, "track", "area"),
+                    _lines(drawing, prim),
                     np.array([rig.control_indices[name] for name in members]),
                 )
             )
@@ -356,42 +407,56 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
         return None
     base = dict(zip(base_controls(scope), layout.base_values.tolist(), strict=True))
     values = np.array([base.get(control.name, control.default) for control in rig.controls])
-    found += _facing(rig, posed(rig, values), drawn)
-    rows = np.unique(np.concatenate([[each.anchor, *each.rows] for each in drawn]).astype(np.int64))
-    drawn = [
+    near = {each.element.anchor.mesh for each in drawn} | {str(each.GetPath()) for each in drawing}
+    size = max(_worst(np.ptp(mesh.points, axis=0)) for mesh in body.meshes if mesh.path in near)
+    return _Scene(rig, tuple(drawn), values, size)
+
+
+def _thinned(scene: _Scene) -> _Scene:
+    """The scene with those points alone that count for an element."""
+
+    rows = np.unique(np.concatenate([each.rows for each in scene.drawn]))
+    drawn = (
         replace(
             each,
             anchor=int(np.searchsorted(rows, each.anchor)),
             handle=np.searchsorted(rows, each.handle),
             track=np.searchsorted(rows, each.track),
-            line=np.searchsorted(rows, each.line),
         )
-        for each in drawn
-    ]
-    size = max(_worst(np.ptp(mesh.points, axis=0)) for mesh in body.meshes)
-    return _Scene(subset(rig, rows)[0], tuple(drawn), values, size)
+        for each in scene.drawn
+    )
+    return replace(scene, rig=subset(scene.rig, rows)[0], drawn=tuple(drawn))
 
 
-def _facing(rig: Rig, base: Posed, drawn: list[_Drawn]) -> Iterator[Issue]:
+def _facing(scene: _Scene) -> Iterator[Issue]:
     """Whether elements on the skin face as it does, inwards or outwards: where surfaces coincide,
     what is seen may be either side."""
-    apart = np.ones((len(base.points), 1))
-    apart[np.concatenate([each.rows for each in drawn])] = 0.0
     # The first point of a handle is where the skin's is.
-    places = weld(base.points, apart)
-    normals = vertex_normals(base.points, mesh_triangles(rig.body.meshes), places)
-    for each in drawn:
+    places = weld(scene.base.points, scene.skin[:, None])
+    triangles = mesh_triangles(scene.rig.body.meshes)
+    normals = vertex_normals(scene.base.points, triangles, places)
+    for each in scene.drawn:
         normal, there = each.element.anchor.normal, normals[each.anchor]
         along = abs(there @ normal) >= CLEAR * (there.any() and normal.any())
         if not (each.element.anchor.on_board or along):
             yield invalid_at(each.prim, "rigUI:anchor:normal is not that of its mesh")
 
 
-def _rows(drawing: dict[Usd.Prim, int], prim: Usd.Prim, *roles: str) -> Indices:
-    """Points of the body that draw an element in some roles, in all meshes."""
-    found = [_NONE]
+def _points(drawing: dict[Usd.Prim, int], prim: Usd.Prim, *roles: str) -> Indices:
+    """Points of the body that draw an element in some roles, ascending."""
+    return np.unique(np.concatenate([_NONE, *_faces(drawing, prim, *roles)]))
+
+
+def _lines(drawing: dict[Usd.Prim, int], prim: Usd.Prim) -> tuple[Indices, ...]:
+    """Points of the body that draw each track of an element, face by face; a triangle ends it."""
+    faces = [*_faces(drawing, prim, "track")]
+    ends = [i for i, face in enumerate(faces, 1) if len(face) == 3]
+    return tuple(np.concatenate(faces[first:last]) for first, last in pairwise([0, *ends]))
+
+
+def _faces(drawing: dict[Usd.Prim, int], prim: Usd.Prim, *roles: str) -> Iterator[Indices]:
+    """The points of the body of each face that draws an element in some roles, in all meshes."""
     for mesh, start in drawing.items():
         part = mesh.GetChild(prim.GetName())
         if start >= 0 and part and part.IsA(UsdGeom.Subset):
-            found.append(start + points_by_role(part, *roles))
-    return np.concatenate(found)
+            yield from (start + face for face in faces_by_role(part, *roles))

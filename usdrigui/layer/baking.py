@@ -275,7 +275,11 @@ def _author(layer: Sdf.Layer, stage: Usd.Stage, found: Valued) -> None:
             raise refuse("INSTANCE", path, "lies inside an instance: no layer can override it")
         spec = Sdf.CreatePrimInLayer(layer, path)
         if not prim:
-            _bind(spec, [body.skeletons[index].path for index in own])
+            spec.specifier, spec.typeName = Sdf.SpecifierDef, "SkelAnimation"
+            for index in own:
+                skeleton = Sdf.CreatePrimInLayer(layer, body.skeletons[index].path)
+                author.apply(skeleton, ["SkelBindingAPI"])
+                author.link(skeleton, "skel:animationSource", [path])
         times = found.times if found.moving else (None,)
         animation = UsdSkel.Animation(prim)
         if shaped:
@@ -292,15 +296,6 @@ def _author(layer: Sdf.Layer, stage: Usd.Stage, found: Valued) -> None:
 
 def _animation_of(skeleton: Skeleton) -> str:
     return skeleton.animation or f"{skeleton.path}/{_MADE}"
-
-
-def _bind(spec: Sdf.PrimSpec, skeletons: Sequence[str]) -> None:
-    """Define an animation for Skeletons without one."""
-    spec.specifier, spec.typeName = Sdf.SpecifierDef, "SkelAnimation"
-    for path in skeletons:
-        skeleton = Sdf.CreatePrimInLayer(spec.layer, path)
-        author.apply(skeleton, ["SkelBindingAPI"])
-        author.link(skeleton, "skel:animationSource", [spec.path])
 
 
 def _listed(

@@ -7,8 +7,7 @@ not what they show.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
-from itertools import product, zip_longest
+from itertools import chain, combinations, zip_longest
 
 import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel
@@ -16,17 +15,16 @@ from pxr import Usd, UsdGeom, UsdSkel
 from usdrigui.character import Floats
 from usdrigui.errors import Issue, RigUIError, of_character
 from usdrigui.layer import author
-from usdrigui.layer.agreement import CLEAR, disagreements, drawings, length
+from usdrigui.layer.agreement import CLEAR, disagreements, drawings
 from usdrigui.layer.baking import apart, valued
 from usdrigui.layer.properties import (
     applied,
-    control_instances,
     has,
     invalid,
     targets,
     value_of,
 )
-from usdrigui.layer.read_controls import invalid_at
+from usdrigui.layer.read_controls import doubtful_at, invalid_at
 from usdrigui.layer.read_layout import (
     base_controls,
     element_prims,
@@ -35,6 +33,7 @@ from usdrigui.layer.read_layout import (
     points_by_role,
 )
 from usdrigui.model import Element, Layout
+from usdrigui.model.levels import inner_names
 from usdrigui.settings import ReadSettings
 from usdrigui.stages import schema
 
@@ -42,6 +41,25 @@ _FAMILY = "rigUI"
 _OPPOSITE = {"left": "right", "right": "left"}
 _MEMBERS = {"slider": (1, 1), "patch": (2, 2), "fan": (1, np.inf)}
 """How many axes each type of element has."""
+_PLAIN = {
+    "subdivisionScheme": "bilinear",
+    "orientation": "rightHanded",
+    "holeIndices": None,
+    "normals": None,
+    "primvars:normals": None,
+    "xformOpOrder": None,
+}
+"""What every mesh that draws elements has of USD's own properties."""
+_TARGETS = {
+    "skeleton": "Skeleton",
+    "animation": "SkelAnimation",
+    "prim": "Mesh",
+    "carrier": "Mesh",
+    "elements": schema.ELEMENT,
+    "members": schema.ELEMENT,
+    "mirror": schema.ELEMENT,
+}
+"""Type of the targets of our relationships, or a schema of theirs."""
 _MIRRORED = 0.1
 """Of a handle's width: anchors so near to each other's mirror image are those of a pair."""
 _ASIDE = 1.0
@@ -76,21 +94,31 @@ def _of_layout(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
     }
     yield from _of_listing(scope, layout)
     parts = [each.name for each in layout.frame.parts]
+    inner = inner_names(layout.elements)
     for mesh in drawings(scope):
         yield from _of_drawing(mesh, parts)
+        levels = {
+            name in inner for name, (prim, _) in by_name.items() if mesh.GetChild(prim.GetName())
+        }
+        hidden = UsdGeom.Imageable(mesh).GetVisibilityAttr().Get() == UsdGeom.Tokens.invisible
+        if len(levels) > 1:
+            yield invalid_at(mesh, "draws members of coarse elements, and elements that are none")
+        elif levels == {not hidden}:
+            yield doubtful_at(mesh, "visibility is not that of its level: members are invisible")
     for prim, element in by_name.values():
         if UsdGeom.Subset(prim):
             if not len(points_by_role(prim, "handle")):
                 yield invalid_at(prim, f"no face has the role 'handle': see primvars:{schema.ROLE}")
             if prim.GetAttribute("familyName").Get() != _FAMILY:
-                yield _doubtful_at(prim, f"familyName is not {_FAMILY!r}")
-        yield from _of_manipulator(prim, element)
+                yield doubtful_at(prim, f"familyName is not {_FAMILY!r}")
+        least, most = _MEMBERS[element.kind]
+        axes = len(element.axes)
+        if not least <= axes <= most:
+            yield invalid_at(prim, f"rigUI:element:elementType does not fit its {axes} axes")
         yield from _of_side(prim, element, layout)
         mirror = element.mirror
         if mirror in by_name:
             yield from _of_mirror(prim, element, *by_name[mirror], layout)
-        elif mirror:
-            yield invalid_at(prim, f"rigUI:element:mirror is {mirror}, which is no element")
     yield from _unpaired(by_name, layout)
 
 
@@ -121,9 +149,14 @@ def _of_prims(scope: Usd.Prim) -> Iterator[Issue]:
             name = relation.GetName()
             if name.endswith(":skeleton") and {*relation.GetTargets()} - skeletons:
                 yield invalid_at(scope, f"rigUI:layout:skeleton lacks {name} of {prim.GetPath()}")
-            free = not name.startswith("rigUI:") or name.endswith(":animation")
-            if not (free or all(each.HasPrefix(root) for each in relation.GetTargets())):
-                yield invalid_at(prim, f"{name} names what is not of {root}")
+            kind = _TARGETS.get(relation.GetBaseName(), "")
+            for path in relation.GetTargets() if kind and name.startswith("rigUI:") else ():
+                there = scope.GetStage().GetPrimAtPath(path)
+                what = there.GetTypeName() if there else "gone"
+                if what != kind and not (there and has(there, kind)) and (there or kind != "Mesh"):
+                    yield invalid_at(prim, f"{name} names {path}, which is no {kind}")
+                if kind != "SkelAnimation" and not path.HasPrefix(root):
+                    yield invalid_at(prim, f"{name} names {path}, which is not of {root}")
 
 
 def _of_listing(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
@@ -132,12 +165,6 @@ def _of_listing(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
         if UsdGeom.Imageable(prim).ComputePurpose() != UsdGeom.Tokens.guide:
             yield invalid_at(prim, "purpose is not guide: final pictures show the controls")
             break
-    for name, kind in (("elements", None), ("skeleton", UsdSkel.Skeleton)):
-        for path in targets(scope, schema.LAYOUT, name):
-            prim = scope.GetStage().GetPrimAtPath(path)
-            known = prim and (prim.IsA(kind) if kind else has(prim, schema.ELEMENT))
-            if not known:
-                yield invalid_at(scope, f"rigUI:layout:{name} names {path}, which is none")
     names = base_controls(scope)
     if len({*names}) < len(names):
         yield invalid_at(scope, "rigUI:layout:baseControls lists a control twice")
@@ -160,16 +187,12 @@ def _of_drawing(mesh: Usd.Prim, parts: Sequence[str]) -> Iterator[Issue]:
         for each in mesh.GetAllChildren()
         if each.GetAttribute("familyName").Get() == _FAMILY or has(each, schema.ELEMENT)
     ]
-    if mesh.GetAttribute("xformOpOrder").Get():
-        yield invalid_at(mesh, "xformOpOrder moves it out of the space of its SkelRoot")
+    for name, wanted in _PLAIN.items():
+        said = mesh.GetAttribute(name)
+        if ((said and said.Get()) or None) != wanted:
+            yield invalid_at(mesh, f"{name} is not {wanted}, as of every mesh that draws elements")
     drawn = UsdGeom.Mesh(mesh)
     faces, points = drawn.GetFaceCount(), drawn.GetPointsAttr().Get() or ()
-    normals = mesh.GetAttribute("primvars:normals") or drawn.GetNormalsAttr()
-    flat = drawn.GetSubdivisionSchemeAttr().Get() == "bilinear" and not normals.Get()
-    right = drawn.GetOrientationAttr().Get() == "rightHanded"
-    if not (flat and right) or drawn.GetHoleIndicesAttr().Get():
-        what = "subdivisionScheme, orientation, normals or holeIndices is not the contract's"
-        yield invalid_at(mesh, what)
     box = drawn.GetExtentAttr().Get()
     if box and not np.allclose(box, UsdGeom.PointBased.ComputeExtent(points)):
         yield invalid_at(mesh, "extent is not that of its points: viewers may leave it out")
@@ -181,30 +204,10 @@ def _of_drawing(mesh: Usd.Prim, parts: Sequence[str]) -> Iterator[Issue]:
         if wanted and primvar.GetTypeName().isArray and len(held) != wanted:
             yield invalid_at(mesh, f"{primvar.GetName()} has {len(held)} values, and is {kind}")
     if min(drawn.GetDisplayOpacityAttr().Get() or (1.0,)) <= 0.0:
-        yield _doubtful_at(mesh, "primvars:displayOpacity is 0: nobody sees what it draws")
-    sound, why = UsdGeom.Subset.ValidateSubsets(subsets, faces, UsdGeom.Tokens.nonOverlapping)
+        yield doubtful_at(mesh, "primvars:displayOpacity is 0: nobody sees what it draws")
+    sound, why = UsdGeom.Subset.ValidateSubsets(subsets, faces, UsdGeom.Tokens.partition)
     if not sound:
         yield invalid_at(mesh, why)
-
-
-def _of_manipulator(prim: Usd.Prim, element: Element) -> Iterator[Issue]:
-    """Whether its controls make an element of its type, on one end of an axis each."""
-    least, most = _MEMBERS[element.kind]
-    axes = len(element.axes)
-    if not least <= axes <= most:
-        yield invalid_at(prim, f"rigUI:element:elementType does not fit its {axes} axes")
-    for name, member in zip(control_instances(prim), element.members, strict=True):
-        drawn = length(member.track)
-        meant = member.arc_length * member.magnification
-        grain, peak = author.TOLD * np.abs(member.track).sum(), member.peak or member.arc_length
-        own = 0.98 * peak if element.anchor.on_board else 0.0
-        if not own <= member.arc_length <= 1.02 * peak:
-            yield invalid_at(
-                prim, f"rigUI:control:{name}:arcLength is not peak, or less on the skin"
-            )
-        if meant and abs(drawn - meant) > 0.02 * max(drawn, meant) + grain:
-            what = f"trackPoints have length {drawn:.4g}, arcLength by magnification is {meant:.4g}"
-            yield invalid_at(prim, f"rigUI:control:{name}:{what}")
 
 
 def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue]:
@@ -218,14 +221,15 @@ def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue
         yield invalid_at(prim, "has rigUI:anchor:prim, and a carrier or category of the board")
     if side != "none" and not plane.normal.any():
         yield invalid_at(prim, f"rigUI:element:side is {side}: rigUI:layout:planeNormal is missing")
-    if on_board or not layout.frame.mirrors(part):
+    if not layout.frame.mirrors(part):
         return
     away = plane.distance(element.anchor.position)
     # Far from the origin the layer tells places less exactly than a handle is wide.
     told = 2.0 * author.TOLD * np.abs(element.anchor.position).max()
     width = _ASIDE * layout.frame.handle_width_of(part) + told
     where = "left" if away > 0.0 else "right"
-    if side == "none" or (abs(away) > width and side == _OPPOSITE[where]):
+    beyond = not on_board and abs(away) > width
+    if side == "none" or (beyond and side == _OPPOSITE[where]):
         yield invalid_at(prim, f"rigUI:element:side is {side}, its anchor is on the {where}")
 
 
@@ -235,24 +239,20 @@ def _of_mirror(
     """Whether the element on the other side is one.  Where it lies is a warning: a person may
     call controls twins whose places on a lopsided character mirror nothing."""
     where = f"rigUI:element:mirror {other_prim.GetPath()}"
-    if other.mirror != element.name:
-        yield invalid_at(prim, f"{where} does not mirror it back")
+    same = len(other.members) == len(element.members)
+    if other.mirror != element.name or not same:
+        yield invalid_at(prim, f"{where} does not mirror it back, with as many controls")
         return
     if _OPPOSITE.get(element.side) != other.side:
-        yield _doubtful_at(prim, f"{where} is on the side {other.side}")
-    if len(other.members) != len(element.members):
-        yield invalid_at(prim, f"{where} has another number of controls")
-        return
+        yield doubtful_at(prim, f"{where} is on the side {other.side}")
     reflect = layout.frame.plane.reflected
-    on_board = element.anchor.on_board or other.anchor.on_board
-    if on_board or not layout.frame.mirrors(element.part):
+    free = element.anchor.on_board or other.anchor.on_board or element.kind == "fan"
+    if free or not layout.frame.mirrors(element.part):
         return
     width = layout.frame.handle_width_of(element.part)
     away = np.linalg.norm(reflect(element.anchor.position) - other.anchor.position)
     if away > 3.0 * width:
-        yield _doubtful_at(prim, f"{where} is {away:.3g} from its mirror image")
-        return
-    if element.kind == "fan":
+        yield doubtful_at(prim, f"{where} is {away:.3g} from its mirror image")
         return
     for index, (one, twin) in enumerate(zip(element.members, other.members, strict=True)):
         mine, theirs = (track[-1] - track[0] for track in (reflect(one.track), twin.track))
@@ -265,30 +265,20 @@ def _of_mirror(
 def _unpaired(by_name: Mapping[str, tuple[Usd.Prim, Element]], layout: Layout) -> Iterator[Issue]:
     """Elements that are each other's mirror image, with the ends of their tracks, and do not say
     so."""
-    plane, frame = layout.frame.plane, layout.frame
-    sides: dict[str, list[tuple[Usd.Prim, Floats, float]]] = {"left": [], "right": []}
+    frame, alone = layout.frame, list[tuple[Usd.Prim, Element, Floats]]()
     for prim, element in by_name.values():
-        part, side = element.part, element.side
-        if (
-            not (element.mirror or element.anchor.on_board)
-            and frame.mirrors(part)
-            and side in sides
-        ):
-            ends = (
-                end for member in element.members for end in (member.track[0], member.track[-1])
-            )
-            places = np.stack([element.anchor.position, *ends])
-            # Far from the origin single precision does not tell such places apart.
-            near = _MIRRORED * frame.handle_width_of(part) - author.TOLD * np.abs(places[0]).sum()
-            sides[side].append((prim, places, near))
-    for (prim, mine, near), (twin, theirs, _) in product(*sides.values()):
-        images = plane.reflected(mine) if len(mine) == len(theirs) else theirs + np.inf
-        if np.linalg.norm(images - theirs, axis=1).max() < near:
+        if not (element.mirror or element.anchor.on_board) and frame.mirrors(element.part):
+            ends = (member.track[[0, -1]] for member in element.members)
+            alone.append((prim, element, np.stack([element.anchor.position, *chain(*ends)])))
+    for (prim, one, mine), (twin, other, theirs) in combinations(alone, 2):
+        # Far from the origin single precision does not tell such places apart.
+        width = frame.handle_width_of(one.part)
+        near = _MIRRORED * width - author.TOLD * np.abs(mine[0]).sum()
+        sides = _OPPOSITE.get(one.side) == other.side
+        images = (
+            frame.plane.reflected(mine) - theirs if mine.shape == theirs.shape else mine + np.inf
+        )
+        if sides and np.linalg.norm(images, axis=1).max() < near:
             yield invalid_at(
                 prim, f"rigUI:element:mirror is missing: {twin.GetPath()} is its image"
             )
-
-
-def _doubtful_at(prim: Usd.Prim, message: str) -> Issue:
-    """The contradiction at a prim, as a warning."""
-    return replace(invalid_at(prim, message), severity="warning")

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, Usd, Vt
 
-from usdrigui.character import Body, Control, Drive, Floats, Rig, Skeleton
+from usdrigui.character import Body, Control, Drive, Floats, Rig
 from usdrigui.layer import author
 from usdrigui.stages import schema
 
@@ -44,7 +44,7 @@ def author_control_api(
 
 
 def _driven_weights(body: Body, drive: Drive) -> dict[str, Any]:
-    plain = _is_plain(body.base_weights, drive)
+    plain = is_plain(body.base_weights, drive)
     still = np.isclose(drive.weights, 0.0, atol=NOISE).all(axis=0)
     driven = np.flatnonzero(plain | ~still)
     channels = [body.channels[channel] for channel in drive.channels[driven]]
@@ -52,9 +52,11 @@ def _driven_weights(body: Body, drive: Drive) -> dict[str, Any]:
     which = [
         animations.index(channel.animation) if channel.animation else 0 for channel in channels
     ]
+    # The SkelAnimation of a character with one goes without saying.
+    only = animations == list({skeleton.animation for skeleton in body.skeletons})
     found: dict[str, Any] = {
         "blendShapes": [channel.token for channel in channels],
-        "animation": animations if animations != _only_animation(body.skeletons) else [],
+        "animation": [] if only and len(animations) == 1 else animations,
         "blendShapeAnimations": which if any(which) else [],
     }
     if not plain:
@@ -62,14 +64,7 @@ def _driven_weights(body: Body, drive: Drive) -> dict[str, Any]:
     return found
 
 
-def _only_animation(skeletons: tuple[Skeleton, ...]) -> list[str]:
-    """The SkelAnimation of the character, which goes without saying; none where there are
-    several."""
-    found = list({skeleton.animation for skeleton in skeletons})
-    return found if len(found) == 1 else []
-
-
-def _is_plain(base_weights: Floats, drive: Drive) -> bool:
+def is_plain(base_weights: Floats, drive: Drive) -> bool:
     """Whether the value of the control is the weight of one blend shape, neither more nor less."""
     if len(drive.joints) or len(drive.channels) != 1:
         return False
@@ -136,9 +131,6 @@ def _weight_ranges(rig: Rig, animation: str) -> Floats:
     }
     ranges = np.tile([0.0, 1.0], (max(own.values(), default=-1) + 1, 1))
     for control in rig.controls:
-        if (
-            _is_plain(rig.body.base_weights, control.drive)
-            and int(control.drive.channels[0]) in own
-        ):
+        if is_plain(rig.body.base_weights, control.drive) and int(control.drive.channels[0]) in own:
             ranges[own[int(control.drive.channels[0])]] = control.minimum, control.maximum
     return ranges

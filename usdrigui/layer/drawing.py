@@ -303,7 +303,10 @@ def author_shapes(
 
     `existing` are the tokens and targets that it has, `taken` the names of its children.
     """
-    merged = _by_channel(spans)
+    merged: dict[int, list[tuple[Indices, PointShape]]] = {}
+    for points, shapes in spans:
+        for shape in shapes:
+            merged.setdefault(shape.channel, []).append((points, shape))
     targets = list(existing)
     for channel in sorted(merged):
         token = channels[channel].token
@@ -318,14 +321,6 @@ def author_shapes(
             mesh, "skel:blendShapes", "token[]", [token for token, _ in targets], uniform=True
         )
         author.link(mesh, "skel:blendShapeTargets", [target for _, target in targets])
-
-
-def _by_channel(spans: Spans) -> dict[int, list[tuple[Indices, PointShape]]]:
-    found: dict[int, list[tuple[Indices, PointShape]]] = {}
-    for points, shapes in spans:
-        for shape in shapes:
-            found.setdefault(shape.channel, []).append((points, shape))
-    return found
 
 
 def _one_shape(
@@ -351,15 +346,11 @@ def _author_shape(child: Sdf.PrimSpec, points: Indices, shape: PointShape) -> No
     moved = np.flatnonzero(shape.offsets.any(axis=(0, 2)))
     moved = moved if len(moved) else np.arange(1)
     for weight, offsets in zip(shape.weights.tolist(), shape.offsets[:, moved], strict=True):
-        name = "offsets" if weight == 1.0 else f"inbetweens:{_weight_name(weight, between)}"
+        told = f"at_{weight:g}".replace("-", "minus_").replace(".", "_")
+        name = "offsets" if weight == 1.0 else f"inbetweens:{author.identifier(told, between)}"
         attribute = _author_vectors(
             child, name, Sdf.ValueTypeNames.Vector3fArray, offsets, Sdf.VariabilityUniform
         )
         if weight != 1.0:
             attribute.SetInfo("weight", weight)
     author.put(child, "pointIndices", "int[]", points[moved], uniform=True)
-
-
-def _weight_name(weight: float, taken: set[str]) -> str:
-    """``at_0_5`` for 0.5, ``at_minus_0_5`` for -0.5."""
-    return author.identifier(f"at_{weight:g}".replace("-", "minus_").replace(".", "_"), taken)

@@ -29,10 +29,6 @@ from usdrigui.reading.blend_shape import legible_tokens
 from usdrigui.reading.mesh import drawable
 from usdrigui.stages import schema
 
-_TURN = 0.05
-"""Degrees by which one of a control turns a joint at least, and as many of it one degree: radians
-are others."""
-
 
 def read_controls(
     scope: Usd.Prim, prims: tuple[Usd.Prim, ...], body: Body, found: list[Issue]
@@ -97,17 +93,13 @@ class _Reader:
         there = {joint.path for joint in self.body.joints}
         for token in sorted(joints - there) if there else ():
             yield f"joints names {token!r}, which its Skeleton lacks"
-        if self.get("kind") == "blendShape" and next(filter(None, own)) not in shapes:
-            yield "source, or its name, is not one of its blendShapes"
+        known = {"blendShape": shapes, "joint": joints.union(own[1:])}.get(self.get("kind"), own)
+        if next(filter(None, own)) not in known:
+            yield "source, or its name, is not one of its blendShapes or joints"
         if joints and not self.targets("skeleton"):
             yield "skeleton is missing: it moves joints"
-        degrees = self.get("unit") == "degrees"
-        if degrees != (self.get("kind") == "joint"):
+        if (self.get("unit") == "degrees") != (self.get("kind") == "joint"):
             yield "unit is not that of its kind"
-        turns = np.abs(array_of(self.get("jointRotationVectors")))
-        span = float(self.get("maximum") - self.get("minimum"))
-        if degrees and turns.any() and not _TURN < turns.max() / span < 1.0 / _TURN:
-            yield f"jointRotationVectors turn by {turns.max():.3g} over {span:.3g}"
 
     def complete(self, drive: Drive, shaped: set[str]) -> bool:
         """Whether the character has all joints that it drives and one of the shapes, `shaped` being
@@ -171,6 +163,11 @@ class _Reader:
 _ENDS = ("minimum", "default", "maximum")
 _DRIVEN = (*_ENDS, "keys", "blendShapes", "blendShapeWeights", "joints", "jointRotationVectors")
 """Of a control with several elements, alike in all."""
+
+
+def doubtful_at(prim: Usd.Prim, message: str) -> Issue:
+    """LAYOUT_INVALID of a prim, as a warning."""
+    return replace(invalid_at(prim, message), severity="warning")
 
 
 def invalid_at(prim: Usd.Prim, message: str) -> Issue:

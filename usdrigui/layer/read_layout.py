@@ -420,17 +420,25 @@ def points_by_role(prim: Usd.Prim, *wanted: str) -> Indices:
 
     Raises LAYOUT_INVALID.
     """
+    return np.unique(np.concatenate([np.zeros(0, dtype=np.int64), *faces_by_role(prim, *wanted)]))
+
+
+def faces_by_role(prim: Usd.Prim, *wanted: str) -> list[Indices]:
+    """The points of each face, ascending, that a GeomSubset draws in some of `schema.ROLES`.
+
+    Raises LAYOUT_INVALID.
+    """
     mesh = UsdGeom.Mesh(prim.GetParent())
     counts, corners = (
         integers_of(each)
         for each in (mesh.GetFaceVertexCountsAttr(), mesh.GetFaceVertexIndicesAttr())
     )
-    faces = integers_of(UsdGeom.Subset(prim).GetIndicesAttr())
+    faces = np.sort(integers_of(UsdGeom.Subset(prim).GetIndicesAttr()))
     if counts.sum() != len(corners) or ((faces < 0) | (faces >= len(counts))).any():
         raise invalid(prim, "its faces are not those of its mesh")
     faces = faces[np.isin(face_roles(prim.GetParent(), len(counts))[faces], wanted)]
-    owners = np.repeat(np.arange(len(counts)), counts)
-    return np.unique(corners[np.isin(owners, faces)])
+    ends = np.cumsum(counts)
+    return [corners[ends[face] - counts[face] : ends[face]] for face in faces]
 
 
 def face_roles(mesh: Usd.Prim, count: int) -> NDArray[np.str_]:

@@ -178,7 +178,7 @@ def as_sibling(references: ReferenceLayouts, rig: Rig, first: Layout) -> Referen
     """
     root = rig.path
     given = bool(references.like) or root in references.fixed or root in references.previous
-    if given or not _shares_controls(first.controls, rig):
+    if given or rig.control_names.isdisjoint(first.controls):
         return references
     return replace(references, previous={**references.previous, root: first})
 
@@ -225,10 +225,6 @@ def rigs_over(references: ReferenceLayouts, rigs: tuple[Rig, ...]) -> tuple[Rig,
             f"shares mesh and controls with none of the layouts, or with several: {theirs}",
         )
     return found
-
-
-def _shares_controls(controls: frozenset[str], rig: Rig) -> bool:
-    return not rig.control_names.isdisjoint(controls)
 
 
 class OwnReferences(Record):

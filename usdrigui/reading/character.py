@@ -47,7 +47,6 @@ from usdrigui.reading.refusal import (
     without_controls,
 )
 from usdrigui.reading.skeleton import (
-    Armature,
     Frames,
     bound_in_vain,
     read_armatures,
@@ -104,7 +103,9 @@ def read_characters(
         if not roots:
             raise refuse("SKELROOT_MISSING", path, "no prim on the stage is a SkelRoot")
         if laid_out is not None:
-            roots = _with_layout(roots, laid_out, path)
+            roots = tuple(root for root in roots if str(root.GetPath()) in laid_out)
+            if not roots:
+                raise refuse("LAYOUT_STALE", min(laid_out), f"{path} no longer has this character")
         instances = laid_out is not None
         readings = []
         for root in roots:
@@ -140,15 +141,6 @@ class _Scene:
     names: FrameNames
     found: Found
     bound_in_vain: tuple[Issue, ...]
-
-
-def _with_layout(
-    roots: tuple[Usd.Prim, ...], laid_out: Collection[str], path: Path
-) -> tuple[Usd.Prim, ...]:
-    found = tuple(root for root in roots if str(root.GetPath()) in laid_out)
-    if not found:
-        raise refuse("LAYOUT_STALE", min(laid_out), f"{path} no longer has this character")
-    return found
 
 
 @contextmanager
@@ -205,7 +197,13 @@ def _scene(root: Usd.Prim, settings: ReadSettings, *, instances: bool) -> _Scene
     stage = root.GetStage()
     animated, found = bound.animated, bound.found
     if not instances:
-        _refuse_instances(animated.armatures, stage)
+        # No layer can override a Skeleton or an animation there; of meshes none needs to.
+        for record in animated.body.skeletons:
+            for path in filter(None, (record.path, record.animation)):
+                if stage.GetPrimAtPath(path).IsInstanceProxy():
+                    raise refuse(
+                        "INSTANCE", path, "moves the character and lies inside an instance"
+                    )
     meshes = animated.body.meshes
     vain = bound_in_vain(stage, (mesh.path for mesh in meshes), bound.bindings)
     found.issues.extend((*vain, *hidden_issues(stage, meshes)))
@@ -233,7 +231,11 @@ def _bound(
     skeletons = [
         binding
         for binding in cache.ComputeSkelBindings(UsdSkel.Root(root), everything)
-        if _belongs(binding, root)
+        # It moves something of this SkelRoot, not only of one nested in it.
+        if any(
+            UsdSkel.Root.Find(query.GetPrim()).GetPrim() == root
+            for query in binding.GetSkinningTargets()
+        )
     ]
     armatures = read_armatures([binding.GetSkeleton() for binding in skeletons], cache, frames)
     names = read_frame_names(root, armatures, pose_names, found.issues)
@@ -275,23 +277,6 @@ def _drafts(
         posed = {joint for pose in more for joint in pose.drive_over(pose.range).joints.tolist()}
         drafts += default_joint_drafts(body, clip, posed, settings.joints)
     return drafts + more, lost
-
-
-def _refuse_instances(armatures: tuple[Armature, ...], stage: Usd.Stage) -> None:
-    """Raise INSTANCE for a skeleton or an animation that no layer can override; of meshes
-    none needs to."""
-    records = [armature.record for armature in armatures]
-    for path in (path for record in records for path in (record.path, record.animation) if path):
-        if stage.GetPrimAtPath(path).IsInstanceProxy():
-            raise refuse("INSTANCE", path, "moves the character and lies inside an instance")
-
-
-def _belongs(binding: UsdSkel.Binding, root: Usd.Prim) -> bool:
-    """Whether it moves anything of this SkelRoot, not only of one nested in it."""
-    return any(
-        UsdSkel.Root.Find(query.GetPrim()).GetPrim() == root
-        for query in binding.GetSkinningTargets()
-    )
 
 
 def _with_unanimated(

@@ -40,7 +40,7 @@ def read_ranges(
     data: an animation that happens to open the jaw by a third does not limit it to a third.
     """
     channels, base = animated.body.channels, animated.base.weights.tolist()
-    limits = {each.record.animation: _limits(each, issues) for each in animated.armatures}
+    limits = {each.record.animation: limits_of(each, issues) for each in animated.armatures}
     custom = _custom_ranges(root, {channel.token for channel in channels}, issues)
     between, reached = _inbetween_ends(animated), _animated_ends(animated, clip)
     ranges = []
@@ -118,7 +118,7 @@ def limit_table(entry: Mapping[str, Any], count: int) -> Floats | None:
     return np.stack(ends, axis=1)
 
 
-def _limits(armature: Armature, issues: list[Issue]) -> dict[str, tuple[float, float]]:
+def limits_of(armature: Armature, issues: list[Issue]) -> dict[str, tuple[float, float]]:
     """Limits of the weights of an animation by token, soft before hard."""
     if armature.animation is None:
         return {}

@@ -36,7 +36,8 @@ def without_controls(stage: Usd.Stage, readings: list[Reading]) -> RigUIError:
     bound = [finding for reading in readings for finding in reading.bound_in_vain]
     vain = [finding for finding in bound if not finding.message.endswith(reasons)]
     off = "".join(_inactive_clause(stage, reading.rig.path) for reading in readings)
-    why = f"{_lost_clause(lost)}{_vain_clause(vain)}{off}" or _joints_clause(readings[0])
+    first = f"; {vain[0].path} {vain[0].message}" if vain else ""
+    why = f"{_lost_clause(lost)}{first}{off}" or _joints_clause(readings[0])
     meshes = any(reading.rig.body.meshes for reading in readings)
     what = "no blend shape, animated joint or named pose" if meshes else "no mesh to move"
     return refuse("CONTROLS_MISSING", readings[0].rig.path, f"{what}{why}")
@@ -95,8 +96,3 @@ def _inactive_clause(stage: Usd.Stage, root: str) -> str:
     walk = Usd.PrimRange(stage.GetPrimAtPath(root), Usd.PrimAllPrimsPredicate)
     off = [str(prim.GetPath()) for prim in walk if not prim.IsActive() and prim.GetName() != SCOPE]
     return f"; not active: {listed(off)}" if off else ""
-
-
-def _vain_clause(vain: list[Issue]) -> str:
-    """A clause with the first mesh that is bound in vain; empty if none is."""
-    return f"; {vain[0].path} {vain[0].message}" if vain else ""

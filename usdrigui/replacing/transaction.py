@@ -94,7 +94,8 @@ class Transaction:
                 )
             self._places.add(place)
             temporaries.sweep(place.parent)
-            if _holds(place, wanted):
+            held = place.is_file() and place.stat().st_size == len(wanted)
+            if held and place.read_bytes() == wanted:
                 return "unchanged"
             staged = Staged.beside(place, target)
             try:
@@ -222,10 +223,6 @@ def _resolved(target: Path) -> Path:
     if not place.parent.is_dir():
         raise refuse("FILE_TARGET", target, f"there is no folder {place.parent}")
     return place
-
-
-def _holds(place: Path, wanted: bytes) -> bool:
-    return place.is_file() and place.stat().st_size == len(wanted) and place.read_bytes() == wanted
 
 
 def _accepted(verify: Verify | None, path: Path) -> bool:

@@ -35,16 +35,15 @@ def review_json(layer: str, characters: Sequence[tuple[str, Any]], issues: Seque
             "root": root,
             "cost": review.cost,
             "legibility": _legibility(review.legibility),
-            "elements": [_review_row(x) for x in review.elements],
+            # An element's improvement is a gain in documents.
+            "elements": [
+                {("gain" if k == "improvement" else k): v for k, v in plain(x).items()}
+                for x in review.elements
+            ],
         }
         for root, review in characters
     ]
     return document("review", layer=layer, characters=reviews, issues=issues)
-
-
-def _review_row(element: Any) -> dict[str, Any]:
-    """An element's review, whose improvement is a gain in documents."""
-    return {("gain" if k == "improvement" else k): v for k, v in plain(element).items()}
 
 
 def difference_json(found: Any) -> str:

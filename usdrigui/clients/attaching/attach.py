@@ -201,7 +201,10 @@ def _entries(
     asset: Path, source: Sdf.Layer, layer: Path
 ) -> tuple[Sequence[str], Sequence[layout_reference.ReferenceOf]]:
     """The sublayers and the references of a root layer that are `layer`."""
-    leads = functools.partial(_leads_to, asset, layer=layer)
+
+    def leads(entry: str) -> bool:
+        return same_file(asset.parent / entry, layer)
+
     return [each for each in source.subLayerPaths if leads(each)], layout_reference.references_of(
         source, leads
     )
@@ -227,11 +230,6 @@ def _check_bare(asset: Path, layer: Path, opening: ReadSettings) -> None:
         raise refuse("ATTACH_CYCLE", layer, f"sublayers {asset} already")
     if opened.sublayers:
         raise refuse("ATTACH_NOT_BARE", layer, f"has the sublayer {opened.sublayers[0]}")
-
-
-def _leads_to(asset: Path, entry: str, layer: Path) -> bool:
-    """Whether an asset path of the asset is `layer`, whether or not the file is there."""
-    return same_file(asset.parent / entry, layer)
 
 
 # --- the edit -------------------------------------------------------------------------------------

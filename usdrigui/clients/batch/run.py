@@ -144,7 +144,14 @@ def run_on_dask(jobs: Sequence[Job], address: str) -> Generator[Row, None, None]
             yield (
                 future.result()
                 if future.status == "finished"
-                else _lost(by_key[future.key], future.exception())
+                else failed(
+                    by_key[future.key],
+                    refuse(
+                        "BATCH_KILLED",
+                        "",
+                        f"the cluster abandoned it: {type(future.exception()).__name__}",
+                    ),
+                )
             )
 
 
@@ -166,9 +173,3 @@ def _asset(row: Row) -> dict[str, Any]:
     repair = catalogue()[row.code].repair if row.code in catalogue() else ""
     columns = {key: value for key, value in plain(row).items() if key != "sources"}
     return {**columns, "repair": repair}
-
-
-def _lost(job: Job, error: BaseException | None) -> Row:
-    return failed(
-        job, refuse("BATCH_KILLED", "", f"the cluster abandoned it: {type(error).__name__}")
-    )

@@ -85,7 +85,9 @@ def classify(
             vanishes=bool(vanish[index]),
             visible_share=max(_visible_share(surface, seen, each) for each in (own, motion)),
             kept=float(kept[index]),
-            essential=_essential(meaning),
+            essential=meaning is not None
+            and meaning.action.is_needed
+            and meaning.action.category != "identity",
             composite=None if alone else repeated.get(index),
         )
         category, reason = _category(evidence, motion.control, requests, settings)
@@ -165,14 +167,6 @@ def _kept(motions: tuple[Motion, ...], twins: Indices, visible: Flags) -> Floats
                 motion.peak, 1e-300
             )
     return np.maximum(found, np.where(twins < 0, found, found[twins]))
-
-
-def _essential(meaning: Meaning | None) -> bool:
-    """Whether the name is that of an atom without which no face is animated, or of a family, which
-    stays together."""
-    return (
-        meaning is not None and meaning.action.is_needed and meaning.action.category != "identity"
-    )
 
 
 def _named_local(meaning: Meaning | None) -> bool:

@@ -75,7 +75,12 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     # Where the skeleton has no parts all is the face.
     tell = (lambda *_: FACE) if regions is None else _Names(rig, found, regions).of
     names = {each.control: tell(rig.controls[each.control], each) for each in found.motions}
-    names |= _beside_the_face(rig.controls, names)
+    # The joints of a face that other controls move are a part of their own where the character
+    # has a body: the face is laid out as without them.
+    on_face = {control for control, part in names.items() if part == FACE}
+    joints = {control for control in on_face if rig.controls[control].kind == "joint"}
+    if joints < on_face and BODY in names.values():
+        names |= dict.fromkeys(joints, HEAD)
     if settings.candidates.conventions:
         names |= dict.fromkeys(_inside_mouth(rig, found, names), INTERIOR)
     names |= _with_neighbours(rig.controls, names)
@@ -93,14 +98,6 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     main = main_part(known)
     left_out = {control: name if name in known else main for control, name in left_out.items()}
     return tuple(Part(name, _named(names, name), _named(left_out, name)) for name in known)
-
-
-def _beside_the_face(controls: tuple[Control, ...], names: Mapping[int, str]) -> dict[int, str]:
-    """The joints of a face that other controls move, as a part of their own where the character has
-    a body: the face is laid out as without them."""
-    on_face = {control for control, part in names.items() if part == FACE}
-    joints = {control for control in on_face if controls[control].kind == "joint"}
-    return dict.fromkeys(joints, HEAD) if joints < on_face and BODY in names.values() else {}
 
 
 def _with_neighbours(controls: tuple[Control, ...], names: Mapping[int, str]) -> dict[int, str]:

@@ -53,7 +53,8 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     if len(tree.owners) < 2:
         return None
     heads = _heads(rig, tree, found)
-    spine = _spine(tree, heads)
+    # From the root to above the first head.
+    spine = list(tree.above(min(heads)))[::-1] if heads else []
     of_joint, of_skin = [BODY] * len(body.joints), [BODY] * len(body.joints)
     ends = [
         fan
@@ -155,8 +156,3 @@ def _end(up: Floats, tree: Tree, fan: Fan) -> str:
     own = {fan.joint, *tree.below([chain[0] for chain in fan.chains])}
     is_low = tree.places[fan.joint] @ up <= heights.min() + _LOW * float(np.ptp(heights))
     return FEET if is_low and len(tree.owners - own) >= _LIMB else HANDS
-
-
-def _spine(tree: Tree, heads: frozenset[int]) -> list[int]:
-    """The joints from the root to above the first head, in this order."""
-    return list(tree.above(min(heads)))[::-1] if heads else []

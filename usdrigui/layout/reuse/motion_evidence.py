@@ -125,7 +125,10 @@ def at_anchors(
     """(left, new) evidence for controls of an earlier layout and of the rig, at the anchors of the
     layout."""
     held = _held(elements)
-    points = _anchor_points(held, trajectories)
+    # Of today's rig the point whose track the layout holds: the nearest that moves.
+    places = _moved_places(trajectories)
+    tree = cKDTree(trajectories.surface.points[places])
+    points = {name: int(places[tree.query(each.position)[1]]) for name, each in held.items()}
     index = rig.control_indices
     columns = np.array([index[name] for name in new], dtype=np.int64)
     found = np.zeros((len(left), len(new)))
@@ -236,10 +239,3 @@ def _at_point(motions: tuple[Motion, ...], count: int, point: int) -> Floats:
         if at < len(motion.points) and motion.points[at] == point:
             found[motion.control] = motion.span[at]
     return found
-
-
-def _anchor_points(held: Mapping[str, _Held], trajectories: Trajectories) -> dict[str, int]:
-    """By control, the point of today's rig whose track the layout holds: the nearest that moves."""
-    places = _moved_places(trajectories)
-    tree = cKDTree(trajectories.surface.points[places])
-    return {name: int(places[tree.query(each.position)[1]]) for name, each in held.items()}

@@ -160,7 +160,10 @@ def _character(arrays: _Arrays, rig: Rig, layout: Layout) -> Json:
         "up": _list(rig.up),
         "metresPerUnit": rig.metres_per_unit,
         "meshes": _meshes(arrays, body.meshes, body.starts, complexion(rig, layout)),
-        "eye": {**{name: _srgb(colour) for name, colour in EYE.items()}, "radii": [PUPIL, IRIS]},
+        "eye": {
+            **{name: _list(encoded(np.array(colour))) for name, colour in EYE.items()},
+            "radii": [PUPIL, IRIS],
+        },
         "skeletons": [_fields(each, "path animation to_root") for each in body.skeletons],
         "joints": [_fields(each, "path skeleton parent") for each in joints],
         "bind": arrays.numbers(np.array([each.bind for each in joints]).reshape(-1, 4, 4), "f8"),
@@ -239,10 +242,6 @@ def _texture(
     images = np.where(own < 0, -1, numbers[own])
     packed = {"uv": arrays.wandering(steps.T), "images": arrays.numbers(images, "i2")}
     return packed, images >= 0
-
-
-def _srgb(colour: tuple[float, float, float]) -> list[Any]:
-    return _list(encoded(np.array(colour)))
 
 
 def _quantised_positions(points: Floats) -> tuple[Floats, Floats, NDArray[np.int64]]:
