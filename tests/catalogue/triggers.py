@@ -376,11 +376,11 @@ def _over_another(folder: Path) -> Path:
 def _job(script: str, timeout: float = 0.0) -> Trigger:
     """A job of a batch whose process is another one."""
     from usdrigui.clients.batch import jobs
-    from usdrigui.clients.batch.job import Job, JobOptions
+    from usdrigui.clients.batch.job import Job
 
     def trigger(folder: Path, patch: Any) -> Found:
         _impersonated(folder, patch, sys, script)
-        row = jobs.run_job(Job(str(folder / "char.usda"), str(folder / "out.usda"), "", JobOptions(timeout=timeout)))
+        row = jobs.run_job(Job(str(folder / "char.usda"), str(folder / "out.usda"), "", timeout=timeout))
         return row.exit, [asdict(issue(row.code, row.asset, row.message))]
 
     return trigger

@@ -11,7 +11,7 @@ import pytest
 
 from usdrigui.cli import main
 from usdrigui.clients.batch import jobs, places, run, state
-from usdrigui.clients.batch.job import Job, JobOptions, Row
+from usdrigui.clients.batch.job import Job, Row
 from usdrigui.errors import RigUIError
 
 
@@ -130,7 +130,7 @@ def test_a_layer_under_another_name_than_last_time_is_skipped_all_the_same(monke
     monkeypatch.chdir(tmp_path)
     Path("char.usda").touch()
     Path("char.rigui.usda").touch()
-    before = Job("char.usda", "char.rigui.usda", "", JobOptions(settings="settings"))
+    before = Job("char.usda", "char.rigui.usda", "", settings="settings")
     sources = [{"path": "char.usda", "sha256": state.hashed("char.usda").sha256}]
     state.remember(before, sources, Row(before.asset, before.output, "", "written", 0))
     now = replace(before, output=str(tmp_path / "char.rigui.usda"))

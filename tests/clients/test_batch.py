@@ -16,7 +16,7 @@ from pxr import Sdf
 
 from usdrigui.cli import main
 from usdrigui.clients.batch import jobs, places, run, state
-from usdrigui.clients.batch.job import Job, JobOptions, Row
+from usdrigui.clients.batch.job import Job, Row
 
 
 @pytest.fixture(scope="module")
@@ -76,7 +76,7 @@ def test_everything_that_the_result_depends_on_ends_the_skipping(folder, tmp_pat
     output, picture = tmp_path / "split.rigui.usda", tmp_path / "split.rigui.png"
     output.write_text("layer")
     picture.write_text("picture")
-    job = Job(str(asset), str(output), str(picture), JobOptions(settings="settings"))
+    job = Job(str(asset), str(output), str(picture), settings="settings")
     files = [Path("split.usda"), Path("a0/char.usda")]
     sources = [{"path": each.as_posix(), "sha256": state.hashed(folder / each).sha256} for each in files]
     paths = tuple(os.path.realpath(folder / each) for each in files)
@@ -88,8 +88,7 @@ def test_everything_that_the_result_depends_on_ends_the_skipping(folder, tmp_pat
         assert state.recall(job) == skipped
 
     remembered()
-    others = JobOptions(settings="others")
-    for other in ({"options": others}, {"asset": "another.usda"}, {"picture": str(tmp_path / "other.png")}):
+    for other in ({"settings": "others"}, {"asset": "another.usda"}, {"picture": str(tmp_path / "other.png")}):
         assert state.recall(replace(job, **other)) is None
     plain = replace(job, picture="")
     assert state.recall(plain) == replace(skipped, picture="")
@@ -133,7 +132,7 @@ def fake(monkeypatch, tmp_path, text):
     script.write_text(f"#!/bin/sh\n{text}\n")
     script.chmod(0o755)
     monkeypatch.setattr(sys, "executable", str(script))
-    return Job(str(tmp_path / "char.usda"), str(tmp_path / "char.rigui.usda"), "", JobOptions())
+    return Job(str(tmp_path / "char.usda"), str(tmp_path / "char.rigui.usda"), "")
 
 
 END = """echo '{"what": "end", "code": 0, "out": "rubbish", "err": ""}'"""
@@ -142,7 +141,7 @@ END = """echo '{"what": "end", "code": 0, "out": "rubbish", "err": ""}'"""
 @pytest.mark.skipif(os.name != "posix", reason="needs a shell")
 def test_a_process_that_hangs_is_ended_with_its_children(monkeypatch, tmp_path):
     job = fake(monkeypatch, tmp_path, f"sleep 1000 & echo $! > {tmp_path}/pid; wait")
-    row = jobs.run_job(Job(job.asset, job.output, "", JobOptions(timeout=1.0)))
+    row = jobs.run_job(Job(job.asset, job.output, "", timeout=1.0))
     assert (row.outcome, row.code, row.exit) == ("failed", "BATCH_TIME_LIMIT", 4)
     until(lambda: gone(int((tmp_path / "pid").read_text())))
 
@@ -150,7 +149,7 @@ def test_a_process_that_hangs_is_ended_with_its_children(monkeypatch, tmp_path):
 @pytest.mark.skipif(os.name != "posix", reason="needs a shell")
 def test_leaving_early_ends_what_still_runs(monkeypatch, tmp_path):
     fake(monkeypatch, tmp_path, f"[ $5 = {tmp_path}/0.usda ] && exit 0; echo $$ > {tmp_path}/pid; exec sleep 1000")
-    many = [Job(str(tmp_path / f"{i}.usda"), str(tmp_path / f"{i}.rigui.usda"), "", JobOptions()) for i in range(6)]
+    many = [Job(str(tmp_path / f"{i}.usda"), str(tmp_path / f"{i}.rigui.usda"), "") for i in range(6)]
     rows = run.run_local(many, 2)
     assert next(rows).code == "WORKER_CRASHED"
     until((tmp_path / "pid").exists)

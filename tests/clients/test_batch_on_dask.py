@@ -11,7 +11,7 @@ import pytest
 from processes import until
 
 from usdrigui.clients.batch import run
-from usdrigui.clients.batch.job import Job, JobOptions
+from usdrigui.clients.batch.job import Job
 
 pytest.importorskip("distributed", reason="distributed is not installed")
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(os.name != "posix", reason="kills processes")]
@@ -55,7 +55,7 @@ def test_a_killed_worker_loses_nothing(tmp_path, scheduler):
     folder = tmp_path / "assets"
     batch_assets.folder_of(folder, count=4)
     assets = [*sorted(folder.glob("a*/*.usda")), folder / "broken.usda"]
-    many = [Job(str(each), str(each.with_suffix(".rigui.usda")), "", JobOptions()) for each in assets]
+    many = [Job(str(each), str(each.with_suffix(".rigui.usda")), "") for each in assets]
     rows, killed = [], False
     for row in run.run_on_dask(many, address):
         rows.append(row)

@@ -120,6 +120,12 @@ class Glyph(Record):
     """(sum of counts,) into `points`; polygons counter-clockwise from outside, polylines one after
     the other."""
 
+    @property
+    def turned_round(self) -> Indices:
+        """`indices` with the corners of each face in the opposite order."""
+        faces = np.split(self.indices, np.cumsum(self.counts)[:-1])
+        return np.concatenate([face[::-1] for face in faces])
+
 
 @dataclass(frozen=True, slots=True)
 class LeftOff:

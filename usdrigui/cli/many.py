@@ -123,7 +123,7 @@ def _jobs(arguments: argparse.Namespace) -> tuple[list[Job], list[Path]]:
     """One job per asset, each with the settings that its own configuration gives, and the files
     named to be read."""
     from usdrigui.clients.batch import places
-    from usdrigui.clients.batch.job import Job, JobOptions
+    from usdrigui.clients.batch.job import Job
 
     settings_quietly(arguments)  # what is wrong with the command line is wrong for all assets
     assets = places.find_assets(arguments.patterns)
@@ -139,8 +139,8 @@ def _jobs(arguments: argparse.Namespace) -> tuple[list[Job], list[Path]]:
             # configuration
             digest = ""
         read += files_read(arguments)  # known once the settings were read
-        options = JobOptions(passed, digest, arguments.timeout, arguments.again)
         named = str(asset) in arguments.patterns
-        found.append(Job(str(asset), str(output), picture, options, named))
+        how = passed, digest, arguments.timeout, arguments.again
+        found.append(Job(str(asset), str(output), picture, named, *how))
     del arguments.asset
     return found, read

@@ -90,7 +90,11 @@ def summed(paths: Sequence[Path]) -> Study:
     if not found:
         raise refuse("STUDY_RESULTS", paths[0], f"no file holds all {FACES} faces of a participant")
     return Study(
-        tuple(sorted(found, key=_number)), tuple(_measures(list(found.values()))), tuple(left_out)
+        tuple(
+            sorted(found, key=lambda name: (float(name) if name.isdecimal() else math.inf, name))
+        ),
+        tuple(_measures(list(found.values()))),
+        tuple(left_out),
     )
 
 
@@ -125,10 +129,6 @@ def as_json(study: Study) -> str:
 def _cell(each: Measure) -> str:
     paper = "" if each.paper is None else f" ({each.paper:.2f})"
     return f"{each.mean:.2f} ± {each.deviation:.2f}{paper}"
-
-
-def _number(participant: str) -> tuple[float, str]:
-    return (float(participant) if participant.isdecimal() else float("inf"), participant)
 
 
 # --- one file -------------------------------------------------------------------------------------

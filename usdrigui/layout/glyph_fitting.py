@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-import numpy as np
-
-from usdrigui.character import Glyph, Indices
+from usdrigui.character import Glyph
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.tracks import lengths
 from usdrigui.layout.symmetry.front import seen_from
@@ -41,11 +39,6 @@ def fitted_glyph(
     out = anchor.normal if anchor.normal.any() else toward
     frame = seen_from(out, face.rig.up, toward)
     placed = 0.5 * width * points @ frame
+    # A mirror image is seen from the same side.
     turned = reflected and glyph.form == "mesh"
-    return replace(glyph, points=placed, indices=_reversed(glyph) if turned else glyph.indices)
-
-
-def _reversed(glyph: Glyph) -> Indices:
-    """Corners of its faces in the opposite order: a mirror image is seen from the same side."""
-    faces = np.split(glyph.indices, np.cumsum(glyph.counts)[:-1])
-    return np.concatenate([face[::-1] for face in faces])
+    return replace(glyph, points=placed, indices=glyph.turned_round if turned else glyph.indices)

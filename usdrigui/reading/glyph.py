@@ -8,6 +8,7 @@ it is centred and fitted into a sphere of radius 1.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Literal
 
@@ -105,11 +106,7 @@ def _glyph(prim: Usd.Prim, name: str) -> Glyph:
     to_world = np.array(UsdGeom.XformCache().GetLocalToWorldTransform(prim))[:3, :3]
     form: Literal["curve", "mesh"] = "mesh"
     if prim.IsA(UsdGeom.Mesh):
-        mesh = UsdGeom.Mesh(prim)
-        counts, indices = checked_faces(mesh, time, len(points))
-        if left_handed(mesh, to_world):
-            faces = np.split(indices, np.cumsum(counts)[:-1])
-            indices = np.concatenate([face[::-1] for face in faces])
+        counts, indices = checked_faces(UsdGeom.Mesh(prim), time, len(points))
     else:
         form, lines = "curve", _curves(UsdGeom.BasisCurves(prim), points, path)
         counts = np.array([len(line) for line in lines], dtype=np.int64)
@@ -118,7 +115,10 @@ def _glyph(prim: Usd.Prim, name: str) -> Glyph:
         what = f"has {len(points)} points; a glyph has {_MOST_POINTS} at most"
         raise refuse("GLYPH_EMPTY", path, what)
     up = "Z" if UsdGeom.GetStageUpAxis(prim.GetStage()) == UsdGeom.Tokens.z else "Y"
-    return Glyph(name, form, _fitted(points @ to_world, up, path), counts, indices)
+    glyph = Glyph(name, form, _fitted(points @ to_world, up, path), counts, indices)
+    if form == "curve" or not left_handed(UsdGeom.Mesh(prim), to_world):
+        return glyph
+    return replace(glyph, indices=glyph.turned_round)
 
 
 def _fitted(points: Floats, up: str, path: object) -> Floats:

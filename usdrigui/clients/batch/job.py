@@ -15,15 +15,8 @@ class Job:
     output: str
     picture: str
     """Where to draw the layout; empty for no picture."""
-    options: JobOptions
     named: bool = True
     """Whether the asset was named in full, not found by a pattern."""
-
-
-@dataclass(frozen=True, slots=True)
-class JobOptions:
-    """How an asset is laid out."""
-
     arguments: tuple[str, ...] = ()
     """Further options of `usdrigui process`."""
     settings: str = ""

@@ -11,8 +11,8 @@ import contextlib
 import json
 import os
 import threading
-from collections.abc import Callable, Mapping
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import asdict, replace
 from pathlib import Path
 from queue import SimpleQueue
 from time import perf_counter
@@ -32,7 +32,7 @@ _ENTERING = threading.Lock()
 def run_job(job: Job) -> Row:
     """Lay out one asset, unless nothing has changed since that was last done."""
     try:
-        known = None if job.options.again else state.recall(job)
+        known = None if job.again else state.recall(job)
         return known or _laid_out(job)
     except Exception as error:
         return failed(job, refuse("BUG", "", f"{type(error).__name__}: {error}"))
@@ -42,9 +42,14 @@ def failed(job: Job, error: RigUIError) -> Row:
     """The row of an asset that has no layout because of an error."""
     found = error.issue
     outcome = "refused" if found.code.startswith(("SOURCE_", "CONFIG_", "FILE_")) else "failed"
-    where = f"{found.path}: " if found.path not in ("", job.asset) else ""
-    row = Row(job.asset, job.output, "", outcome, int(error.exit_code), found.code)
-    return replace(row, message=where + found.message)
+    return _without_layout(job, outcome, int(error.exit_code), asdict(found))
+
+
+def _without_layout(job: Job, outcome: str, code: int, found: Mapping[str, str]) -> Row:
+    """The row of an asset, and why it has no layout: an issue, as in a report."""
+    where = f"{found['path']}: " if found["path"] not in ("", job.asset) else ""
+    message = where + found["message"]
+    return Row(job.asset, job.output, "", outcome, code, found["code"], message)
 
 
 def end_all() -> None:
@@ -72,11 +77,11 @@ def _supervised(job: Job) -> Outcome:
         "-o",
         _no_option(job.output),
         "--json",
-        *job.options.arguments,
+        *job.arguments,
     ]
     if job.picture:
         command += ["--preview", _no_option(job.picture)]
-    timeout = job.options.timeout
+    timeout = job.timeout
     late = refuse("BATCH_TIME_LIMIT", "", f"was not done within {timeout:g} s")
     events: Events = SimpleQueue()
     with _ENTERING:
@@ -118,10 +123,7 @@ def _row(job: Job, outcome: Outcome) -> Row:
             ),
         )
     if document["outcome"] == "refused":
-        found = document["issues"][0]
-        where = f"{found['path']}: " if found["path"] not in ("", job.asset) else ""
-        row = Row(job.asset, job.output, "", "refused", outcome.code, found["code"])
-        return replace(row, message=where + found["message"])
+        return _without_layout(job, "refused", outcome.code, document["issues"][0])
     return _with_counts(
         Row(job.asset, job.output, job.picture, document["outcome"], outcome.code), document
     )
@@ -153,6 +155,3 @@ def _with_counts(row: Row, document: Mapping[str, Any]) -> Row:
         warnings=sum(each["severity"] == "warning" for each in document["issues"]),
         sources=tuple(os.path.realpath(folder / each["path"]) for each in document["sources"]),
     )
-
-
-RowCallback = Callable[[Row], None]

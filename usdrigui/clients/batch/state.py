@@ -74,7 +74,7 @@ def _record(job: Job, paths: Sequence[str], counts: Mapping[str, float]) -> dict
     folder = os.path.realpath(Path(job.output).parent)
     result = [
         __version__,
-        job.options.settings,
+        job.settings,
         os.path.relpath(os.path.realpath(job.asset), folder),
         _digests(_real_paths(job, paths)),
         _digests([job.output]),

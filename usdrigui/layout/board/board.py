@@ -152,7 +152,8 @@ def _columns(
     columns: list[list[tuple[int, tuple[BoardEntry, ...]]]] = [[]]
     line, category = 0, ""
     for row in rows:
-        tall = _lines(row)
+        # A joystick needs room above and below.
+        tall = 3 if any(each.group.kind != "slider" for each in row) else 1
         heading = 1 if row[0].category != category or line == 0 else 0
         if line and line + heading + tall > most:
             columns.append([])
@@ -161,11 +162,6 @@ def _columns(
         line += heading + tall
         category = row[0].category
     return columns
-
-
-def _lines(row: tuple[BoardEntry, ...]) -> int:
-    """Lines that a row takes: a joystick needs room above and below."""
-    return 3 if any(each.group.kind != "slider" for each in row) else 1
 
 
 class _Drawing(Record):

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.character import Floats, Indices, Singles
+from usdrigui.character import Floats, Indices
 from usdrigui.layout.face import Face
 from usdrigui.layout.place.extensions import user_linear_cost
 from usdrigui.layout.symmetry.lobes import ON_PLANE
@@ -78,7 +78,7 @@ def occlusion(normals: Floats, motion: Motion, points: Indices, weight: float) -
     lies inside the range.
     """
     rows = np.searchsorted(motion.points, points)
-    start = _base_knot(motion.offsets)
+    start = int(np.argmin(np.abs(motion.offsets).sum(axis=(1, 2))))  # the knot of the base pose
     cosines = []
     for neighbour in (start - 1, start + 1):
         if 0 <= neighbour < len(motion.values):
@@ -118,8 +118,3 @@ def off_plane(face: Face, points: Indices, weight: float, *, of_joint: bool = Fa
     if of_joint and weight:
         cost += _BESIDE * (np.abs(apart) > ON_PLANE)
     return cost - cost.min(initial=np.inf) if len(cost) else cost
-
-
-def _base_knot(offsets: Singles) -> int:
-    """Index of the knot at which the control stands at the base pose."""
-    return int(np.argmin(np.abs(offsets).sum(axis=(1, 2))))

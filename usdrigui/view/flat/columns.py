@@ -55,7 +55,9 @@ def board(
     short = shortened([element.label for element, _ in ordered])
     size, symbol, height = round(scale * LARGEST), scale * _SYMBOL, scale * _ROW
     lines: list[tuple[str, Mark | None]] = []
-    families = groupby(zip(ordered, short, strict=True), key=lambda named: _family(named[0][0]))
+    families = groupby(
+        zip(ordered, short, strict=True), key=lambda named: (named[0][0].category, named[0][0].part)
+    )
     for family, named in families:
         lines += [(heading(*family), None), *((name, mark) for (_, mark), name in named)]
     wide = max(width_of(text, size) for text, _ in lines)
@@ -76,10 +78,6 @@ def board(
             labels.append(Label(cut(text, size, free), (x + symbol + 6.0, y), size=size))
     tall = round(2.0 * _EDGE + height * rows)
     return Panel((left, top), (width, tall), None, tuple(marks), tuple(labels))
-
-
-def _family(element: Element) -> tuple[str, str]:
-    return element.category, element.part
 
 
 def _symbol(mark: Mark, place: Floats, room: Floats) -> Mark:
