@@ -96,16 +96,13 @@ class ProblemInputs(Record):
         return (*rig.issues, *of_character(rig.path_in_variants, told))
 
     @property
-    def explained_by(self) -> dict[str, tuple[tuple[str, float], ...]]:
+    def explained_by(self) -> dict[str, dict[str, float]]:
         """Names of the controls that others explain, to those and how far each of them goes."""
         names = [
             self.face.control_name(motion.control) for motion in self.face.trajectories.motions
         ]
         named = zip(names, self.measured.classification, strict=True)
-        return {
-            name: tuple((names[i], amount) for i, amount in each.explained_by)
-            for name, each in named
-        }
+        return {name: {names[i]: amount for i, amount in each.explained_by} for name, each in named}
 
     @property
     def left_off(self) -> tuple[LeftOff, ...]:

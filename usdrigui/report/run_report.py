@@ -30,11 +30,11 @@ class ControlRow:
     element: str
     """Name of the element that carries it; empty when left off."""
     twin: str
-    kept: float
+    displacement_kept: float
     """Arc length at the anchor over the control's peak; nan where it is not on the face."""
     reason: str
     """Why it is not on the face, or why it shares an element."""
-    explained_by: tuple[tuple[str, float], ...] = ()
+    explained_by: Mapping[str, float] = field(default_factory=dict)
     """Controls that do together what it does, and how far each goes; empty for one that explains
     itself."""
     part: str = ""
@@ -100,7 +100,8 @@ class CharacterReport(Record):
     def kept(self) -> float:
         """Mean share of their peak displacement that the controls on the face keep; nan if there
         are none."""
-        shares = [row.kept for row in self.rows if row.place == "face" and math.isfinite(row.kept)]
+        on_face = [row.displacement_kept for row in self.rows if row.place == "face"]
+        shares = [kept for kept in on_face if math.isfinite(kept)]
         return sum(shares) / len(shares) if shares else math.nan
 
 
@@ -147,7 +148,7 @@ def rows_of(
     layout: Layout,
     peaks: Mapping[str, float],
     twins: Mapping[str, str],
-    explained_by: Mapping[str, tuple[tuple[str, float], ...]],
+    explained_by: Mapping[str, Mapping[str, float]],
 ) -> tuple[ControlRow, ...]:
     """Account for every control: `peaks` are the largest arc lengths, `explained_by` the controls
     that do together what one does, by control name."""
@@ -168,7 +169,7 @@ def rows_of(
             if place == "face":
                 kept = length / max(peaks.get(control.name, length), 1e-300)
         twin = twins.get(control.name, "")
-        others = explained_by.get(control.name, ())
+        others = explained_by.get(control.name, {})
         rows.append(
             ControlRow(
                 control.name, control.kind, place, element_name, twin, kept, reason, others, part

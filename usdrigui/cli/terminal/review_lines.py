@@ -156,7 +156,7 @@ def _review_table(elements: Sequence[ElementReview]) -> Table:
     for each in elements:
         costs = (f"{each.linear:.3f}", f"{each.overlap:.3f}")
         apart = f"{each.distance:.1f} w" if math.isfinite(each.distance) else ""
-        improvement = f"{each.improvement:.3f}" if each.better else ""
+        improvement = f"{each.gain:.3f}" if each.better else ""
         better = (improvement, each.better)
         rows.append((each.element, percent(each.kept), *costs, apart, each.nearest, *better))
     return Table(headers, rows)

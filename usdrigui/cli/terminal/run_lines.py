@@ -169,7 +169,7 @@ def _rows_table(rows: Sequence[ControlRow], places: Mapping[str, str]) -> Table:
     printed: set[tuple[str, str]] = set()
     table = []
     for row in rows:
-        share = percent(row.kept) if math.isfinite(row.kept) else ""
+        share = percent(row.displacement_kept) if math.isfinite(row.displacement_kept) else ""
         element = row.element if row.element != row.control else ""
         why = "" if element and (element, row.reason) in printed else row.reason
         printed.add((element, row.reason))
@@ -181,7 +181,9 @@ def _rows_table(rows: Sequence[ControlRow], places: Mapping[str, str]) -> Table:
 
 def _weakest(rows: Sequence[ControlRow]) -> str:
     """A clause with the controls that keep the least of their peak, if that is much less."""
-    weak = sorted((row.kept, row.control) for row in rows if row.kept < _WEAK)[:_WEAKEST]
+    weak = sorted(
+        (row.displacement_kept, row.control) for row in rows if row.displacement_kept < _WEAK
+    )[:_WEAKEST]
     weakest = ", ".join(f"{control} {percent(kept)}" for kept, control in weak)
     return f"; the least: {weakest}" if weakest else ""
 

@@ -32,7 +32,7 @@ class ElementReview:
     """The element whose handle is nearest."""
     distance: float
     """Between the two handles, in handle widths; inf when it is alone."""
-    improvement: float
+    gain: float
     """What moving it to its best place would save, all others staying; a pair moves as one.  0 when
     it is there."""
     better: str
@@ -65,7 +65,7 @@ def _rated(
     alone = cost_given_others(problem, labels, index)
     whole = _cost_with_mate(face, problem, choices, labels, index, mate) if mate >= 0 else alone
     best = int(np.argmin(whole))
-    improvement = float(whole[label] - whole[best]) if np.isfinite(whole[label]) else np.inf
+    gain = float(whole[label] - whole[best]) if np.isfinite(whole[label]) else np.inf
     nearest, distance = _neighbour(problem, labels, index)
     return ElementReview(
         element=variable.name,
@@ -74,8 +74,8 @@ def _rated(
         overlap=float(alone[label] - variable.cost[label]),
         nearest=nearest,
         distance=distance / face.handle_width,
-        improvement=max(0.0, improvement),
-        better=place_of(face.rig.body, int(choice.anchors[best, 0])) if improvement > 0.0 else "",
+        gain=max(0.0, gain),
+        better=place_of(face.rig.body, int(choice.anchors[best, 0])) if gain > 0.0 else "",
     )
 
 

@@ -63,10 +63,10 @@ def review(
         issue(
             "LAYOUT_BETTER_PLACE",
             each.element,
-            f"would save {each.improvement:.2f} at {each.better}",
+            f"would save {each.gain:.2f} at {each.better}",
         )
         for each in rated
-        if each.improvement > _WORTH and each.element not in pinned
+        if each.gain > _WORTH and each.element not in pinned
     ]
     read = legibility_of(face, layout.elements)
     issues += [issue("LAYOUT_UNCLEAR", name, why) for name, why in read.unclear]

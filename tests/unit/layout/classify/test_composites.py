@@ -52,7 +52,7 @@ def test_composites_say_of_what_they_consist_and_their_chains_end_at_atoms():
     smiles, chin = SHAPES["smile_L"] + SHAPES["smile_R"], SHAPES["chin"]
     visemes = {"viseme_aa": 0.8 * chin, "viseme_O": chin + 0.5 * SHAPES["pucker"], "viseme_I": 0.5 * smiles}
     inputs = chain.problem_of(makers.face_with(both=2.0 * smiles, pucker_50=0.5 * SHAPES["pucker"], **visemes)).inputs
-    told = {name: dict(parts) for name, parts in inputs.explained_by.items()}
+    told = inputs.explained_by
     assert told["both"] == pytest.approx({"smile_L": 2.0, "smile_R": 2.0}, rel=1e-2)
     assert told["viseme_O"] == pytest.approx({"chin": 1.0, "pucker": 0.5}, rel=1e-2)
     assert told["viseme_aa"] == pytest.approx({"chin": 0.8}, rel=1e-2)
