@@ -14,7 +14,6 @@ from numpy.typing import ArrayLike
 from PIL import Image, ImageDraw
 
 from usdrigui.character import Floats, Rig, palette
-from usdrigui.errors import refuse
 from usdrigui.model import Element, Layout, gap_of, proven
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.view import directions
@@ -85,16 +84,14 @@ def render(
     front and three-quarter views the nearest two that show what it sees, with an inset where more
     elements meet than can be told apart.  The board has a panel of its own below, as high as it
     needs, with the names of its elements; ``labels`` names those on the character, too, in the
-    layout's own view.  Raises RigUIError CONFIG_VALUE for an unknown view or a size below 320 x
-    240, LAYOUT_STALE when the layout does not belong to the rig, POSE_VALUE for a pose that is not
-    one.
+    layout's own view.  Raises RigUIError LAYOUT_STALE when the layout does not belong to the rig,
+    POSE_VALUE for a pose that is not one.
     """
     return painted(scene(rig, layout, values, Wanted(views, size, labels, title)))
 
 
 def scene(rig: Rig, layout: Layout, values: ArrayLike | None, wanted: Wanted) -> Page:
     """The picture before it is drawn; arguments and errors as of `render`."""
-    _check(wanted.views, wanted.size)
     posed = evaluate(prepare(rig, layout), values)
     subject = subject_of(rig.body.meshes, posed.points, complexion(rig, layout))
     parted = wanted.views is None
@@ -126,15 +123,8 @@ def film(
 def contact_sheet(
     images: Sequence[Image.Image], titles: Sequence[str] = (), columns: int = 2, width: int = 1800
 ) -> Image.Image:
-    """All ``images`` on one page of ``width`` pixels, in rows of ``columns``, each over its title
-    if there are any.
-
-    Raises ValueError when there are no images or not one title for each.
-    """
-    if not images or len(titles) not in (0, len(images)):
-        raise ValueError(
-            f"{len(images)} images and {len(titles)} titles do not make a contact sheet"
-        )
+    """All ``images``, one at least, on one page of ``width`` pixels, in rows of ``columns``, each
+    over its title if there are any."""
     columns = min(columns, len(images))
     cell = (width - _GAP * (columns + 1)) // columns
     shares = [cell / image.width for image in images]
@@ -157,19 +147,6 @@ def contact_sheet(
 
 
 # --- arrangement ----------------------------------------------------------------------------------
-
-
-def _check(views: Sequence[str] | None, size: tuple[int, int]) -> None:
-    if views is not None and (not views or any(view not in VIEWS for view in views)):
-        raise refuse(
-            "CONFIG_VALUE",
-            "views",
-            f"expected some of {', '.join(VIEWS)}, got {', '.join(views) or 'none'}",
-        )
-    if size[0] < 320 or size[1] < 240:
-        raise refuse(
-            "CONFIG_VALUE", "size", f"a picture of {size[0]} x {size[1]} pixels is too small"
-        )
 
 
 def _directions(
