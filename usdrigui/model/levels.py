@@ -44,9 +44,9 @@ def states(elements: Sequence[Element]) -> Mapping[str, frozenset[int]]:
     }
 
 
-def shown(layout: Layout, opened: Iterable[str] = (), *, everything: bool = False) -> Layout:
-    """`shown_of_all` of one layout."""
-    return shown_of_all((layout,), opened, everything=everything)[0]
+def shown(layout: Layout) -> Layout:
+    """The layout with nothing opened."""
+    return _visible(layout, ())
 
 
 def shown_of_all(

@@ -22,7 +22,7 @@ class Task(Record):
     """What is asked of the characters of a stage."""
 
     settings: Settings
-    references: ReferenceLayouts = field(default_factory=ReferenceLayouts)
+    references: ReferenceLayouts = ReferenceLayouts()
     cameras: Mapping[str, Floats] = field(default_factory=dict)
     """By SkelRoot, the direction to the viewer of the camera that ``candidates.view`` names."""
 

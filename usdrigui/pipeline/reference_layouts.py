@@ -236,7 +236,7 @@ class OwnReferences(Record):
     """Another character and its layout, by the names that it has there."""
     existing: Layout | None = None
     clips: tuple[Performance, ...] = ()
-    pins: Pins = field(default_factory=Pins)
+    pins: Pins = Pins()
     """What a person has decided in the layouts that the new one succeeds."""
     matchings: Mapping[str, Matching] = field(default_factory=dict)
     """By ``fixed``, ``previous`` and ``like``: whose control there is which one here."""

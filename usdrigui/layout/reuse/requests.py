@@ -31,7 +31,7 @@ class Requests(Record):
     """A layout that stays as it is and to which the new one adds elements."""
     neighbours: tuple[Element, ...] = ()
     """Elements of other parts of the character, from which the new ones keep clear."""
-    pins: Pins = field(default_factory=Pins)
+    pins: Pins = Pins()
     """Decisions of a person in the layout that the new one succeeds."""
 
     @property

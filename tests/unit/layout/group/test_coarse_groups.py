@@ -12,7 +12,7 @@ from usdrigui.character import Control
 from usdrigui.errors import RigUIError
 from usdrigui.layout.review.difference import difference
 from usdrigui.layout.review.review import review
-from usdrigui.model.levels import inner_names, outer_first, shown, states
+from usdrigui.model.levels import inner_names, outer_first, shown, shown_of_all, states
 
 FACE = makers.face()
 
@@ -136,12 +136,12 @@ def test_joysticks_are_opened_into_their_axes():
 def test_what_is_shown_when_something_is_opened():
     layout = lay_out(FACE, settings(levels={"members": {"smile_L": ["sneer_L"]}})).layout
     first = {element.name for element in shown(layout).elements}
-    opened = {element.name for element in shown(layout, ["smile_L"]).elements}
+    opened = {element.name for element in shown_of_all([layout], ["smile_L"])[0].elements}
     assert first - opened == {"smile_L", "smile_R"}
     assert opened - first == {"sneer_L", "sneer_R"}
-    assert {e.name for e in shown(layout, everything=True).elements} == opened
+    assert {e.name for e in shown_of_all([layout], (), everything=True)[0].elements} == opened
     with pytest.raises(RigUIError, match="CONFIG_VALUE"):
-        shown(layout, ["sneer_L"])
+        shown_of_all([layout], ["sneer_L"])
 
 
 # --- over the life of a rig --------------------------------------------------------------------------
