@@ -108,7 +108,7 @@ def test_everything_that_the_result_depends_on_ends_the_skipping(folder, tmp_pat
         path.write_bytes(before)
     state.state_path(job.output).write_text("{")
     assert state.recall(job) is None
-    state.forget(job)
+    state.forget(job.output)
     stale = [{**each, "sha256": "0" * 64} for each in sources]
     state.remember(job, stale, row)
     assert not state.state_path(job.output).exists()

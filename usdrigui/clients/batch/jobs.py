@@ -60,7 +60,7 @@ def end_all() -> None:
 
 
 def _laid_out(job: Job) -> Row:
-    state.forget(job)
+    state.forget(job.output)
     start = perf_counter()
     outcome = _supervised(job)
     row = replace(_row(job, outcome), seconds=round(perf_counter() - start, 3))

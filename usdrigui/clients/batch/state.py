@@ -63,10 +63,10 @@ def remember(job: Job, sources: Sequence[Mapping[str, str]], row: Row) -> None:
             commit(json.dumps(record, indent=2) + "\n", state_path(job.output), read=[job.asset])
 
 
-def forget(job: Job) -> None:
-    """Remove the file: its content may be wrong from now on."""
+def forget(output: str) -> None:
+    """Remove the file of a layer: its content may be wrong from now on."""
     with contextlib.suppress(OSError):
-        state_path(job.output).unlink()
+        state_path(output).unlink()
 
 
 def _record(job: Job, paths: Sequence[str], counts: Mapping[str, float]) -> dict[str, Any]:
