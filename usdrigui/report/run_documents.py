@@ -8,7 +8,7 @@ from typing import Any
 from usdrigui.errors import Issue
 from usdrigui.model import Assignment, Element, Legibility
 from usdrigui.report.documents import document, plain
-from usdrigui.report.run_report import CharacterReport, ControlRow, PartRow, Report
+from usdrigui.report.run_report import CharacterReport, PartRow, Report
 
 
 def to_json(report: Report) -> str:
@@ -35,11 +35,7 @@ def review_json(layer: str, characters: Sequence[tuple[str, Any]], issues: Seque
             "root": root,
             "cost": review.cost,
             "legibility": _legibility(review.legibility),
-            # An element's improvement is a gain in documents.
-            "elements": [
-                {("gain" if k == "improvement" else k): v for k, v in plain(x).items()}
-                for x in review.elements
-            ],
+            "elements": review.elements,
         }
         for root, review in characters
     ]
@@ -75,7 +71,7 @@ def _character(character: CharacterReport) -> dict[str, Any]:
         "variant_path": layout.variant_path,
         "points": int(character.rig.body.starts[-1]),
         "meshes": len(character.rig.body.meshes),
-        "controls": [_row(row) for row in character.rows],
+        "controls": character.rows,
         "counts": {place: character.count(place) for place in ("face", "board", "left off")},
         "displacement_kept": character.kept,
         "legibility": _legibility(character.legibility),
@@ -114,12 +110,6 @@ def _proof(assignment: Assignment) -> dict[str, Any]:
     return {
         name: getattr(assignment, name) for name in (*names, "penalty", "gap", "above_unary_bound")
     }
-
-
-def _row(row: ControlRow) -> dict[str, Any]:
-    """A control's row, in which what it keeps is of the displacement."""
-    named = {("displacement_kept" if k == "kept" else k): v for k, v in plain(row).items()}
-    return named | {"explained_by": dict(row.explained_by)}
 
 
 def _element(element: Element, existing: bool) -> dict[str, Any]:
