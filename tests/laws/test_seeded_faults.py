@@ -260,7 +260,6 @@ FAULTS = {
         "another extent": mesh("extent", lambda old: 0.5 * old),
         "normals of its own": mesh("normals", Vt.Vec3fArray(1)),
         "nothing to be seen": mesh("primvars:displayOpacity", Vt.FloatArray(1)),
-        "a face of no element": lambda each: each.set("indices", lambda old: old[1:]),
         "members beside others": relation("rigUI:element:members", f"{MESH}/{OTHER}"),
         "points for a mesh": lambda each: each.prim(MESH).SetTypeName("Points"),
         "an unknown way of skinning": mesh("primvars:skel:skinningMethod", "magic"),

@@ -152,8 +152,9 @@ def _of_prims(scope: Usd.Prim) -> Iterator[Issue]:
             kind = _TARGETS.get(relation.GetBaseName(), "")
             for path in relation.GetTargets() if kind and name.startswith("rigUI:") else ():
                 there = scope.GetStage().GetPrimAtPath(path)
-                what = there.GetTypeName() if there else "gone"
-                if what != kind and not (there and has(there, kind)) and (there or kind != "Mesh"):
+                # What is not active is gone from a flattened stage.
+                gone = not there and kind in ("Mesh", schema.ELEMENT)
+                if not (gone or (there and kind in (there.GetTypeName(), *applied(there)))):
                     yield invalid_at(prim, f"{name} names {path}, which is no {kind}")
                 if kind != "SkelAnimation" and not path.HasPrefix(root):
                     yield invalid_at(prim, f"{name} names {path}, which is not of {root}")
@@ -205,7 +206,8 @@ def _of_drawing(mesh: Usd.Prim, parts: Sequence[str]) -> Iterator[Issue]:
             yield invalid_at(mesh, f"{primvar.GetName()} has {len(held)} values, and is {kind}")
     if min(drawn.GetDisplayOpacityAttr().Get() or (1.0,)) <= 0.0:
         yield doubtful_at(mesh, "primvars:displayOpacity is 0: nobody sees what it draws")
-    sound, why = UsdGeom.Subset.ValidateSubsets(subsets, faces, UsdGeom.Tokens.partition)
+    # Of an element that is not active, flattening leaves the faces alone.
+    sound, why = UsdGeom.Subset.ValidateSubsets(subsets, faces, UsdGeom.Tokens.nonOverlapping)
     if not sound:
         yield invalid_at(mesh, why)
 
