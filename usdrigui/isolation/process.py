@@ -96,8 +96,8 @@ def signal_name(number: int) -> str:
 def environment(**special: str) -> dict[str, str]:
     """The environment of a process of ours: this one's, our module path, and what is `special`.
 
-    USD has no threads, which would be missing after a fork; they read our assets no faster.  With
-    positional reads a crate file that shrinks under us is an error instead of a bus error.
+    USD starts no threads: a fork would lose them, and no asset of ours is read faster with four.
+    With positional reads a crate file that shrinks under us is an error instead of a bus error.
     Arrays of a stage take the memory of the one before: given back to the system, each page would
     be cleared for them again.
     """

@@ -25,7 +25,7 @@ from usdrigui.errors import Issue, issue
 from usdrigui.layer import author
 from usdrigui.layer.properties import value_of
 from usdrigui.layer.read_controls import invalid_at, read_controls
-from usdrigui.layer.read_layout import base_controls, element_prims, faces_by_role
+from usdrigui.layer.read_layout import base_controls, element_prims, faces_by_role, points_of
 from usdrigui.model import Element, Layout, Member
 from usdrigui.overlap import segment_distances
 from usdrigui.reading.character import read_animated
@@ -51,13 +51,14 @@ anchor's way by less than both together."""
 _SIZES = 1.5
 """Times as large or small as the layout says may be what is measured of it: the way of a half turn
 is so much longer than a track of two points."""
+_AGREE = 1.02
+"""The same of lengths that the layer says twice."""
 _LIFTED = 0.25
 """Of a handle's width: so far from its lift may the middle of a handle be."""
 CLEAR = 0.5
 """Cosine beyond which two directions are one, or opposite."""
 _HALF = 0.5
 """Of its range: so far every control is from the base pose where all are."""
-_NONE: Indices = np.zeros(0, dtype=np.int64)
 
 
 class _Drawn(Record):
@@ -158,7 +159,7 @@ class _Scene(Record):
         """The joints that move a point."""
         mesh, local = self.rig.body.mesh_of(point)
         skin = self.rig.body.meshes[mesh].skin
-        return _NONE if skin is None else skin.joints[local][skin.weights[local] != 0.0]
+        return np.zeros(0, int) if skin is None else skin.joints[local][skin.weights[local] != 0.0]
 
     def halfway(self, towards: str, but: list[int]) -> Floats:
         """Values (controls,) of a pose: every control half way from the base pose to its
@@ -207,24 +208,23 @@ def _at_rest(scene: _Scene, drawn: _Drawn) -> Iterator[Issue]:
     if len(ways):
         pieces = ((track[:-1, :, None], track[1:, :, None]) for track in tracks)
         apart = np.concatenate([segment_distances(ways.T[None], *each) for each in pieces])
-        off = [
-            np.linalg.norm(points[line[each]] - track[end], axis=1).min()
-            for track, line in zip(tracks, drawn.lines, strict=False)
-            for each, end in ((slice(4), 0), (slice(-3, None), -1))
-        ]
-        # Lifted over an arch, a straight track is off its ends by as much again.
-        away = max(apart.min(axis=0).max(), 0.5 * max(off, default=0.0))
         ends = np.concatenate([track[[-1, 0]] for track in tracks])
         tips = [
             np.linalg.norm(ends[:, None] - points[line[-3:]], axis=2).min(axis=1)
             for line in drawn.lines
         ]
-        own = len(tips) == len(tracks) and all(
-            tip[2 * i] < tip.min() + 0.5 * beside for i, tip in enumerate(tips)
-        )
-        away = away if own else np.inf
+        starts = [
+            np.linalg.norm(points[line[:4]] - track[0], axis=1).min()
+            for track, line in zip(tracks, drawn.lines, strict=False)
+        ]
+        own = [tip[2 * i] for i, tip in enumerate(tips[: len(tracks)])]
+        # Lifted over an arch, a straight track is off its ends by as much again.
+        away = max(apart.min(axis=0).max(), 0.5 * max([*own, *starts], default=0.0))
         if away > beside:
             yield _astray(drawn.prim, f"its tracks are drawn {away:.3g} from their trackPoints")
+        far = (tip[2 * i] >= tip.min() + 0.5 * beside for i, tip in enumerate(tips))
+        if len(tips) != len(tracks) or any(far):
+            yield _astray(drawn.prim, "a track that is drawn ends where another's trackPoints do")
 
 
 def _as_wide(drawn: _Drawn, handle: Floats, grain: float) -> Iterator[Issue]:
@@ -234,7 +234,7 @@ def _as_wide(drawn: _Drawn, handle: Floats, grain: float) -> Iterator[Issue]:
         return
     middle, width = handle[1:].mean(axis=0), drawn.width
     across, lifted = 2.0 * _worst(handle[1:] - middle), middle - handle[0]
-    if _unlike(width, across, grain):
+    if not width / _SIZES - grain < across < width * _SIZES + grain:
         yield _astray(drawn.prim, f"its handle is {across:.3g} wide, the layout's {width:.3g}")
     lift = value_of(drawn.prim, schema.HANDLE, "lift")
     loose = _LIFTED * width + grain
@@ -256,21 +256,21 @@ def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterat
     handle = motion[:, drawn.handle]
     width = drawn.width
     tolerance = scene.grain + _EXACT * width
-    ways = np.zeros(len(scene.skin))
-    ways[moved] = np.linalg.norm(np.diff(offsets[1:], axis=0), axis=2).sum(axis=0)
-    far = float((ways * scene.skin).max())
-    own = far if drawn.element.anchor.on_board else ways[drawn.anchor]
-    subject = scene.rig.controls[control]
-    # Of values too, so many handle widths.
-    for name, said, found in (
-        ("peak", member.peak, far),
-        ("arcLength", member.arc_length, own),
-        ("magnification", member.arc_length * member.magnification, length(member.track)),
-        ("trackValues", np.ptp(member.values) * width, (subject.maximum - subject.minimum) * width),
+    ways = np.linalg.norm(np.diff(offsets[1:], axis=0), axis=2).sum(axis=0)
+    far = float((ways * scene.skin[moved]).max(initial=0.0))
+    subject, peak, arc = scene.rig.controls[control], member.peak, member.arc_length
+    # On the skin an anchor may go less far than the farthest point.
+    longest = arc if drawn.element.anchor.on_board else max(arc, peak)
+    told = author.TOLD * np.abs(member.track).sum()
+    for name, said, found, times, slack in (
+        ("peak", peak, far, _SIZES, tolerance + told),
+        ("trackValues", np.ptp(member.values), subject.maximum - subject.minimum, _SIZES, 0.0),
+        ("arcLength", longest, peak or longest, _AGREE, 0.0),
+        ("magnification", arc * member.magnification, length(member.track), _AGREE, told),
     ):
-        if said and _unlike(said, found, tolerance + author.TOLD * np.abs(member.track).sum()):
+        if said and not found / times - slack <= said <= found * times + slack:
             what = f"rigUI:control:*:{name} of {member.control!r} would be {found / said:.3g} times"
-            yield invalid_at(drawn.prim, f"{what} as much, as the character moves")
+            yield invalid_at(drawn.prim, f"{what} as much by its character, range, peak or track")
     if drawn.slides:
         drive = subject.drive
         single = len(drive.channels) == 1 and not len(drive.joints)
@@ -343,10 +343,6 @@ def _off(scene: _Scene, drawn: _Drawn, at: Posed, rows: Indices) -> float:
     return _worst(at.points[rows] - end - (points[rows] - start) @ carry)
 
 
-def _unlike(said: float, found: float, slack: float) -> bool:
-    return not found / _SIZES - slack < said < found * _SIZES + slack
-
-
 def _astray(prim: Usd.Prim, message: str) -> Issue:
     return issue("LAYOUT_DRAWN", prim.GetPath(), message)
 
@@ -397,8 +393,8 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
                     element,
                     layout.frame.handle_width_of(element.part),
                     point,
-                    _points(drawing, prim, "handle"),
-                    _points(drawing, prim, "track", "area"),
+                    points_of(_faces(drawing, prim, "handle")),
+                    points_of(_faces(drawing, prim, "track", "area")),
                     _lines(drawing, prim),
                     np.array([rig.control_indices[name] for name in members]),
                 )
@@ -440,11 +436,6 @@ def _facing(scene: _Scene) -> Iterator[Issue]:
         along = abs(there @ normal) >= CLEAR * (there.any() and normal.any())
         if not (each.element.anchor.on_board or along):
             yield invalid_at(each.prim, "rigUI:anchor:normal is not that of its mesh")
-
-
-def _points(drawing: dict[Usd.Prim, int], prim: Usd.Prim, *roles: str) -> Indices:
-    """Points of the body that draw an element in some roles, ascending."""
-    return np.unique(np.concatenate([_NONE, *_faces(drawing, prim, *roles)]))
 
 
 def _lines(drawing: dict[Usd.Prim, int], prim: Usd.Prim) -> tuple[Indices, ...]:

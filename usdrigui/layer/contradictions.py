@@ -152,8 +152,8 @@ def _of_prims(scope: Usd.Prim) -> Iterator[Issue]:
             kind = _TARGETS.get(relation.GetBaseName(), "")
             for path in relation.GetTargets() if kind and name.startswith("rigUI:") else ():
                 there = scope.GetStage().GetPrimAtPath(path)
-                # What is not active is gone from a flattened stage.
-                gone = not there and kind in ("Mesh", schema.ELEMENT)
+                # A mesh or a mirror that is not active is gone from a flattened stage.
+                gone = not there and (kind == "Mesh" or name.endswith(":mirror"))
                 if not (gone or (there and kind in (there.GetTypeName(), *applied(there)))):
                     yield invalid_at(prim, f"{name} names {path}, which is no {kind}")
                 if kind != "SkelAnimation" and not path.HasPrefix(root):
@@ -191,7 +191,8 @@ def _of_drawing(mesh: Usd.Prim, parts: Sequence[str]) -> Iterator[Issue]:
     for name, wanted in _PLAIN.items():
         said = mesh.GetAttribute(name)
         if ((said and said.Get()) or None) != wanted:
-            yield invalid_at(mesh, f"{name} is not {wanted}, as of every mesh that draws elements")
+            what = f"{name} is not {wanted or 'empty'}, as of every mesh that draws elements"
+            yield invalid_at(mesh, what)
     drawn = UsdGeom.Mesh(mesh)
     faces, points = drawn.GetFaceCount(), drawn.GetPointsAttr().Get() or ()
     box = drawn.GetExtentAttr().Get()
@@ -232,7 +233,7 @@ def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue
     where = "left" if away > 0.0 else "right"
     beyond = not on_board and abs(away) > width
     if side == "none" or (beyond and side == _OPPOSITE[where]):
-        yield invalid_at(prim, f"rigUI:element:side is {side}, its anchor is on the {where}")
+        yield invalid_at(prim, f"rigUI:element:side is {side}, {where} of the plane of symmetry")
 
 
 def _of_mirror(

@@ -8,7 +8,7 @@ come from the schema's own file.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -420,7 +420,12 @@ def points_by_role(prim: Usd.Prim, *wanted: str) -> Indices:
 
     Raises LAYOUT_INVALID.
     """
-    return np.unique(np.concatenate([np.zeros(0, dtype=np.int64), *faces_by_role(prim, *wanted)]))
+    return points_of(faces_by_role(prim, *wanted))
+
+
+def points_of(faces: Iterable[Indices]) -> Indices:
+    """Indices, ascending, of the points of some faces."""
+    return np.unique(np.concatenate([np.zeros(0, dtype=np.int64), *faces]))
 
 
 def faces_by_role(prim: Usd.Prim, *wanted: str) -> list[Indices]:
