@@ -14,9 +14,10 @@ class Anchors:
     """The elements of one character, prepared once and asked at every change of the scene."""
 
     def __init__(self, character):
-        layout = character.layout
-        self.elements = layout.elements
-        self.drawings = [drawing_of(element, character.controls) for element in layout.elements]
+        self.layout = character.layout
+        self.drawings = [
+            drawing_of(element, character.controls) for element in self.layout.elements
+        ]
         self.bones = {
             path: Bones(character, path, armature) for path, armature in character.armatures.items()
         }
@@ -29,11 +30,11 @@ class Anchors:
                 [member.control for member in element.members],
                 element,
             )
-            for element in layout.elements
+            for element in self.layout.elements
         ]
         self.to_skin = [
-            np.linalg.inv(_to_root(character, spot, element.mesh))
-            for spot, element in zip(self.spots, layout.elements, strict=True)
+            np.linalg.inv(_to_root(self.layout, *each))
+            for each in zip(self.spots, self.layout.elements, strict=True)
         ]
 
     def place(self, depsgraph, values):
@@ -42,22 +43,20 @@ class Anchors:
         posed = self.posed()
         return [
             self._place(depsgraph, values, posed, *each)
-            for each in zip(self.elements, self.drawings, self.spots, self.to_skin, strict=True)
+            for each in zip(self.drawings, self.spots, self.to_skin, strict=True)
         ]
 
     def posed(self):
         """By skeleton and bone, the pose matrices in armature space."""
         return {path: bones.posed() for path, bones in self.bones.items()}
 
-    def _place(self, depsgraph, values, posed, element, drawing, spot, to_skin):
-        point = None
-        if element.follows:
-            point = spot.shown(depsgraph)
-            if point is None:
-                return None
-        quiet = {member.control: spot.controls[member.control].base for member in element.members}
+    def _place(self, depsgraph, values, posed, drawing, spot, to_skin):
+        point = spot.shown(depsgraph)
+        if point is None and drawing.element.follows:
+            return None
+        quiet = {name: control.base for name, control in spot.controls.items()}
         anchor, skin = spot.carried(posed, point, values, quiet)
-        mine = np.array([values[name] for name in quiet])
+        mine = [values[member.control] for member in drawing.element.members]
         return place(drawing, point, anchor, skin @ to_skin, mine)
 
 
@@ -66,13 +65,14 @@ class Bones:
 
     def __init__(self, character, skeleton, armature):
         self.armature = armature
-        rests = next(each for each in character.layout.skeletons if each.path == skeleton)
-        self.to_root = np.array(rests.to_root).T
+        rests = character.layout.skeleton(skeleton)
+        self.to_root = character.layout.to_root(skeleton)
         bones = armature.data.bones
         self.rest = {bone.name: matrix_of(bone.matrix_local) for bone in bones}
         self.unbound = {name: np.linalg.inv(matrix) for name, matrix in self.rest.items()}
-        self.above = {bone.name: [bone, *bone.parent_recursive] for bone in bones}
-        self.above = {name: [each.name for each in line] for name, line in self.above.items()}
+        self.above = {
+            bone.name: [each.name for each in (bone, *bone.parent_recursive)] for bone in bones
+        }
         self.joints = {each.path: character.bone_name(skeleton, each.path) for each in rests.joints}
         self.frames = {
             name: character.frame(skeleton, joint) for joint, name in self.joints.items()
@@ -227,11 +227,10 @@ class Spot:
         return np.linalg.inv(world) @ matrix_of(self.mesh.matrix_world)
 
 
-def _to_root(character, spot, path):
+def _to_root(layout, spot, element):
     """Before skinning to root space, in the base pose."""
     if spot.bones is None:
-        rest = next((each for each in character.layout.meshes if each.path == path), None)
-        return np.array(rest.to_root).T if rest else np.eye(4)
+        return layout.to_root(element.mesh)
     return spot.bones.to_root @ spot.bones.blend(spot.bones.base, spot.influences) @ spot.into
 
 

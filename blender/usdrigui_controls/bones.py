@@ -11,12 +11,14 @@ from __future__ import annotations
 from contextlib import contextmanager
 from dataclasses import dataclass
 
+import bmesh
 import bpy
 import mathutils
 import numpy as np
 
 from .anchors import Anchors
 from .character import BONES, Character, at_frames, curves_of, holders
+from .exporting import selection_kept
 from .inbetweens import drive
 
 _PALETTES = {"right": "THEME01", "left": "THEME04"}
@@ -87,12 +89,12 @@ def make_bones(context, holder):
     with _editing(context, made):
         for handle in handles:
             _add_bone(made, handle, anchors, placed[handle.element])
-    carrier = next(iter((*character.armatures.values(), *character.meshes.values())))
+    carrier = character.objects[0]
     made.parent = carrier
     made.matrix_parent_inverse = carrier.matrix_world.inverted()
     shape = _circle()
     for handle in handles:
-        bone, element = made.pose.bones[handle.name], anchors.elements[handle.element]
+        bone, element = made.pose.bones[handle.name], anchors.layout.elements[handle.element]
         bone.custom_shape, bone.use_custom_shape_bone_size = shape, False
         size = 0.5 * placed[handle.element].scale * element.width
         bone.custom_shape_scale_xyz = [size] * 3
@@ -114,8 +116,7 @@ def remove_bones(context, holder):
     """Take the armature away; the shape keys have its values, and the keys that they lack."""
     character, made = Character(holder), holder[BONES]
     driven = [c for each in handles_of(character.layout) for axis in each.axes for c, _ in axis]
-    frames = _frames(curves_of(made))
-    seen = at_frames(context.scene, frames, character.values)
+    seen = at_frames(context.scene, _frames(curves_of(made)), character.values)
     now = character.values()
     for control in driven:
         for key in character.shape_keys(control.shapes[0].token):
@@ -126,7 +127,7 @@ def remove_bones(context, holder):
     discard(made)
     del holder[BONES]
     tracks = _curves(character)
-    for frame, values in zip(frames, seen, strict=True):
+    for frame, values in seen.items():
         for name in (control.name for control in driven):
             had = tracks[name].evaluate(frame) if name in tracks else now[name]
             if abs(had - values[name]) > 1e-5:
@@ -166,26 +167,22 @@ def _curves(character):
 @contextmanager
 def _editing(context, armature):
     """The armature in edit mode; then mode and selection as they were."""
-    layer, mode = context.view_layer, context.mode
-    active, chosen = layer.objects.active, list(context.selected_objects)
-    if mode != "OBJECT":
+    mode = context.mode
+    with selection_kept(context):
+        if mode != "OBJECT":
+            bpy.ops.object.mode_set(mode="OBJECT")
+        context.view_layer.objects.active = armature
+        bpy.ops.object.mode_set(mode="EDIT")
+        yield
         bpy.ops.object.mode_set(mode="OBJECT")
-    layer.objects.active = armature
-    bpy.ops.object.mode_set(mode="EDIT")
-    yield
-    bpy.ops.object.mode_set(mode="OBJECT")
-    for each in layer.objects:
-        each.select_set(each in chosen)
-    layer.objects.active = active
     if mode != "OBJECT":
         bpy.ops.object.mode_set(mode=mode)
 
 
 def _add_bone(made, handle, anchors, placed):
     """A bone along its first axis, flat on the skin, where the bone that carries it rests."""
-    element, spot = anchors.elements[handle.element], anchors.spots[handle.element]
-    drawing = anchors.drawings[handle.element]
-    names = [member.control for member in element.members]
+    drawing, spot = anchors.drawings[handle.element], anchors.spots[handle.element]
+    names = [member.control for member in drawing.element.members]
     ways = []
     for axis in handle.axes:
         member = names.index(axis[-1][0].name)
@@ -244,25 +241,24 @@ def _share(control, value):
 
 
 def _drive(character, made, handle):
-    """Drivers that Blender evaluates without Python, from the location to the shape keys."""
+    """Drivers from the location to the shape keys, within the ranges."""
+    bone = made.pose.bones[handle.name]
     for component, axis in zip((1, 0), handle.axes, strict=False):
+        path = f"{bone.path_from_id('location')}[{component}]"
         for control, sign in axis:
-            low = control.base if len(axis) > 1 else control.minimum
-            bone = made.pose.bones[handle.name]
-            slope = sign * (control.maximum - control.base) / bone.bone.length
+            ends = (control.base if len(axis) > 1 else control.minimum, control.maximum)
+            way = sign * bone.bone.length
+            points = sorted((way * _share(control, end), end) for end in ends)
             for key in character.shape_keys(control.shapes[0].token):
-                path = f"{bone.path_from_id('location')}[{component}]"
-                value = f"{control.base:.9g}+({slope:.9g})*w"
-                expression = f"min(max({value},{low:.9g}),{control.maximum:.9g})"
-                drive(key, ("OBJECT", made), path, expression)
+                drive(key, ("OBJECT", made), path, points, "CONSTANT")
 
 
 def _circle():
     """What a bone looks like: a ring of a unit's radius, in no scene."""
-    mesh = bpy.data.meshes.new("Control")
-    turns = np.linspace(0.0, 2.0 * np.pi, 17)[:-1]
-    points = [(np.cos(turn), np.sin(turn), 0.0) for turn in turns]
-    mesh.from_pydata(points, [(i, (i + 1) % 16) for i in range(16)], [])
+    ring, mesh = bmesh.new(), bpy.data.meshes.new("Control")
+    bmesh.ops.create_circle(ring, segments=16, radius=1.0)
+    ring.to_mesh(mesh)
+    ring.free()
     return bpy.data.objects.new("Control", mesh)
 
 

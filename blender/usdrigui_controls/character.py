@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 import math
+from functools import lru_cache
 
 import bpy
 import mathutils
@@ -38,24 +39,17 @@ def bind(layout, match):
     keeps no properties of its own when it is saved, an empty.  Raises LayoutError when a mesh that
     carries controls is missing or has another number of points.
     """
-    objects = match.objects
-    meshes = {each.path: objects[each.path] for each in layout.meshes if each.path in objects}
-    armatures = {each.path: objects[each.path] for each in layout.skeletons if each.path in objects}
-    _check(layout, meshes)
-    mine = [*armatures.values(), *meshes.values()]
-    if not mine:
+    _check(layout, match.objects)
+    here = {path: match.objects[path] for path in layout.paths if path in match.objects}
+    if not here:
         raise LayoutError(f"no object of the scene belongs to {layout.root}")
+    mine = [*here.values()]
     holder = holder_of(mine) or (_stand_in(mine[0]) if mine[0].override_library else mine[0])
     holder[LAYOUT] = to_json(layout)
-    holder[_MESHES] = {
-        str(i): meshes[each.path] for i, each in enumerate(layout.meshes) if each.path in meshes
-    }
-    holder[_ARMATURES] = {
-        str(i): armatures[each.path]
-        for i, each in enumerate(layout.skeletons)
-        if each.path in armatures
-    }
-    here = {*meshes, *armatures}
+    for name, records in ((_MESHES, layout.meshes), (_ARMATURES, layout.skeletons)):
+        holder[name] = {
+            str(i): here[each.path] for i, each in enumerate(records) if each.path in here
+        }
     holder[_NAMES] = json.dumps({path: match.names[path] for path in match.names if path in here})
     Character(holder).widen_ranges()
     return holder
@@ -71,8 +65,7 @@ def _stand_in(thing):
 def holder_of(objects):
     """The object that holds the layout of some of these, or None."""
     for holder in holders(bpy.context.scene):
-        character = Character(holder)
-        if {*objects} & {*character.meshes.values(), *character.armatures.values()}:
+        if {*objects} & {*Character(holder).objects}:
             return holder
     return None
 
@@ -93,35 +86,34 @@ def holders(scene):
 
 
 def at_frames(scene, frames, look):
-    """What ``look()`` gives at each frame; the scene is then at the frame where it was."""
+    """By frame, what ``look()`` gives there; the scene is then at the frame where it was."""
 
     def go_to(frame):
         scene.frame_set(math.floor(frame), subframe=frame % 1.0)
 
-    before, seen = scene.frame_current_final, []
+    before, seen = scene.frame_current_final, {}
     try:
         for frame in frames:
             go_to(frame)
-            seen.append(look())
+            seen[frame] = look()
     finally:
         if scene.frame_current_final != before:
             go_to(before)
     return seen
 
 
-def _check(layout, meshes):
-    expected = {each.path: each.points for each in layout.meshes}
-    for path in {element.mesh for element in layout.elements if element.mesh}:
-        if path not in meshes:
+def _check(layout, objects):
+    needed = {element.mesh for element in layout.elements}
+    for path, points in ((each.path, each.points) for each in layout.meshes):
+        if path in needed and path not in objects:
             raise LayoutError(
-                f"no object of the scene is the mesh {path} with {expected[path]} vertices: import"
-                " that character, or lay out the one that is here"
+                f"no object of the scene is the mesh {path} with {points} vertices: import that"
+                " character, or lay out the one that is here"
             )
-        count = len(meshes[path].data.vertices)
-        if count != expected.get(path, count):
+        count = len(objects[path].data.vertices) if path in needed else points
+        if count != points:
             raise LayoutError(
-                f"{meshes[path].name} has {count} vertices, {path} has {expected[path]}: lay it out"
-                " again"
+                f"{objects[path].name} has {count} vertices, {path} has {points}: lay it out again"
             )
 
 
@@ -135,6 +127,7 @@ class Character:
         self.controls = {control.name: control for control in self.layout.controls}
         self.meshes = _objects(holder, _MESHES, self.layout.meshes)
         self.armatures = _objects(holder, _ARMATURES, self.layout.skeletons)
+        self.objects = [*self.armatures.values(), *self.meshes.values()]
         self.names = json.loads(holder.get(_NAMES, "{}"))
 
     # --- values -----------------------------------------------------------------------------------
@@ -215,63 +208,50 @@ class Character:
 
     def frames_around(self, name, frame):
         """The frames of the last key of a control before a frame and of the first one after it;
-        None without both."""
+        none without both."""
         found = set()
         for owner, path in self.channels(name):
             whole = path if owner == owner.id_data else f"{owner.path_from_id()}.{path}"
             curves = (each for each in curves_of(owner.id_data) if each.data_path == whole)
             found |= {point.co.x for curve in curves for point in curve.keyframe_points}
-        before = max((each for each in found if each < frame), default=None)
-        after = min((each for each in found if each > frame), default=None)
-        return None if before is None or after is None else (before, after)
+        before = [each for each in found if each < frame]
+        after = [each for each in found if each > frame]
+        return (max(before), min(after)) if before and after else ()
 
     def widen_ranges(self):
         """Let the shape keys take every value of their controls."""
         for control in self.layout.controls:
             for shape in control.shapes:
-                low, high = (
-                    (control.minimum, control.maximum)
-                    if control.plain
-                    else _extremes(shape.weights)
-                )
+                ends = (0.0, 1.0, *shape.weights)
+                if control.plain:
+                    ends = control.minimum, control.maximum
                 for key in self.shape_keys(shape.token):
-                    if low < key.slider_min:
-                        key.slider_min = low
-                    if high > key.slider_max:
-                        key.slider_max = high
+                    key.slider_min = min(key.slider_min, *ends)
+                    key.slider_max = max(key.slider_max, *ends)
 
     def take_rest_pose(self):
         """Put bones that the import left in the bind pose into the rest pose, where USD has
         them."""
-        for skeleton, armature in self.armatures.items():
-            for joint in next(
-                each for each in self.layout.skeletons if each.path == skeleton
-            ).joints:
-                bone = self.bone_of(skeleton, joint.path)
-                if bone is not None and _is_identity(bone.matrix_basis):
-                    bone.location, rotation, bone.scale = JointFrame(joint.bind, joint.rest).basis(
-                        np.zeros((3, 3))
-                    )
+        for skeleton in self.layout.skeletons:
+            for joint in skeleton.joints:
+                bone = self.bone_of(skeleton.path, joint.path)
+                if bone is not None and _near(bone.matrix_basis, np.eye(4), 1e-7):
+                    frame = JointFrame(joint.bind, joint.rest)
+                    bone.location, rotation, bone.scale = frame.basis(np.zeros((3, 3)))
                     _set_rotation(bone, rotation)
-            armature.update_tag(refresh={"OBJECT", "DATA"})
+        self._tag()
 
     def place_meshes(self):
         """Put skinned meshes where the skeleton has them: Blender's import passes over its own
         transform."""
         bpy.context.view_layer.update()
-        for rest in self.layout.meshes:
-            mesh = self.meshes.get(rest.path)
-            for skeleton in self.layout.skeletons:
-                armature = self.armatures.get(skeleton.path)
-                if mesh is not None and armature is not None and _deforms(armature, mesh):
-                    to_skeleton = (
-                        np.linalg.inv(np.array(skeleton.to_root).T) @ np.array(rest.to_root).T
-                    )
+        to_root = self.layout.to_root
+        for path, mesh in self.meshes.items():
+            for skeleton, armature in self.armatures.items():
+                if armature in [each.object for each in mesh.modifiers if each.type == "ARMATURE"]:
+                    to_skeleton = np.linalg.inv(to_root(skeleton)) @ to_root(path)
                     wanted = np.array(armature.matrix_world) @ to_skeleton
-                    if (
-                        np.abs(np.array(mesh.matrix_world) - wanted).max()
-                        > 1e-6 * np.abs(wanted).max()
-                    ):
+                    if not _near(mesh.matrix_world, wanted, 1e-6):
                         mesh.matrix_world = mathutils.Matrix(wanted.tolist())
 
     # --- parts ------------------------------------------------------------------------------------
@@ -301,18 +281,18 @@ class Character:
 
     def frame(self, skeleton, joint):
         """The `JointFrame` of a joint."""
-        rests = next(each for each in self.layout.skeletons if each.path == skeleton)
-        rest = next(each for each in rests.joints if each.path == joint)
+        joints = self.layout.skeleton(skeleton).joints
+        rest = next(each for each in joints if each.path == joint)
         return JointFrame(rest.bind, rest.rest)
 
     def missing(self):
         """Names of the controls that nothing in the scene answers to."""
-        return [control.name for control in self.layout.controls if not self._answers(control)]
-
-    def _answers(self, control):
-        return any(self.shape_keys(shape.token) for shape in control.shapes) or any(
-            self.bone(joint) is not None for joint in control.joints
-        )
+        return [
+            control.name
+            for control in self.layout.controls
+            if not any(self.shape_keys(shape.token) for shape in control.shapes)
+            and not any(self.bone(joint) for joint in control.joints)
+        ]
 
     # --- joints -----------------------------------------------------------------------------------
 
@@ -342,16 +322,8 @@ class Character:
             armature.update_tag(refresh={"OBJECT", "DATA"})
 
 
-_PARSED = {}
-
-
-def parsed(text):
-    """`layout.from_json`, remembered: the text of a holder is asked for at every redraw."""
-    if text not in _PARSED:
-        if len(_PARSED) > 8:
-            _PARSED.clear()
-        _PARSED[text] = from_json(text)
-    return _PARSED[text]
+parsed = lru_cache(maxsize=8)(from_json)
+"""`layout.from_json`, remembered: the text of a holder is asked for at every redraw."""
 
 
 def _objects(holder, name, records):
@@ -384,21 +356,14 @@ def _slope(control):
     return (last - first) / (control.keys[-1] - control.keys[0])
 
 
-def _extremes(weights):
-    return min([0.0, *weights]), max([1.0, *weights])
-
-
 def _basis(bone):
     location, rotation, scale = bone.matrix_basis.decompose()
     return np.array(location), np.array(rotation.to_matrix()), np.array(scale)
 
 
-def _deforms(armature, mesh):
-    return any(each.type == "ARMATURE" and each.object == armature for each in mesh.modifiers)
-
-
-def _is_identity(matrix):
-    return np.abs(np.array(matrix) - np.eye(4)).max() < 1e-7
+def _near(matrix, other, share):
+    """Whether two matrices differ by no more than a share of the largest entry of the second."""
+    return np.abs(np.array(matrix) - other).max() <= share * np.abs(other).max()
 
 
 def _rotation_path(bone):

@@ -76,12 +76,7 @@ def environment_commands(context):
     """
     home = _home()
     wheels = bpy.path.abspath(preferences(context).wheels)
-    free = shutil.disk_usage(home.parent).free
-    if free < NEEDED:
-        raise LayoutError(
-            f"{home.parent} has {free / 1e9:.1f} GB free and {NEEDED / 1e9:.1f} GB are needed: make"
-            " room, or name a Python that has usdrigui"
-        )
+    need_room(home.parent, NEEDED, "name a Python that has usdrigui")
     if not wheels and not getattr(bpy.app, "online_access", True):
         raise LayoutError(
             "Blender may not use the network: allow it in Preferences > System > Network, or name"
@@ -94,6 +89,17 @@ def environment_commands(context):
         [sys.executable, "-I", "-m", "venv", "--clear", str(home)],
         [*pip, "--progress-bar", "off", *offline, str(package)],
     ]
+
+
+def need_room(folder, needed, otherwise):
+    """Raise LayoutError, with what else helps, unless the disk of a folder has so many bytes
+    left."""
+    free = shutil.disk_usage(folder).free
+    if free < needed:
+        raise LayoutError(
+            f"{folder} has {free / 1e9:.1f} GB free and {needed / 1e9:.1f} GB are needed: make"
+            f" room, or {otherwise}"
+        )
 
 
 def _home():
@@ -165,7 +171,7 @@ def in_one_line(work):
     def guarded(self, context):
         try:
             return work(self, context)
-        except LayoutError as error:
+        except (LayoutError, OSError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
 

@@ -7,8 +7,8 @@ passes over masks and over keys that are relative to others, and gives two keys 
 
 from __future__ import annotations
 
-import contextlib
 import json
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -161,7 +161,6 @@ def write_character(context, face, target):
     Raises LayoutError where the file cannot be written.
     """
     known = bpy.ops.wm.usd_export.get_rna_type().properties.keys()
-    target.parent.mkdir(parents=True, exist_ok=True)
     with _only(context, face):
         try:
             bpy.ops.wm.usd_export(
@@ -172,29 +171,38 @@ def write_character(context, face, target):
     _finish(face, target)
 
 
-@contextlib.contextmanager
+@contextmanager
+def selection_kept(context):
+    """Afterwards the selection and the active object are as they were."""
+    layer = context.view_layer
+    chosen, active = [each for each in layer.objects if each.select_get()], layer.objects.active
+    try:
+        yield
+    finally:
+        for each in layer.objects:
+            each.select_set(each in chosen)
+        layer.objects.active = active
+
+
+@contextmanager
 def _only(context, face):
     """Nothing but the face selected, and its modifiers off but for armatures; then as it was."""
-    chosen = [each for each in context.view_layer.objects if each.select_get()]
-    active = context.view_layer.objects.active
     modifiers = [
         each
         for mesh in face.meshes
         for each in mesh.modifiers
         if each.type != "ARMATURE" and each.show_viewport
     ]
-    for each in context.view_layer.objects:
-        each.select_set(each in face.meshes or each in face.armatures)
-    for each in modifiers:
-        each.show_viewport = False
-    try:
-        yield
-    finally:
-        for each in modifiers:
-            each.show_viewport = True
+    with selection_kept(context):
         for each in context.view_layer.objects:
-            each.select_set(each in chosen)
-        context.view_layer.objects.active = active
+            each.select_set(each in face.meshes or each in face.armatures)
+        for each in modifiers:
+            each.show_viewport = False
+        try:
+            yield
+        finally:
+            for each in modifiers:
+                each.show_viewport = True
 
 
 def _finish(face, target):

@@ -23,15 +23,15 @@ class Hand:
 
 
 def chosen():
-    """(holder, element) of the handles used last, without those that are gone."""
-    held = {holder.name: holder for holder in holders(bpy.context.scene)}
-    pairs = [(held[name], element) for name, element in Hand.chosen if name in held]
-    found = ((holder, Character(holder).layout.element(name)) for holder, name in pairs)
-    return [pair for pair in found if pair[1] is not None]
+    """(`Character`, element) of the handles used last, without those that are gone."""
+    held = {holder.name: Character(holder) for holder in holders(bpy.context.scene)}
+    found = [(held.get(name), element) for name, element in Hand.chosen]
+    pairs = [(each, each.layout.element(element)) for each, element in found if each]
+    return [pair for pair in pairs if pair[1]]
 
 
 def active():
-    """The holder and the element used last; None and None where they are gone."""
+    """The character and the element used last; None and None where they are gone."""
     return (chosen() or [(None, None)])[-1]
 
 

@@ -30,11 +30,10 @@ def build(stage, layout, match):
         found = {}
         for token, shape in blend_shapes(stage.GetPrimAtPath(path)):
             key = block.key_blocks.get(names.get(token, token))
-            if key is not None:
-                keys = _add(mesh, key, shape)
-                if keys:
-                    found[key.name] = keys
-                    added += len(keys)
+            keys = _add(mesh, key, shape) if key else []
+            if keys:
+                found[key.name] = keys
+                added += len(keys)
         if found:
             block[_KNOTS] = json.dumps(found)
     return added
@@ -63,13 +62,12 @@ def offsets_at(mesh, key, point):
     block = mesh.data.shape_keys
     rest = np.array(key.relative_key.data[point].co)
     full = (np.array(key.data[point].co) - rest) * shares(mesh, key, [point])
-    pairs = [(0.0, np.zeros(3)), (1.0, full)]
+    found = {0.0: np.zeros(3), 1.0: full}
     for weight, name in json.loads(block.get(_KNOTS, "{}")).get(key.name, ()):
         added = block.key_blocks.get(name)
         if added is not None:
-            pairs.append((weight, weight * full + np.array(added.data[point].co) - rest))
-    pairs.sort(key=lambda pair: pair[0])
-    return np.array([weight for weight, _ in pairs]), np.array([offset for _, offset in pairs])
+            found[weight] = weight * full + np.array(added.data[point].co) - rest
+    return tuple(map(np.array, zip(*sorted(found.items()), strict=True)))
 
 
 def shares(mesh, key, points):
@@ -84,72 +82,46 @@ def shares(mesh, key, points):
     )
 
 
-def hat(knots, index, variable="w"):
-    """Driver expression that is 1 at ``knots[index]`` and 0 at the others.
-
-    Only what Blender evaluates without Python: so it works with scripts switched off.
-    """
-    rise = (
-        f"({variable}-({knots[index - 1]:.9g}))/{knots[index] - knots[index - 1]:.9g}"
-        if index
-        else ""
-    )
-    last = index + 1 == len(knots)
-    fall = (
-        ""
-        if last
-        else f"(({knots[index + 1]:.9g})-{variable})/{knots[index + 1] - knots[index]:.9g}"
-    )
-    # The first and the last piece go on beyond their ends; all others stop at 0.
-    if rise and index > 1:
-        rise = f"max(0,{rise})"
-    if fall and index + 2 < len(knots):
-        fall = f"max(0,{fall})"
-    return f"min({rise},{fall})" if rise and fall else rise or fall
-
-
 def _add(mesh, key, shape):
     """Keys for the in-betweens of one shape: (weight, name) pairs, ascending."""
-    between = [
-        each for each in shape.GetInbetweens() if each.GetWeight() is not None and each.GetOffsets()
-    ]
-    between.sort(key=lambda each: each.GetWeight())
-    if not between:
-        return []
-    knots = sorted({0.0, 1.0, *(each.GetWeight() for each in between)})
+    between = {each.GetWeight(): each.GetOffsets() for each in shape.GetInbetweens()}
+    weights = sorted(each for each in between if each not in (None, 0.0, 1.0) and between[each])
+    knots = sorted({0.0, 1.0, *weights})
     indices = np.array(shape.GetPointIndicesAttr().Get() or (), dtype=np.int64)
     block = mesh.data.shape_keys
     rest, full = coordinates(block.reference_key.points), coordinates(key.points)
     names = []
-    for each in between:
-        weight = each.GetWeight()
-        if weight in (0.0, 1.0):
-            continue
+    for weight in weights:
         offsets = np.zeros_like(rest)
-        offsets[indices if len(indices) else slice(None)] = np.array(each.GetOffsets())
+        offsets[indices if len(indices) else slice(None)] = np.array(between[weight])
         added = mesh.shape_key_add(name=f"{key.name}@{weight:g}", from_mix=False)
         added.relative_key = block.reference_key
         added.data.foreach_set(
             "co", (rest + offsets - weight * (full - rest)).ravel().astype(np.float32)
         )
         added.slider_min, added.slider_max = -10.0, 10.0
-        path = key.path_from_id("value")
-        drive(added, ("KEY", key.id_data), path, hat(knots, knots.index(weight)))
+        points = [(knot, float(knot == weight)) for knot in knots]
+        drive(added, ("KEY", key.id_data), key.path_from_id("value"), points, "LINEAR")
         names.append((weight, added.name))
     return names
 
 
-def drive(key, source, path, expression):
-    """Set the value of a shape key by an ``expression`` of ``w``, the property at ``path`` of a
-    ``source``: (type, datablock)."""
-    driver = key.driver_add("value").driver
-    driver.type = "SCRIPTED"
-    variable = driver.variables.new()
-    variable.name = "w"
-    target = variable.targets[0]
+def drive(key, source, path, points, beyond):
+    """Let the value of a shape key follow the property at ``path`` of a ``source``: (type,
+    datablock).
+
+    It goes straight from one of some ``points`` to the next, (property, value), ascending, and
+    ``beyond`` them as Blender's curves do.  No Python: so it works with scripts switched off.
+    """
+    curve = key.driver_add("value")
+    curve.driver.type = "SUM"
+    target = curve.driver.variables.new().targets[0]
     target.id_type, target.id = source
     target.data_path = path
-    driver.expression = expression
+    curve.modifiers.remove(curve.modifiers[0])
+    for point in points:
+        curve.keyframe_points.insert(*point).interpolation = "LINEAR"
+    curve.extrapolation = beyond
 
 
 def key_offsets(mesh, key):

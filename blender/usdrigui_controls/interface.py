@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import bpy
+from bpy_extras.io_utils import ImportHelper
 
 from . import visibility
 from .bones import SwitchBones, remove_bones
@@ -46,20 +47,14 @@ class Settings(bpy.types.PropertyGroup):
     )
 
 
-class LoadLayout(bpy.types.Operator):
+class LoadLayout(bpy.types.Operator, ImportHelper):
     """Build the controls of a character that is in the scene from its layout."""
 
     bl_idname = "usdrigui.load_layout"
     bl_label = "Load Rig UI Layout"
     bl_options = {"REGISTER", "UNDO"}
 
-    filepath: bpy.props.StringProperty(subtype="FILE_PATH")
     filter_glob: bpy.props.StringProperty(default="*.usd;*.usda;*.usdc;*.usdz", options={"HIDDEN"})
-
-    def invoke(self, context, event):
-        """Ask for the layer."""
-        context.window_manager.fileselect_add(self)
-        return {"RUNNING_MODAL"}
 
     @in_one_line
     def execute(self, context):
@@ -90,30 +85,45 @@ class RemoveLayout(bpy.types.Operator):
         return {"FINISHED"}
 
 
-class ResetControls(bpy.types.Operator):
-    """Put controls back to the base pose."""
+class Posing:
+    """An operator that gives controls other values: ``changed(context, character, names)``."""
 
-    bl_idname = "usdrigui.reset"
-    bl_label = "Reset Controls"
     bl_options = {"REGISTER", "UNDO"}
 
     everything: bpy.props.BoolProperty(name="All Controls", default=False)
 
     def execute(self, context):
-        """Reset the element used last, or all controls of all characters."""
-        for holder, names in _chosen(context, self.everything):
-            character = Character(holder)
-            give(context, character, {name: character.controls[name].base for name in names})
+        """Change the chosen elements, or all controls of all characters."""
+        count = 0
+        for character, names in _chosen(context, self.everything):
+            changed = self.changed(context, character, names)
+            give(context, character, changed)
+            count += len(changed)
+        return self.told(count)
+
+    def told(self, _count):
+        """The result of an operator that has changed so many controls."""
         return {"FINISHED"}
 
 
-class MirrorPose(bpy.types.Operator):
-    """The pose of one side on the other, or the pose seen in a mirror; of all controls."""
+class ResetControls(Posing, bpy.types.Operator):
+    """Put controls back to the base pose."""
+
+    bl_idname = "usdrigui.reset"
+    bl_label = "Reset Controls"
+
+    def changed(self, _context, character, names):
+        """Their values in the base pose."""
+        return {name: character.controls[name].base for name in names}
+
+
+class MirrorPose(Posing, bpy.types.Operator):
+    """The pose of one side on the other, or the pose seen in a mirror."""
 
     bl_idname = "usdrigui.mirror"
     bl_label = "Mirror Pose"
-    bl_options = {"REGISTER", "UNDO"}
 
+    everything: bpy.props.BoolProperty(name="All Controls", default=True, options={"SKIP_SAVE"})
     side: bpy.props.EnumProperty(
         name="From",
         items=[
@@ -123,51 +133,44 @@ class MirrorPose(bpy.types.Operator):
         ],
     )
 
-    def execute(self, context):
-        """Pose every character of the scene."""
-        for holder in holders(context.scene):
-            character = Character(holder)
-            layout, values = character.layout, character.values()
-            if self.side == "both":
-                crosses = crossing(character, visibility.anchors_of(character))
-                found = flipped(layout, values, crosses)
-            else:
-                found = mirrored_from(layout, values, self.side)
-            changed = {name: value for name, value in found.items() if value != values[name]}
-            give(context, character, changed)
-        return {"FINISHED"}
+    def changed(self, _context, character, names):
+        """Of these, what the mirror changes."""
+        layout, values = character.layout, character.values()
+        if self.side == "both":
+            found = flipped(layout, values, crossing(character, visibility.anchors_of(character)))
+        else:
+            found = mirrored_from(layout, values, self.side)
+        return {
+            name: found[name] for name in names if found.get(name, values[name]) != values[name]
+        }
 
 
-class Breakdown(bpy.types.Operator):
+class Breakdown(Posing, bpy.types.Operator):
     """Put the chosen controls between their keys before and after this frame."""
 
     bl_idname = "usdrigui.breakdown"
     bl_label = "Breakdown"
-    bl_options = {"REGISTER", "UNDO"}
 
     share: bpy.props.FloatProperty(
         name="Share", default=0.5, soft_min=0.0, soft_max=1.0, description="0 before, 1 after"
     )
-    everything: bpy.props.BoolProperty(name="All Controls", default=False)
 
-    def execute(self, context):
+    def changed(self, context, character, names):
         """Of the controls without a key on one of the two sides nothing changes."""
-        frame, count = context.scene.frame_current_final, 0
-        for holder, names in _chosen(context, self.everything):
-            character = Character(holder)
-            sides = {name: character.frames_around(name, frame) for name in names}
-            sides = {name: pair for name, pair in sides.items() if pair}
-            now, frames = character.values(), sorted({f for pair in sides.values() for f in pair})
-            seen = at_frames(context.scene, frames, character.values)
-            there = dict(zip(frames, seen, strict=True))
-            character.set_values(now)
-            ends = {name: [there[f][name] for f in pair] for name, pair in sides.items()}
-            changed = {name: a + self.share * (b - a) for name, (a, b) in ends.items()}
-            give(context, character, changed)
-            count += len(changed)
-        if not count:
-            self.report({"WARNING"}, "use a handle with keys before and after this frame first")
-        return {"FINISHED"} if count else {"CANCELLED"}
+        frame, now = context.scene.frame_current_final, character.values()
+        sides = {name: character.frames_around(name, frame) for name in names}
+        frames = sorted({each for pair in sides.values() for each in pair})
+        there = at_frames(context.scene, frames, character.values)
+        character.set_values(now)
+        ends = {name: [there[each][name] for each in pair] for name, pair in sides.items() if pair}
+        return {name: a + self.share * (b - a) for name, (a, b) in ends.items()}
+
+    def told(self, count):
+        """Say so where there was nothing to go between."""
+        if count:
+            return {"FINISHED"}
+        self.report({"WARNING"}, "use a handle with keys before and after this frame first")
+        return {"CANCELLED"}
 
 
 class KeyControls(bpy.types.Operator):
@@ -181,10 +184,10 @@ class KeyControls(bpy.types.Operator):
 
     def execute(self, context):
         """Key the element under the pointer or used last, or all controls of all characters."""
-        chosen = _chosen(context, self.everything)
-        for holder, names in chosen:
-            Character(holder).insert_keys(names)
-        count = sum(len(names) for _, names in chosen)
+        count = 0
+        for character, names in _chosen(context, self.everything):
+            character.insert_keys(names)
+            count += len(names)
         self.report({"INFO"}, f"keyed {count} control{'' if count == 1 else 's'}")
         return {"FINISHED"} if count else {"CANCELLED"}
 
@@ -237,11 +240,10 @@ class RigPanel(bpy.types.Panel):
         column.operator(RemoveLayout.bl_idname, icon="X")
 
     def _draw_active(self, box):
-        holder, element = active()
+        character, element = active()
         if element is None:
             box.label(text="Drag a handle on the face")
             return
-        character = Character(holder)
         box.label(text=element.label)
         for member in element.members:
             control = character.controls[member.control]
@@ -262,11 +264,13 @@ class RigPanel(bpy.types.Panel):
 
 
 def _chosen(context, everything):
-    """(holder, names of controls) to act on."""
+    """(`Character`, names of controls) to act on."""
     if everything:
-        return [(holder, list(Character(holder).controls)) for holder in holders(context.scene)]
+        every = map(Character, holders(context.scene))
+        return [(character, list(character.controls)) for character in every]
     return [
-        (holder, [member.control for member in element.members]) for holder, element in chosen()
+        (character, [member.control for member in element.members])
+        for character, element in chosen()
     ]
 
 

@@ -50,6 +50,13 @@ def values_behind(moves, defaults, slopes):
     )
 
 
+def beside_parents(matrices, parents):
+    """(j, 4, 4) transforms of joints, for row vectors, as their parents see them; ``parents`` (j,)
+    with -1 for none."""
+    placed = np.array([*matrices, np.eye(4)])
+    return placed[:-1] @ np.linalg.inv(placed)[list(parents)]
+
+
 def _parts(matrix):
     """(3, 3) rotation and (3,) scale along its own axes of a local transform for column vectors."""
     scale = np.linalg.norm(matrix[:3, :3], axis=0)

@@ -11,7 +11,7 @@ import bpy
 
 from . import visibility
 from .character import BONES, EXPORTED, SOURCE, Character, holder_of
-from .environment import Background, Job, usdrigui
+from .environment import Background, Job, need_room, usdrigui
 from .exporting import selected_face, write_character
 from .gizmos import active
 from .importing import add_controls, need_usd, open_stage
@@ -42,7 +42,7 @@ class LayOutFace(Background, bpy.types.Operator):
             raise LayoutError("bones drive the shape keys: switch Controls as Bones off first")
         usdrigui(context)  # say what is missing before anything is written
         folder = _folder()
-        _check_room(folder)
+        need_room(folder, ROOM, "save the scene on another disk")
         source = folder / f"{bpy.path.clean_name(face.name)}.usd"
         self.layer = source.with_suffix(".rigui.usda")
         write_character(context, face, source)
@@ -91,10 +91,10 @@ class PinElement(Background, bpy.types.Operator):
 
     def prepare(self, context):
         """The program that writes the decision into the corrections beside the layout."""
-        holder, element = active()
+        character, element = active()
         if element is None:
             raise LayoutError("use the handle first that is to be pinned")
-        place, layer = self.place or _selected(Character(holder)), Path(holder[SOURCE])
+        place, layer = self.place or _selected(character), Path(character.holder[SOURCE])
         decisions = [f"{member.control}={place}" for member in element.members]
         return Job([usdrigui(context, "pin", layer, *decisions, "-o", _corrections_of(layer))])
 
@@ -121,11 +121,6 @@ def _corrections_of(layer):
 def _folder():
     """Where a face's files go: beside the saved scene, else where Blender keeps them until it
     ends."""
-    return Path(bpy.path.abspath("//") or bpy.app.tempdir) / "rigui"
-
-
-def _check_room(folder):
-    there = next(each for each in (folder, *folder.parents) if each.is_dir())
-    free = shutil.disk_usage(there).free
-    if free < ROOM:
-        raise LayoutError(f"{there} is full: make room, or save the scene on another disk")
+    folder = Path(bpy.path.abspath("//") or bpy.app.tempdir) / "rigui"
+    folder.mkdir(exist_ok=True)
+    return folder

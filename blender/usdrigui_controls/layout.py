@@ -157,9 +157,24 @@ class Layout:
     meshes: tuple
     skeletons: tuple
 
+    @property
+    def paths(self):
+        """Of the skeletons and the meshes."""
+        return [each.path for each in (*self.skeletons, *self.meshes)]
+
     def element(self, name):
         """An element by its name, if there is one."""
         return next((each for each in self.elements if each.name == name), None)
+
+    def skeleton(self, path):
+        """The `SkeletonRest` at a prim path."""
+        return next(each for each in self.skeletons if each.path == path)
+
+    def to_root(self, path):
+        """(4, 4) from the space of a mesh or a skeleton to root space, for column vectors; none
+        where it is neither."""
+        parts = (*self.meshes, *self.skeletons)
+        return next((np.array(each.to_root).T for each in parts if each.path == path), np.eye(4))
 
 
 _RECORDS = {

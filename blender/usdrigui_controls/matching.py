@@ -7,10 +7,12 @@ part; what they tell together counts.
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import dataclass, field
 
 import numpy as np
+from mathutils import Vector
 
 from .inbetweens import coordinates, tokens_of
 
@@ -104,7 +106,7 @@ def _like_names(prim, thing):
     own = [blender_name(prim), blender_name(prim.GetParent())]
     names = [*own, blender_name(prim, "data"), prim.GetName(), prim.GetParent().GetName()]
     names = {_plain(name) for name in names if name}
-    above = {_plain(each.GetName()) for each in _ancestors(prim)}
+    above = {_plain(each.name) for each in prim.GetParent().GetPath().GetPrefixes()}
     parent = thing.parent is not None and _plain(thing.parent.name) in above
     return (
         2.0 * (thing.name in own)
@@ -116,15 +118,14 @@ def _like_names(prim, thing):
 
 def _nearness(prim, thing, rest):
     """1 where a mesh stands in the scene where the stage has it, towards 0 far away."""
-    from pxr import Usd, UsdGeom
+    from pxr import Gf, Usd, UsdGeom
 
-    world = np.array(thing.matrix_world)
-    here = world[:3, :3] @ rest.mean(axis=0) + world[:3, 3]
-    to_scene = scene_of(prim.GetStage())
-    matrix = np.array(UsdGeom.Xformable(prim).ComputeLocalToWorldTransform(Usd.TimeCode.Default()))
-    there = (np.append(rest.mean(axis=0), 1.0) @ matrix) @ to_scene
-    size = np.linalg.norm(np.ptp(rest @ world[:3, :3].T, axis=0))
-    return float(np.exp(-np.linalg.norm(here - there[:3]) / max(size, 1e-9)))
+    middle = rest.mean(axis=0)
+    here = thing.matrix_world @ Vector(middle)
+    placed = UsdGeom.Xformable(prim).ComputeLocalToWorldTransform(Usd.TimeCode.Default())
+    there = [*placed.Transform(Gf.Vec3d(*middle)), 1.0] @ scene_of(prim.GetStage())
+    away = (here - Vector(there[:3])).length
+    return math.exp(-away / max(thing.dimensions.length, 1e-9))
 
 
 def scene_of(stage):
@@ -187,11 +188,6 @@ def blender_name(prim, kind="object"):
     did not."""
     attribute = prim.GetAttribute(f"userProperties:blender:{kind}_name")
     return str(attribute.Get() or "") if attribute else ""
-
-
-def _ancestors(prim):
-    while prim := prim.GetParent():
-        yield prim
 
 
 # --- points ---------------------------------------------------------------------------------------

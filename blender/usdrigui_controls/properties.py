@@ -3,7 +3,7 @@ under one name."""
 
 from __future__ import annotations
 
-from pxr import Usd, UsdGeom
+from pxr import Usd, UsdGeom, UsdSkel
 
 from .layout import LayoutError
 
@@ -59,10 +59,9 @@ def carriers(prim):
     if not faces or not skeleton:
         return (), "".join(skeleton)
     point, tokens = indices[sum(counts[: min(faces)])], get(mesh, "skel:joints", ())
-    found = [
-        UsdGeom.PrimvarsAPI(mesh).GetPrimvar(f"skel:joint{name}") for name in ("Indices", "Weights")
-    ]
-    rows = (list(each.Get() or ())[point * each.GetElementSize() :] for each in found)
-    width = found[0].GetElementSize()
-    pairs = zip(*(row[:width] for row in rows), strict=True)
+    binding = UsdSkel.BindingAPI(mesh)
+    named_by = binding.GetJointIndicesPrimvar(), binding.GetJointWeightsPrimvar()
+    width = named_by[0].GetElementSize()
+    rows = (list(each.Get() or ())[point * width :][:width] for each in named_by)
+    pairs = zip(*rows, strict=True)
     return tuple((str(tokens[index]), weight) for index, weight in pairs if weight), skeleton[0]

@@ -38,9 +38,8 @@ def crossing(character, anchors):
     layout = character.layout
     on_skin = [(each.mesh, each.point) for each in layout.elements if each.follows]
     places = Places(character, anchors, on_skin, character.controls)
-    rest = next(each for each in layout.meshes if each.path in character.meshes)
-    world = np.array(character.meshes[rest.path].matrix_world)
-    turn = world @ np.linalg.inv(np.array(rest.to_root).T)
+    path, mesh = next(iter(character.meshes.items()))
+    turn = np.array(mesh.matrix_world) @ np.linalg.inv(layout.to_root(path))
     normal = turn[:3, :3] @ layout.normal
 
     def crosses(name):

@@ -6,9 +6,12 @@ does not say takes the schema's fallback.
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel
 
+from .joints import beside_parents
 from .layout import (
     Control,
     Element,
@@ -24,11 +27,8 @@ from .layout import (
 )
 from .properties import agree, applied, carriers, get, instances, named, points_of, targets
 
-FAMILIES = {
-    f"RigUI{each}API"
-    for each in ("Layout", "Part", "Drawing", "Element", "Anchor", "Handle", "Control")
-}
-"""The schemas of a layout, in the versions that are understood: those without a number."""
+_LATER = re.compile(r"(RigUI\w+API)_")
+"""The schemas that are understood are those whose names end without a number."""
 
 
 def read_layouts(stage):
@@ -49,9 +49,9 @@ def _scopes(stage):
 def _layout(scope):
     for prim in Usd.PrimRange(scope, Usd.PrimAllPrimsPredicate):
         for name in applied(prim):
-            family, _, version = name.partition(":")[0].partition("_")
-            if family in FAMILIES and version:
-                raise LayoutError(f"{prim.GetPath()} keeps {name}, a later version than {family}")
+            later = _LATER.match(name)
+            if later:
+                raise LayoutError(f"{prim.GetPath()} keeps {name}, a later version than {later[1]}")
     names = get(scope, "rigUI:layout:baseControls", ())
     values = get(scope, "rigUI:layout:baseValues", ())
     agree(scope, len(values) in (0, len(names)), "values of the base pose")
@@ -251,13 +251,10 @@ def _relative(prim, root, cache):
 def _skeleton(prim, root):
     skeleton = UsdSkel.Skeleton(prim)
     order = [str(joint) for joint in skeleton.GetJointsAttr().Get() or ()]
-    bind = dict(zip(order, skeleton.GetBindTransformsAttr().Get() or (), strict=False))
+    bind = skeleton.GetBindTransformsAttr().Get() or ()
     agree(prim, len(bind) == len(order), "bind transforms of its joints")
-    local = [
-        matrix * bind[above].GetInverse() if (above := path.rpartition("/")[0]) in bind else matrix
-        for path, matrix in bind.items()
-    ]
-    rest = list(skeleton.GetRestTransformsAttr().Get() or ())
+    local = beside_parents(bind, UsdSkel.Topology(order).GetParentIndices())
+    rest = skeleton.GetRestTransformsAttr().Get() or ()
     rest = rest if len(rest) == len(order) else local
     joints = [
         JointRest(path, *map(_rows, each)) for path, *each in zip(order, local, rest, strict=True)

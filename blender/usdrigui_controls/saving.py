@@ -17,6 +17,7 @@ from .character import SOURCE, Character, at_frames, holders, is_single_joint
 from .environment import in_one_line
 from .importing import need_usd
 from .inbetweens import tokens_of
+from .joints import beside_parents
 from .layout import LayoutError
 from .matching import blender_name, scene_of
 
@@ -86,21 +87,22 @@ def save_animation(scene, target, steps=1, with_values=False):
     layer = Sdf.Layer.CreateAnonymous(target.suffix)
     for source in sources:
         layer.subLayerPaths.append(source)
-    first = Sdf.Layer.FindOrOpen(sources[0])
+    source = Sdf.Layer.FindOrOpen(sources[0])
     for name in ("metersPerUnit", "upAxis", "defaultPrim"):
-        if first.pseudoRoot.HasInfo(name):
-            layer.pseudoRoot.SetInfo(name, first.pseudoRoot.GetInfo(name))
+        if source.pseudoRoot.HasInfo(name):
+            layer.pseudoRoot.SetInfo(name, source.pseudoRoot.GetInfo(name))
     layer.framesPerSecond = layer.timeCodesPerSecond = scene.render.fps / scene.render.fps_base
     stage = Usd.Stage.Open(layer)
     parts = [part for each in holders(scene) for part in _parts_of(Character(each), stage)]
     if with_values:
         parts += [_Values(each, stage) for each in holders(scene)]
-    frames = _frames(scene, steps)
+    first, last = scene.frame_start, scene.frame_end
+    frames = [first + i / steps for i in range((last - first) * steps + 1)]
     at_frames(scene, frames, lambda: [part.look() for part in parts])
     for part in parts:
         part.write(frames)
-    stage.SetStartTimeCode(frames[0])
-    stage.SetEndTimeCode(frames[-1])
+    stage.SetStartTimeCode(first)
+    stage.SetEndTimeCode(last)
     written = Sdf.Layer.CreateAnonymous(target.suffix)
     written.TransferContent(layer)
     written.subLayerPaths[:] = [_relative(source, target) for source in sources]
@@ -117,11 +119,6 @@ def _relative(source, target):
         return f"./{Path(os.path.relpath(source, target.parent)).as_posix()}"
     except ValueError:  # on another drive
         return Path(source).as_posix()
-
-
-def _frames(scene, steps):
-    count = (scene.frame_end - scene.frame_start) * steps
-    return [scene.frame_start + i / steps for i in range(count + 1)]
 
 
 def _parts_of(character, stage):
@@ -173,16 +170,13 @@ class _Skeleton:
         self.stage, self.armature = stage, armature
         self.prim = UsdSkel.Skeleton(stage.GetPrimAtPath(path))
         self.keys = self._keys(character)
-        joints = self.prim.GetJointsAttr().Get() or () if armature else ()
-        self.joints = [str(joint) for joint in joints]
+        joints = character.layout.skeleton(path).joints if armature else ()
+        self.joints = [joint.path for joint in joints]
         self.parents = list(UsdSkel.Topology(self.joints).GetParentIndices())
-        self.rest = np.array(self.prim.GetRestTransformsAttr().Get() or np.eye(4)[None])
-        self.bones = [
-            self._bone(character.bone_name(path, joint), np.array(bind))
-            for joint, bind in zip(
-                self.joints, self.prim.GetBindTransformsAttr().Get() or (), strict=False
-            )
-        ]
+        self.rest = np.reshape([joint.rest for joint in joints], (-1, 4, 4))
+        names = [character.bone_name(path, joint) for joint in self.joints]
+        binds = self.prim.GetBindTransformsAttr().Get() or ()
+        self.bones = [self._bone(*each) for each in zip(names, binds, strict=False)]
         self.weights, self.locals = [], []
 
     def _keys(self, character):
@@ -202,30 +196,27 @@ class _Skeleton:
     def _bone(self, name, bind):
         """Its name, and the bind transform seen from where the bone rests; None without a bone."""
         bone = self.armature.data.bones.get(name)
-        return bone and (name, bind @ np.linalg.inv(np.array(bone.matrix_local)).T)
+        return bone and (name, np.array(bind) @ np.linalg.inv(np.array(bone.matrix_local)).T)
 
     def look(self):
         """Note weights and local transforms, as Blender has evaluated them."""
         keys = (mesh.data.shape_keys.key_blocks[name] for mesh, name in self.keys.values())
         self.weights.append([0.0 if key.mute else key.value for key in keys])
-        placed = []
-        for rest, above, bone in zip(self.rest, self.parents, self.bones, strict=False):
-            parent = placed[above] if above >= 0 else np.eye(4)
+        placed = [np.eye(4)]  # where joints without a parent, -1, find it at the end
+        for rest, above, bone in zip(self.rest, self.parents, self.bones, strict=True):
             pose = bone and np.array(self.armature.pose.bones[bone[0]].matrix).T
-            placed.append(bone[1] @ pose if bone else rest @ parent)
-        above = [placed[i] if i >= 0 else np.eye(4) for i in self.parents]
-        self.locals.append([now @ np.linalg.inv(up) for now, up in zip(placed, above, strict=True)])
+            placed.insert(-1, bone[1] @ pose if bone else rest @ placed[above])
+        self.locals.append(beside_parents(placed[:-1], self.parents))
 
     def write(self, frames):
         """Write the weights that are ever away from 0 and the joints that ever leave their rest."""
         from pxr import UsdSkel, Vt
 
-        weights = np.array(self.weights).reshape(len(frames), -1)
+        weights, locals_ = np.array(self.weights), np.array(self.locals)
         moving = np.flatnonzero(np.abs(weights).max(axis=0, initial=0.0) > _SAME)
-        locals_ = np.array(self.locals).reshape(len(frames), -1, 4, 4)
-        away = np.abs(locals_ - self.rest).max(axis=(0, 2, 3)) if self.joints else np.zeros(0)
+        away = np.abs(locals_ - self.rest).max(axis=(0, 2, 3))
         size = np.maximum(np.abs(self.rest).max(axis=(1, 2)), 1.0)
-        joints = np.flatnonzero(away > _NOISE * size[: len(away)])
+        joints = np.flatnonzero(away > _NOISE * size)
         own = UsdSkel.BindingAPI(self.prim.GetPrim()).GetInheritedAnimationSource()
         if not (len(moving) or len(joints) or own):
             return
@@ -331,9 +322,8 @@ def needed(values):
     kept, pieces = {0, last}, [(0, last)]
     while pieces:
         start, end = pieces.pop()
-        shares = (np.arange(start, end + 1) - start)[:, None] / max(end - start, 1)
-        line = (1.0 - shares) * values[start] + shares * values[end]
-        away = np.abs(values[start : end + 1] - line).max(axis=1, initial=0.0)
+        line = np.linspace(values[start], values[end], end - start + 1)
+        away = np.abs(values[start : end + 1] - line).max(axis=1)
         middle = start + int(away.argmax())
         if away.max() > close:
             kept.add(middle)

@@ -90,7 +90,12 @@ class Grab:
     def __init__(self, screen, drawing, placed, values):
         tracks = [screen.project(track) for track in placed.tracks]
         self.drag = begin_drag(
-            tracks, drawing.values, drawing.axes, drawing.ranges, drawing.base, values
+            tracks,
+            drawing.values,
+            drawing.element.axes,
+            drawing.ranges,
+            drawing.base,
+            values,
         )
         self.at = self.drag.start
 

@@ -23,24 +23,20 @@ handle."""
 
 @dataclass(frozen=True)
 class Drawing:
-    """An element's figures as arrays, in root space at the base pose."""
+    """An element with its figures as arrays, in root space at the base pose."""
 
+    element: object
+    """The `layout.Element`."""
     values: tuple
     """Per member, (k,) ascending control values."""
     tracks: tuple
     """Per member, (k, 3)."""
     area: np.ndarray
     """(3 t, 3) corners of the triangles that a patch or fan spans."""
-    position: np.ndarray
-    normal: np.ndarray
-    follows: bool
-    enlarged: bool
     base: np.ndarray
     """(members,) values in the base pose."""
     ranges: np.ndarray
     """(members, 3) minimum, default and maximum."""
-    axes: tuple
-    """Positions of the members of each axis: one, or the two ends of a signed axis."""
 
 
 @dataclass(frozen=True)
@@ -60,16 +56,12 @@ def drawing_of(element, controls):
     mine = [controls[member.control] for member in element.members]
     tracks = tuple(np.array(member.track) for member in element.members)
     return Drawing(
+        element,
         values=tuple(np.array(member.values) for member in element.members),
         tracks=tracks,
         area=_area(element, tracks),
-        position=np.array(element.position),
-        normal=np.array(element.normal),
-        follows=element.follows,
-        enlarged=any(abs(member.magnification - 1.0) > 1e-6 for member in element.members),
         base=np.array([control.base for control in mine]),
         ranges=np.array([(control.minimum, control.default, control.maximum) for control in mine]),
-        axes=element.axes,
     )
 
 
@@ -97,15 +89,16 @@ def place(drawing, point, anchor, skin, values):
     (4, 4) is the map of the skin there with these controls so, from root space in the base pose to
     the world.
     """
-    linear = skin[:3, :3]
+    linear, element = skin[:3, :3], drawing.element
     if anchor is None:
-        anchor = linear @ drawing.position + skin[:3, 3]
+        anchor = linear @ element.position + skin[:3, 3]
     *tracks, area = (
-        carried(each, drawing.position, anchor, linear.T)
+        carried(each, element.position, anchor, linear.T)
         for each in (*drawing.tracks, drawing.area)
     )
     handle = point
-    if handle is None or drawing.enlarged:
+    enlarged = any(abs(member.magnification - 1.0) > 1e-6 for member in element.members)
+    if handle is None or enlarged:
         handle = slid(drawing.values, tracks, drawing.base, values)[1]
     scale = float(np.cbrt(abs(np.linalg.det(linear))))
-    return Placed(tuple(tracks), area, handle, facing(drawing.normal, linear.T), scale)
+    return Placed(tuple(tracks), area, handle, facing(element.normal, linear.T), scale)

@@ -19,11 +19,15 @@ class Item:
 
     holder: str
     """Name of the object that holds the layout."""
-    element: object
     drawing: object
     placed: object
     values: np.ndarray
     """(members,)"""
+
+    @property
+    def element(self):
+        """The `layout.Element`."""
+        return self.drawing.element
 
     @property
     def key(self):
@@ -52,13 +56,15 @@ def item(context, key):
     return next((each for each in items(context) if each.key == key), None)
 
 
-def forget():
+@bpy.app.handlers.persistent
+def forget(*_):
     """Everything may have changed, references into Blender too."""
     _anchors.clear()
     touch()
 
 
-def touch():
+@bpy.app.handlers.persistent
+def touch(*_):
     """Something may have moved."""
     global _dirty
     _dirty = True
@@ -77,27 +83,25 @@ def _placed(context):
         except (LayoutError, ReferenceError, KeyError):
             _anchors.pop(holder.name, None)
             continue
-        members = _members(anchors.elements)
+        members = _members(character.layout.elements)
         open_here = {name for where, name in opened if where == holder.name}
-        for element, drawing, where in zip(anchors.elements, anchors.drawings, placed, strict=True):
+        for drawing, where in zip(anchors.drawings, placed, strict=True):
+            element = drawing.element
             if (
                 where is not None
                 and is_visible(element.name, members, open_here)
                 and (element.mesh or settings.board)
             ):
                 mine = np.array([values[member.control] for member in element.members])
-                found.append(Item(holder.name, element, drawing, where, mine))
+                found.append(Item(holder.name, drawing, where, mine))
     return found
 
 
 def toggle(holder, element, elements):
     """Open a coarse element, its mirror with it; or close the one that an element is a member
     of."""
-    coarse = (
-        element
-        if element.inner
-        else next((each for each in elements if element.name in each.inner), None)
-    )
+    above = (each for each in elements if element.name in each.inner)
+    coarse = element if element.inner else next(above, None)
     if coarse is not None:
         both = opened_with(coarse.name, coarse.mirror, _members(elements))
         opened.symmetric_difference_update((holder, name) for name in both)
@@ -112,27 +116,17 @@ def _members(elements):
 def anchors_of(character):
     """The `Anchors` of a character, found once."""
     known = _anchors.get(character.holder.name)
-    if known is None or known.elements is not character.layout.elements:
+    if known is None or known.layout is not character.layout:
         known = _anchors[character.holder.name] = Anchors(character)
     return known
 
 
-@bpy.app.handlers.persistent
-def _on_change(*_):
-    touch()
-
-
-@bpy.app.handlers.persistent
-def _on_replace(*_):
-    forget()
-
-
 _HANDLERS = (
-    ("depsgraph_update_post", _on_change),
-    ("frame_change_post", _on_change),
-    ("undo_post", _on_replace),
-    ("redo_post", _on_replace),
-    ("load_post", _on_replace),
+    ("depsgraph_update_post", touch),
+    ("frame_change_post", touch),
+    ("undo_post", forget),
+    ("redo_post", forget),
+    ("load_post", forget),
 )
 
 

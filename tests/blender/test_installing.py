@@ -45,7 +45,7 @@ def test_install_import_key_save_and_load(run_inside, usd_python, archive, tmp_p
     assert found["keyed"] == pytest.approx(np.array([[0.25, 2.5], [0.75, 7.5]]), abs=1e-4)
     assert found["rest"] < 1e-4
     assert found["loaded"] == 11
-    assert "no rig UI layout" in str(found["refused"])
+    assert "choose the .rigui.usda" in str(found["refused"])
 
 
 @pytest.mark.skipif(shutil.which("blender") is None, reason="blender is not installed")

@@ -131,16 +131,12 @@ def test_the_nearest_handle_that_faces_the_viewer_is_picked(extension):
 
 def slider(extension, low=0.0, high=1.0):
     return extension["tracking"].Drawing(
+        SimpleNamespace(axes=((0,),)),
         values=(np.array([low, high]),),
         tracks=(np.array([[0.0, 0, 0], [2.0, 0, 0]]),),
         area=np.zeros((0, 3)),
-        position=np.zeros(3),
-        normal=np.array([0.0, 0, 1]),
-        follows=True,
-        enlarged=False,
         base=np.array([low]),
         ranges=np.array([[low, low, high]]),
-        axes=((0,),),
     )
 
 
