@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from .character import basis_of
 from .inbetweens import offsets_at
+from .joints import JointFrame
 from .maths.handle_track import along
 from .tracking import drawing_of, place
 
@@ -75,13 +77,13 @@ class Bones:
         }
         self.joints = {each.path: character.bone_name(skeleton, each.path) for each in rests.joints}
         self.frames = {
-            name: character.frame(skeleton, joint) for joint, name in self.joints.items()
+            self.joints[each.path]: JointFrame(each.bind, each.rest) for each in rests.joints
         }
         self.moves = {name: np.zeros((3, 3)) for name in self.frames}
         for control in character.layout.controls:
             for joint in control.joints:
                 if joint.skeleton == skeleton:
-                    self.moves[self.joints[joint.joint]] += joint.at(control.keys, control.base)
+                    self.moves[self.joints[joint.joint]] += control.at(joint.moves, control.base)
         self.base = {}
         for name, matrix in self.rest.items():
             line, found = self.above[name], matrix
@@ -97,8 +99,7 @@ class Bones:
 
     def move(self, name):
         """(3, 3) the move of the joint of a bone now, as `layout.JointDrive` has them."""
-        place, turn, scale = self.armature.pose.bones[name].matrix_basis.decompose()
-        return self.frames[name].move(np.array(place), np.array(turn.to_matrix()), np.array(scale))
+        return self.frames[name].move(*basis_of(self.armature.pose.bones[name]))
 
     def turned(self, pose, name, move, change):
         """(4, 4) what takes a bone at ``pose`` and all below it along, once a ``change`` (3, 3) is
@@ -163,15 +164,12 @@ class Spot:
             return matrix_of(self.mesh.matrix_world) if self.mesh else np.eye(4)
         pose = dict(posed[self.skeleton])
         for name, drives in self.turning.items():
-            change = sum(
-                (
-                    drive.at(control.keys, to[control.name])
-                    - drive.at(control.keys, values[control.name])
-                    for control, drive in drives
-                    if control.name in to
-                ),
-                np.zeros((3, 3)),
-            )
+            steps = [
+                control.step(drive.moves, values[control.name], to[control.name])
+                for control, drive in drives
+                if control.name in to
+            ]
+            change = sum(steps, np.zeros((3, 3)))
             if change.any():
                 along_it = self.bones.turned(pose, name, self.bones.move(name), change)
                 for other in self.near:

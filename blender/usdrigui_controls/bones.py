@@ -16,7 +16,7 @@ import bpy
 import mathutils
 import numpy as np
 
-from .anchors import Anchors
+from .anchors import Anchors, matrix_of
 from .character import BONES, Character, at_frames, curves_of, holders
 from .exporting import selection_kept
 from .inbetweens import drive
@@ -56,8 +56,9 @@ def handles_of(layout):
 
 def move_bones(character, values):
     """Put the bones where control ``values``, by name, have them."""
-    for handle in handles_of(character.layout):
-        bone = character.holder[BONES].pose.bones[handle.name]
+    bones = character.holder[BONES].pose.bones
+    for handle in (each for each in handles_of(character.layout) if each.name in bones):
+        bone = bones[handle.name]
         for component, axis in zip((1, 0), handle.axes, strict=False):
             bone.location[component] = bone.bone.length * sum(
                 sign * _share(control, values[control.name]) for control, sign in axis
@@ -193,7 +194,7 @@ def _add_bone(made, handle, anchors, placed):
     normal = mathutils.Vector(placed.normal)
     if len(ways) > 1 and normal.dot(mathutils.Vector(np.cross(ways[1][1], along))) < 0.0:
         normal.negate()
-    back = _carried(spot).inverted()
+    back = mathutils.Matrix(np.linalg.inv(_carried(spot)).tolist())
     length = max(float(np.linalg.norm(along)), 1e-4 * placed.scale)
     bone = made.data.edit_bones.new(handle.name)
     bone.head = back @ mathutils.Vector(base)
@@ -203,13 +204,12 @@ def _add_bone(made, handle, anchors, placed):
 
 
 def _carried(spot):
-    """Where the bone that carries an element has taken it from its rest."""
+    """(4, 4) where the bone that carries an element has taken it from its rest, in the world."""
     if spot.bones is None or not spot.influences:
-        return mathutils.Matrix()
-    armature, name = spot.bones.armature, _carrier(spot)
-    pose, rest = armature.pose.bones[name].matrix, armature.data.bones[name].matrix_local
-    world = armature.matrix_world
-    return world @ pose @ rest.inverted() @ world.inverted()
+        return np.eye(4)
+    world = matrix_of(spot.bones.armature.matrix_world)
+    moved = spot.bones.blend(spot.bones.posed(), [(_carrier(spot), 1.0)])
+    return world @ moved @ np.linalg.inv(world)
 
 
 def _carrier(spot):

@@ -39,7 +39,7 @@ def bind(layout, match):
     keeps no properties of its own when it is saved, an empty.  Raises LayoutError when a mesh that
     carries controls is missing or has another number of points.
     """
-    _check(layout, match.objects)
+    check_meshes(layout, match.objects)
     here = {path: match.objects[path] for path in layout.paths if path in match.objects}
     if not here:
         raise LayoutError(f"no object of the scene belongs to {layout.root}")
@@ -102,7 +102,9 @@ def at_frames(scene, frames, look):
     return seen
 
 
-def _check(layout, objects):
+def check_meshes(layout, objects):
+    """Raise LayoutError unless the meshes that carry controls are among ``objects``, by prim path,
+    with the points that they had."""
     needed = {element.mesh for element in layout.elements}
     for path, points in ((each.path, each.points) for each in layout.meshes):
         if path in needed and path not in objects:
@@ -134,16 +136,14 @@ class Character:
 
     def values(self):
         """The value of every control, by name."""
-        found = {}
-        turning = {}
+        found, turning = {}, {}
         for control in self.layout.controls:
+            bone = self.bone(control.joints[0]) if is_single_joint(control) else None
             if control.plain:
                 keys = self.shape_keys(control.shapes[0].token)
                 found[control.name] = keys[0].value if keys else control.base
-            elif is_single_joint(control) and self.bone(control.joints[0]):
-                turning.setdefault(
-                    (control.joints[0].skeleton, control.joints[0].joint), []
-                ).append(control)
+            elif bone:
+                turning.setdefault(bone.as_pointer(), []).append(control)
             else:
                 found[control.name] = float(self.holder.get(_VALUE + control.name, control.base))
         for controls in turning.values():
@@ -165,7 +165,7 @@ class Character:
                 weights[shape.token] = weights.get(shape.token, 0.0) + step
             for joint in control.joints:
                 moved = moves.setdefault((joint.skeleton, joint.joint), np.zeros((3, 3)))
-                moved += joint.at(control.keys, value) - joint.at(control.keys, before[name])
+                moved += control.step(joint.moves, before[name], value)
             if not is_single_joint(control):
                 self.holder[_VALUE + name] = float(value)
         if BONES in self.holder:
@@ -299,7 +299,7 @@ class Character:
     def _joint_values(self, controls):
         """Values of the controls that move one joint, read off its bone."""
         joint = controls[0].joints[0]
-        move = self.frame(joint.skeleton, joint.joint).move(*_basis(self.bone(joint)))
+        move = self.frame(joint.skeleton, joint.joint).move(*basis_of(self.bone(joint)))
         defaults = [control.default for control in controls]
         values = values_behind(move.ravel(), defaults, [_slope(control) for control in controls])
         return dict(zip((control.name for control in controls), values.tolist(), strict=True))
@@ -309,7 +309,7 @@ class Character:
         if bone is None:
             return
         frame = self.frame(skeleton, joint)
-        location, rotation, scale = frame.basis(frame.move(*_basis(bone)) + move)
+        location, rotation, scale = frame.basis(frame.move(*basis_of(bone)) + move)
         if move[0].any():
             _set_rotation(bone, rotation)
         if move[0].any() or move[1].any():
@@ -356,7 +356,8 @@ def _slope(control):
     return (last - first) / (control.keys[-1] - control.keys[0])
 
 
-def _basis(bone):
+def basis_of(bone):
+    """A bone's own (location, (3, 3) rotation, scale) now."""
     location, rotation, scale = bone.matrix_basis.decompose()
     return np.array(location), np.array(rotation.to_matrix()), np.array(scale)
 

@@ -12,7 +12,8 @@ from .maths.palette import SIDES
 
 _HOT = (1.0, 1.0, 1.0)
 _CORNERS = np.array([(np.cos(a), np.sin(a)) for a in np.linspace(0.0, 2.0 * np.pi, 17)[:-1]])
-_NEW_NAMES = bpy.app.version >= (4, 0, 0)
+# Blender before 4.0 asks for one and has other names for what is in space.
+_DOTS_PER_INCH, _SPACE = ((), "") if bpy.app.version >= (4, 0, 0) else ((72,), "3D_")
 
 
 def draw_elements(screen, shown, radii, opacity, lit):
@@ -42,10 +43,7 @@ def _side_colour(side):
 def draw_label(at, text):
     """A line of text in pixels, y upwards, with a shadow so that it reads on any ground."""
     font = 0
-    if _NEW_NAMES:
-        blf.size(font, 13)
-    else:
-        blf.size(font, 13, 72)
+    blf.size(font, 13, *_DOTS_PER_INCH)
     blf.enable(font, blf.SHADOW)
     blf.shadow(font, 3, 0.0, 0.0, 0.0, 1.0)
     blf.color(font, 1.0, 1.0, 1.0, 1.0)
@@ -85,7 +83,8 @@ class _Batch:
     def draw(self, primitive, width=0.0, viewport=None):
         if not self.points:
             return
-        shader = gpu.shader.from_builtin(_shader_name(bool(width)))
+        kind = "POLYLINE_SMOOTH_COLOR" if width else "SMOOTH_COLOR"
+        shader = gpu.shader.from_builtin(_SPACE + kind)
         columns = {
             "pos": np.ascontiguousarray(np.concatenate(self.points), dtype=np.float32),
             # Joined from broadcast rows numpy leaves it in column order, which Blender would
@@ -98,9 +97,3 @@ class _Batch:
             shader.uniform_float("viewportSize", viewport)
             shader.uniform_float("lineWidth", width)
         batch.draw(shader)
-
-
-def _shader_name(wide):
-    if _NEW_NAMES:
-        return "POLYLINE_SMOOTH_COLOR" if wide else "SMOOTH_COLOR"
-    return "3D_POLYLINE_SMOOTH_COLOR" if wide else "3D_SMOOTH_COLOR"

@@ -114,55 +114,39 @@ def _own_python():
     return _home() / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 
 
-class Job:
-    """Programs that run one after the other beside Blender, and what they say."""
+def running(commands, said):
+    """Run programs one after the other beside Blender; yields each again and again while it runs,
+    and ends it when nobody asks any more.
 
-    def __init__(self, commands):
-        """Raises LayoutError where the first cannot be started."""
-        self._left = list(commands)
-        self._said = Path(tempfile.mkdtemp(dir=bpy.app.tempdir)) / "said.txt"
-        self._start()
-
-    def _start(self):
-        clean = {name: value for name, value in os.environ.items() if name[:6] != "PYTHON"}
-        command = self._left.pop(0)
+    What they say goes to the file ``said``.  Raises LayoutError where one cannot be started or
+    ends badly.
+    """
+    clean = {name: value for name, value in os.environ.items() if name[:6] != "PYTHON"}
+    for command in commands:
         try:
-            with self._said.open("ab") as said:
-                self._process = subprocess.Popen(
+            with said.open("ab") as out:
+                process = subprocess.Popen(
                     command,
                     stdin=subprocess.DEVNULL,
-                    stdout=said,
+                    stdout=out,
                     stderr=subprocess.STDOUT,
                     env=clean,
                 )
         except OSError as error:
             raise LayoutError(f"{command[0]} does not run: {error.strerror}") from error
+        try:
+            while process.poll() is None:
+                yield process
+        finally:
+            process.terminate()
+            process.wait()
+        if process.returncode:
+            raise LayoutError(failure(lines_of(said)))
 
-    def is_done(self):
-        """Whether all have ended, or one has failed; starts the next one where one has ended."""
-        code = self._process.poll()
-        if code == 0 and self._left:
-            self._start()
-            return False
-        return code is not None
 
-    def wait(self):
-        """Until they have ended."""
-        while not self.is_done():
-            self._process.wait()
-
-    def stop(self):
-        """End the one that runs."""
-        self._process.terminate()
-        self._process.wait()
-
-    def failed(self):
-        """Whether the last one ended badly."""
-        return self._process.returncode != 0
-
-    def lines(self):
-        """What they have said so far."""
-        return self._said.read_text("utf-8", "replace").splitlines()
+def lines_of(said):
+    """What programs have said so far."""
+    return said.read_text("utf-8", "replace").splitlines()
 
 
 def in_one_line(work):
@@ -179,46 +163,46 @@ def in_one_line(work):
 
 
 class Background:
-    """An operator whose work is a `Job`: in the background with a window, at once without.
+    """An operator that runs programs: in the background with a window, at once without.
 
-    Its ``prepare(context)`` gives the job, its ``finish(context)`` takes the result;
+    Its ``prepare(context)`` gives their command lines, its ``finish(context)`` takes the result;
     both may raise LayoutError.
     """
 
     @in_one_line
     def execute(self, context):
         """Start, and come back when it is done; without a window run to the end."""
-        self.job = self.prepare(context)
+        self.said = Path(tempfile.mkdtemp(dir=bpy.app.tempdir)) / "said.txt"
+        self.running = running(self.prepare(context), self.said)
         if bpy.app.background:
-            self.job.wait()
-            return self._finished(context)
+            for process in self.running:
+                process.wait()
+            self.finish(context)
+            return {"FINISHED"}
+        next(self.running, None)
         self.timer = context.window_manager.event_timer_add(0.2, window=context.window)
         context.window_manager.modal_handler_add(self)
         return {"RUNNING_MODAL"}
 
     def modal(self, context, event):
         """See how far it is; Escape ends it."""
-        if event.type == "ESC":
-            self.job.stop()
-            return self._end(context, {"CANCELLED"})
-        if event.type != "TIMER":
+        if event.type not in ("ESC", "TIMER"):
             return {"PASS_THROUGH"}
-        if self.job.is_done():
-            return self._end(context, self._finished(context))
-        context.workspace.status_text_set(f"{self.bl_label}: {told(self.job.lines())}  (Esc stops)")
-        return {"PASS_THROUGH"}
+        result = self._looked(context) if event.type == "TIMER" else {"CANCELLED"}
+        if result != {"PASS_THROUGH"}:
+            self.running.close()
+            context.window_manager.event_timer_remove(self.timer)
+            context.workspace.status_text_set(None)
+        return result
 
     @in_one_line
-    def _finished(self, context):
-        if self.job.failed():
-            raise LayoutError(failure(self.job.lines()))
+    def _looked(self, context):
+        if next(self.running, None):
+            said = told(lines_of(self.said))
+            context.workspace.status_text_set(f"{self.bl_label}: {said}  (Esc stops)")
+            return {"PASS_THROUGH"}
         self.finish(context)
         return {"FINISHED"}
-
-    def _end(self, context, result):
-        context.window_manager.event_timer_remove(self.timer)
-        context.workspace.status_text_set(None)
-        return result
 
 
 def told(lines):
@@ -237,7 +221,8 @@ def failure(lines):
         if found:
             text = found[0].partition(":")[2].strip()
             repair = next((line for line in lines if line.strip().startswith("repair:")), "")
-            return f"{text}. {repair.partition(':')[2].strip()}".strip()
+            repair = repair.partition(":")[2].strip()
+            return text if repair in text else f"{text}. {repair}"
     if lines and lines[-1].endswith("No module named usdrigui"):
         return f"{lines[-1]}: press Make Environment in the preferences, or name another Python"
     return lines[-1] if lines else "the program ended without a word"
@@ -261,7 +246,7 @@ class MakeEnvironment(Background, bpy.types.Operator):
 
     def prepare(self, context):
         """The environment, and pip in it."""
-        return Job(environment_commands(context))
+        return environment_commands(context)
 
     def finish(self, context):
         """It is there."""

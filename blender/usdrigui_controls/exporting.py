@@ -15,7 +15,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-from .inbetweens import key_offsets
+from .inbetweens import key_offsets, shape_keys
 from .layout import LayoutError
 from .matching import armatures_of, blender_name, identifier
 
@@ -55,9 +55,9 @@ class Face:
 
     def driven(self):
         """Names of the shape keys that no drag could move: muted, or set by a driver."""
-        free = {name: is_free for mesh in self.meshes for name, is_free in _keys(mesh)}
-        free |= {name: True for mesh in self.meshes for name, is_free in _keys(mesh) if is_free}
-        return sorted(name for name, is_free in free.items() if not is_free)
+        every = [each for mesh in self.meshes for each in _keys(mesh)]
+        free = {name for name, is_free in every if is_free}
+        return sorted({name for name, _ in every} - free)
 
 
 def selected_face(context):
@@ -135,20 +135,16 @@ def _changing(mesh, depsgraph):
 
 
 def _shape_count(mesh):
-    block = mesh.data.shape_keys
-    return len(block.key_blocks) - 1 if block else 0
+    return len(shape_keys(mesh))
 
 
 def _keys(mesh):
     """(name, whether a drag can move it) of each shape key of a mesh."""
-    block = mesh.data.shape_keys
-    if block is None:
-        return ()
-    drivers = block.animation_data.drivers if block.animation_data else ()
-    driven = {each.data_path for each in drivers}
+    animated = getattr(mesh.data.shape_keys, "animation_data", None)
+    driven = {each.data_path for each in animated.drivers} if animated else ()
     return [
         (key.name, not key.mute and key.path_from_id("value") not in driven)
-        for key in list(block.key_blocks)[1:]
+        for key in shape_keys(mesh)
     ]
 
 
@@ -212,8 +208,7 @@ def _finish(face, target):
     stage = Usd.Stage.Open(str(target))
     ranges = {}
     meshes = {each.name: each for each in face.meshes}
-    for path in [each.GetPath() for each in stage.Traverse()]:
-        prim = stage.GetPrimAtPath(path)
+    for prim in list(stage.Traverse()):
         if not prim:
             continue  # a shape that was written anew
         if prim.IsA(UsdSkel.Animation):
@@ -239,12 +234,12 @@ def _write_shapes(stage, prim, mesh):
     for child in list(prim.GetChildren()):
         if child.IsA(UsdSkel.BlendShape):
             stage.RemovePrim(child.GetPath())
-    keys = list(mesh.data.shape_keys.key_blocks)[1:]
+    keys = shape_keys(mesh)
     taken, targets, ranges = set(), [], {}
     for key in keys:
-        name, number = identifier(key.name), len(taken)
+        name = identifier(key.name)
         while name in taken:
-            name, number = f"{identifier(key.name)}_{number}", number + 1
+            name += "_"
         taken.add(name)
         shape = UsdSkel.BlendShape.Define(stage, prim.GetPath().AppendChild(name))
         offsets = key_offsets(mesh, key).astype(np.float32)

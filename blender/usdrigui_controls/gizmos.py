@@ -188,18 +188,19 @@ def _pointer(event, screen):
 
 
 _label = None
+_register_classes, _unregister_classes = bpy.utils.register_classes_factory(
+    (RigControls, RigControlsGroup)
+)
 
 
 def register():
     """Make the controls known to Blender."""
     global _label
-    bpy.utils.register_class(RigControls)
-    bpy.utils.register_class(RigControlsGroup)
+    _register_classes()
     _label = bpy.types.SpaceView3D.draw_handler_add(_draw_hot_label, (), "WINDOW", "POST_PIXEL")
 
 
 def unregister():
     """Take them away."""
     bpy.types.SpaceView3D.draw_handler_remove(_label, "WINDOW")
-    bpy.utils.unregister_class(RigControlsGroup)
-    bpy.utils.unregister_class(RigControls)
+    _unregister_classes()

@@ -124,6 +124,12 @@ def drive(key, source, path, points, beyond):
     curve.extrapolation = beyond
 
 
+def shape_keys(mesh):
+    """The shape keys of a mesh object but the first, which is its rest."""
+    block = mesh.data.shape_keys
+    return block.key_blocks[1:] if block else []
+
+
 def key_offsets(mesh, key):
     """(n, 3) what a shape key adds at 1: to the key that it is relative to, where its mask lets
     it."""

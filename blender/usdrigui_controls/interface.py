@@ -282,30 +282,31 @@ def _file_menu(self, _context):
     self.layout.operator(LoadLayout.bl_idname, text="Rig UI Layout for This Scene (.usd)")
 
 
-_CLASSES = (
-    Settings,
-    Preferences,
-    MakeEnvironment,
-    LayOutFace,
-    PinElement,
-    LoadLayout,
-    RemoveLayout,
-    SaveAnimation,
-    SwitchBones,
-    ResetControls,
-    MirrorPose,
-    Breakdown,
-    KeyControls,
-    KeyHovered,
-    RigPanel,
+_register_classes, _unregister_classes = bpy.utils.register_classes_factory(
+    (
+        Settings,
+        Preferences,
+        MakeEnvironment,
+        LayOutFace,
+        PinElement,
+        LoadLayout,
+        RemoveLayout,
+        SaveAnimation,
+        SwitchBones,
+        ResetControls,
+        MirrorPose,
+        Breakdown,
+        KeyControls,
+        KeyHovered,
+        RigPanel,
+    )
 )
 _keymaps = []
 
 
 def register():
     """Settings, panel, operators, the menu entry and the key I over a handle."""
-    for each in _CLASSES:
-        bpy.utils.register_class(each)
+    _register_classes()
     bpy.types.Scene.usdrigui = bpy.props.PointerProperty(type=Settings)
     bpy.types.TOPBAR_MT_file_import.append(_file_menu)
     bpy.types.TOPBAR_MT_file_export.append(_export_menu)
@@ -325,5 +326,4 @@ def unregister():
     bpy.types.TOPBAR_MT_file_import.remove(_file_menu)
     bpy.types.TOPBAR_MT_file_export.remove(_export_menu)
     del bpy.types.Scene.usdrigui
-    for each in reversed(_CLASSES):
-        bpy.utils.unregister_class(each)
+    _unregister_classes()

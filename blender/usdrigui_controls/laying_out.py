@@ -11,7 +11,7 @@ import bpy
 
 from . import visibility
 from .character import BONES, EXPORTED, SOURCE, Character, holder_of
-from .environment import Background, Job, need_room, usdrigui
+from .environment import Background, need_room, usdrigui
 from .exporting import selected_face, write_character
 from .gizmos import active
 from .importing import add_controls, need_usd, open_stage
@@ -47,7 +47,7 @@ class LayOutFace(Background, bpy.types.Operator):
         self.layer = source.with_suffix(".rigui.usda")
         write_character(context, face, source)
         self.left_off = face.driven()
-        return Job([usdrigui(context, *self._arguments(source, held))])
+        return [usdrigui(context, *self._arguments(source, held))]
 
     def _arguments(self, source, held):
         configuration = source.with_suffix(".rigui.toml")
@@ -96,7 +96,7 @@ class PinElement(Background, bpy.types.Operator):
             raise LayoutError("use the handle first that is to be pinned")
         place, layer = self.place or _selected(character), Path(character.holder[SOURCE])
         decisions = [f"{member.control}={place}" for member in element.members]
-        return Job([usdrigui(context, "pin", layer, *decisions, "-o", _corrections_of(layer))])
+        return [usdrigui(context, "pin", layer, *decisions, "-o", _corrections_of(layer))]
 
     def finish(self, context):
         """The next layout heeds it."""

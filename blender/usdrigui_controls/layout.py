@@ -28,10 +28,6 @@ class JointDrive:
     moves: tuple
     """Per key, the rotation vector, the translation and the logarithms of the scales."""
 
-    def at(self, keys, value):
-        """(3, 3) the move at a value of the control, whose ``keys`` (k,) these are."""
-        return along(keys, np.array(self.moves), value)
-
 
 @dataclass(frozen=True)
 class ShapeDrive:
@@ -65,11 +61,14 @@ class Control:
         """Whether the value is the weight of one blend shape."""
         return not self.keys and len(self.shapes) == 1 and not self.joints
 
-    def step(self, weights, before, after):
-        """What one of its blend-shape weights gains from one value to another."""
-        if not self.keys:
-            return after - before
-        return along(self.keys, weights, after) - along(self.keys, weights, before)
+    def at(self, parts, value):
+        """What it gives at a value of what its drive has per key: the ``weights`` of a shape or the
+        ``moves`` of a joint."""
+        return along(self.keys, np.array(parts), value) if self.keys else value
+
+    def step(self, parts, before, after):
+        """What that gains from one value to another."""
+        return self.at(parts, after) - self.at(parts, before)
 
 
 @dataclass(frozen=True)

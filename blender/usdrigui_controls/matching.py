@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from mathutils import Vector
 
-from .inbetweens import coordinates, tokens_of
+from .inbetweens import coordinates, shape_keys, tokens_of
 
 _CLOSE = 1e-4
 """Of the size of a mesh: points so near are the same."""
@@ -39,12 +39,11 @@ def match(stage, layouts, objects):
         ([each for layout in layouts for each in layout.skeletons], "ARMATURE", _like_armature),
         ([each for layout in layouts for each in layout.meshes], "MESH", _like_mesh),
     ):
-        candidates = [each for each in objects if each.type == kind]
         pairs = [
             (score, record.path, thing)
             for record in records
-            for thing in candidates
-            if (score := likeness(stage, record, thing, found)) > 0.0
+            for thing in objects
+            if thing.type == kind and (score := likeness(stage, record, thing, found)) > 0.0
         ]
         for _, path, thing in sorted(pairs, key=lambda pair: -pair[0]):
             if path not in found and thing not in found.values():
@@ -57,48 +56,45 @@ def names_of(stage, layouts, objects):
     found = {}
     for layout in layouts:
         for path in (each.path for each in layout.meshes if each.path in objects):
-            block = objects[path].data.shape_keys
-            keys = [key.name for key in block.key_blocks] if block else []
+            keys = [key.name for key in shape_keys(objects[path])]
             found[path] = _paired(tokens_of(stage.GetPrimAtPath(path)), keys)
         for each in (each for each in layout.skeletons if each.path in objects):
             bones = [bone.name for bone in objects[each.path].data.bones]
             found[each.path] = _paired([joint.path for joint in each.joints], bones, _last)
-    return {path: names for path, names in found.items() if names}
+    return found
 
 
 # --- how much an object is like a prim ------------------------------------------------------------
 
 
 def _like_armature(stage, skeleton, thing, _found):
-    bones = {_plain(bone.name) for bone in thing.data.bones}
-    joints = [_plain(_last(joint.path)) for joint in skeleton.joints]
-    share = sum(joint in bones for joint in joints) / max(len(joints), 1)
+    joints = [_last(joint.path) for joint in skeleton.joints]
+    share = _share(joints, thing.data.bones)
     named = _like_names(stage.GetPrimAtPath(skeleton.path), thing)
     chosen = any(each.select_get() for each in (thing, *thing.children_recursive))
     return share >= 0.5 and 4.0 * share + named + chosen
 
 
 def _like_mesh(stage, record, thing, found):
-    from pxr import UsdGeom
-
-    from .properties import points_of
+    from .properties import get, points_of
 
     prim = stage.GetPrimAtPath(record.path)
     if len(thing.data.vertices) != record.points:
         return 0.0
-    points = np.array(points_of(prim), dtype=np.float64).reshape(-1, 3)
-    counts = list(UsdGeom.Mesh(prim).GetFaceVertexCountsAttr().Get() or ())
-    same = counts == [len(face.vertices) for face in thing.data.polygons]
+    counts = [len(face.vertices) for face in thing.data.polygons]
+    same = counts == get(prim, "faceVertexCounts", [])
     rest = rest_points(thing)
-    near = len(points) == len(rest) and np.abs(points - rest).max() <= _CLOSE * np.ptp(rest)
-    tokens = [_plain(token) for token in tokens_of(prim)]
-    block = thing.data.shape_keys
-    keys = {_plain(key.name) for key in block.key_blocks} if block else set()
-    share = sum(token in keys for token in tokens) / len(tokens) if tokens else 0.0
+    near = np.abs(np.array(points_of(prim)) - rest).max() <= _CLOSE * np.ptp(rest)
+    share = _share(tokens_of(prim), shape_keys(thing))
+    likeness = 4.0 * same + 4.0 * near + 2.0 * share + _like_names(prim, thing)
     carried = any(each in found.values() for each in armatures_of(thing))
-    named = _like_names(prim, thing)
-    likeness = 4.0 * same + 4.0 * near + 2.0 * share + named
     return likeness and likeness + carried + thing.select_get() + 0.5 * _nearness(prim, thing, rest)
+
+
+def _share(wanted, present):
+    """Of some names, that of those which keys or bones that are present have."""
+    there = {_plain(each.name) for each in present}
+    return sum(_plain(name) in there for name in wanted) / max(len(wanted), 1)
 
 
 def _like_names(prim, thing):
@@ -186,8 +182,9 @@ def _last(path):
 def blender_name(prim, kind="object"):
     """The name that the object, or its data, had when Blender exported it as a prim; empty if it
     did not."""
-    attribute = prim.GetAttribute(f"userProperties:blender:{kind}_name")
-    return str(attribute.Get() or "") if attribute else ""
+    from .properties import get
+
+    return get(prim, f"userProperties:blender:{kind}_name", "")
 
 
 # --- points ---------------------------------------------------------------------------------------

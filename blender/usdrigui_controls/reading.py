@@ -40,7 +40,7 @@ def read_layouts(stage):
 def _scopes(stage):
     walk = iter(Usd.PrimRange(stage.GetPseudoRoot(), Usd.PrimAllPrimsPredicate))
     for prim in walk:
-        if any(name.partition("_")[0] == "RigUILayoutAPI" for name in applied(prim)):
+        if any(name.startswith("RigUILayoutAPI") for name in applied(prim)):
             walk.PruneChildren()
             if prim.IsActive() and prim.GetParent().IsDefined():
                 yield prim
@@ -63,15 +63,13 @@ def _layout(scope):
     }
     controls, elements = {}, []
     for prim in _elements(scope):
-        mine = _controls_of(prim)
-        for instance in mine:
-            control = _control(prim, instance, base)
-            controls[control.name] = control
+        mine = {each: _control(prim, each, base) for each in _controls_of(prim)}
+        controls.update({control.name: control for control in mine.values()})
         part = get(prim.GetParent(), "rigUI:drawing:part", "")
         elements.append(_element(prim, mine, widths.get(part) or width))
     return Layout(
         root=str(root.GetPath()),
-        normal=_floats(get(scope, "rigUI:layout:planeNormal", (0.0, 0.0, 0.0))),
+        normal=get(scope, "rigUI:layout:planeNormal", (0.0, 0.0, 0.0)),
         controls=tuple(controls.values()),
         elements=tuple(elements),
         meshes=_meshes(root, scope),
@@ -83,11 +81,9 @@ def _layout(scope):
 
 def _elements(scope):
     """The elements that the layout lists, in that order, and then the others below it."""
-    listed = [
-        scope.GetStage().GetPrimAtPath(path) for path in targets(scope, "rigUI:layout:elements")
-    ]
+    listed = map(scope.GetStage().GetPrimAtPath, targets(scope, "rigUI:layout:elements"))
     walk = Usd.PrimRange(scope, Usd.PrimAllPrimsPredicate)
-    found = dict.fromkeys([*(prim for prim in listed if prim), *walk])
+    found = dict.fromkeys([*filter(None, listed), *walk])
     return [prim for prim in found if "RigUIElementAPI" in applied(prim) and prim.IsActive()]
 
 
@@ -170,11 +166,11 @@ def _element(prim, mine, width):
         name=_name(prim),
         label=prim.GetMetadata("displayName") or prim.GetName(),
         kind=get(prim, "rigUI:element:elementType", "slider"),
-        members=tuple(_member(prim, instance) for instance in mine),
+        members=tuple(_member(prim, *each) for each in mine.items()),
         mesh=str(on_face[0]) if on_face else "",
         point=get(prim, "rigUI:anchor:pointIndex", -1),
-        position=_floats(get(prim, "rigUI:anchor:position", (0.0, 0.0, 0.0))),
-        normal=_floats(get(prim, "rigUI:anchor:normal", (0.0, 0.0, 0.0))),
+        position=get(prim, "rigUI:anchor:position", (0.0, 0.0, 0.0)),
+        normal=get(prim, "rigUI:anchor:normal", (0.0, 0.0, 0.0)),
         follows=bool(on_face) and get(prim, "rigUI:handle:adapt", "deform") != "static",
         carriers=held,
         skeleton=skeleton,
@@ -184,7 +180,7 @@ def _element(prim, mine, width):
         reversed=tuple(i for i, each in enumerate(flags) if each),
         inner=others("members"),
         reason=prim.GetDocumentation() if prim.HasAuthoredDocumentation() else "",
-        axes=_axes(prim, mine),
+        axes=_axes(prim, [*mine]),
         width=width,
     )
 
@@ -203,19 +199,15 @@ def _name(prim):
     return prim and (get(prim, "rigUI:element:name", "") or prim.GetName())
 
 
-def _member(prim, instance):
-    control = f"rigUI:control:{instance}"
-    points = tuple(_floats(point) for point in get(prim, f"{control}:trackPoints", ()))
-    low, high = get(prim, f"{control}:minimum", 0.0), get(prim, f"{control}:maximum", 1.0)
-    steps = np.linspace(low, high, len(points)).tolist()
-    values = get(prim, f"{control}:trackValues", ()) or tuple(steps)
+def _member(prim, instance, control):
+    def of(name, fallback):
+        return get(prim, f"rigUI:control:{instance}:{name}", fallback)
+
+    points = tuple(map(tuple, of("trackPoints", ())))
+    steps = np.linspace(control.minimum, control.maximum, len(points)).tolist()
+    values = of("trackValues", ()) or tuple(steps)
     agree(prim, len(values) == len(points) > 1, "points and values of a track")
-    name = named(prim, "control", instance)
-    return Member(name, values, points, get(prim, f"{control}:magnification", 1.0))
-
-
-def _floats(values):
-    return tuple(float(value) for value in values)
+    return Member(control.name, values, points, of("magnification", 1.0))
 
 
 # --- the character --------------------------------------------------------------------------------

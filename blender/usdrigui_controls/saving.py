@@ -13,7 +13,7 @@ import bpy
 import numpy as np
 from bpy_extras.io_utils import ExportHelper
 
-from .character import SOURCE, Character, at_frames, holders, is_single_joint
+from .character import SOURCE, Character, at_frames, check_meshes, holders, is_single_joint
 from .environment import in_one_line
 from .importing import need_usd
 from .inbetweens import tokens_of
@@ -85,17 +85,18 @@ def save_animation(scene, target, steps=1, with_values=False):
         if Path(source).resolve() == target.resolve():
             raise LayoutError(f"{target.name} is the layout itself: choose another name")
     layer = Sdf.Layer.CreateAnonymous(target.suffix)
-    for source in sources:
-        layer.subLayerPaths.append(source)
+    layer.subLayerPaths[:] = sources
     source = Sdf.Layer.FindOrOpen(sources[0])
     for name in ("metersPerUnit", "upAxis", "defaultPrim"):
         if source.pseudoRoot.HasInfo(name):
             layer.pseudoRoot.SetInfo(name, source.pseudoRoot.GetInfo(name))
     layer.framesPerSecond = layer.timeCodesPerSecond = scene.render.fps / scene.render.fps_base
-    stage = Usd.Stage.Open(layer)
-    parts = [part for each in holders(scene) for part in _parts_of(Character(each), stage)]
-    if with_values:
-        parts += [_Values(each, stage) for each in holders(scene)]
+    stage, parts = Usd.Stage.Open(layer), []
+    for character in map(Character, holders(scene)):
+        check_meshes(character.layout, character.meshes)
+        parts += _parts_of(character, stage)
+        if with_values:
+            parts.append(_Values(character.holder, stage))
     first, last = scene.frame_start, scene.frame_end
     frames = [first + i / steps for i in range((last - first) * steps + 1)]
     at_frames(scene, frames, lambda: [part.look() for part in parts])
@@ -263,18 +264,16 @@ class _Place:
         """A transform for the prim, where the object stands elsewhere than the prim does."""
         from pxr import Gf, UsdGeom
 
-        xformable = UsdGeom.Xformable(self.stage.GetPrimAtPath(self.path))
-        cache = UsdGeom.XformCache()
+        prim, cache = self.stage.GetPrimAtPath(self.path), UsdGeom.XformCache()
         wanted, away = [], 0.0
         for frame, world in zip(frames, self.seen, strict=True):
             cache.SetTime(frame)
-            above = np.array(cache.GetParentToWorldTransform(xformable.GetPrim()))
-            wanted.append(world @ np.linalg.inv(above))
-            here = np.array(cache.GetLocalToWorldTransform(xformable.GetPrim()))
+            above = np.array(cache.GetParentToWorldTransform(prim))
+            here = np.array(cache.GetLocalToWorldTransform(prim))
+            wanted.append(Gf.Matrix4d((world @ np.linalg.inv(above)).tolist()))
             away = max(away, np.abs(world - here).max() / np.abs(here).max())
         if away > 1e-5:
-            made = [Gf.Matrix4d(matrix.tolist()) for matrix in wanted]
-            _sample(xformable.MakeMatrixXform().GetAttr(), frames, made)
+            _sample(UsdGeom.Xformable(prim).MakeMatrixXform().GetAttr(), frames, wanted)
 
 
 class _Values:

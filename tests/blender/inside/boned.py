@@ -3,17 +3,13 @@
 import bpy
 import native
 import numpy as np
-from scene import enabled, job, world_points
+from scene import job, world_points
 
 task = job()
-meshes = native.build(task["source"], task["scene"])
-enabled(task["python"])
+meshes, holder, _ = native.laid_out(task)
 from usdrigui_controls.bones import handles_of  # noqa: E402
-from usdrigui_controls.character import BONES, Character, holders  # noqa: E402
+from usdrigui_controls.character import BONES, Character  # noqa: E402
 
-native.choose(max(meshes, key=lambda each: len(each.data.shape_keys.key_blocks) if each.data.shape_keys else 0))
-assert bpy.ops.usdrigui.lay_out() == {"FINISHED"}
-(holder,) = holders(bpy.context.scene)
 random = np.random.default_rng(4)
 before = native.fingerprint(), len(bpy.data.objects), len(bpy.data.meshes), len(bpy.data.armatures)
 assert bpy.ops.usdrigui.switch_bones() == {"FINISHED"}

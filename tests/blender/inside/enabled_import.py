@@ -2,17 +2,13 @@
 
 import bpy
 import numpy as np
-from scene import imported, job
+from scene import imported, job, refusal
 
 task = job()
 holders = imported(task["layer"], import_guide=True)
 from usdrigui_controls.importing import has_usd  # noqa: E402
 
-try:
-    bpy.ops.usdrigui.load_layout(filepath=task["layer"])
-    refused = ""
-except RuntimeError as error:
-    refused = str(error)
+refused = refusal(bpy.ops.usdrigui.load_layout, filepath=task["layer"])
 drawn = [each for each in bpy.data.objects if each.name.endswith("Controls")]
 np.savez(
     task["result"],

@@ -4,7 +4,7 @@ import importlib
 
 import bpy
 import numpy as np
-from scene import job
+from scene import job, refusal
 
 task = job()
 if bpy.app.version >= (4, 2, 0):
@@ -47,10 +47,10 @@ if "layer" in task:
     assert not rooms["character"].holders(bpy.context.scene)
     assert bpy.ops.usdrigui.load_layout(filepath=task["layer"]) == {"FINISHED"}
     loaded = len(character().layout.elements)
-    try:
-        bpy.ops.usdrigui.load_layout(filepath=task["source"])
-        refused = ""
-    except RuntimeError as error:
-        refused = str(error)
+    refused = [refusal(bpy.ops.usdrigui.load_layout, filepath=task["source"])]
+    mesh = next(each for each in character().meshes.values() if each.data.shape_keys)
+    mesh.shape_key_clear()
+    mesh.data.vertices.add(1)
+    refused.append(refusal(bpy.ops.usdrigui.save_animation, filepath=task["result"] + ".usda"))
     np.savez(task["result"], keyed=keyed, rest=rest, loaded=loaded, refused=refused)
     bpy.ops.preferences.addon_disable(module=module)

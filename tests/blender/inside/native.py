@@ -7,6 +7,7 @@ import hashlib
 
 import bpy
 import numpy as np
+from scene import enabled
 
 
 def build(source, scene="plain"):
@@ -45,6 +46,20 @@ def _modify(meshes):
             block.key_blocks[1].name = "Mund auf 口"
             block.key_blocks[2].name = block.key_blocks[2].name + ".left"
             block.key_blocks[3].relative_key = block.key_blocks[4]
+
+
+def laid_out(task):
+    """A native character once its button was pressed: its meshes, what holds the layout, and the digest before."""
+    meshes = build(task["source"], task["scene"])
+    enabled(task["python"])
+    from usdrigui_controls.character import holders
+
+    bpy.ops.wm.save_as_mainfile(filepath=task["result"] + ".blend")
+    choose(max(meshes, key=lambda each: len(each.data.shape_keys.key_blocks) if each.data.shape_keys else 0))
+    before = fingerprint()
+    assert bpy.ops.usdrigui.lay_out() == {"FINISHED"}
+    (holder,) = holders(bpy.context.scene)
+    return meshes, holder, before
 
 
 def fingerprint():

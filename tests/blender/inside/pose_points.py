@@ -21,7 +21,7 @@ for number, pose in enumerate(task["poses"]):
     for i, mesh in enumerate(character.layout.meshes):
         saved[f"mesh{number}_{i}"] = world_points(character.meshes[mesh.path])
     placed = anchors.place(bpy.context.evaluated_depsgraph_get(), values)
-    for element, each in zip(anchors.elements, placed, strict=True):
+    for element, each in zip(character.layout.elements, placed, strict=True):
         saved[f"handle{number}_{element.name}"] = each.handle
         for k, track in enumerate(each.tracks):
             saved[f"track{number}_{element.name}_{k}"] = track

@@ -35,6 +35,15 @@ def enabled(python):
     bpy.context.preferences.addons["usdrigui_controls"].preferences.python = python
 
 
+def refusal(work, **options):
+    """The line with which an operator refuses; empty where it does not."""
+    try:
+        work(**options)
+    except RuntimeError as error:
+        return str(error)
+    return ""
+
+
 def world_points(thing):
     """(n, 3) evaluated vertices of a mesh object in world space."""
     shown = thing.evaluated_get(bpy.context.evaluated_depsgraph_get())

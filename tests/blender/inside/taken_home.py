@@ -4,17 +4,12 @@ its points."""
 import bpy
 import native
 import numpy as np
-from scene import enabled, job, world_points
+from scene import job, world_points
 
 task = job()
-meshes = native.build(task["source"], task["scene"])
-enabled(task["python"])
-from usdrigui_controls.character import Character, holders  # noqa: E402
+meshes, holder, _ = native.laid_out(task)
+from usdrigui_controls.character import Character  # noqa: E402
 
-bpy.ops.wm.save_as_mainfile(filepath=task["result"] + ".blend")
-native.choose(max(meshes, key=lambda each: len(each.data.shape_keys.key_blocks) if each.data.shape_keys else 0))
-assert bpy.ops.usdrigui.lay_out() == {"FINISHED"}
-(holder,) = holders(bpy.context.scene)
 character = Character(holder)
 random = np.random.default_rng(3)
 scene = bpy.context.scene
