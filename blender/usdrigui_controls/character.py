@@ -177,7 +177,6 @@ class Character:
                 key.value += step
         for (skeleton, joint), move in moves.items():
             self._add_move(skeleton, joint, move)
-        self._tag()
 
     def channels(self, name):
         """(owner, property) of all that holds the value of a control, in the order of its drive."""
@@ -239,7 +238,6 @@ class Character:
                     frame = JointFrame(joint.bind, joint.rest)
                     bone.location, rotation, bone.scale = frame.basis(np.zeros((3, 3)))
                     _set_rotation(bone, rotation)
-        self._tag()
 
     def place_meshes(self):
         """Put skinned meshes where the skeleton has them: Blender's import passes over its own
@@ -316,10 +314,6 @@ class Character:
             bone.location = location
         if move[2].any():
             bone.scale = scale
-
-    def _tag(self):
-        for armature in self.armatures.values():
-            armature.update_tag(refresh={"OBJECT", "DATA"})
 
 
 parsed = lru_cache(maxsize=8)(from_json)

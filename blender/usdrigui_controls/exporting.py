@@ -51,13 +51,15 @@ class Face:
     @property
     def name(self):
         """Name of the character: that of its armature, or of the mesh with the most shapes."""
-        return (*self.armatures, max(self.meshes, key=_shape_count))[0].name
+        return (*self.armatures, max(self.meshes, key=lambda mesh: len(shape_keys(mesh))))[0].name
+
+    def free(self):
+        """Names of the shape keys that a drag could move: not muted, nor set by a driver."""
+        return {name for mesh in self.meshes for name, is_free in _keys(mesh) if is_free}
 
     def driven(self):
-        """Names of the shape keys that no drag could move: muted, or set by a driver."""
-        every = [each for mesh in self.meshes for each in _keys(mesh)]
-        free = {name for name, is_free in every if is_free}
-        return sorted({name for name, _ in every} - free)
+        """Names of the others."""
+        return sorted({name for mesh in self.meshes for name, _ in _keys(mesh)} - self.free())
 
 
 def selected_face(context):
@@ -93,13 +95,12 @@ def _check(face, chosen, context):
         raise LayoutError(
             "select the face: a mesh with shape keys, its armature, or its collection"
         )
-    if not face.armatures and not any(map(_shape_count, face.meshes)):
+    if not face.armatures and not any(map(shape_keys, face.meshes)):
         raise LayoutError(
             f"{chosen[0].name} has no shape keys and no bones: select the mesh that has the"
             " expressions"
         )
-    free = any(is_free for mesh in face.meshes for _, is_free in _keys(mesh))
-    if not face.armatures and not free:
+    if not face.armatures and not face.free():
         raise LayoutError(
             f"all shape keys of {chosen[0].name} are driven or muted: free those that are to have"
             " controls"
@@ -132,10 +133,6 @@ def _changing(mesh, depsgraph):
         count = len(mesh.evaluated_get(depsgraph).data.vertices)
         cutting = others if count != len(mesh.data.vertices) else []
     return cutting[0].name if cutting else ""
-
-
-def _shape_count(mesh):
-    return len(shape_keys(mesh))
 
 
 def _keys(mesh):
@@ -217,7 +214,7 @@ def _finish(face, target):
             UsdSkel.BindingAPI(prim).GetAnimationSourceRel().ClearTargets(removeSpec=True)
         elif prim.IsA(UsdGeom.Mesh):
             mesh = meshes.get(blender_name(prim.GetParent()))
-            if mesh is not None and _shape_count(mesh):
+            if mesh is not None and shape_keys(mesh):
                 ranges.update(_write_shapes(stage, prim, mesh))
             if mesh is not None and any(each.type == "SUBSURF" for each in mesh.modifiers):
                 UsdGeom.Mesh(prim).CreateSubdivisionSchemeAttr("catmullClark")

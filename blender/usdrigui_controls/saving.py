@@ -96,7 +96,7 @@ def save_animation(scene, target, steps=1, with_values=False):
         check_meshes(character.layout, character.meshes)
         parts += _parts_of(character, stage)
         if with_values:
-            parts.append(_Values(character.holder, stage))
+            parts.append(_Values(character, stage))
     first, last = scene.frame_start, scene.frame_end
     frames = [first + i / steps for i in range((last - first) * steps + 1)]
     at_frames(scene, frames, lambda: [part.look() for part in parts])
@@ -181,17 +181,17 @@ class _Skeleton:
         self.weights, self.locals = [], []
 
     def _keys(self, character):
-        """Each token with the mesh and the name of the shape key that has its weight."""
+        """Each token with the shape key that has its weight."""
         from pxr import UsdSkel
 
         found = {}
-        for path, mesh in character.meshes.items():
+        for path in character.meshes:
             prim = self.stage.GetPrimAtPath(path)
             if UsdSkel.BindingAPI(prim).GetInheritedSkeleton().GetPrim() == self.prim.GetPrim():
                 for token in tokens_of(prim):
                     key = character.shape_key(path, token)
                     if key is not None:
-                        found.setdefault(token, (mesh, key.name))
+                        found.setdefault(token, key)
         return found
 
     def _bone(self, name, bind):
@@ -201,8 +201,7 @@ class _Skeleton:
 
     def look(self):
         """Note weights and local transforms, as Blender has evaluated them."""
-        keys = (mesh.data.shape_keys.key_blocks[name] for mesh, name in self.keys.values())
-        self.weights.append([0.0 if key.mute else key.value for key in keys])
+        self.weights.append([0.0 if key.mute else key.value for key in self.keys.values()])
         placed = [np.eye(4)]  # where joints without a parent, -1, find it at the end
         for rest, above, bone in zip(self.rest, self.parents, self.bones, strict=True):
             pose = bone and np.array(self.armature.pose.bones[bone[0]].matrix).T
@@ -280,26 +279,31 @@ class _Values:
     """The controls of a character as attributes: those whose value the shape keys and bones tell.
     Of a pose they do not."""
 
-    def __init__(self, holder, stage):
+    def __init__(self, character, stage):
         from .reading import attributes_of
 
-        self.holder, self.seen = holder, []
-        self.attributes = attributes_of(stage, Character(holder).layout.root)
+        attributes = attributes_of(stage, character.layout.root)
+        self.holder, self.seen = character.holder, []
+        self.told = [
+            (control, *attributes[name])
+            for name, control in character.controls.items()
+            if name in attributes and (control.plain or is_single_joint(control))
+        ]
 
     def look(self):
         """Note the value of every control."""
-        self.seen.append(Character(self.holder).values())
+        values = Character(self.holder).values()
+        self.seen.append([values[control.name] for control, *_ in self.told])
 
     def write(self, frames):
         """Write those that are ever away from their default."""
         from pxr import Sdf
 
-        for name, control in Character(self.holder).controls.items():
-            values = [row[name] for row in self.seen]
-            told = name in self.attributes and (control.plain or is_single_joint(control))
-            if told and np.abs(np.array(values) - control.default).max() > _SAME:
-                prim, attribute = self.attributes[name]
-                made = prim.CreateAttribute(attribute, Sdf.ValueTypeNames.Double, custom=False)
+        for (control, prim, name), values in zip(
+            self.told, zip(*self.seen, strict=True), strict=True
+        ):
+            if np.abs(np.array(values) - control.default).max() > _SAME:
+                made = prim.CreateAttribute(name, Sdf.ValueTypeNames.Double, custom=False)
                 _sample(made, frames, values)
 
 
