@@ -205,7 +205,7 @@ def _add_bone(made, handle, anchors, placed):
 
 def _carried(spot):
     """(4, 4) where the bone that carries an element has taken it from its rest, in the world."""
-    if spot.bones is None or not spot.influences:
+    if not spot.influences:
         return np.eye(4)
     world = matrix_of(spot.bones.armature.matrix_world)
     moved = spot.bones.blend(spot.bones.posed(), [(_carrier(spot), 1.0)])
@@ -217,7 +217,7 @@ def _carrier(spot):
 
 
 def _carry(bone, spot):
-    if spot.bones is not None and spot.influences:
+    if spot.influences:
         target = bone.constraints.new("ARMATURE").targets.new()
         target.target, target.subtarget = spot.bones.armature, _carrier(spot)
 

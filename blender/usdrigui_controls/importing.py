@@ -27,12 +27,9 @@ def add_controls(stage, objects=None, fresh=False):
     layouts = read_layouts(stage)
     if not layouts:
         raise LayoutError("this file holds no layout: choose the .rigui.usda of the character")
-    if objects is None:
-        found = match(
-            stage, layouts, [each for each in bpy.context.scene.objects if not each.library]
-        )
-    else:
-        found = Match(objects, names_of(stage, layouts, objects))
+    mine = (each for each in bpy.context.scene.objects if not each.library)
+    objects = objects or match(stage, layouts, [*mine])
+    found = Match(objects, names_of(stage, layouts, objects))
     built = []
     for layout in layouts:
         added = inbetweens.build(stage, layout, found)

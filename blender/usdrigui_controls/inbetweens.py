@@ -114,13 +114,17 @@ def drive(key, source, path, points, beyond):
     ``beyond`` them as Blender's curves do.  No Python: so it works with scripts switched off.
     """
     curve = key.driver_add("value")
-    curve.driver.type = "SUM"
-    target = curve.driver.variables.new().targets[0]
+    variable = curve.driver.variables.new()
+    variable.name = "w"
+    target = variable.targets[0]
     target.id_type, target.id = source
     target.data_path = path
+    # To Blender's curves what is nearer to a point than a ten thousandth is the point.
+    scale = 1000.0 / (points[-1][0] - points[0][0])
+    curve.driver.expression = f"w*{scale:.9g}"
     curve.modifiers.remove(curve.modifiers[0])
-    for point in points:
-        curve.keyframe_points.insert(*point).interpolation = "LINEAR"
+    for at, value in points:
+        curve.keyframe_points.insert(scale * at, value).interpolation = "LINEAR"
     curve.extrapolation = beyond
 
 

@@ -111,6 +111,7 @@ class ResetControls(Posing, bpy.types.Operator):
 
     bl_idname = "usdrigui.reset"
     bl_label = "Reset Controls"
+    icon = "LOOP_BACK"
 
     def changed(self, _context, character, names):
         """Their values in the base pose."""
@@ -150,6 +151,7 @@ class Breakdown(Posing, bpy.types.Operator):
 
     bl_idname = "usdrigui.breakdown"
     bl_label = "Breakdown"
+    icon = "IPO_EASE_IN_OUT"
 
     share: bpy.props.FloatProperty(
         name="Share", default=0.5, soft_min=0.0, soft_max=1.0, description="0 before, 1 after"
@@ -178,6 +180,7 @@ class KeyControls(bpy.types.Operator):
 
     bl_idname = "usdrigui.insert_keys"
     bl_label = "Key Controls"
+    icon = "KEY_HLT"
     bl_options = {"REGISTER", "UNDO"}
 
     everything: bpy.props.BoolProperty(name="All Controls", default=False)
@@ -221,23 +224,20 @@ class RigPanel(bpy.types.Panel):
 
     def draw(self, context):
         """Settings, then the element used last."""
-        column, settings = self.layout.column(), context.scene.usdrigui
-        if not holders(context.scene):
-            column.operator(LayOutFace.bl_idname, icon="MESH_MONKEY")
-            column.operator(LoadLayout.bl_idname, icon="IMPORT")
-            return
-        for name in ("show", "opacity", "size", "symmetric", "names", "board"):
-            column.prop(settings, name)
-        self._draw_active(column.box())
-        row = column.row(align=True)
-        row.operator(KeyControls.bl_idname, text="Key All", icon="KEY_HLT").everything = True
-        row.operator(ResetControls.bl_idname, text="Reset All", icon="LOOP_BACK").everything = True
-        column.operator_menu_enum(MirrorPose.bl_idname, "side", icon="MOD_MIRROR")
-        column.operator(SwitchBones.bl_idname, icon="BONE_DATA")
-        column.operator(SaveAnimation.bl_idname, icon="EXPORT")
-        column.operator(LayOutFace.bl_idname, icon="MESH_MONKEY")
-        column.operator(LoadLayout.bl_idname, icon="IMPORT")
-        column.operator(RemoveLayout.bl_idname, icon="X")
+        column, buttons = (
+            self.layout.column(),
+            [(LayOutFace, "MESH_MONKEY"), (LoadLayout, "IMPORT")],
+        )
+        if holders(context.scene):
+            for name in ("show", "opacity", "size", "symmetric", "names", "board"):
+                column.prop(context.scene.usdrigui, name)
+            self._draw_active(column.box())
+            _draw_row(column, True, (KeyControls, "Key All"), (ResetControls, "Reset All"))
+            column.operator_menu_enum(MirrorPose.bl_idname, "side", icon="MOD_MIRROR")
+            switched = [(SwitchBones, "BONE_DATA"), (SaveAnimation, "EXPORT")]
+            buttons = [*switched, *buttons, (RemoveLayout, "X")]
+        for kind, icon in buttons:
+            column.operator(kind.bl_idname, icon=icon)
 
     def _draw_active(self, box):
         character, element = active()
@@ -254,13 +254,17 @@ class RigPanel(bpy.types.Panel):
                 box.label(text=f"{control.label}  {character.values()[control.name]:.3f}")
         if element.reason:
             box.label(text=element.reason, icon="INFO")
-        row = box.row(align=True)
-        row.operator(KeyControls.bl_idname, text="Key", icon="KEY_HLT").everything = False
-        row.operator(ResetControls.bl_idname, text="Reset", icon="LOOP_BACK").everything = False
-        row.operator(Breakdown.bl_idname).everything = False
+        act = (KeyControls, "Key"), (ResetControls, "Reset"), (Breakdown, "Breakdown")
+        _draw_row(box, False, *act)
         row = box.row(align=True)
         for place, text in (("", "Pin to Vertex"), ("board", "To Board"), ("free", "Unpin")):
             row.operator(PinElement.bl_idname, text=text).place = place
+
+
+def _draw_row(layout, everything, *buttons):
+    row = layout.row(align=True)
+    for kind, text in buttons:
+        row.operator(kind.bl_idname, text=text, icon=kind.icon).everything = everything
 
 
 def _chosen(context, everything):

@@ -32,8 +32,8 @@ class Match:
 
 
 def match(stage, layouts, objects):
-    """`Match` of the meshes and skeletons of some layouts with ``objects`` of the scene, each of
-    which is one prim at most."""
+    """By prim path, those of the ``objects`` of the scene that are meshes and skeletons of some
+    layouts, each of them one at most."""
     found = {}
     for records, kind, likeness in (
         ([each for layout in layouts for each in layout.skeletons], "ARMATURE", _like_armature),
@@ -48,7 +48,7 @@ def match(stage, layouts, objects):
         for _, path, thing in sorted(pairs, key=lambda pair: -pair[0]):
             if path not in found and thing not in found.values():
                 found[path] = thing
-    return Match(found, names_of(stage, layouts, found))
+    return found
 
 
 def names_of(stage, layouts, objects):
@@ -100,8 +100,8 @@ def _share(wanted, present):
 def _like_names(prim, thing):
     """How many names of a prim and of an object agree: its own, the data's, the parents'."""
     own = [blender_name(prim), blender_name(prim.GetParent())]
-    names = [*own, blender_name(prim, "data"), prim.GetName(), prim.GetParent().GetName()]
-    names = {_plain(name) for name in names if name}
+    told = (*own, blender_name(prim, "data"), prim.GetName(), prim.GetParent().GetName())
+    names = {_plain(name) for name in told if name}
     above = {_plain(each.name) for each in prim.GetParent().GetPath().GetPrefixes()}
     parent = thing.parent is not None and _plain(thing.parent.name) in above
     return (
