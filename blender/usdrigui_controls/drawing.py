@@ -21,18 +21,16 @@ def draw_elements(screen, shown, radii, opacity, lit):
 
     ``radii`` are the handles' sizes in pixels.  Those that face away are left out.
     """
-    lines, faces = _Batch(), _Batch()
-    order = [i for i, item in enumerate(shown) if screen.faces(item.placed)]
-    for i in sorted(order, key=lambda i: shown[i].key in lit):
-        hot = shown[i].key in lit
-        colour = _HOT if hot else _side_colour(shown[i].element.side)
-        _add_element(
-            screen, lines, faces, shown[i], radii[i], colour, opacity * (1.0 if hot else 0.85)
-        )
+    lines, faces = [], []
+    seen = zip((item.key in lit for item in shown), shown, radii, strict=True)
+    seen = [each for each in seen if screen.faces(each[1].placed)]
+    for hot, item, radius in sorted(seen, key=lambda each: each[0]):
+        colour = _HOT if hot else _side_colour(item.element.side)
+        _add_element(screen, lines, faces, item, radius, colour, opacity * (1.0 if hot else 0.85))
     gpu.state.blend_set("ALPHA")
     gpu.state.depth_test_set("NONE")
-    lines.draw("LINES", width=2.0, viewport=(screen.width, screen.height))
-    faces.draw("TRIS")
+    _draw("LINES", lines, width=2.0, viewport=(screen.width, screen.height))
+    _draw("TRIS", faces)
     gpu.state.blend_set("NONE")
 
 
@@ -54,11 +52,12 @@ def draw_label(at, text):
 
 def _add_element(screen, lines, faces, item, radius, colour, opacity):
     placed = item.placed
-    for track in placed.tracks:
-        lines.add(np.repeat(track, 2, axis=0)[1:-1], (*colour, opacity))
-    faces.add(placed.area, (*colour, 0.18 * opacity))
-    faces.add(_disc(screen, placed.handle, radius + 1.5), (0.05, 0.05, 0.05, opacity))
-    faces.add(_disc(screen, placed.handle, radius), (*colour, opacity))
+    lines += [(np.repeat(each, 2, axis=0)[1:-1], (*colour, opacity)) for each in placed.tracks]
+    faces += [
+        (placed.area, (*colour, 0.18 * opacity)),
+        (_disc(screen, placed.handle, radius + 1.5), (0.05, 0.05, 0.05, opacity)),
+        (_disc(screen, placed.handle, radius), (*colour, opacity)),
+    ]
 
 
 def _disc(screen, centre, radius):
@@ -70,30 +69,18 @@ def _disc(screen, centre, radius):
     ).reshape(-1, 3)
 
 
-class _Batch:
-    """Vertices of one primitive type with a colour each."""
-
-    def __init__(self):
-        self.points, self.colours = [], []
-
-    def add(self, points, colour):
-        self.points.append(points)
-        self.colours.append(np.broadcast_to(np.array(colour), (len(points), 4)))
-
-    def draw(self, primitive, width=0.0, viewport=None):
-        if not self.points:
-            return
-        kind = "POLYLINE_SMOOTH_COLOR" if width else "SMOOTH_COLOR"
-        shader = gpu.shader.from_builtin(_SPACE + kind)
-        columns = {
-            "pos": np.ascontiguousarray(np.concatenate(self.points), dtype=np.float32),
-            # Joined from broadcast rows numpy leaves it in column order, which Blender would
-            # misread.
-            "color": np.ascontiguousarray(np.concatenate(self.colours), dtype=np.float32),
-        }
-        batch = batch_for_shader(shader, primitive, columns)
-        shader.bind()
-        if width:
-            shader.uniform_float("viewportSize", viewport)
-            shader.uniform_float("lineWidth", width)
-        batch.draw(shader)
+def _draw(primitive, parts, width=0.0, viewport=None):
+    """Draw vertices of one primitive type: (points (k, 3), colour) pairs."""
+    if not parts:
+        return
+    points = np.concatenate([points for points, _ in parts])
+    colours = np.concatenate([np.tile(colour, (len(points), 1)) for points, colour in parts])
+    columns = {"pos": points.astype(np.float32), "color": colours.astype(np.float32)}
+    kind = "POLYLINE_SMOOTH_COLOR" if width else "SMOOTH_COLOR"
+    shader = gpu.shader.from_builtin(_SPACE + kind)
+    batch = batch_for_shader(shader, primitive, columns)
+    shader.bind()
+    if width:
+        shader.uniform_float("viewportSize", viewport)
+        shader.uniform_float("lineWidth", width)
+    batch.draw(shader)
