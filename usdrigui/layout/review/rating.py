@@ -48,8 +48,10 @@ def ratings(
     `as_problem` gives it."""
     problem, choices, labels = answered
     mates = _mates(face, elements, problem, choices, labels)
+    given = [_given_others(problem, labels, index) for index in range(len(labels))]
     return tuple(
-        _rated(face, problem, choices, labels, index, mate) for index, mate in enumerate(mates)
+        _rated(face, problem, choices, labels, index, mate, given)
+        for index, mate in enumerate(mates)
     )
 
 
@@ -60,10 +62,11 @@ def _rated(
     labels: Indices,
     index: int,
     mate: int,
+    given: list[Floats],
 ) -> ElementReview:
     variable, choice, label = problem.variables[index], choices[index], int(labels[index])
-    alone = cost_given_others(problem, labels, index)
-    whole = _cost_with_mate(face, problem, choices, labels, index, mate) if mate >= 0 else alone
+    alone = given[index].sum(axis=0)
+    whole = _cost_with_mate(face, problem, choices, index, mate, given) if mate >= 0 else alone
     best = int(np.argmin(whole))
     gain = float(whole[label] - whole[best]) if np.isfinite(whole[label]) else np.inf
     nearest, distance = _neighbour(problem, labels, index)
@@ -101,9 +104,9 @@ def _cost_with_mate(
     face: Face,
     problem: LayoutProblem,
     choices: tuple[Choice, ...],
-    labels: Indices,
     index: int,
     mate: int,
+    given: list[Floats],
 ) -> Floats:
     """(R,) cost of every candidate of an element with its mirror image on the mirror image of it;
     inf where none is."""
@@ -111,26 +114,23 @@ def _cost_with_mate(
     anchors = choices[mate].anchors[:, 0]
     order = np.argsort(anchors, kind="stable")
     rows = order[np.minimum(np.searchsorted(anchors[order], images), len(anchors) - 1)]
-    cost = (
-        cost_given_others(problem, labels, index, mate)
-        + cost_given_others(problem, labels, mate, index)[rows]
-    )
+    cost = np.delete(given[index], 1 + mate, axis=0).sum(axis=0)
+    cost += np.delete(given[mate], 1 + index, axis=0).sum(axis=0)[rows]
     cost += pair_costs(problem, index, mate, np.arange(len(images)), rows)
     return np.where(anchors[rows] == images, cost, np.inf)
 
 
-def cost_given_others(
-    problem: LayoutProblem, labels: Indices, index: int, without: int = -1
-) -> Floats:
-    """(R,) cost of every candidate of one variable, all others but `without` staying where they
-    are."""
-    count = len(problem.variables[index].points)
-    mine = np.arange(count)
-    cost = problem.variables[index].cost.copy()
-    for other in range(len(labels)):
-        if other not in (index, without):
-            cost += pair_costs(problem, index, other, mine, np.full(count, labels[other]))
-    return cost
+def _given_others(problem: LayoutProblem, labels: Indices, index: int) -> Floats:
+    """(1 + variables, R) cost of every candidate of one variable: by itself, then with each of the
+    others where it is."""
+    mine = np.arange(len(problem.variables[index].points))
+    others = (
+        np.zeros(len(mine))
+        if other == index
+        else pair_costs(problem, index, other, mine, np.full(len(mine), label))
+        for other, label in enumerate(labels)
+    )
+    return np.stack([problem.variables[index].cost, *others])
 
 
 def _neighbour(problem: LayoutProblem, labels: Indices, index: int) -> tuple[str, float]:
