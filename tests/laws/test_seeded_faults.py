@@ -218,6 +218,11 @@ def shift_areas(layout):
     layout.set("points", lambda old: moved(old, drawn(layout, "area", EYE), 1.0), MESH)
 
 
+def far_from_base(layout):
+    controls = layout.attribute("rigUI:layout:baseControls", SCOPE).Get()
+    layout.set("rigUI:layout:baseValues", [9.0] * len(controls), SCOPE)
+
+
 def call_tracks_areas(layout):
     def change(old):
         new = old.copy()
@@ -372,7 +377,7 @@ FAULTS = {
     },
     (DRAWN, EYE): {
         "axes exchanged": element("element:controls", ["EyeLeft_rx", "EyeLeft_ry"], EYE),
-        "a base pose outside": layout("baseValues", lambda old: np.full_like(old, 9.0)),
+        "a base pose outside": far_from_base,
         "areas shifted": shift_areas,
     },
     (INVALID, HEAD): {
