@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import numpy as np
@@ -34,6 +35,19 @@ def best_of_all(problem: LayoutProblem) -> Assignment | None:
     cost = float(total.min())
     chosen = np.array([mine[at] for mine, at in zip(labels, best, strict=True)], dtype=np.int64)
     return Assignment(chosen, cost, cost, "optimal", 0.0, "enumeration", "enumeration", ())
+
+
+def total_costs(problem: LayoutProblem, layouts: np.ndarray) -> Floats:
+    """(n,) the objective of layouts (n, variables), given by the labels that they choose."""
+    cost = np.zeros(len(layouts))
+    for each, mine in zip(problem.variables, layouts.T, strict=True):
+        cost += np.where(mine >= 0, np.append(each.cost, 0.0)[mine], each.off_face_cost)
+    for a, b in itertools.combinations(range(len(problem.variables)), 2):
+        cost += pair_costs(problem, a, b, layouts[:, a], layouts[:, b])
+    for extra in problem.extra:
+        first, second = layouts[:, extra.first, None], layouts[:, extra.second, None]
+        cost += ((first == extra.first_labels) & (second == extra.second_labels)) @ extra.costs
+    return cost
 
 
 def _table(problem: LayoutProblem, a: int, b: int, mine: np.ndarray, other: np.ndarray) -> Floats:

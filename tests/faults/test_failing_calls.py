@@ -14,5 +14,6 @@ def test_the_first_call_of_every_kind_fails():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("every", [1021, 127])
-def test_one_call_in_so_many_fails(every):
-    assert failing.campaign(every)["faults"] == []
+@pytest.mark.parametrize("command", ["detach", "attach", "process"])
+def test_one_call_in_so_many_fails(command, every):
+    assert failing.campaign(every, [command])["faults"] == []

@@ -36,13 +36,6 @@ def test_a_mutant_of_every_kind_differs_in_one_expression(job, tmp_path, monkeyp
         assert ast.dump(ast.parse(each.applied(text))) != ast.dump(ast.parse(text))
 
 
-def test_the_same_seed_draws_the_same_mutants_of_all_kinds_alike(job):
-    first = job.drawn(["layout", "pose"], 8, 3)
-    assert first == job.drawn(["layout", "pose"], 8, 3)
-    assert first != job.drawn(["layout", "pose"], 8, 4)
-    assert sorted(each.kind for each in first[:4]) == ["arithmetic", "choice", "comparison", "number"]
-
-
 def test_a_mutant_answers_to_the_tests_that_reach_it_those_of_its_file_first(job, tmp_path, monkeypatch):
     monkeypatch.setattr(job, "ROOT", tmp_path)
     path = tmp_path / "code.py"

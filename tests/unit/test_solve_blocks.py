@@ -8,10 +8,11 @@ from functools import cache
 
 import numpy as np
 import pytest
+from enumeration import total_costs
 from layout_problems import crowd, random_problem
 
 from usdrigui.model import ExtraPairs, LayoutProblem, MeanOverlap
-from usdrigui.overlap import Drawn, pair_costs, total_cost
+from usdrigui.overlap import Drawn, pair_costs
 from usdrigui.settings import SolveSettings
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import LabelGeometry, LabelSet, all_labels, pair_bounds
@@ -61,15 +62,26 @@ def pairs_wrong(problem: LayoutProblem, times: int) -> int:
     for pairs in near_blocks(problem, label_set, budget()):
         np.add.at(costs, (pairs.first, pairs.second), pairs.costs)
         known[pairs.first, pairs.second] = True
-    wrong = 0
+    every, wrong = costs_of_labels(problem), 0
     for a, b in itertools.combinations(range(len(found.variable)), 2):
         one, other = (found.members[found.start[at] : found.start[at + 1]] for at in (a, b))
         if found.variable[a] == found.variable[b]:
             continue
-        i, j = (each.ravel() for each in np.meshgrid(one, other))
-        true = pair_costs(problem, found.variable[a], found.variable[b], labels.candidate[i], labels.candidate[j])
+        true = every[np.ix_(one, other)]
         wrong += int((true < costs[a, b] - 1e-9).sum()) if known[a, b] else int((true > 0).sum())
     return wrong
+
+
+@cache
+def costs_of_labels(problem: LayoutProblem) -> np.ndarray:
+    """(labels, labels) what two labels of different variables cost together."""
+    labels = all_labels(problem)
+    every = np.zeros((len(labels.cost), len(labels.cost)))
+    for a, b in itertools.combinations(range(len(problem.variables)), 2):
+        one, other = (np.arange(labels.start[at], labels.start[at + 1]) for at in (a, b))
+        i, j = (each.ravel() for each in np.meshgrid(one, other))
+        every[i, j] = pair_costs(problem, a, b, labels.candidate[i], labels.candidate[j])
+    return every + every.T
 
 
 @pytest.mark.parametrize("times", [0, 1, 2, 9])
@@ -102,7 +114,7 @@ def layouts(problem: LayoutProblem) -> tuple[np.ndarray, np.ndarray]:
     ends = itertools.pairwise(labels.start)
     every = np.array(list(itertools.product(*(range(low, high) for low, high in ends))))
     every = every[:: max(1, len(every) // 50)]
-    return every, np.array([total_cost(problem, labels.candidate[each]) for each in every])
+    return every, total_costs(problem, labels.candidate[every])
 
 
 def left_out_wrongly(problem: LayoutProblem, taken_off: float = 0.0) -> int:

@@ -16,7 +16,7 @@ from usdrigui.errors import RigUIError
 from usdrigui.model import LayoutProblem
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import exact, partition, solve
+from usdrigui.solve import partition, solve
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.exact import infeasible_penalty
 from usdrigui.solve.label_geometry import all_labels
@@ -85,14 +85,6 @@ def test_paper_never_beats_the_optimum_and_is_seeded() -> None:
         assert first.cost >= optimum - 1e-4 * abs(optimum)
         assert (first.labels == second.labels).all()
         assert first.bound <= optimum
-
-
-def test_paper_solves_its_clusters_by_the_solvers_of_the_default(monkeypatch: pytest.MonkeyPatch) -> None:
-    honest, asked = exact._solve_reduced, []
-    monkeypatch.setattr(exact, "_solve_reduced", lambda *given: (asked.append(given), honest(*given))[1])
-    paper = SolveSettings(method="paper", clusters=1, sample=1.0, work_limit=FEW)
-    solve(crowd(1, variables=5, candidates=30), paper)
-    assert asked
 
 
 def test_paper_counts_explicit_costs_across_clusters() -> None:

@@ -138,18 +138,16 @@ def driven(rig: Rig, values: ArrayLike | None) -> tuple[Floats, Floats]:
     if values is not None:
         for control, value in zip(rig.controls, np.asarray(values, dtype=np.float64), strict=True):
             if value != control.default:
-                drive = control.drive
-                if len(drive.channels):
-                    weights[drive.channels] += keyed(drive.values, drive.weights, value[None])[0]
-                if len(drive.joints):
-                    moves[:, drive.joints] += _moves(drive, value[None])[0]
+                added, turned = _at(control.drive, value[None])
+                weights[control.drive.channels] += added[0]
+                moves[:, control.drive.joints] += turned[0]
     return weights, moves
 
 
-def _moves(drive: Drive, values: Floats) -> Floats:
-    """(m, 3, j, 3) moves of the joints of a drive at control `values` (m,)."""
+def _at(drive: Drive, values: Floats) -> tuple[Floats, Floats]:
+    """Added weights (m, t) and moves (m, 3, j, 3) of a drive at control `values` (m,)."""
     moves = np.stack([drive.rotations, drive.translations, drive.scales], axis=1)
-    return keyed(drive.values, moves, values)
+    return keyed(drive.values, drive.weights, values), keyed(drive.values, moves, values)
 
 
 def keyed(keys: Floats, rows: Floats, at: Floats) -> Floats:
@@ -267,13 +265,13 @@ class Sweep:
 
     def offsets(self, values: Floats) -> Singles:
         """(k, p, 3) from `base` in root space, at control `values` (k,)."""
-        drive = self._drive
+        added, turned = _at(self._drive, values)
         weights = np.repeat(self._base.weights[None], len(values), axis=0)
-        weights[:, drive.channels] += keyed(drive.values, drive.weights, values)
+        weights[:, self._drive.channels] += added
         skinning = np.zeros((0, 0, 4, 4))
-        if len(drive.joints):
+        if len(self._drive.joints):
             moves = np.repeat(self._base.moves[None], 1 + len(values), axis=0)
-            moves[1:, :, drive.joints] += _moves(drive, values)
+            moves[1:, :, self._drive.joints] += turned
             joints = self._body.joints
             skinning = skinning_matrices(joints, moved_locals(joints, moves))
         nothing = np.zeros((len(values), 0, 3), dtype=np.float32)

@@ -64,11 +64,11 @@ def _rated(
     mate: int,
     given: list[Floats],
 ) -> ElementReview:
-    variable, choice, label = problem.variables[index], choices[index], int(labels[index])
+    variable, choice, label = problem.variables[index], choices[index], labels[index]
     alone = given[index].sum(axis=0)
     whole = _cost_with_mate(face, problem, choices, index, mate, given) if mate >= 0 else alone
-    best = int(np.argmin(whole))
-    gain = float(whole[label] - whole[best]) if np.isfinite(whole[label]) else np.inf
+    best = np.argmin(whole)
+    gain = whole[label] - whole[best] if np.isfinite(whole[label]) else np.inf
     nearest, distance = _neighbour(problem, labels, index)
     return ElementReview(
         element=variable.name,
@@ -77,7 +77,7 @@ def _rated(
         overlap=float(alone[label] - variable.cost[label]),
         nearest=nearest,
         distance=distance / face.handle_width,
-        gain=max(0.0, gain),
+        gain=gain,
         better=place_of(face.rig.body, int(choice.anchors[best, 0])) if gain > 0.0 else "",
     )
 
@@ -93,7 +93,7 @@ def _mates(
     -1."""
     mirror = {element.name: element.mirror for element in elements}
     index = {variable.name: i for i, variable in enumerate(problem.variables)}
-    at = [int(choice.anchors[label, 0]) for choice, label in zip(choices, labels, strict=True)]
+    at = [choice.anchors[label, 0] for choice, label in zip(choices, labels, strict=True)]
     mates = [index.get(mirror[variable.name], -1) for variable in problem.variables]
     return [
         j if j >= 0 and face.symmetry.partner[at[i]] == at[j] else -1 for i, j in enumerate(mates)
@@ -114,43 +114,50 @@ def _cost_with_mate(
     anchors = choices[mate].anchors[:, 0]
     order = np.argsort(anchors, kind="stable")
     rows = order[np.minimum(np.searchsorted(anchors[order], images), len(anchors) - 1)]
-    cost = np.delete(given[index], 1 + mate, axis=0).sum(axis=0)
-    cost += np.delete(given[mate], 1 + index, axis=0).sum(axis=0)[rows]
-    cost += pair_costs(problem, index, mate, np.arange(len(images)), rows)
+    cost = (
+        np.delete(given[index], mate, axis=0).sum(axis=0)
+        + np.delete(given[mate], index, axis=0).sum(axis=0)[rows]
+        + pair_costs(problem, index, mate, np.arange(len(images)), rows)
+    )
     return np.where(anchors[rows] == images, cost, np.inf)
 
 
 def _given_others(problem: LayoutProblem, labels: Indices, index: int) -> Floats:
-    """(1 + variables, R) cost of every candidate of one variable: by itself, then with each of the
-    others where it is."""
-    mine = np.arange(len(problem.variables[index].points))
-    others = (
-        np.zeros(len(mine))
-        if other == index
-        else pair_costs(problem, index, other, mine, np.full(len(mine), label))
-        for other, label in enumerate(labels)
+    """(variables, R) cost of every candidate of one variable: with each of the others where it is,
+    and in its own row by itself."""
+    own = problem.variables[index].cost
+    return np.stack(
+        [
+            own
+            if other == index
+            else pair_costs(problem, index, other, np.arange(len(own)), np.full(len(own), label))
+            for other, label in enumerate(labels)
+        ]
     )
-    return np.stack([problem.variables[index].cost, *others])
 
 
 def _neighbour(problem: LayoutProblem, labels: Indices, index: int) -> tuple[str, float]:
     handles = [
         variable.handles[label] for variable, label in zip(problem.variables, labels, strict=True)
     ]
-    nearest, distance = "", np.inf
-    for other, positions in enumerate(handles):
-        if other != index and problem.together[index, other]:
-            apart = float(np.linalg.norm(handles[index][:, None] - positions[None], axis=2).min())
-            if apart < distance:
-                nearest, distance = problem.variables[other].name, apart
-    return nearest, distance
+    apart = {
+        problem.variables[other].name: np.linalg.norm(
+            handles[index][:, None] - positions[None], axis=2
+        ).min()
+        for other, positions in enumerate(handles)
+        if other != index and problem.together[index, other]
+    }
+    nearest = min(apart, key=apart.__getitem__, default="")
+    return nearest, apart.get(nearest, np.inf)
 
 
 def _kept(face: Face, choice: Choice, label: int) -> float:
-    shares = []
-    for copy, controls in enumerate(choice.controls):
-        for control in controls:
-            motion = face.trajectories.motion_of(control)
-            row = int(np.searchsorted(motion.points, choice.sources[label, copy]))
-            shares.append(float(motion.arc_length[row] / motion.arc_length.max()))
-    return min(shares)
+    reached = (
+        (face.trajectories.motion_of(control), choice.sources[label, copy])
+        for copy, controls in enumerate(choice.controls)
+        for control in controls
+    )
+    return min(
+        float(motion.arc_length[np.searchsorted(motion.points, point)] / motion.arc_length.max())
+        for motion, point in reached
+    )

@@ -7,8 +7,6 @@ import makers
 import numpy as np
 import pytest
 
-from usdrigui.layout.board import board
-
 POINTS, QUADS = makers.mask()
 
 
@@ -90,20 +88,3 @@ def scene(base, *lengths):
     """Trajectories of motions that move every point by these lengths."""
     motions = [SimpleNamespace(points=np.arange(len(base)), arc_length=np.array(each, dtype=float)) for each in lengths]
     return SimpleNamespace(surface=SimpleNamespace(points=np.array(base, dtype=float), face_size=1.0), motions=motions)
-
-
-def test_a_new_board_begins_right_of_one_that_exists_and_of_those_of_other_parts_at_its_height():
-    frame = np.array([[0.0, 0, 1], [0, 1, 0]])
-    tracks = [
-        SimpleNamespace(track=np.array([[9.0, 0, 1], [0, 0, 2]])),
-        SimpleNamespace(track=np.array([[0.0, 0, 1.5]])),
-    ]
-    element = SimpleNamespace(members=tracks, label="four")
-    assert board._right_end(element, frame, 0.5) == pytest.approx(4.44)
-
-    def element(height, on_board=True):
-        return SimpleNamespace(anchor=SimpleNamespace(position=np.array([0.0, height, 0.0]), on_board=on_board))
-
-    far, near, skin, old = element(3.1), element(3.0), element(1.0, on_board=False), element(50.0)
-    requests = SimpleNamespace(existing=SimpleNamespace(elements=(old, skin)), neighbours=(far, near))
-    assert board._boards(requests, 1.0, 2.0, frame[1]) == [old, near]
