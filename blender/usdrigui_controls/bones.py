@@ -17,7 +17,7 @@ import mathutils
 import numpy as np
 
 from .anchors import Anchors, matrix_of
-from .character import BONES, Character, at_frames, curves_of, holders
+from .character import BONES, Character, at_frames, curves_of, frames_of, holders
 from .exporting import selection_kept
 from .inbetweens import drive
 
@@ -106,7 +106,7 @@ def make_bones(context, holder):
         _carry(bone, anchors.spots[handle.element])
         _drive(character, made, handle)
     holder[BONES] = made
-    for frame in _frames(tracks.values()):
+    for frame in frames_of(tracks.values()):
         then = {name: curve.evaluate(frame) for name, curve in tracks.items()}
         move_bones(character, values | then)
         character.insert_keys(tracks, frame)
@@ -117,7 +117,7 @@ def remove_bones(context, holder):
     """Take the armature away; the shape keys have its values, and the keys that they lack."""
     character, made = Character(holder), holder[BONES]
     driven = [c for each in handles_of(character.layout) for axis in each.axes for c, _ in axis]
-    seen = at_frames(context.scene, _frames(curves_of(made)), character.values)
+    seen = at_frames(context.scene, frames_of(curves_of(made)), character.values)
     now = character.values()
     for control in driven:
         for key in character.shape_keys(control.shapes[0].token):
@@ -144,10 +144,6 @@ def discard(made):
         data = thing.data
         bpy.data.objects.remove(thing)
         bpy.data.batch_remove([data])
-
-
-def _frames(curves):
-    return sorted({point.co.x for curve in curves for point in curve.keyframe_points})
 
 
 def _curves(character):

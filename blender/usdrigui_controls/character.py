@@ -208,11 +208,11 @@ class Character:
     def frames_around(self, name, frame):
         """The frames of the last key of a control before a frame and of the first one after it;
         none without both."""
-        found = set()
+        found = []
         for owner, path in self.channels(name):
             whole = path if owner == owner.id_data else f"{owner.path_from_id()}.{path}"
             curves = (each for each in curves_of(owner.id_data) if each.data_path == whole)
-            found |= {point.co.x for curve in curves for point in curve.keyframe_points}
+            found += frames_of(curves)
         before = [each for each in found if each < frame]
         after = [each for each in found if each > frame]
         return (max(before), min(after)) if before and after else ()
@@ -336,6 +336,11 @@ def curves_of(block):
     strips = (strip for layer in animation.action.layers for strip in layer.strips)
     bags = (strip.channelbag(animation.action_slot) for strip in strips)
     return [curve for bag in bags if bag is not None for curve in bag.fcurves]
+
+
+def frames_of(curves):
+    """The frames of the keys of animation curves, ascending."""
+    return sorted({point.co.x for curve in curves for point in curve.keyframe_points})
 
 
 def is_single_joint(control):

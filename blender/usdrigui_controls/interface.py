@@ -85,25 +85,33 @@ class RemoveLayout(bpy.types.Operator):
         return {"FINISHED"}
 
 
-class Posing:
-    """An operator that gives controls other values: ``changed(context, character, names)``."""
+class OnControls:
+    """An operator that does something to the chosen elements, or to all controls of all characters:
+    ``act(context, character, names)`` tells to how many controls."""
 
     bl_options = {"REGISTER", "UNDO"}
 
     everything: bpy.props.BoolProperty(name="All Controls", default=False)
 
     def execute(self, context):
-        """Change the chosen elements, or all controls of all characters."""
-        count = 0
-        for character, names in _chosen(context, self.everything):
-            changed = self.changed(context, character, names)
-            give(context, character, changed)
-            count += len(changed)
-        return self.told(count)
+        """Act, and tell how many there were."""
+        return self.told(
+            sum(self.act(context, *each) for each in _chosen(context, self.everything))
+        )
 
     def told(self, _count):
-        """The result of an operator that has changed so many controls."""
+        """The result of an operator that has acted on so many controls."""
         return {"FINISHED"}
+
+
+class Posing(OnControls):
+    """An operator that gives controls other values: ``changed(context, character, names)``."""
+
+    def act(self, context, character, names):
+        """Set those values."""
+        changed = self.changed(context, character, names)
+        give(context, character, changed)
+        return len(changed)
 
 
 class ResetControls(Posing, bpy.types.Operator):
@@ -175,22 +183,20 @@ class Breakdown(Posing, bpy.types.Operator):
         return {"CANCELLED"}
 
 
-class KeyControls(bpy.types.Operator):
+class KeyControls(OnControls, bpy.types.Operator):
     """Insert keyframes for controls at the current frame."""
 
     bl_idname = "usdrigui.insert_keys"
     bl_label = "Key Controls"
     icon = "KEY_HLT"
-    bl_options = {"REGISTER", "UNDO"}
 
-    everything: bpy.props.BoolProperty(name="All Controls", default=False)
+    def act(self, _context, character, names):
+        """Key them."""
+        character.insert_keys(names)
+        return len(names)
 
-    def execute(self, context):
-        """Key the element under the pointer or used last, or all controls of all characters."""
-        count = 0
-        for character, names in _chosen(context, self.everything):
-            character.insert_keys(names)
-            count += len(names)
+    def told(self, count):
+        """How many there were."""
         self.report({"INFO"}, f"keyed {count} control{'' if count == 1 else 's'}")
         return {"FINISHED"} if count else {"CANCELLED"}
 

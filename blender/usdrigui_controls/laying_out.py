@@ -45,6 +45,7 @@ class LayOutFace(Background, bpy.types.Operator):
         need_room(folder, ROOM, "save the scene on another disk")
         source = folder / f"{bpy.path.clean_name(face.name)}.usd"
         self.layer = source.with_suffix(".rigui.usda")
+        self.previous = self.layer.with_name(f"previous_{self.layer.name}")
         write_character(context, face, source)
         self.left_off = face.driven()
         return [usdrigui(context, *self._arguments(source, held))]
@@ -61,14 +62,13 @@ class LayOutFace(Background, bpy.types.Operator):
             found += ["--corrections", _corrections_of(self.layer)]
         if held is not None and Path(held[SOURCE]).is_file():
             # The layer is about to be replaced: it is read under another name.
-            previous = self.layer.with_name(f"previous_{self.layer.name}")
-            shutil.copyfile(held[SOURCE], previous)
-            found += ["--previous", previous]
+            shutil.copyfile(held[SOURCE], self.previous)
+            found += ["--previous", self.previous]
         return found
 
     def finish(self, context):
         """Bind the layout to the objects of the scene."""
-        self.layer.with_name(f"previous_{self.layer.name}").unlink(missing_ok=True)
+        self.previous.unlink(missing_ok=True)
         stage = open_stage(str(self.layer))
         for holder, _ in add_controls(stage):
             holder[EXPORTED] = True

@@ -109,10 +109,13 @@ def _controls_of(prim):
 # --- controls -------------------------------------------------------------------------------------
 
 
-def _control(prim, instance, base):
-    def of(name, fallback):
-        return get(prim, f"rigUI:control:{instance}:{name}", fallback)
+def _reader(prim, instance):
+    """``get`` of the properties of one control."""
+    return lambda name, fallback: get(prim, f"rigUI:control:{instance}:{name}", fallback)
 
+
+def _control(prim, instance, base):
+    of = _reader(prim, instance)
     name, keys, default = named(prim, "control", instance), of("keys", ()), of("default", 0.0)
     tokens, weights = of("blendShapes", ()), of("blendShapeWeights", ())
     agree(prim, not keys or len(weights) == len(keys) * len(tokens), "weights of shapes")
@@ -200,9 +203,7 @@ def _name(prim):
 
 
 def _member(prim, instance, control):
-    def of(name, fallback):
-        return get(prim, f"rigUI:control:{instance}:{name}", fallback)
-
+    of = _reader(prim, instance)
     points = tuple(map(tuple, of("trackPoints", ())))
     steps = np.linspace(control.minimum, control.maximum, len(points)).tolist()
     values = of("trackValues", ()) or tuple(steps)
