@@ -122,7 +122,9 @@ def drive(key, source, path, points, beyond):
     # To Blender's curves what is nearer to a point than a ten thousandth is the point.
     scale = 1000.0 / (points[-1][0] - points[0][0])
     curve.driver.expression = f"w*{scale:.9g}"
-    curve.modifiers.remove(curve.modifiers[0])
+    for made in (curve.modifiers, curve.keyframe_points):  # by Blender, before and since 5.0
+        while made:
+            made.remove(made[0])
     for at, value in points:
         curve.keyframe_points.insert(scale * at, value).interpolation = "LINEAR"
     curve.extrapolation = beyond
