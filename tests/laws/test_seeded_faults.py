@@ -13,6 +13,7 @@ from usdrigui import pipeline
 from usdrigui.layer import author, rules
 from usdrigui.layer.read_layout import points_by_role
 from usdrigui.reader.faults import layout_faults
+from usdrigui.reader.reader_main import read_composed
 from usdrigui.settings import load
 from usdrigui.stages import schema
 
@@ -76,19 +77,11 @@ class Layout:
             new = type(value)(new)
         assert found.Set(new), name
 
-    def control(self, name, change, prim=SMILE, instance=SMILE):
-        self.set(f"rigUI:control:{instance}:{name}", change, prim)
-
     def target(self, name, *targets, prim=SMILE):
-        self.prim(prim).CreateRelationship(name).SetTargets([Sdf.Path(each) for each in targets])
+        self.prim(prim).CreateRelationship(name).SetTargets(targets)
 
     def faces(self, prim):
         return np.array(self.attribute("indices", prim).Get())
-
-    def points_of(self, prim):
-        counts = np.array(self.attribute("faceVertexCounts", MESH).Get())
-        corners = np.split(np.array(self.attribute("faceVertexIndices", MESH).Get()), np.cumsum(counts)[:-1])
-        return np.unique(np.concatenate([corners[each] for each in self.faces(prim)]))
 
 
 def plain(name):
@@ -103,20 +96,15 @@ DECLARED = {each.name: each for api in schema.APIS for each in author.properties
 # --- the mesh that draws ------------------------------------------------------------------------------
 
 
-def shift(layout):
-    rows = layout.points_of(SMILE)
-    layout.set("points", lambda old: moved(old, rows, 0.1), MESH)
+def shifted(way, *roles, prim=SMILE):
+    """What is drawn of an element in some roles."""
+    return lambda layout: layout.set("points", lambda old: moved(old, drawn(layout, prim, *roles), way), MESH)
 
 
 def moved(old, rows, way):
     new = old.copy()
     new[rows] += way
     return new
-
-
-def shift_one_track(layout):
-    last = layout.points_of(SMILE)[-3:]
-    layout.set("points", lambda old: moved(old, last, 1.0), MESH)
 
 
 def swap_faces(layout):
@@ -126,8 +114,8 @@ def swap_faces(layout):
 
 
 def drop_shape(layout, name=SMILE):
-    names = list(layout.attribute("skel:blendShapes", MESH).Get())
-    relation = layout.stage.GetPrimAtPath(MESH).GetRelationship("skel:blendShapeTargets")
+    names = [*layout.attribute("skel:blendShapes", MESH).Get()]
+    relation = layout.prim(MESH).GetRelationship("skel:blendShapeTargets")
     targets, at = relation.GetTargets(), names.index(name)
     layout.set("skel:blendShapes", names[:at] + names[at + 1 :], MESH)
     relation.SetTargets(targets[:at] + targets[at + 1 :])
@@ -135,10 +123,6 @@ def drop_shape(layout, name=SMILE):
 
 def shape(name, change):
     return lambda layout: layout.set("offsets", change, f"{MESH}/shape_{name}")
-
-
-def other_joint(layout):
-    layout.set("primvars:skel:jointIndices", lambda old: (old + 1) % 5, MESH)
 
 
 def mesh(name, change):
@@ -150,7 +134,7 @@ def element(name, value, prim=SMILE):
 
 
 def control(name, change, prim=SMILE, instance=SMILE):
-    return lambda layout: layout.control(name, change, prim, instance)
+    return element(f"control:{instance}:{name}", change, prim)
 
 
 def relation(name, *targets, prim=SMILE):
@@ -173,14 +157,6 @@ def roles_of_points(layout):
     UsdGeom.PrimvarsAPI(layout.prim(MESH)).GetPrimvar(schema.ROLE).SetInterpolation("vertex")
 
 
-def beside(layout):
-    layout.set("indices", lambda old: np.append(old, layout.faces(OTHER)[0]), SMILE)
-
-
-def twice(names):
-    return [names[0], *list(names)[:-1]]
-
-
 def second(layout):
     layout.stage.DefinePrim("/Char/Other").AddAppliedSchema(schema.LAYOUT)
     layout.set("rigUI:layout:handleWidth", 1.0, "/Char/Other")
@@ -200,22 +176,29 @@ def correct_twice(layout):
         layout.set("rigUI:correction:place", place, path)
 
 
-def drawn(layout, role, prim):
-    return points_by_role(layout.prim(prim), role)
+def drawn(layout, prim, *roles):
+    return points_by_role(layout.prim(prim), *roles)
 
 
 def cut_track(layout):
-    rows, home = drawn(layout, "track", SMILE), drawn(layout, "handle", SMILE)[0]
+    rows, home = drawn(layout, SMILE, "track"), drawn(layout, SMILE, "handle")[0]
     layout.set("points", lambda old: moved(old, rows, 0.8 * (old[home] - old[rows])), MESH)
 
 
-def short_limits(layout):
-    limits = dict.fromkeys(["minimum", "maximum"], Vt.FloatArray(3))
-    layout.attribute("blendShapeWeights", "/Char/Animation").SetMetadata("limits", {"soft": limits})
+def limits(count, most):
+    soft = {"minimum": Vt.FloatArray(count), "maximum": Vt.FloatArray(count, most)}
+    return lambda layout: layout.attribute("blendShapeWeights", "/Char/Animation").SetMetadata("limits", {"soft": soft})
 
 
-def shift_areas(layout):
-    layout.set("points", lambda old: moved(old, drawn(layout, "area", EYE), 1.0), MESH)
+def turn_track(layout):
+    rows = drawn(layout, SQUASH, "track")
+    layout.set("points", lambda old: moved(old, rows, 2.0 * (old[rows].mean(axis=0) - old[rows])), MESH)
+
+
+def draw_nothing(layout):
+    for each in layout.prim(MESH).GetChildren():
+        if each.IsA(UsdGeom.Subset):
+            layout.set("indices", [], each.GetName())
 
 
 def far_from_base(layout):
@@ -224,28 +207,23 @@ def far_from_base(layout):
 
 
 def call_tracks_areas(layout):
-    def change(old):
-        new = old.copy()
-        new[layout.faces(SMILE)] *= 2  # handle, track, area
-        return new
-
-    layout.set("primvars:rigUI:role:indices", change, MESH)
+    faces = layout.faces(SMILE)
+    # handle, track, area
+    layout.set("primvars:rigUI:role:indices", lambda old: moved(old, faces, old[faces]), MESH)
 
 
-TRACK_POINTS = f"rigUI:control:{SMILE}:trackPoints"
-GONE = Gf.Vec3f(0.3, 0.4, 0.5)
 INVALID, DRAWN, TRACK = "LAYOUT_INVALID", "LAYOUT_DRAWN", "LAYOUT_TRACK"
 FAULTS = {
     (DRAWN, SMILE): {
-        "points shifted": shift,
-        "points of a track shifted": shift_one_track,
+        "points shifted": shifted(0.1, *schema.ROLES),
+        "points of a track shifted": shifted(1.0, "track"),
         "faces of two elements exchanged": swap_faces,
         "a shape twice as far": shape(SMILE, lambda old: 2.0 * old),
         "a shape left out": drop_shape,
-        "skinned to another joint": other_joint,
+        "skinned to another joint": mesh("primvars:skel:jointIndices", lambda old: (old + 1) % 5),
         "half the weight": mesh("primvars:skel:jointWeights", lambda old: 0.5 * old),
         "bound elsewhere": mesh("primvars:skel:geomBindTransform", Gf.Matrix4d().SetTranslate((0, 1, 0))),
-        "the anchor's place moved": element("anchor:position", GONE),
+        "the anchor's place moved": element("anchor:position", Gf.Vec3f(0.3, 0.4, 0.5)),
         "another lift": element("handle:lift", 0.0),
         "a normal the other way": element("anchor:normal", lambda old: -old),
         "a track elsewhere": control("trackPoints", lambda old: old + 2.0),
@@ -255,7 +233,7 @@ FAULTS = {
         "a track called an area": call_tracks_areas,
     },
     (INVALID, MESH): {
-        "a face of two elements": beside,
+        "a face of two elements": lambda each: each.set("indices", lambda old: np.append(old, each.faces(OTHER)[0])),
         "a wrong number of corners": mesh("faceVertexCounts", lambda old: old + 1),
         "no role": mesh("primvars:rigUI:role", []),
         "an unknown role": mesh("primvars:rigUI:role", ["knob"] * 3),
@@ -278,7 +256,7 @@ FAULTS = {
     (INVALID, SMILE): {
         "faces beyond the mesh": lambda each: each.set("indices", lambda old: old + 10**6),
         "no handle": mesh("primvars:rigUI:role", ["track"] * 3),
-        "a track in time": lambda each: in_time(each.attribute(TRACK_POINTS)),
+        "a track in time": lambda each: in_time(each.attribute(f"rigUI:control:{SMILE}:trackPoints")),
         "another family of subsets": lambda each: each.set("familyName", "materialBind"),
         "another number of points": element("anchor:pointCount", 99999),
         "a heading on the face": element("element:category", "viseme"),
@@ -310,6 +288,7 @@ FAULTS = {
         "an animation that is none": relation(f"rigUI:control:{SMILE}:animation", "/Char/Skeleton"),
     },
     (DRAWN, SQUASH): {
+        "a track drawn backwards": turn_track,
         "a shape of the board left out": lambda each: drop_shape(each, SQUASH),
     },
     (INVALID, SCOPE): {
@@ -324,7 +303,7 @@ FAULTS = {
         "a list without a control": layout(
             "baseControls", lambda old: [each if each != SMILE else "grin" for each in old]
         ),
-        "a control listed twice": layout("baseControls", twice),
+        "a control listed twice": layout("baseControls", lambda old: [old[0], *list(old)[:-1]]),
         "a list of what is no element": relation("rigUI:layout:elements", "/Char/Skeleton", prim=SCOPE),
         "a second layout": second,
         "a Skeleton that is none": relation("rigUI:layout:skeleton", "/Char/Geometry/Head", prim=SCOPE),
@@ -337,7 +316,7 @@ FAULTS = {
         "a track the other way": control("trackPoints", np.flipud),
     },
     ("RANGE_INVALID", "/Char/Animation"): {
-        "limits that are short": short_limits,
+        "limits that are short": limits(3, 0.0),
     },
     ("LAYOUT_TOPOLOGY", SMILE): {
         "another topology": element("anchor:topologyHash", "0123"),
@@ -370,7 +349,12 @@ FAULTS = {
     (INVALID, f"{PUFF}_mirror"): {
         "a control in two ways": control("maximum", 0.5, PUFF, PUFF),
     },
+    (INVALID, "jawOpen"): {
+        "a side in the middle": element("element:side", "left", "jawOpen"),
+        "no face for any element": draw_nothing,
+    },
     (INVALID, SQUASH): {
+        "a board seen from its edge": element("anchor:normal", Gf.Vec3f(1, 0, 0), SQUASH),
         "the view from behind": layout("viewDirection", lambda old: -old),
         "no side on the board": element("element:side", "none", SQUASH),
         "a carrier that is no mesh": relation("rigUI:anchor:carrier", "/Char/Skeleton", prim=SQUASH),
@@ -378,7 +362,7 @@ FAULTS = {
     (DRAWN, EYE): {
         "axes exchanged": element("element:controls", ["EyeLeft_rx", "EyeLeft_ry"], EYE),
         "a base pose outside": far_from_base,
-        "areas shifted": shift_areas,
+        "areas shifted": shifted(1.0, "area", prim=EYE),
     },
     (INVALID, HEAD): {
         "a head that turns farther": control("jointRotationVectors", lambda old: 3.0 * old, HEAD, "Head_ry"),
@@ -413,6 +397,13 @@ def test_a_fault_is_found_by_a_code_that_names_its_prim(stage, edit, code, where
     named = [each for each in found if each.code == code and (each.path.startswith(path) or each.path == where)]
     assert named, found[:4]
     assert all(each.repair for each in named)
+
+
+def test_a_control_of_the_board_is_that_of_the_character(stage):
+    control("jointRotationVectors", lambda old: -old, HEAD, "Head_ry")(Layout(stage))
+    limits(1, 2.0)(Layout(stage))
+    found = read_composed(stage, load({}), ["/Char"]).contradictions
+    assert {each.path for each in found} >= {f"{MESH}/{HEAD}", f"{MESH}/{SMILE}"}
 
 
 # --- the rules of the schema --------------------------------------------------------------------------

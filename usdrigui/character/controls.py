@@ -53,6 +53,12 @@ class Drive(Record):
     scales: Floats
     """(k, j, 3) logarithms of scale factors along the joint's local axes."""
 
+    @property
+    def turn(self) -> Floats:
+        """(3,) by which a rise of 1 turns the joints, added up, each about its own axes."""
+        rise: Floats = (self.rotations[-1] - self.rotations[0]).sum(axis=0)
+        return rise * (1.0 / float(self.values[-1] - self.values[0]))
+
 
 class Channel(Record):
     """One blend-shape weight of one SkelAnimation."""

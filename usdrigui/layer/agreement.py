@@ -8,15 +8,15 @@ along its track, then all of them half way together.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
-from itertools import islice, pairwise
+from itertools import pairwise
 
 import numpy as np
 from pxr import Usd, UsdGeom
 
-from usdrigui.character import Body, Flags, Floats, Indices, Record, Rig
+from usdrigui.character import Body, Control, Flags, Floats, Indices, Record, Rig
 from usdrigui.character.deform import Posed, posed, sweep, sweep_start
 from usdrigui.character.skinning import with_descendants
 from usdrigui.character.subset import subset
@@ -24,7 +24,7 @@ from usdrigui.character.surface import mesh_triangles, vertex_normals, weld
 from usdrigui.errors import Issue, issue
 from usdrigui.layer import author
 from usdrigui.layer.properties import value_of
-from usdrigui.layer.read_controls import invalid_at, read_controls
+from usdrigui.layer.read_controls import doubtful_at, invalid_at, read_controls
 from usdrigui.layer.read_layout import base_controls, element_prims, faces_by_role, points_of
 from usdrigui.model import Element, Layout, Member
 from usdrigui.overlap import segment_distances
@@ -53,6 +53,8 @@ _SIZES = 1.5
 is so much longer than a track of two points."""
 _AGREE = 1.02
 """The same of lengths that the layer says twice."""
+_TURNED = 2e-3
+"""Radians for a degree of a control: so far may the turn of the character's own differ."""
 _LIFTED = 0.25
 """Of a handle's width: so far from its lift may the middle of a handle be."""
 CLEAR = 0.5
@@ -167,13 +169,18 @@ class _Scene(Record):
         ends = np.array([getattr(each, towards) for each in self.rig.controls])
         values = self.base_values + _HALF * (ends - self.base_values)
         values[but] = self.base_values[but]
-        return np.asarray(values)
+        return values
 
 
-def disagreements(scope: Usd.Prim, layout: Layout, settings: ReadSettings) -> Iterator[Issue]:
+def disagreements(
+    scope: Usd.Prim, layout: Layout, settings: ReadSettings, known: Mapping[str, Control]
+) -> Iterator[Issue]:
     """LAYOUT_MESH_GONE, LAYOUT_TOPOLOGY and LAYOUT_INVALID of what cannot be evaluated,
     LAYOUT_TRACK of controls that take their anchor elsewhere than their track shows, and
-    LAYOUT_DRAWN of what is drawn and does not go along."""
+    LAYOUT_DRAWN of what is drawn and does not go along.
+
+    `known` are the controls that the character has today, by their names, as far as anybody knows.
+    """
     found, root = list[Issue](), scope.GetParent()
     animated = read_animated(root, settings, [*drawable(root), *drawings(scope)])
     scene = _scene(scope, layout, animated.body, found)
@@ -186,6 +193,16 @@ def disagreements(scope: Usd.Prim, layout: Layout, settings: ReadSettings) -> It
         yield from _at_rest(scene, each)
         for member, control in zip(each.element.members, each.members, strict=True):
             yield from _alone(scene, each, member, int(control))
+            own = scene.rig.controls[control]
+            today = known.get(own.name, own)
+            # On the board no track shows what a control does.
+            if own.kind == "joint" and _worst(own.drive.turn - today.drive.turn) > _TURNED:
+                what = f"{own.name!r} turns its joints otherwise than the character"
+                yield doubtful_at(each.prim, what)
+            ends, limits = (own.minimum, own.maximum), (today.minimum, today.maximum)
+            if today.range_source == "limits" and not np.allclose(ends, limits):
+                what = f"{own.name!r} has the range {ends}, blendShapeWeights the limits {limits}"
+                yield doubtful_at(each.prim, what)
     yield from _facing(scene)
     yield from _together(_thinned(scene))
 
@@ -208,23 +225,28 @@ def _at_rest(scene: _Scene, drawn: _Drawn) -> Iterator[Issue]:
     if len(ways):
         pieces = ((track[:-1, :, None], track[1:, :, None]) for track in tracks)
         apart = np.concatenate([segment_distances(ways.T[None], *each) for each in pieces])
-        ends = np.concatenate([track[[-1, 0]] for track in tracks])
-        tips = [
-            np.linalg.norm(ends[:, None] - points[line[-3:]], axis=2).min(axis=1)
-            for line in drawn.lines
-        ]
-        starts = [
-            np.linalg.norm(points[line[:4]] - track[0], axis=1).min()
-            for track, line in zip(tracks, drawn.lines, strict=False)
-        ]
-        own = [tip[2 * i] for i, tip in enumerate(tips[: len(tracks)])]
-        # Lifted over an arch, a straight track is off its ends by as much again.
-        away = max(apart.min(axis=0).max(), 0.5 * max([*own, *starts], default=0.0))
+        away = apart.min(axis=0).max()
+        ends = np.stack([track[end] for end in (-1, 0) for track in tracks])
+        exchanged = len(tracks) != len(drawn.lines)
+        for i, (track, line) in enumerate(zip(tracks, drawn.lines, strict=False)):
+            tip = np.linalg.norm(ends - _tip(points, line), axis=1)
+            start = np.linalg.norm(points[line[:4]] - track[0], axis=1).min()
+            # Lifted over an arch, a straight track is off its ends by as much again.
+            away = max(away, 0.5 * tip[i], 0.5 * start)
+            exchanged |= tip[i] >= tip.min() + 0.5 * beside
         if away > beside:
             yield _astray(drawn.prim, f"its tracks are drawn {away:.3g} from their trackPoints")
-        far = (tip[2 * i] >= tip.min() + 0.5 * beside for i, tip in enumerate(tips))
-        if len(tips) != len(tracks) or any(far):
+        if exchanged:
             yield _astray(drawn.prim, "a track that is drawn ends where another's trackPoints do")
+
+
+def _tip(points: Floats, line: Indices) -> Floats:
+    """(3,) where a drawn track ends: of its last triangle the corner that no other face has; if
+    that is all of it, the one farthest from its middle."""
+    last = points[line[-3:]]
+    apart = np.linalg.norm(last - last.mean(axis=0), axis=1)
+    tip: Floats = last[(apart * ~np.isin(line[-3:], line[:-3])).argmax()]
+    return tip
 
 
 def _as_wide(drawn: _Drawn, handle: Floats, grain: float) -> Iterator[Issue]:
@@ -246,42 +268,57 @@ def _as_wide(drawn: _Drawn, handle: Floats, grain: float) -> Iterator[Issue]:
 def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterator[Issue]:
     """What is wrong with an element while one of its controls goes along its track."""
     values = np.append(scene.base_values[control], member.values)
-    start, _ = sweep_start(scene.rig, scene.base, scene.base_values, control)
+    start = sweep_start(scene.rig, scene.base, scene.base_values, control)[0]
     moved, offsets = sweep(scene.rig, start, control, values)
+    ways = np.linalg.norm(np.diff(offsets[1:], axis=0), axis=2).sum(axis=0)
+    far = (ways * scene.skin[moved]).max(initial=0.0)
+    subject = scene.rig.controls[control]
+    yield from _lengths(scene, drawn, member, subject.maximum - subject.minimum, far)
     motion = np.zeros((len(values) - 1, len(scene.base.points), 3))
     motion[:, moved] = offsets[1:] - offsets[0]
-    track = np.stack([np.interp(values, member.values, axis) for axis in member.track.T], axis=1)
-    along = track[1:] - track[0]
-    anchor, steps = motion[:, drawn.anchor], f"as {member.control!r} goes along its track"
-    handle = motion[:, drawn.handle]
-    width = drawn.width
-    tolerance = scene.grain + _EXACT * width
-    ways = np.linalg.norm(np.diff(offsets[1:], axis=0), axis=2).sum(axis=0)
-    far = float((ways * scene.skin[moved]).max(initial=0.0))
-    subject, peak, arc = scene.rig.controls[control], member.peak, member.arc_length
+    sliding = len(subject.drive.channels) == 1 and not len(subject.drive.joints)
+    yield from _along(scene, drawn, member, motion, sliding)
+
+
+def _lengths(
+    scene: _Scene, drawn: _Drawn, member: Member, span: float, far: float
+) -> Iterator[Issue]:
+    """Which lengths of a control are not those of its character, or of each other: `span` is that
+    of its range, `far` that of the way of the point that it takes farthest."""
+    peak, arc = member.peak, member.arc_length
     # On the skin an anchor may go less far than the farthest point.
     longest = arc if drawn.element.anchor.on_board else max(arc, peak)
     told = author.TOLD * np.abs(member.track).sum()
+    blurred = told + scene.grain + _EXACT * drawn.width
     for name, said, found, times, slack in (
-        ("peak", peak, far, _SIZES, tolerance + told),
-        ("trackValues", np.ptp(member.values), subject.maximum - subject.minimum, _SIZES, 0.0),
+        ("peak", peak, far, _SIZES, blurred),
+        ("trackValues", np.ptp(member.values), span, _SIZES, 0.0),
         ("arcLength", longest, peak or longest, _AGREE, 0.0),
         ("magnification", arc * member.magnification, length(member.track), _AGREE, told),
     ):
         if said and not found / times - slack <= said <= found * times + slack:
             what = f"rigUI:control:*:{name} of {member.control!r} would be {found / said:.3g} times"
             yield invalid_at(drawn.prim, f"{what} as much by its character, range, peak or track")
+
+
+def _along(
+    scene: _Scene, drawn: _Drawn, member: Member, motion: Floats, sliding: bool
+) -> Iterator[Issue]:
+    """What does not go as the track of a control, which passes the anchor: `motion` (k, points, 3)
+    is that from the base pose to its places.  A handle that does not deform goes along if
+    `sliding`, else stays."""
+    along = member.track - drawn.element.anchor.position
+    anchor, steps = motion[:, drawn.anchor], f"as {member.control!r} goes along its track"
+    handle, width = motion[:, drawn.handle], drawn.width
+    tolerance = scene.grain + _EXACT * width
     if drawn.slides:
-        drive = subject.drive
-        single = len(drive.channels) == 1 and not len(drive.joints)
-        expected, slack = along if single else np.zeros_like(along), _NEAR * width + tolerance
-        if _worst(handle - expected[:, None]) > slack:
+        if _worst(handle - sliding * along[:, None]) > _NEAR * width + tolerance:
             yield _astray(drawn.prim, f"its handle does not go along it, {steps}")
         return
     off = _worst(along / member.magnification - anchor)
     if off > scene.grain + _ALONG * width + _SHARE * _worst(anchor):
-        clause = f"{off:.3g} from rigUI:control:*:trackPoints, {steps}"
-        yield issue("LAYOUT_TRACK", drawn.prim.GetPath(), f"its anchor is up to {clause}")
+        what = f"its anchor is up to {off:.3g} from rigUI:control:*:trackPoints, {steps}"
+        yield issue("LAYOUT_TRACK", drawn.prim.GetPath(), what)
     away = _worst(handle[:, :1] - anchor[:, None])
     if drawn.element.glyph is None and away > tolerance:
         yield _astray(drawn.prim, f"its handle leaves its anchor by {away:.3g}, {steps}")
@@ -294,20 +331,13 @@ def _together(scene: _Scene) -> Iterator[Issue]:
     on_board = [each for each in scene.drawn if each.element.anchor.on_board]
     board = {control for each in on_board for control in each.members.tolist()}
     ignored = scene.with_ignored(board, [each.anchor for each in on_board])
-    poses = {
-        towards: [posed(scene.rig, scene.halfway(towards, but)) for but in ([], ignored)]
-        for towards in ("maximum", "minimum")
-    }
-    for each in scene.drawn:
-        astray = (
-            f"its {what} leaves the character by {off:.3g} as all controls go half way to their"
-            f" {towards}"
-            for towards, pose in poses.items()
-            for what, off, slack in _departures(scene, each, towards, *pose)
-            if off > scene.grain + slack
-        )
-        for first in islice(astray, 1):
-            yield _astray(each.prim, first)
+    for towards in ("maximum", "minimum"):
+        pose = [posed(scene.rig, scene.halfway(towards, but)) for but in ([], ignored)]
+        for each in scene.drawn:
+            for what, off, slack in _departures(scene, each, towards, *pose):
+                if off > scene.grain + slack:
+                    astray = f"its {what} leaves the character by {off:.3g} as all controls go"
+                    yield _astray(each.prim, f"{astray} half way to their {towards}")
 
 
 def _departures(
@@ -369,14 +399,11 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
     prims = element_prims(scope)
     drawing = {mesh: body.point_of(str(mesh.GetPath()), 0) for mesh in drawings(scope)}
     topologies = {mesh.path: (mesh.topology.hash, len(mesh.points)) for mesh in body.meshes}
-    found += [
-        invalid_at(mesh, "its arrays contradict each other: it draws nothing")
-        for mesh, start in drawing.items()
-        if start < 0
-    ]
+    for mesh, start in drawing.items():
+        if start < 0:
+            found.append(invalid_at(mesh, "its arrays contradict each other: it draws nothing"))
     rig, drawn = read_controls(scope, prims, body, found), []
     for prim, element in zip(prims, layout.elements, strict=True):
-        members = [member.control for member in element.members]
         anchor = element.anchor
         known, count = topologies.get(anchor.mesh, ("gone", 0))
         point = body.point_of(anchor.mesh, anchor.point)
@@ -386,7 +413,7 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
             found.append(issue("LAYOUT_TOPOLOGY", element.name, change))
         elif anchor.point_count not in (0, count):
             found.append(invalid_at(prim, f"rigUI:anchor:pointCount is not {count}"))
-        elif point >= 0 and rig.control_names >= {*members}:
+        elif point >= 0 and rig.control_names >= element.controls:
             drawn.append(
                 _Drawn(
                     prim,
@@ -396,7 +423,7 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
                     points_of(_faces(drawing, prim, "handle")),
                     points_of(_faces(drawing, prim, "track", "area")),
                     _lines(drawing, prim),
-                    np.array([rig.control_indices[name] for name in members]),
+                    np.array([rig.control_indices[each.control] for each in element.members]),
                 )
             )
     if not drawn:

@@ -12,7 +12,7 @@ from itertools import chain, combinations, zip_longest
 import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel
 
-from usdrigui.character import Floats
+from usdrigui.character import Floats, Rig
 from usdrigui.errors import Issue, RigUIError, of_character
 from usdrigui.layer import author
 from usdrigui.layer.agreement import CLEAR, disagreements, drawings
@@ -62,24 +62,29 @@ _TARGETS = {
 """Type of the targets of our relationships, or a schema of theirs."""
 _MIRRORED = 0.1
 """Of a handle's width: anchors so near to each other's mirror image are those of a pair."""
-_ASIDE = 1.0
-"""Of a handle's width: so far from the plane an element is not on its other side."""
+_ASIDE, _UPON = 1.0, 0.01
+"""Of a handle's width: so far from the plane an element is not on its other side, and nearer it is
+on no side at all."""
 
 
 def contradictions(
-    stage: Usd.Stage, settings: ReadSettings, layouts: Sequence[Layout] = ()
+    stage: Usd.Stage,
+    settings: ReadSettings,
+    layouts: Sequence[Layout] = (),
+    rigs: Sequence[Rig] = (),
 ) -> tuple[Issue, ...]:
     """LAYOUT_INVALID, LAYOUT_TRACK, LAYOUT_DRAWN and LAYOUT_VALUE for each element of the layouts
     of today's format, up to a property or a character that cannot be read; `stage` has layouts that
-    `read_layout` reads, or has read."""
+    `read_layout` reads, or has read.  The controls of the characters `rigs` are known."""
     issues: list[Issue] = []
+    read = {rig.path: {each.name: each for each in rig.controls} for rig in rigs}
     for scope, known in zip_longest(layout_scopes(stage), layouts):
         found: list[Issue] = []
         try:
             layout = known or layout_at(scope)
             found.extend(_of_prims(scope))
             found.extend(_of_layout(scope, layout))
-            found.extend(disagreements(scope, layout, settings))
+            found.extend(disagreements(scope, layout, settings, read.get(layout.root, {})))
             found.extend(apart(valued(scope, settings)))
         except RigUIError as error:
             found.append(error.issue)
@@ -183,10 +188,12 @@ def _of_drawing(mesh: Usd.Prim, parts: Sequence[str]) -> Iterator[Issue]:
         yield invalid_at(mesh, f"{schema.DRAWING} is missing: it draws elements")
     if not UsdSkel.BindingAPI(mesh).GetInheritedSkeleton():
         yield invalid_at(mesh, "skel:skeleton is missing: nothing moves its handles")
+    # Of an element that is not active, flattening leaves the faces alone.
     subsets = [
         UsdGeom.Subset(each)
         for each in mesh.GetAllChildren()
         if each.GetAttribute("familyName").Get() == _FAMILY or has(each, schema.ELEMENT)
+        if each.GetAttribute("indices").Get()  # USD crashes where no subset has any
     ]
     for name, wanted in _PLAIN.items():
         said = mesh.GetAttribute(name)
@@ -207,7 +214,6 @@ def _of_drawing(mesh: Usd.Prim, parts: Sequence[str]) -> Iterator[Issue]:
             yield invalid_at(mesh, f"{primvar.GetName()} has {len(held)} values, and is {kind}")
     if min(drawn.GetDisplayOpacityAttr().Get() or (1.0,)) <= 0.0:
         yield doubtful_at(mesh, "primvars:displayOpacity is 0: nobody sees what it draws")
-    # Of an element that is not active, flattening leaves the faces alone.
     sound, why = UsdGeom.Subset.ValidateSubsets(subsets, faces, UsdGeom.Tokens.nonOverlapping)
     if not sound:
         yield invalid_at(mesh, why)
@@ -217,9 +223,9 @@ def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue
     """Whether an element on the character is on the side that it names, and has nothing of those
     on the board, which face the viewer."""
     plane, side = layout.frame.plane, element.side
-    on_board, part = element.anchor.on_board, element.part
-    if on_board and element.anchor.normal @ layout.frame.view_of(part) < 0.0:
-        yield invalid_at(prim, "rigUI:anchor:normal on the board looks away from the viewer")
+    on_board, part, normal = element.anchor.on_board, element.part, element.anchor.normal
+    if on_board and normal @ layout.frame.view_of(part) < CLEAR * normal.any():
+        yield invalid_at(prim, "rigUI:anchor:normal on the board does not look to the viewer")
     if not on_board and (targets(prim, schema.ANCHOR, "carrier") or element.category):
         yield invalid_at(prim, "has rigUI:anchor:prim, and a carrier or category of the board")
     if side != "none" and not plane.normal.any():
@@ -229,11 +235,12 @@ def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue
     away = plane.distance(element.anchor.position)
     # Far from the origin the layer tells places less exactly than a handle is wide.
     told = 2.0 * author.TOLD * np.abs(element.anchor.position).max()
-    width = _ASIDE * layout.frame.handle_width_of(part) + told
-    where = "left" if away > 0.0 else "right"
-    beyond = not on_board and abs(away) > width
-    if side == "none" or (beyond and side == _OPPOSITE[where]):
-        yield invalid_at(prim, f"rigUI:element:side is {side}, {where} of the plane of symmetry")
+    width = layout.frame.handle_width_of(part)
+    towards = {"left": away, "right": -away}.get(side, np.inf)
+    astray = towards < -_ASIDE * width - told or abs(towards) < _UPON * width - told
+    if side == "none" or (astray and not on_board):
+        what = f"{away:.3g} to the left of the plane of symmetry"
+        yield invalid_at(prim, f"rigUI:element:side is {side}, and its place {what}")
 
 
 def _of_mirror(
@@ -242,8 +249,7 @@ def _of_mirror(
     """Whether the element on the other side is one.  Where it lies is a warning: a person may
     call controls twins whose places on a lopsided character mirror nothing."""
     where = f"rigUI:element:mirror {other_prim.GetPath()}"
-    same = len(other.members) == len(element.members)
-    if other.mirror != element.name or not same:
+    if other.mirror != element.name or len(other.members) != len(element.members):
         yield invalid_at(prim, f"{where} does not mirror it back, with as many controls")
         return
     if _OPPOSITE.get(element.side) != other.side:
@@ -277,11 +283,8 @@ def _unpaired(by_name: Mapping[str, tuple[Usd.Prim, Element]], layout: Layout) -
         # Far from the origin single precision does not tell such places apart.
         width = frame.handle_width_of(one.part)
         near = _MIRRORED * width - author.TOLD * np.abs(mine[0]).sum()
-        sides = _OPPOSITE.get(one.side) == other.side
-        images = (
-            frame.plane.reflected(mine) - theirs if mine.shape == theirs.shape else mine + np.inf
-        )
-        if sides and np.linalg.norm(images, axis=1).max() < near:
-            yield invalid_at(
-                prim, f"rigUI:element:mirror is missing: {twin.GetPath()} is its image"
-            )
+        if _OPPOSITE.get(one.side) == other.side and mine.shape == theirs.shape:
+            images = frame.plane.reflected(mine) - theirs
+            if np.linalg.norm(images, axis=1).max() < near:
+                what = f"rigUI:element:mirror is missing: {twin.GetPath()} is its image"
+                yield invalid_at(prim, what)

@@ -127,14 +127,6 @@ def _composed(path: Path, settings: Settings) -> Response:
         return Response(rigs=replace(result, sources=asset.sources()), layouts=layouts)
 
 
-def _performances(path: Path, _: Settings) -> Response:
-    return Response(performances=read_performances(path))
-
-
-def _variants(path: Path, settings: Settings) -> Response:
-    return Response(variants=variant_sets(open_stage(path, settings.read.variants)))
-
-
 def _bake(path: Path, settings: Settings) -> Response:
     stage = open_stage(path, settings.read.variants)
     return Response(baked=bake(stage, settings.read).ExportToString())
@@ -174,11 +166,13 @@ _TASKS: Mapping[Task, Callable[[Path, Settings], Response]] = {
     "rigs": _rigs,
     "layouts": _layouts,
     "composed": _composed,
-    "clips": _performances,
+    "clips": lambda path, _: Response(performances=read_performances(path)),
     "bake": _bake,
     "faults": _faults,
     "layer": _layer,
-    "variants": _variants,
+    "variants": lambda path, settings: Response(
+        variants=variant_sets(open_stage(path, settings.read.variants))
+    ),
 }
 
 
@@ -194,7 +188,7 @@ def read_composed(
     """The characters `laid_out`, SkelRoots that have a layout, and what it says of them; they play
     what the values of its controls say.  `told` adds to the characters."""
     found = told(read_characters(stage, settings, laid_out))
-    against = contradictions(stage, settings.read)
+    against = contradictions(stage, settings.read, rigs=found.rigs)
     if _plays_values(stage, settings):
         found = told(read_characters(stage, settings, laid_out))
     return replace(

@@ -52,8 +52,7 @@ def reading(control: Control) -> ClipReading | None:
         pairs = zip(drive.channels.tolist(), rises.tolist(), strict=True)
         return ClipReading(tuple(pairs), -1, np.zeros(3))
     if control.kind == "joint" and len(drive.joints) == 1:
-        turn = (drive.rotations[-1, 0] - drive.rotations[0, 0]) * per_unit
-        return ClipReading((), int(drive.joints[0]), turn) if turn.any() else None
+        return ClipReading((), int(drive.joints[0]), drive.turn) if drive.turn.any() else None
     return None
 
 
