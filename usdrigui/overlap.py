@@ -60,7 +60,7 @@ def least_costs(
 
     Exact for single labels.  +inf where all members' handles are nearer than the separation.
     """
-    between = _distance(one.handle, other.handle)
+    between = np.sqrt(np.square(one.handle - other.handle).sum(axis=0))
     slack = one.handle_apart + other.handle_apart
     if isinstance(overlap, MeanOverlap):
         costs, near = _mean_costs(one, other, overlap)
@@ -125,7 +125,7 @@ def short_costs(drawn: Drawn, overlap: AnyOverlap) -> Floats:
     steps = np.sqrt(np.square(ends - starts).sum(axis=1))
     count = len(drawn.samples) // overlap.samples
     tracks = steps.reshape(count, overlap.samples - 1, steps.shape[1]).sum(axis=1)
-    return np.asarray(overlap.short * _hinge(tracks.max(axis=0), overlap.handle_width))
+    return overlap.short * _hinge(tracks.max(axis=0), overlap.handle_width)
 
 
 def total_cost(problem: LayoutProblem, labels: ArrayLike) -> float:
@@ -209,11 +209,11 @@ def _track_costs(first: Floats, second: Floats, overlap: Overlap) -> Floats:
     one, other = (_segments(samples, overlap.samples) for samples in (first, second))
     along = _along(*one, *other, overlap.along_radius) + _along(*other, *one, overlap.along_radius)
     crossing = segments_cross(*(end[:, None] for end in one), *(end[None] for end in other))
-    return np.asarray(overlap.crossing * crossing.any(axis=(0, 1)) + overlap.along * along)
+    return overlap.crossing * crossing.any(axis=(0, 1)) + overlap.along * along
 
 
 def _hinge(distance: Floats, radius: float) -> Floats:
-    return np.asarray(np.maximum(1.0 - distance / radius, 0.0))
+    return np.maximum(1.0 - distance / radius, 0.0)
 
 
 def _segments(samples: Floats, each: int) -> tuple[Floats, Floats]:
@@ -228,7 +228,7 @@ def segment_distances(points: Floats, starts: Floats, ends: Floats) -> Floats:
     from_start = points - starts
     share = np.clip(_dot(from_start, steps) / np.maximum(_dot(steps, steps), 1e-300), 0.0, 1.0)
     aside = from_start - share[:, None] * steps
-    return np.asarray(np.sqrt(_dot(aside, aside)))
+    return np.sqrt(_dot(aside, aside))
 
 
 def _dot(first: Floats, second: Floats) -> Floats:
@@ -236,15 +236,13 @@ def _dot(first: Floats, second: Floats) -> Floats:
     total = first[:, 0] * second[:, 0]
     for axis in range(1, first.shape[1]):
         total += first[:, axis] * second[:, axis]
-    return np.asarray(total)
+    return total
 
 
 def segments_cross(a: Floats, b: Floats, c: Floats, d: Floats) -> Flags:
     """(...) whether segments from `a` (..., 2, q) to `b` properly cross those from `c` to `d`,
     broadcast."""
-    return np.asarray(
-        (_turn(a, b, c) * _turn(a, b, d) < 0.0) & (_turn(c, d, a) * _turn(c, d, b) < 0.0)
-    )
+    return (_turn(a, b, c) * _turn(a, b, d) < 0.0) & (_turn(c, d, a) * _turn(c, d, b) < 0.0)
 
 
 def _turn(a: Floats, b: Floats, c: Floats) -> Floats:
@@ -312,8 +310,3 @@ def _fall(z: Floats, overlap: MeanOverlap) -> Floats:
     return np.asarray(
         0.5 * (1.0 - np.tanh(0.5 * overlap.sharpness * (z - overlap.radius))), dtype=np.float64
     )
-
-
-def _distance(a: Floats, b: Floats) -> Floats:
-    """(q,) distances of positions (d, q)."""
-    return np.asarray(np.sqrt(np.square(a - b).sum(axis=0)))

@@ -20,7 +20,7 @@ def rounded(values: Floats) -> Floats:
     """The values as shares of the largest magnitude among them, to nine digits: for comparisons,
     not for sums."""
     largest = float(np.abs(values).max(initial=0.0))
-    return np.asarray(np.round(values / largest, _DIGITS) if 0.0 < largest < np.inf else values)
+    return np.round(values / largest, _DIGITS) if 0.0 < largest < np.inf else values
 
 
 def steady(values: Floats) -> Floats:

@@ -170,7 +170,7 @@ class Valued(Record):
 
 
 def _within(projections: Floats, vectors: Floats) -> Floats:
-    return np.asarray((projections @ vectors[..., None])[..., 0])
+    return (projections @ vectors[..., None])[..., 0]
 
 
 def _projection(rows: Floats) -> Floats:

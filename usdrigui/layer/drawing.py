@@ -132,9 +132,10 @@ def _author_faces(mesh: Sdf.PrimSpec, drawing: Drawing, elements: Sequence[Drawn
     extent = UsdGeom.PointBased.ComputeExtent(mesh.attributes["points"].default)
     _author_vectors(mesh, "extent", Sdf.ValueTypeNames.Float3Array, np.array(extent))
     sides = [elements[position].element.side for position, _ in drawing.parts]
-    colours = [linear(side) for side in dict.fromkeys(sides)]
-    which = [list(dict.fromkeys(sides)).index(side) for side in sides]
+    used_sides = [*dict.fromkeys(sides)]
+    which = [used_sides.index(side) for side in sides]
     repeated = np.repeat(which, [len(part.faces.counts) for part in parts])
+    colours = [*map(linear, used_sides)]
     _author_per_face(mesh, "primvars:displayColor", "color3f[]", colours, repeated)
     roles = np.concatenate([_roles(part) for part in parts])
     used, role_indices = np.unique(roles, return_inverse=True)
@@ -158,11 +159,10 @@ def _author_per_face(
     mesh: Sdf.PrimSpec, name: str, type_name: str, values: Any, which: Any
 ) -> None:
     """A primvar with one of `values` for each face."""
-    if len(values) == 1:
-        author.put(mesh, name, type_name, values, interpolation="constant")
-        return
-    author.put(mesh, name, type_name, values, interpolation="uniform")
-    author.put(mesh, f"{name}:indices", "int[]", which)
+    several = len(values) > 1
+    author.put(mesh, name, type_name, values, interpolation="uniform" if several else "constant")
+    if several:
+        author.put(mesh, f"{name}:indices", "int[]", which)
 
 
 def _author_subsets(
@@ -171,8 +171,8 @@ def _author_subsets(
     author.put(mesh, f"subsetFamily:{_FAMILY}:familyType", "token", "nonOverlapping", uniform=True)
     starts = _starts(len(part.faces.counts) for _, part in drawing.parts)
     faces: dict[int, list[Indices]] = {}
-    for (position, _), first, last in zip(drawing.parts, starts[:-1], starts[1:], strict=True):
-        faces.setdefault(position, []).append(np.arange(first, last))
+    for (position, _), ends in zip(drawing.parts, itertools.pairwise(starts), strict=True):
+        faces.setdefault(position, []).append(np.arange(*ends))
     handles = {position: part for position, part in drawing.parts if part.role == "handle"}
     subsets = {}
     for position, ranges in faces.items():
@@ -214,7 +214,6 @@ def _author_binding(
         author.link(mesh, "skel:skeleton", [skeletons[bound.skeleton].path])
     if not len(bound.joints):
         return
-    parts = [part for _, part in drawing.parts]
     # All of the skeleton in its own order: any other has to be mapped at every frame.
     listed = np.flatnonzero([joint.skeleton == bound.skeleton for joint in joints])
     author.put(
@@ -227,33 +226,24 @@ def _author_binding(
         np.linalg.inv(skeletons[bound.skeleton].to_root),
     )
     author.put(mesh, "primvars:skel:skinningMethod", "token", bound.method, uniform=True)
-    width = max(len(part.joint_binding.joints) for part in parts)
-    rows = [
-        np.tile(
-            _padded(np.searchsorted(listed, part.joint_binding.joints), width), len(part.points)
-        )
-        for part in parts
-    ]
-    shares = [
-        np.tile(_padded(_shares(part.joint_binding.weights), width), len(part.points))
-        for part in parts
-    ]
+    bindings = [(part.joint_binding, len(part.points)) for _, part in drawing.parts]
+    width = max(len(each.joints) for each, _ in bindings)
     for name, type_name, values in (
-        ("primvars:skel:jointIndices", "int[]", rows),
-        ("primvars:skel:jointWeights", "float[]", shares),
+        ("jointIndices", "int[]", [np.searchsorted(listed, each.joints) for each, _ in bindings]),
+        ("jointWeights", "float[]", [_shares(each.weights) for each, _ in bindings]),
     ):
+        rows = [
+            np.tile(np.pad(row, (0, width - len(row))), count)
+            for row, (_, count) in zip(values, bindings, strict=True)
+        ]
         author.put(
             mesh,
-            name,
+            f"primvars:skel:{name}",
             type_name,
-            np.concatenate(values),
+            np.concatenate(rows),
             interpolation="vertex",
             element_size=width,
         )
-
-
-def _padded(values: Any, width: int) -> Any:
-    return np.concatenate([values, np.zeros(width - len(values), dtype=values.dtype)])
 
 
 def _shares(weights: Floats) -> Floats:
@@ -275,7 +265,7 @@ def _spans(
 ) -> Spans:
     """Every part's points with those of its shapes that the mesh's own animation drives."""
     starts = _starts(len(part.points) for _, part in drawing.parts)
-    ranges = [np.arange(first, last) for first, last in itertools.pairwise(starts)]
+    ranges = [np.arange(*ends) for ends in itertools.pairwise(starts)]
     skeleton = drawing.joint_binding.skeleton
     driven = (
         {"", skeletons[skeleton].animation}
@@ -283,10 +273,7 @@ def _spans(
         else {each.animation for each in channels}
     )
     return [
-        (
-            points,
-            [shape for shape in part.shapes if channels[shape.channel].animation in driven],
-        )
+        (points, [each for each in part.shapes if channels[each.channel].animation in driven])
         for points, (_, part) in zip(ranges, drawing.parts, strict=True)
     ]
 

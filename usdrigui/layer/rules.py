@@ -48,14 +48,17 @@ def _in_range(said: str, numbers: Floats, sibling: Sibling) -> bool:
 
 
 def _as_long(said: str, numbers: Floats, sibling: Sibling) -> bool:
-    return any(_fits(each, len(numbers), sibling) for each in said.split(" or "))
+    def product(names: str) -> int:
+        named = names.split(" * ")
+        return math.prod(int(each) if each.isdigit() else len(sibling(each)) for each in named)
 
-
-def _fits(said: str, count: int, sibling: Sibling) -> bool:
-    if said.startswith("["):
-        return bool(_in_range(said, np.array(float(count)), sibling))
-    names = said.split(" * ")
-    return count == math.prod(int(each) if each.isdigit() else len(sibling(each)) for each in names)
+    count = len(numbers)
+    return any(
+        _in_range(each, np.array(float(count)), sibling)
+        if each.startswith("[")
+        else count == product(each)
+        for each in said.split(" or ")
+    )
 
 
 def _ascending(_: str, numbers: Floats, __: Sibling) -> bool:

@@ -32,7 +32,7 @@ from usdrigui.layer.drawing import (
 )
 from usdrigui.layer.drawn import drawn_parts
 from usdrigui.layer.skin_binding import SkinBinding
-from usdrigui.model import Anchor, Element, Layout, LayoutFrame, Member
+from usdrigui.model import Element, Layout, LayoutFrame, Member
 from usdrigui.model.levels import inner_names
 from usdrigui.replacing.transaction import State, commit, file_error
 from usdrigui.settings import OutputSettings
@@ -309,11 +309,7 @@ def author_elements(
     names = [author.identifier(element.name, used) for element in elements]
     inner = inner_names(layout.elements)
     drawn = [
-        DrawnElement(
-            each,
-            each.name in inner,
-            drawn_parts(skin, each, layout.frame),
-        )
+        DrawnElement(each, each.name in inner, drawn_parts(skin, each, layout.frame))
         for each in elements
     ]
     subsets: dict[int, Sdf.PrimSpec] = {}
@@ -348,22 +344,57 @@ def _author_element(
         subset.SetInfo("displayName", element.label)
     if element.reason:
         subset.SetInfo("documentation", element.reason)
-    _author_element_api(subset, element, instances, paths)
-    _author_anchor_api(subset, element.anchor)
-    _author_handle_api(subset, element)
+    anchor, glyph = element.anchor, element.glyph
+    handle: dict[str, Any] = {"adapt": element.adapt}
+    if glyph is not None:
+        handle |= {
+            "glyph": glyph.name,
+            "glyphType": glyph.form,
+            "glyphOffsets": glyph.points,
+            "glyphCounts": glyph.counts,
+            "glyphIndices": glyph.indices if glyph.form == "mesh" else (),
+        }
+    for api, values in (
+        (
+            schema.ELEMENT,
+            {
+                "name": "" if element.name == subset.name else element.name,
+                "elementType": element.kind,
+                "controls": list(instances.values()) if len(instances) > 1 else (),
+                "side": element.side,
+                "mirror": [paths[element.mirror]] if element.mirror in paths else [],
+                "members": [paths[name] for name in element.inner],
+                "category": element.category,
+                "pinned": element.pinned,
+                "pinnedPosition": element.pinned_position,
+            },
+        ),
+        (
+            schema.ANCHOR,
+            {
+                "carrier" if anchor.on_board else "prim": [anchor.mesh],
+                "pointIndex": anchor.point,
+                "pointCount": anchor.point_count,
+                "topologyHash": anchor.topology_hash,
+                "position": anchor.position,
+                "normal": anchor.normal,
+            },
+        ),
+        (schema.HANDLE, handle),
+    ):
+        author.declare(subset, api, values)
     opposes = {
         element.members[b].control: instances[element.members[a].control]
         for a, b in element.opposed
     }
     for position, member in enumerate(element.members):
+        control = skin.control(member.control)
         figures = {
             "opposes": opposes.get(member.control, ""),
             "mirrorReversed": position in element.reversed,
-            **_track(member, skin.control(member.control)),
+            **_track(member, control),
         }
-        author_control_api(
-            subset, body, skin.control(member.control), instances[member.control], figures
-        )
+        author_control_api(subset, body, control, instances[member.control], figures)
 
 
 def _track(member: Member, control: Control) -> dict[str, Any]:
@@ -385,54 +416,3 @@ def instances_of(members: tuple[Member, ...]) -> dict[str, str]:
     schema."""
     taken = set(author.properties(schema.CONTROL))
     return {member.control: author.identifier(member.control, taken) for member in members}
-
-
-def _author_element_api(
-    subset: Sdf.PrimSpec,
-    element: Element,
-    instances: Mapping[str, str],
-    paths: Mapping[str, Sdf.Path],
-) -> None:
-    author.declare(
-        subset,
-        schema.ELEMENT,
-        {
-            "name": "" if element.name == subset.name else element.name,
-            "elementType": element.kind,
-            "controls": list(instances.values()) if len(instances) > 1 else (),
-            "side": element.side,
-            "mirror": [paths[element.mirror]] if element.mirror in paths else [],
-            "members": [paths[name] for name in element.inner],
-            "category": element.category,
-            "pinned": element.pinned,
-            "pinnedPosition": element.pinned_position,
-        },
-    )
-
-
-def _author_anchor_api(subset: Sdf.PrimSpec, anchor: Anchor) -> None:
-    author.declare(
-        subset,
-        schema.ANCHOR,
-        {
-            "carrier" if anchor.on_board else "prim": [anchor.mesh],
-            "pointIndex": anchor.point,
-            "pointCount": anchor.point_count,
-            "topologyHash": anchor.topology_hash,
-            "position": anchor.position,
-            "normal": anchor.normal,
-        },
-    )
-
-
-def _author_handle_api(subset: Sdf.PrimSpec, element: Element) -> None:
-    glyph, values = element.glyph, dict[str, Any](adapt=element.adapt)
-    if glyph is not None:
-        values |= {
-            "glyph": glyph.name,
-            "glyphType": glyph.form,
-            "glyphOffsets": glyph.points,
-            "glyphCounts": glyph.counts,
-            "glyphIndices": glyph.indices if glyph.form == "mesh" else (),
-        }
-    author.declare(subset, schema.HANDLE, values)

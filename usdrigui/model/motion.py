@@ -124,7 +124,7 @@ class Motion(Record):
             return np.zeros(len(points))
         owned = self.owned[np.searchsorted(self.points, points)]
         should = max(_STANDS * float(owned.max()), 1e-300)
-        return np.asarray(1.0 - np.minimum(owned / should, 1.0))
+        return 1.0 - np.minimum(owned / should, 1.0)
 
     def on_own_skin(self) -> Motion:
         """The motion of the skin that the joint of the control owns, by how much it owns of each
@@ -162,15 +162,15 @@ class MirrorPlane(Record):
 
     def reflected(self, points: Floats) -> Floats:
         """(..., 3) mirror images of `points`."""
-        return np.asarray(points - 2.0 * self.distance(points)[..., None] * self.normal)
+        return points - 2.0 * self.distance(points)[..., None] * self.normal
 
     def turned(self, directions: Floats) -> Floats:
         """(..., 3) mirror images of `directions`."""
-        return np.asarray(directions - 2.0 * (directions @ self.normal)[..., None] * self.normal)
+        return directions - 2.0 * (directions @ self.normal)[..., None] * self.normal
 
     def projected(self, points: Floats) -> Floats:
         """(..., 3) nearest points of the plane; `points` themselves without one."""
-        return np.asarray(points - self.distance(points)[..., None] * self.normal)
+        return points - self.distance(points)[..., None] * self.normal
 
 
 class Symmetry(Record):

@@ -99,7 +99,7 @@ class LabelSet(Record):
         """(n,) the labels that a layout of less than `cost` may use: all others at their cheapest,
         and no overlap."""
         spare = cost - float(self.best.sum()) + ROUNDING * (1.0 + float(np.abs(self.best).sum()))
-        return np.asarray(self.cost - self.best[self.variable] <= spare)
+        return self.cost - self.best[self.variable] <= spare
 
     def of(self, kept: Indices) -> LabelSet:
         """Some of the labels (ascending), at least one of every variable."""
@@ -187,7 +187,7 @@ def bounding(geometry: LabelGeometry, place: Indices, block: Indices) -> LabelGe
 def _box_middle(positions: Floats, first: Indices) -> Floats:
     """Middles of the boxes around groups of positions along the last axis."""
     low = np.minimum.reduceat(positions, first, axis=-1)
-    return np.asarray((low + np.maximum.reduceat(positions, first, axis=-1)) / 2)
+    return (low + np.maximum.reduceat(positions, first, axis=-1)) / 2
 
 
 # --- pairs ----------------------------------------------------------------------------------------
@@ -199,7 +199,7 @@ def meeting(
     """Whether members of geometries ``i`` of `one` and ``j`` of `other`, broadcast, may interact:
     balls around what is drawn of each come within reach of the overlap or of the separation."""
     limit = one.extent[i] + other.extent[j] + max(problem.overlap.reach, problem.separation)
-    return np.asarray(squared(one.middle[:, i], other.middle[:, j]) < np.square(limit))
+    return squared(one.middle[:, i], other.middle[:, j]) < np.square(limit)
 
 
 def pair_bounds(

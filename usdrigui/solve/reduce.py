@@ -108,7 +108,7 @@ class Reduction:
         """(labels, variables) the block of every variable that a label stands for, or -1."""
         left = self.problem
         if self._joined is not None:
-            return np.asarray(self._joined[left.labels])
+            return self._joined[left.labels]
         found = np.full((len(left.labels), left.count), -1)
         found[np.arange(len(left.labels)), left.owner] = left.labels
         return found

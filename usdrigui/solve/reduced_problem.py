@@ -59,7 +59,7 @@ class PlainProblem(Record):
     @property
     def excess(self) -> Floats:
         """(n,) how much more than the cheapest of its variable every label costs."""
-        return np.asarray(self.linear - self.least[self.owner])
+        return self.linear - self.least[self.owner]
 
     def value(self, chosen: Indices) -> float:
         """Cost of one label per variable; +inf with an excluded pair."""
@@ -174,7 +174,7 @@ class ReducedProblem:
 
     def excess(self) -> Floats:
         """(n,) how much more than the cheapest of its variable every label costs."""
-        return np.asarray(self.costs - np.minimum.reduceat(self.costs, self.start[:-1])[self.owner])
+        return self.costs - np.minimum.reduceat(self.costs, self.start[:-1])[self.owner]
 
     def table(self, a: int, b: int) -> Floats:
         """(labels of a, labels of b) pair costs of two variables a < b, to be changed in place
@@ -313,7 +313,7 @@ class ReducedProblem:
                 least[strip.columns] += (strip.costs + excess[strip.mine, None]).min(axis=0)
                 costs = strip.costs + excess[strip.columns]
                 least[strip.mine] += np.minimum.reduceat(costs, strip.first, axis=1).sum(axis=1)
-        return np.asarray(self.bound() + excess + least)
+        return self.bound() + excess + least
 
     def exclude_pairs(self, cutoff: float) -> None:
         """Exclude the pairs of labels that no layout below the cutoff uses.
@@ -342,7 +342,7 @@ class ReducedProblem:
             if third != variable:
                 least = least_sums(pairs[mine, other] + excess[other], pairs[later, other])
                 total += np.where(first == third, 0.0, least)
-        return np.asarray(total)
+        return total
 
 
 def reduced(problem: ReducedProblem, cutoff: float) -> ReducedProblem | None:

@@ -121,4 +121,4 @@ def _cheapest(problem: ReducedProblem) -> Floats:
     share = (problem.costs / np.maximum(problem.linked.sum(axis=1), 1)[problem.owner])[labels]
     tables += tables.transpose(1, 0, 3, 2)
     tables += share[:, None, :, None] + share[None, :, None, :]
-    return np.asarray(tables)
+    return tables

@@ -20,7 +20,7 @@ from usdrigui.conventions import spellings
 from usdrigui.errors import Issue, issue
 from usdrigui.layout.reuse.motion_evidence import at_anchors, over_faces
 from usdrigui.layout.reuse.name_evidence import name_evidence, same_meaning
-from usdrigui.model import SURE, Element, Layout, Match, Trajectories
+from usdrigui.model import SURE, Layout, Match, Trajectories
 from usdrigui.model.levels import outer_first
 from usdrigui.ties import rounded
 
@@ -102,7 +102,9 @@ def match_layout(layout: Layout, rig: Rig, trajectories: Trajectories) -> Matchi
 
     A control that keeps its name is the same control, unless the name is a mere number.
     """
-    before, after = _names_of(layout.elements), [control.name for control in rig.controls]
+    members = (member for each in outer_first(layout.elements) for member in each.members)
+    before = list(dict.fromkeys(member.control for member in members))
+    after = [control.name for control in rig.controls]
     kept, left, new = _kept(before, after)
     if not left:
         return Matching(kept, (), tuple(new))
@@ -148,13 +150,6 @@ def names_draft(found: Matching) -> str:
 
 def _quoted(name: str) -> str:
     return json.dumps(name, ensure_ascii=True)
-
-
-def _names_of(elements: tuple[Element, ...]) -> list[str]:
-    """Every control of a layout once, in the order of its elements."""
-    return list(
-        dict.fromkeys(member.control for each in outer_first(elements) for member in each.members)
-    )
 
 
 def _kept(

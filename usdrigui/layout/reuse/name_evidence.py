@@ -47,7 +47,9 @@ def name_evidence(before: Sequence[str], after: Sequence[str], *, geometry: bool
             else:
                 senses = meant[0][i], meant[1][j]
                 found[i, j] = (
-                    _shared(one, two)
+                    _SHARED_WORDS
+                    * len(one.senses & two.senses)
+                    / max(1, len(one.senses | two.senses))
                     + _by_meaning(*senses, *usual)
                     - side_weight * _sides(*senses, one, two)
                 )
@@ -63,10 +65,6 @@ def same_meaning(before: Sequence[str], after: Sequence[str]) -> Flags:
 
 def _sense(meaning: Meaning) -> tuple[str, str]:
     return meaning.action.name, meaning.side
-
-
-def _shared(one: Spelling, two: Spelling) -> float:
-    return _SHARED_WORDS * len(one.senses & two.senses) / max(1, len(one.senses | two.senses))
 
 
 def _by_meaning(

@@ -148,7 +148,7 @@ def openness(subject: Subject) -> Floats:
         free = subject.caster.first_hits(starts, sky).triangle < 0
         light[lit] += share[lit]
         seen[lit] += share[lit] * free
-    return np.asarray(_UNSEEN + (1.0 - _UNSEEN) * np.where(light > 1e-6, seen / light, 1.0))
+    return _UNSEEN + (1.0 - _UNSEEN) * np.where(light > 1e-6, seen / light, 1.0)
 
 
 def shade(subject: Subject, camera: Camera) -> Shaded:
@@ -210,13 +210,13 @@ def eye_colours(gaze: Floats) -> Floats:
 
 
 def _mixed(a: Floats, b: Floats, share: Floats) -> Floats:
-    return np.asarray((1.0 - share) * a + share * b)
+    return (1.0 - share) * a + share * b
 
 
 def smooth_step(low: float, high: float, value: Floats) -> Floats:
     """0 below `low`, 1 above `high`, smooth between."""
     t = np.clip((value - low) / (high - low), 0.0, 1.0)
-    return np.asarray(t * t * (3.0 - 2.0 * t))
+    return t * t * (3.0 - 2.0 * t)
 
 
 def encoded(linear: Floats) -> Floats:

@@ -108,7 +108,7 @@ def _shape(form: str) -> Floats:
     """(k, 2) corners of the handle of radius 1 of a form."""
     count, size, start = _SHAPES.get(form, (24, 0.95, 0.0))
     angle = 2.0 * np.pi * (np.arange(count) + start) / count
-    return np.asarray(size * np.stack([np.cos(angle), np.sin(angle)], axis=1))
+    return size * np.stack([np.cos(angle), np.sin(angle)], axis=1)
 
 
 def _outlines(glyph: Glyph, points: Floats, centre: Floats, enlarged: float) -> tuple[Floats, ...]:
@@ -136,7 +136,7 @@ def _seen(at: Floats, depth: Floats | None, slack: float) -> Flags:
         return np.ones(len(at), dtype=bool)
     column = np.clip(at[:, 0].astype(np.int64), 0, depth.shape[1] - 1)
     row = np.clip(at[:, 1].astype(np.int64), 0, depth.shape[0] - 1)
-    return np.asarray(at[:, 2] >= depth[row, column] - slack)
+    return at[:, 2] >= depth[row, column] - slack
 
 
 def _fields(element: Element, posed: PosedElement, camera: Camera) -> tuple[Floats, ...]:
