@@ -199,10 +199,6 @@ def disagreements(
             if own.kind == "joint" and _worst(own.drive.turn - today.drive.turn) > _TURNED:
                 what = f"{own.name!r} turns its joints otherwise than the character"
                 yield doubtful_at(each.prim, what)
-            ends, limits = (own.minimum, own.maximum), (today.minimum, today.maximum)
-            if today.range_source == "limits" and not np.allclose(ends, limits):
-                what = f"{own.name!r} has the range {ends}, blendShapeWeights the limits {limits}"
-                yield doubtful_at(each.prim, what)
     yield from _facing(scene)
     yield from _together(_thinned(scene))
 
