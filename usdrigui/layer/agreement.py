@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
-from itertools import pairwise
+from itertools import islice, pairwise
 
 import numpy as np
 from pxr import Usd, UsdGeom
@@ -179,7 +179,7 @@ def disagreements(
     LAYOUT_TRACK of controls that take their anchor elsewhere than their track shows, and
     LAYOUT_DRAWN of what is drawn and does not go along.
 
-    `known` are the controls that the character has today, by their names, as far as anybody knows.
+    `known` are the controls that the character has today, by their names, where it was read.
     """
     found, root = list[Issue](), scope.GetParent()
     animated = read_animated(root, settings, [*drawable(root), *drawings(scope)])
@@ -327,13 +327,20 @@ def _together(scene: _Scene) -> Iterator[Issue]:
     on_board = [each for each in scene.drawn if each.element.anchor.on_board]
     board = {control for each in on_board for control in each.members.tolist()}
     ignored = scene.with_ignored(board, [each.anchor for each in on_board])
-    for towards in ("maximum", "minimum"):
-        pose = [posed(scene.rig, scene.halfway(towards, but)) for but in ([], ignored)]
-        for each in scene.drawn:
-            for what, off, slack in _departures(scene, each, towards, *pose):
-                if off > scene.grain + slack:
-                    astray = f"its {what} leaves the character by {off:.3g} as all controls go"
-                    yield _astray(each.prim, f"{astray} half way to their {towards}")
+    poses = {
+        towards: [posed(scene.rig, scene.halfway(towards, but)) for but in ([], ignored)]
+        for towards in ("maximum", "minimum")
+    }
+    for each in scene.drawn:
+        astray = (
+            f"its {what} leaves the character by {off:.3g} as all controls go half way to their"
+            f" {towards}"
+            for towards, pose in poses.items()
+            for what, off, slack in _departures(scene, each, towards, *pose)
+            if off > scene.grain + slack
+        )
+        for first in islice(astray, 1):
+            yield _astray(each.prim, first)
 
 
 def _departures(

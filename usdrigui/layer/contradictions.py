@@ -75,7 +75,8 @@ def contradictions(
 ) -> tuple[Issue, ...]:
     """LAYOUT_INVALID, LAYOUT_TRACK, LAYOUT_DRAWN and LAYOUT_VALUE for each element of the layouts
     of today's format, up to a property or a character that cannot be read; `stage` has layouts that
-    `read_layout` reads, or has read.  The controls of the characters `rigs` are known."""
+    `read_layout` reads, or has read.  Controls are compared with those of the characters `rigs`,
+    where these have been read."""
     issues: list[Issue] = []
     read = {rig.path: {each.name: each for each in rig.controls} for rig in rigs}
     for scope, known in zip_longest(layout_scopes(stage), layouts):
@@ -239,8 +240,9 @@ def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue
     towards = {"left": away, "right": -away}.get(side, np.inf)
     astray = towards < -_ASIDE * width - told or abs(towards) < _UPON * width - told
     if side == "none" or (astray and not on_board):
-        what = f"{away:.3g} to the left of the plane of symmetry"
-        yield invalid_at(prim, f"rigUI:element:side is {side}, and its place {what}")
+        where = f"{abs(away):.3g} on the {'left' if away > 0.0 else 'right'}"
+        what = f"its anchor is {where} of the plane of symmetry"
+        yield invalid_at(prim, f"rigUI:element:side is {side}, and {what}")
 
 
 def _of_mirror(

@@ -354,35 +354,28 @@ def _author_element(
             "glyphCounts": glyph.counts,
             "glyphIndices": glyph.indices if glyph.form == "mesh" else (),
         }
-    for api, values in (
-        (
-            schema.ELEMENT,
-            {
-                "name": "" if element.name == subset.name else element.name,
-                "elementType": element.kind,
-                "controls": list(instances.values()) if len(instances) > 1 else (),
-                "side": element.side,
-                "mirror": [paths[element.mirror]] if element.mirror in paths else [],
-                "members": [paths[name] for name in element.inner],
-                "category": element.category,
-                "pinned": element.pinned,
-                "pinnedPosition": element.pinned_position,
-            },
-        ),
-        (
-            schema.ANCHOR,
-            {
-                "carrier" if anchor.on_board else "prim": [anchor.mesh],
-                "pointIndex": anchor.point,
-                "pointCount": anchor.point_count,
-                "topologyHash": anchor.topology_hash,
-                "position": anchor.position,
-                "normal": anchor.normal,
-            },
-        ),
-        (schema.HANDLE, handle),
-    ):
-        author.declare(subset, api, values)
+    identity: dict[str, Any] = {
+        "name": "" if element.name == subset.name else element.name,
+        "elementType": element.kind,
+        "controls": list(instances.values()) if len(instances) > 1 else (),
+        "side": element.side,
+        "mirror": [paths[element.mirror]] if element.mirror in paths else [],
+        "members": [paths[name] for name in element.inner],
+        "category": element.category,
+        "pinned": element.pinned,
+        "pinnedPosition": element.pinned_position,
+    }
+    place: dict[str, Any] = {
+        "carrier" if anchor.on_board else "prim": [anchor.mesh],
+        "pointIndex": anchor.point,
+        "pointCount": anchor.point_count,
+        "topologyHash": anchor.topology_hash,
+        "position": anchor.position,
+        "normal": anchor.normal,
+    }
+    author.declare(subset, schema.ELEMENT, identity)
+    author.declare(subset, schema.ANCHOR, place)
+    author.declare(subset, schema.HANDLE, handle)
     opposes = {
         element.members[b].control: instances[element.members[a].control]
         for a, b in element.opposed

@@ -76,8 +76,8 @@ def _rated(
         linear=float(variable.cost[label]),
         overlap=float(alone[label] - variable.cost[label]),
         nearest=nearest,
-        distance=distance / face.handle_width,
-        gain=gain,
+        distance=float(distance) / face.handle_width,
+        gain=float(gain),
         better=place_of(face.rig.body, int(choice.anchors[best, 0])) if gain > 0.0 else "",
     )
 
