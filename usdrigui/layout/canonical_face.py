@@ -114,7 +114,7 @@ def believed(
     `meanings` (controls,) as read from the names of the rig's controls.  Names count only
     where most of those with a place act there: numbers may count something else than action units,
     and words may be those of other controls.  What mostly moves what is seen is not inside the
-    mouth, whatever it is called.
+    mouth, whatever it is called, and what moves both sides alike is not the control of one.
     """
     surface = trajectories.surface
     found = list(meanings)
@@ -122,7 +122,10 @@ def believed(
         meaning = found[motion.control]
         weight = surface.areas[motion.points] * motion.arc_length
         visible = weight[views.anywhere[motion.points]].sum() > 0.5 * weight.sum()
-        if meaning is not None and meaning.action.category == "interior" and visible:
+        own_image = int(symmetry.twins[motion.control]) == motion.control
+        if meaning is not None and (
+            (meaning.action.category == "interior" and visible) or (meaning.side and own_image)
+        ):
             found[motion.control] = None
     expected = expectations(trajectories, symmetry, views, found)
     right = [

@@ -62,6 +62,10 @@ def test_words_that_mostly_stand_elsewhere_than_they_act_mean_nothing():
     assert meant(dict(zip(names, [shapes()[name] for name in names[5:] + names[:5]], strict=True))) == []
 
 
+def test_what_moves_both_sides_alike_is_not_the_control_of_one():
+    assert "browUp_L" not in meant(shapes() | {"browUp_L": at(0.5, 0.28) + at(-0.5, 0.28)})
+
+
 def meant(shapes):
     """The names that are read, as the motions bear them out."""
     rig = makers.rig(POINTS, QUADS, shapes)

@@ -119,7 +119,7 @@ def _category(
         if settings.board_composite and not requests.prior.stood_on_face((control,))
         else None
     )
-    if composite is not None and composite.kind == "family":
+    if composite is not None and composite.family_reason:
         # All of it under one heading, whatever else speaks against some of its members.
         return composite.category, ""
     if settings.board_global and not stays:

@@ -16,18 +16,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 
 from usdrigui.character import Floats, Indices
 from usdrigui.conventions import Meaning
-from usdrigui.layout.classify.basis import Basis, Explanation, best_sum, choose_basis
+from usdrigui.layout.classify.basis import Explanation, best_sum, choose_basis
 from usdrigui.layout.classify.families import Family, find_families
 from usdrigui.layout.face import Face
-from usdrigui.layout.motion.similarity import (
-    Similarity,
-)
+from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.model import Category
 
 _UNNAMED_SIDE = 0.5
@@ -41,23 +38,19 @@ class Composite:
     """Why a control is off the face, for others that have the same motion."""
 
     category: Category
-    kind: Literal["repetition", "mixture", "family"]
-    parts: tuple[int, ...] = ()
-    """Indices of the motions that are to be named, the strongest first."""
-    amount: float = 1.0
-    """Of a repetition: how far it goes, as a share of the other."""
-    family_reason: str = ""
-    explained_by: tuple[tuple[int, float], ...] = ()
+    explained_by: tuple[tuple[int, float], ...]
     """Motions of which it is the sum, and how far each of them goes, the strongest first."""
+    family_reason: str = ""
+    """Of a family that is off the face as a whole; empty for a repetition or a mixture."""
 
 
 def explanation(composite: Composite, names: Sequence[str]) -> str:
     """Why a control is a composite, in words; `names` are those of the motions."""
-    parts = [names[part] for part in composite.parts]
-    if composite.kind == "family":
+    if composite.family_reason:
         return composite.family_reason
-    if composite.kind == "repetition":
-        return f"does the same as {parts[0]}, {composite.amount:.0%} as far"
+    parts = [names[part] for part, _ in composite.explained_by[:_NAMED]]
+    if len(parts) == 1:
+        return f"does the same as {parts[0]}, {composite.explained_by[0][1]:.0%} as far"
     return f"does what {_listed(parts)} do together"
 
 
@@ -74,7 +67,8 @@ def composites(face: Face, similarity: Similarity, coverage: Floats) -> dict[int
     families = find_families(names, meaning, similarity.cosine)
     basis = choose_basis(similarity.cosine, _costs(meaning, coverage, families, twins), twins)
     found = {
-        i: _composite(i, basis, similarity.norm) for i in np.flatnonzero(~basis.atoms).tolist()
+        i: Composite("composite", _amounts(i, basis.explanations[i], similarity.norm))
+        for i in np.flatnonzero(~basis.atoms).tolist()
     }
     off_face = [i for family in families if not family.on_face for i in family.members]
     shown = basis.atoms & ~np.isin(np.arange(len(names)), off_face)
@@ -83,9 +77,7 @@ def composites(face: Face, similarity: Similarity, coverage: Floats) -> dict[int
             found.pop(i, None)
             if not family.on_face:
                 amounts = _amounts(i, best_sum(i, shown, similarity.cosine), similarity.norm)
-                found[i] = Composite(
-                    family.kind, "family", family_reason=family.reason, explained_by=amounts
-                )
+                found[i] = Composite(family.kind, amounts, family.reason)
     return {i: why for i, why in sorted(found.items()) if twins[i] < 0 or int(twins[i]) in found}
 
 
@@ -115,22 +107,6 @@ def _costs(
             else:
                 costs[i] = -action.importance
     return np.round(costs, 6)
-
-
-def _composite(index: int, basis: Basis, norm: Floats) -> Composite:
-    """What a motion that is no atom repeats; `norm` (m,) of the motions."""
-    explained = basis.explanations[index]
-    parts = tuple(explained.parts[:_NAMED].tolist()) if explained is not None else ()
-    amounts = _amounts(index, explained, norm)
-    if len(parts) == 1:
-        return Composite(
-            "composite",
-            "repetition",
-            parts,
-            float(norm[index] / norm[parts[0]]),
-            explained_by=amounts,
-        )
-    return Composite("composite", "mixture", parts, explained_by=amounts)
 
 
 def _amounts(

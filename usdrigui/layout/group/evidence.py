@@ -64,7 +64,9 @@ class Evidence:
         if self.joints[a] != self.joints[b]:
             return ""
         if one is None or other is None:
-            return "" if self._specific(a) or self._specific(b) else "open"
+            # The mirror image of a meaning has one too, whatever it is called.
+            bound = self.twin.get(a, -1) != b and (self._specific(a) or self._specific(b))
+            return "" if bound else "open"
         if one.action.in_family or other.action.in_family:
             return ""
         axes = {one.action.axis, other.action.axis}

@@ -284,7 +284,10 @@ class _Grouping:
         for first, second in pairs:
             known, score = self.evidence.crossing(first.motions, second.motions)
             motions = (*first.motions, *second.motions)
-            if known and self.share_a_place(motions):
+            shapes = known == "open" and not self.evidence.joints[motions[0]]
+            # What has a handle on either side shares none in the middle.
+            lobes = {self._has_two_lobes(i) for i in motions} if shapes else ()
+            if known and len(lobes) < 2 and self.share_a_place(motions):
                 names = sorted(self.names[i] for i in motions)
                 rank = (second_choice, known == "open", -round(score, 9), names)
                 yield rank, self._with_joined_image(self._joined(first.axes, second.axes))

@@ -143,17 +143,20 @@ class _Search(Record):
         best, equal = self.ranked(finalists)
         # Nearest points lead astray where a plane starts far from the true one.
         whole = self._whole(best[:equal]) or self._whole(best[equal:])
-        # Of those that fit alike (a face as symmetric upside down) the most upright one.
+        # Of those that fit alike (a face as symmetric upside down) the most upright one, and of
+        # these (a regular grid) the one that mirrors most.
         return min(whole, key=lambda plane: round(abs(float(plane.normal @ up)), 3), default=None)
 
     def _whole(self, planes: list[MirrorPlane]) -> list[MirrorPlane]:
-        """The planes, fitted to an end, that mirror most of the sample to places of the surface."""
+        """The planes, fitted to an end, that mirror most of the sample to places of the surface,
+        the one that mirrors most first."""
         found = self._distinct(self._polished(self.fitted(plane, 60)) for plane in planes)
-        return [
-            plane
-            for plane in found
-            if (self._apart(plane)[0] <= self.tolerance).mean() >= LEAST_SHARE
-        ]
+        whole = (plane for plane in found if self._mirrored(plane) >= LEAST_SHARE)
+        return sorted(whole, key=self._mirrored, reverse=True)
+
+    def _mirrored(self, plane: MirrorPlane) -> float:
+        """Share of the sample whose mirror image meets a place of the surface."""
+        return round(float((self._apart(plane)[0] <= self.tolerance).mean()), 3)
 
     def ranked(self, planes: list[MirrorPlane]) -> tuple[list[MirrorPlane], int]:
         """The distinct planes, the best first: those that fit as well as the best, of which the
@@ -215,13 +218,15 @@ class _Search(Record):
         return plane
 
     def _distinct(self, planes: Iterable[MirrorPlane]) -> list[MirrorPlane]:
-        """The first of all planes that mirror the sample to the same places, as good as."""
-        kept: list[tuple[MirrorPlane, Floats]] = []
+        """The first of all planes that mirror the sample to the same places, as good as; none that
+        leaves it where it is, as that of a flat sheet."""
+        kept, images = list[MirrorPlane](), [self.sample]
         for plane in planes:
             image = plane.reflected(self.sample)
-            if all(np.abs(image - other).max() > _EQUAL * self.tolerance for _, other in kept):
-                kept.append((plane, image))
-        return [plane for plane, _ in kept]
+            if all(np.abs(image - other).max() > _EQUAL * self.tolerance for other in images):
+                kept.append(plane)
+                images.append(image)
+        return kept
 
 
 def _principal(points: Floats, weights: Floats) -> list[Floats]:

@@ -50,6 +50,8 @@ def test_opposed_controls_become_one_slider_with_two_ends():
     assert (jaw.kind, jaw.opposed, jaw.mirror) == ("slider", ((0, 1),), ())
     apart, _ = groups_of(makers.face(), groups={"opposed": False})
     assert ("jawRight", "jawLeft") not in apart
+    half_named, _ = groups_of(makers.rig(POINTS, QUADS, {k.replace("jawLeft", "two"): v for k, v in SHAPES.items()}))
+    assert ("jawRight", "two") in half_named
     shy, _ = groups_of(makers.face(), groups={"opposed_cosine": -1.01})
     assert ("jawRight", "jawLeft") in shy, "twins have some leeway"
 
