@@ -3,6 +3,7 @@
 `check` and both validators ask `layout_faults`.  Rules of the schema have a table of their own, made from the schema.
 """
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -86,8 +87,7 @@ class Layout:
 
 def plain(name):
     """With the placeholder of instance names."""
-    parts = name.split(":")
-    return ":".join([*parts[:2], "__INSTANCE_NAME__", *parts[3:]]) if {*parts[1:2]} & {"control", "part"} else name
+    return re.sub(r"^(rigUI:(?:control|part)):[^:]+", r"\1:__INSTANCE_NAME__", name)
 
 
 DECLARED = {each.name: each for api in schema.APIS for each in author.properties(api).values()}
@@ -121,10 +121,6 @@ def drop_shape(layout, name=SMILE):
     relation.SetTargets(targets[:at] + targets[at + 1 :])
 
 
-def shape(name, change):
-    return lambda layout: layout.set("offsets", change, f"{MESH}/shape_{name}")
-
-
 def mesh(name, change):
     return lambda layout: layout.set(name, change, MESH)
 
@@ -142,7 +138,7 @@ def relation(name, *targets, prim=SMILE):
 
 
 def layout(name, change):
-    return lambda each: each.set(f"rigUI:layout:{name}", change, SCOPE)
+    return element(f"layout:{name}", change, SCOPE)
 
 
 def both(*edits):
@@ -151,6 +147,10 @@ def both(*edits):
             each(layout)
 
     return edit
+
+
+def in_time(name, prim=SMILE):
+    return lambda layout: (found := layout.attribute(name, prim)).Set(found.Get(), 1.0)
 
 
 def roles_of_points(layout):
@@ -212,13 +212,18 @@ def call_tracks_areas(layout):
     layout.set("primvars:rigUI:role:indices", lambda old: moved(old, faces, old[faces]), MESH)
 
 
+def share_a_point(layout):
+    start, home = (drawn(layout, SQUASH, role)[0] for role in ("track", "handle"))
+    layout.set("faceVertexIndices", lambda old: np.where(old == start, home, old), MESH)
+
+
 INVALID, DRAWN, TRACK = "LAYOUT_INVALID", "LAYOUT_DRAWN", "LAYOUT_TRACK"
 FAULTS = {
     (DRAWN, SMILE): {
         "points shifted": shifted(0.1, *schema.ROLES),
         "points of a track shifted": shifted(1.0, "track"),
         "faces of two elements exchanged": swap_faces,
-        "a shape twice as far": shape(SMILE, lambda old: 2.0 * old),
+        "a shape twice as far": lambda each: each.set("offsets", lambda old: 2.0 * old, f"{MESH}/shape_{SMILE}"),
         "a shape left out": drop_shape,
         "skinned to another joint": mesh("primvars:skel:jointIndices", lambda old: (old + 1) % 5),
         "half the weight": mesh("primvars:skel:jointWeights", lambda old: 0.5 * old),
@@ -238,7 +243,7 @@ FAULTS = {
         "no role": mesh("primvars:rigUI:role", []),
         "an unknown role": mesh("primvars:rigUI:role", ["knob"] * 3),
         "roles of points": roles_of_points,
-        "points in time": lambda each: in_time(each.attribute("points", MESH)),
+        "points in time": in_time("points", MESH),
         "indices of points": lambda each: each.set("elementType", "point"),
         "no Skeleton": relation("skel:skeleton", prim=MESH),
         "a purpose of render on the mesh": mesh("purpose", "render"),
@@ -252,11 +257,13 @@ FAULTS = {
         "points for a mesh": lambda each: each.prim(MESH).SetTypeName("Points"),
         "an unknown way of skinning": mesh("primvars:skel:skinningMethod", "magic"),
         "a part that is none": other_part,
+        "colours beyond those that there are": mesh("primvars:displayColor:indices", lambda old: old + 9),
+        "an unknown type of family": mesh("subsetFamily:rigUI:familyType", "magic"),
     },
     (INVALID, SMILE): {
         "faces beyond the mesh": lambda each: each.set("indices", lambda old: old + 10**6),
         "no handle": mesh("primvars:rigUI:role", ["track"] * 3),
-        "a track in time": lambda each: in_time(each.attribute(f"rigUI:control:{SMILE}:trackPoints")),
+        "a track in time": in_time(f"rigUI:control:{SMILE}:trackPoints"),
         "another family of subsets": lambda each: each.set("familyName", "materialBind"),
         "another number of points": element("anchor:pointCount", 99999),
         "a heading on the face": element("element:category", "viseme"),
@@ -289,6 +296,7 @@ FAULTS = {
     },
     (DRAWN, SQUASH): {
         "a track drawn backwards": turn_track,
+        "a track that begins in a point of the handle": share_a_point,
         "a shape of the board left out": lambda each: drop_shape(each, SQUASH),
     },
     (INVALID, SCOPE): {
@@ -339,6 +347,7 @@ FAULTS = {
         "another joint": control("joints", ["Neck/Head/Jaw"], EYE, "EyeLeft_ry"),
         "another joint's name": control("source", "Neck/Head/Jaw", EYE, "EyeLeft_ry"),
         "a range beyond the track": control("maximum", 99.0, EYE, "EyeLeft_rx"),
+        "a turn at the default": control("jointRotationVectors", lambda old: old + 5.0, EYE, "EyeLeft_ry"),
     },
     (INVALID, WIDE): {
         "two ends that are not opposed": control("opposes", "", WIDE, "eyeWideLeft"),
@@ -376,10 +385,6 @@ FAULTS = {
     },
 }
 """By the code that finds them and the prim that it names."""
-
-
-def in_time(attribute):
-    attribute.Set(attribute.Get(), 1.0)
 
 
 def test_the_layout_of_the_sample_has_no_fault(stage):

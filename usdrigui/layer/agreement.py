@@ -26,6 +26,7 @@ from usdrigui.layer import author
 from usdrigui.layer.properties import value_of
 from usdrigui.layer.read_controls import doubtful_at, invalid_at, read_controls
 from usdrigui.layer.read_layout import base_controls, element_prims, faces_by_role, points_of
+from usdrigui.layer.skin_binding import influences
 from usdrigui.model import Element, Layout, Member
 from usdrigui.overlap import segment_distances
 from usdrigui.reading.character import read_animated
@@ -55,7 +56,7 @@ _AGREE = 1.02
 """The same of lengths that the layer says twice."""
 _TURNED = 2e-3
 """Radians for a degree of a control: so far may the turn of the character's own differ."""
-_LIFTED = 0.25
+_LIFTED = 0.15
 """Of a handle's width: so far from its lift may the middle of a handle be."""
 CLEAR = 0.5
 """Cosine beyond which two directions are one, or opposite."""
@@ -108,15 +109,14 @@ class _Scene(Record):
     @cached_property
     def grain(self) -> float:
         """How exactly the layer and UsdSkel tell places and ways: far from the origin, little."""
-        far = np.abs(self.base.points[np.concatenate([each.rows for each in self.drawn])])
-        return _FOLLOWS * self.size + 2.0 * author.TOLD * float(far.max(initial=0.0))
+        far = np.abs(self.base.points[self.uses > 0]).max(initial=0.0)
+        return _FOLLOWS * self.size + 2.0 * author.TOLD * float(far)
 
     @cached_property
-    def skin(self) -> Floats:
-        """(points,) 1 for those of the character, 0 for those of what is drawn."""
-        found = np.ones(len(self.base.points))
-        found[np.concatenate([each.drawn for each in self.drawn])] = 0.0
-        return found
+    def uses(self) -> Floats:
+        """(points,) how many handles and tracks draw each; none those of the character."""
+        drawn = np.concatenate([each.drawn for each in self.drawn])
+        return np.bincount(drawn, minlength=len(self.base.points)).astype(np.float64)
 
     @cached_property
     def base(self) -> Posed:
@@ -140,7 +140,8 @@ class _Scene(Record):
         carried = with_descendants(self.rig.body.joints, np.array(turned, dtype=np.int64))
         if turned:
             for point in anchors:
-                above = self._above[:, self._influences(point)]
+                mesh, local = self.rig.body.mesh_of(point)
+                above = self._above[:, influences(self.rig.body.meshes[mesh].skin, local)[0]]
                 carried |= above.any(axis=1) & ~above.all(axis=1)
         return [
             index
@@ -156,12 +157,6 @@ class _Scene(Record):
         """(joints, joints) which joints each moves: itself, and those below it."""
         joints = self.rig.body.joints
         return np.array([with_descendants(joints, np.array([i])) for i in range(len(joints))])
-
-    def _influences(self, point: int) -> Indices:
-        """The joints that move a point."""
-        mesh, local = self.rig.body.mesh_of(point)
-        skin = self.rig.body.meshes[mesh].skin
-        return np.zeros(0, int) if skin is None else skin.joints[local][skin.weights[local] != 0.0]
 
     def halfway(self, towards: str, but: list[int]) -> Floats:
         """Values (controls,) of a pose: every control half way from the base pose to its
@@ -210,6 +205,8 @@ def _at_rest(scene: _Scene, drawn: _Drawn) -> Iterator[Issue]:
     """What is wrong with an element in the base pose."""
     element, points, width = drawn.element, scene.base.points, drawn.width
     handle = points[drawn.handle]
+    if (scene.uses[drawn.drawn] > 1).any():
+        yield _astray(drawn.prim, "faces of its handle, of its tracks or of others share points")
     if element.glyph is None:
         yield from _as_wide(drawn, handle, scene.grain)
         away = _worst(handle[:1] - element.anchor.position)
@@ -263,15 +260,17 @@ def _as_wide(drawn: _Drawn, handle: Floats, grain: float) -> Iterator[Issue]:
 
 def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterator[Issue]:
     """What is wrong with an element while one of its controls goes along its track."""
-    values = np.append(scene.base_values[control], member.values)
-    start = sweep_start(scene.rig, scene.base, scene.base_values, control)[0]
-    moved, offsets = sweep(scene.rig, start, control, values)
-    ways = np.linalg.norm(np.diff(offsets[1:], axis=0), axis=2).sum(axis=0)
-    far = (ways * scene.skin[moved]).max(initial=0.0)
     subject = scene.rig.controls[control]
+    start, now = sweep_start(scene.rig, scene.base, scene.base_values, control)
+    moved, offsets = sweep(scene.rig, start, control, [subject.default, now, *member.values])
+    if _worst(offsets[0]) > scene.grain + _EXACT * drawn.width:
+        what = f"rigUI:control:*:keys of {member.control!r} move the character at its default"
+        yield invalid_at(drawn.prim, what)
+    ways = np.linalg.norm(np.diff(offsets[2:], axis=0), axis=2).sum(axis=0)
+    far = (ways * (scene.uses[moved] == 0)).max(initial=0.0)
     yield from _lengths(scene, drawn, member, subject.maximum - subject.minimum, far)
-    motion = np.zeros((len(values) - 1, len(scene.base.points), 3))
-    motion[:, moved] = offsets[1:] - offsets[0]
+    motion = np.zeros((len(member.values), len(scene.base.points), 3))
+    motion[:, moved] = offsets[2:] - offsets[1]
     sliding = len(subject.drive.channels) == 1 and not len(subject.drive.joints)
     yield from _along(scene, drawn, member, motion, sliding)
 
@@ -458,7 +457,7 @@ def _facing(scene: _Scene) -> Iterator[Issue]:
     """Whether elements on the skin face as it does, inwards or outwards: where surfaces coincide,
     what is seen may be either side."""
     # The first point of a handle is where the skin's is.
-    places = weld(scene.base.points, scene.skin[:, None])
+    places = weld(scene.base.points, scene.uses[:, None])
     triangles = mesh_triangles(scene.rig.body.meshes)
     normals = vertex_normals(scene.base.points, triangles, places)
     for each in scene.drawn:

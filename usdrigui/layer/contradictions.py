@@ -60,6 +60,8 @@ _TARGETS = {
     "mirror": schema.ELEMENT,
 }
 """Type of the targets of our relationships, or a schema of theirs."""
+_WORDS = {"familyType": ("nonOverlapping", "partition", "unrestricted")}
+"""Allowed in attributes that USD has no definition of."""
 _MIRRORED = 0.1
 """Of a handle's width: anchors so near to each other's mirror image are those of a pair."""
 _ASIDE, _UPON = 1.0, 0.01
@@ -143,6 +145,7 @@ def _of_prims(scope: Usd.Prim) -> Iterator[Issue]:
                 yield invalid_at(prim, f"{api} is of a {kinds[0]}, not a {prim.GetTypeName()}")
         for attribute in prim.GetAuthoredAttributes():
             words, said = attribute.GetMetadata("allowedTokens"), attribute.Get()
+            words = words or _WORDS.get(attribute.GetBaseName())
             if words and said not in (None, *words):
                 yield invalid_at(prim, f"{attribute.GetName()} is {said!r}, not one of {words}")
             still = attribute.GetBaseName() not in ("value", "visibility")
@@ -208,11 +211,13 @@ def _of_drawing(mesh: Usd.Prim, parts: Sequence[str]) -> Iterator[Issue]:
         yield invalid_at(mesh, "extent is not that of its points: viewers may leave it out")
     counts = {"constant": 1, "uniform": faces, "vertex": len(points)}
     for primvar in UsdGeom.PrimvarsAPI(mesh).GetPrimvarsWithAuthoredValues():
-        kind = primvar.GetInterpolation()
-        held = primvar.GetIndices() if primvar.IsIndexed() else primvar.Get()
+        kind, values, places = primvar.GetInterpolation(), primvar.Get(), primvar.GetIndices()
+        held = places if primvar.IsIndexed() else values
         wanted = counts.get(kind, 0) * primvar.GetElementSize()
-        if wanted and primvar.GetTypeName().isArray and len(held) != wanted:
-            yield invalid_at(mesh, f"{primvar.GetName()} has {len(held)} values, and is {kind}")
+        odd = wanted and primvar.GetTypeName().isArray and len(held) != wanted
+        if odd or {*places} - {*range(len(values))}:
+            what = f"is {kind}, and its {len(held)} values or indices are not one for each"
+            yield invalid_at(mesh, f"{primvar.GetName()} {what}")
     if min(drawn.GetDisplayOpacityAttr().Get() or (1.0,)) <= 0.0:
         yield doubtful_at(mesh, "primvars:displayOpacity is 0: nobody sees what it draws")
     sound, why = UsdGeom.Subset.ValidateSubsets(subsets, faces, UsdGeom.Tokens.nonOverlapping)

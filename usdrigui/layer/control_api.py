@@ -124,13 +124,11 @@ def author_limits(root: Sdf.PrimSpec, rig: Rig) -> None:
 def _weight_ranges(rig: Rig, animation: str) -> Floats:
     """(weights, 2) least and largest weight of each blend shape of a SkelAnimation, in its
     order."""
-    own = {
-        i: channel.index
-        for i, channel in enumerate(rig.body.channels)
-        if channel.animation == animation
-    }
-    ranges = np.tile([0.0, 1.0], (max(own.values(), default=-1) + 1, 1))
+    entries = [each.index for each in rig.body.channels if each.animation == animation]
+    ranges = np.tile([0.0, 1.0], (max(entries, default=-1) + 1, 1))
     for control in rig.controls:
-        if is_plain(rig.body.base_weights, control.drive) and int(control.drive.channels[0]) in own:
-            ranges[own[int(control.drive.channels[0])]] = control.minimum, control.maximum
+        if is_plain(rig.body.base_weights, control.drive):
+            channel = rig.body.channels[control.drive.channels[0]]
+            if channel.animation == animation:
+                ranges[channel.index] = control.minimum, control.maximum
     return ranges

@@ -54,9 +54,13 @@ so high that it is seen from the side."""
 _LIFT = 0.35
 """Of a handle's width: so far the middle of the dome is from its anchor, which the skin around it
 would hide."""
-_LIFT_TURN, _DOME_TURN = 2.0, 0.7
+_LIFT_TURN, _DOME_TURN = 4.0, 2.0
 """Weight of the direction to the viewer, beside that of the skin's normal, in the directions in
 which the dome is lifted, and looks."""
+_FRONT, _ASIDE = 3.0, 0.5
+"""Weight of the view from the front beside the part's own in that direction, and how far that view
+goes to the side of the character to which the skin looks: half of the 40 degrees or so from which a
+character is turned to be seen."""
 _BEHIND = -0.5
 """Skin that looks away from the viewer by more than this is seen from another side."""
 
@@ -101,8 +105,10 @@ def drawn_parts(skin: SkinBinding, element: Element, frame: LayoutFrame) -> tupl
     part = element.part
     width, view = frame.handle_width_of(part), frame.view_of(part)
     # Hands that hang are seen from the side, each from its own; and all from the front.
-    view = max(view, frame.plane.turned(view), key=element.anchor.normal.dot)
-    view = _unit(view + frame.view, view)
+    normal, across = element.anchor.normal, frame.plane.normal
+    view = max(view, frame.plane.turned(view), key=normal.dot)
+    front = frame.view + np.clip(normal @ across, -_ASIDE, _ASIDE) * across
+    view = _unit(view + _FRONT * front, view)
     binding = skin.at_anchor(element)
     step = min(_EXACT_STEP * skin.size, _FINE_STEP * width)
     felt = _felt(binding.shapes, min(_EXACT * skin.size, _FINE * width))
@@ -291,9 +297,8 @@ def _areas(element: Element) -> list[tuple[list[int], Floats]]:
     They end short of the tracks: surfaces that touch in a point make a mesh no manifold, and points
     that are in one place look like a mistake.
     """
-    pairs = [] if element.kind == "slider" else _neighbours(element)
     polygons: list[list[int]] = []
-    for a, b in pairs:
+    for a, b in _neighbours(element):
         if polygons and polygons[-1][-1] == a:
             polygons[-1].append(b)
         else:
@@ -320,16 +325,15 @@ def _ends(element: Element) -> tuple[list[int], Floats]:
     """The ends of tracks away from the handle, with the angle of each around the normal: i the last
     point of the track of member i, m + i the first."""
     tracks, home = [each.track for each in element.members], element.anchor.position
-    away = [*(track[-1] - home for track in tracks), *(track[0] - home for track in tracks)]
+    away = [track[end] - home for end in (-1, 0) for track in tracks]
     ends = [
         end
         for end, each in enumerate(away)
         if end < len(tracks)
         or np.linalg.norm(each) > _BESIDE * np.linalg.norm(away[end - len(tracks)])
     ]
-    normal = np.array(element.anchor.normal, dtype=np.float64)
+    normal = element.anchor.normal
     first = np.cross(axis_across(normal), normal)
-    first /= max(float(np.linalg.norm(first)), 1e-30)
     along = np.array([away[end] for end in ends])
     return ends, np.asarray(
         np.arctan2(along @ np.cross(normal, first), along @ first), dtype=np.float64
@@ -441,9 +445,7 @@ def _along_track(skin: SkinBinding, binding: AnchorBinding, member: Member) -> P
         weights, rests = weights[::-1], rests[::-1]
     if not (np.diff(weights) > 1e-6).all():
         return None
-    nodes = np.array(
-        sorted({1.0, *(float(w) for w in weights if min(abs(w), abs(w - 1.0)) > 1e-6)})
-    )
+    nodes = np.unique([1.0, *weights[np.minimum(abs(weights), abs(weights - 1.0)) > 1e-6]])
     rest = keyed(weights, rests, np.zeros(1))
     return PointShape(channel, nodes, keyed(weights, rests, nodes) - rest)
 

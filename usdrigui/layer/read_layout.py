@@ -170,13 +170,9 @@ def element_prims(scope: Usd.Prim) -> tuple[Usd.Prim, ...]:
 def layout_paths(layer: Sdf.Layer) -> tuple[Sdf.Path, ...]:
     """The scopes of the layouts that a layer itself has, with the variants that hold them."""
     found: list[Sdf.Path] = []
-
-    def visit(path: Sdf.Path) -> None:
-        if path.IsPrimPath() and path.name == schema.SCOPE:
-            found.append(path)
-
-    layer.Traverse(Sdf.Path.absoluteRootPath, visit)
-    return tuple(each for each in found if _is_layout(layer.GetPrimAtPath(each)))
+    layer.Traverse(Sdf.Path.absoluteRootPath, found.append)
+    named = (each for each in found if each.IsPrimPath() and each.name == schema.SCOPE)
+    return tuple(each for each in named if _is_layout(layer.GetPrimAtPath(each)))
 
 
 def own_layouts(stage: Usd.Stage) -> tuple[str, ...]:

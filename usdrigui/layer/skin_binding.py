@@ -138,19 +138,15 @@ class SkinBinding:
         held = [self.rig.controls[each] for each in follows.held.tolist()]
         deforms = follows.deforms
         skeleton, skin = _skeleton_of(body, mesh), mesh.skin
-        influences = _influences(skin, point)
+        moving = influences(skin, point)
         if follows.joint >= 0:
-            influences = np.array([follows.joint]), np.ones(1)
-        fixed = _without(body, influences, _own_joints(held, self.size))
-        turning = fixed is not influences
-        to_rest = _to_rest(body, mesh)
-        rest = np.append(mesh.points[point], 1.0) @ to_rest
+            moving = np.array([follows.joint]), np.ones(1)
+        fixed = _without(body, moving, _own_joints(held, self.size))
+        turning = fixed is not moving
         track = self._joint_binding(skin, skeleton, fixed)
         return AnchorBinding(
-            rest=rest,
-            handle=(
-                self._joint_binding(skin, skeleton, influences) if deforms and turning else track
-            ),
+            rest=np.append(mesh.points[point], 1.0) @ _to_rest(body, mesh),
+            handle=(self._joint_binding(skin, skeleton, moving) if deforms and turning else track),
             track=track,
             shapes=self._shapes[mesh.path, point] if deforms else (),
             own_channels=frozenset(int(c) for control in held for c in control.drive.channels),
@@ -248,7 +244,8 @@ def _skeleton_of(body: Body, mesh: RigMesh) -> int:
     return 0 if body.skeletons else -1
 
 
-def _influences(skin: Skin | None, point: int) -> tuple[Indices, Floats]:
+def influences(skin: Skin | None, point: int) -> tuple[Indices, Floats]:
+    """The joints that move a point of a mesh, and their weights."""
     if skin is None:
         return _NONE, np.zeros(0)
     joints, weights = skin.joints[point], skin.weights[point]

@@ -6,13 +6,13 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 
-from pxr import Usd, UsdGeom, UsdSkel
+from pxr import Usd, UsdGeom
 
 from usdrigui.errors import Issue, issue
 from usdrigui.layer.properties import element_name, has
 from usdrigui.layer.read_layout import element_prims, layout_scopes, points_by_role, switched_off
 from usdrigui.model import ExistingPrim, ExistingSpan
-from usdrigui.reading.blend_shape import shape_tokens
+from usdrigui.reading.blend_shape import names_and_targets
 from usdrigui.reading.character import skel_roots
 from usdrigui.stages import schema
 
@@ -20,7 +20,7 @@ from usdrigui.stages import schema
 def existing_prims(stage: Usd.Stage) -> tuple[ExistingPrim, ...]:
     """What is drawn of every layout on the stage, and how it is shaped; in stage order.
 
-    Raises LAYOUT_INVALID.
+    Raises LAYOUT_INVALID, and TARGETS_LENGTH for a mesh whose shapes nobody could tell apart.
     """
     return tuple(prim for scope in layout_scopes(stage) for prim in _of_scope(scope))
 
@@ -35,25 +35,22 @@ def _of_scope(scope: Usd.Prim) -> Iterator[ExistingPrim]:
 
 def _spans(mesh: Usd.Prim, names: dict[str, str]) -> Iterator[ExistingSpan]:
     for child in mesh.GetAllChildren():
-        if child.IsA(UsdGeom.Subset) and child.GetName() in names:
-            handle = points_by_role(child, "handle")
-            track = points_by_role(child, "track", "area", "")
-            yield ExistingSpan(names[child.GetName()], "handle", handle)
-            yield ExistingSpan(names[child.GetName()], "track", track)
+        name = names.get(child.GetName(), "")
+        if name and child.IsA(UsdGeom.Subset):
+            yield ExistingSpan(name, "handle", points_by_role(child, "handle"))
+            yield ExistingSpan(name, "track", points_by_role(child, "track", "area", ""))
 
 
 def _existing(root: str, prim: Usd.Prim, spans: tuple[ExistingSpan, ...]) -> ExistingPrim:
+    shapes, targets = names_and_targets(prim)
     return ExistingPrim(
         root=root,
         path=str(prim.GetPath()),
         in_variant=any(spec.path.ContainsPrimVariantSelection() for spec in prim.GetPrimStack()),
-        names=tuple(child.GetName() for child in prim.GetAllChildren()),
+        names=tuple(prim.GetAllChildrenNames()),
         spans=spans,
-        shapes=shape_tokens(prim),
-        targets=tuple(
-            str(target)
-            for target in UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets()
-        ),
+        shapes=shapes,
+        targets=tuple(map(str, targets)),
     )
 
 

@@ -146,8 +146,9 @@ def _layer(path: Path, _: Settings) -> Response:
         there."""
         for each in sorted(layer.GetCompositionAssetDependencies()):
             found = folder / each
-            if os.path.realpath(found) not in needed:
-                needed[os.path.realpath(found)] = str(found)
+            real = os.path.realpath(found)
+            if real not in needed:
+                needed[real] = str(found)
                 if found.is_file():
                     follow(open_layer(found), found.parent)
 
