@@ -108,21 +108,17 @@ def moved(old, rows, way):
 
 
 def swap_faces(layout):
-    one, other = layout.faces(SMILE), layout.faces(OTHER)
+    one, other = map(layout.faces, (SMILE, OTHER))
     layout.set("indices", other, SMILE)
     layout.set("indices", one, OTHER)
 
 
-def drop_shape(layout, name=SMILE):
-    names = [*layout.attribute("skel:blendShapes", MESH).Get()]
-    relation = layout.prim(MESH).GetRelationship("skel:blendShapeTargets")
-    targets, at = relation.GetTargets(), names.index(name)
-    layout.set("skel:blendShapes", names[:at] + names[at + 1 :], MESH)
-    relation.SetTargets(targets[:at] + targets[at + 1 :])
-
-
 def mesh(name, change):
     return lambda layout: layout.set(name, change, MESH)
+
+
+def without_shape(name):
+    return mesh("skel:blendShapes", lambda old: [each if each != name else "grin" for each in old])
 
 
 def element(name, value, prim=SMILE):
@@ -162,10 +158,16 @@ def second(layout):
     layout.set("rigUI:layout:handleWidth", 1.0, "/Char/Other")
 
 
-def other_part(layout):
-    layout.prim(SCOPE).AddAppliedSchema(f"{schema.PART}:face")
-    layout.set("rigUI:part:face:handleWidth", 0.1, SCOPE)
-    layout.set("rigUI:drawing:part", "elbows", MESH)
+def elbows(*parts):
+    """Elements of the elbows, among some parts of the layout."""
+
+    def edit(layout):
+        for each in parts:
+            layout.prim(SCOPE).AddAppliedSchema(f"{schema.PART}:{each}")
+            layout.set(f"rigUI:part:{each}:handleWidth", 0.1, SCOPE)
+        layout.set("rigUI:drawing:part", "elbows", MESH)
+
+    return edit
 
 
 def correct_twice(layout):
@@ -224,7 +226,7 @@ FAULTS = {
         "points of a track shifted": shifted(1.0, "track"),
         "faces of two elements exchanged": swap_faces,
         "a shape twice as far": lambda each: each.set("offsets", lambda old: 2.0 * old, f"{MESH}/shape_{SMILE}"),
-        "a shape left out": drop_shape,
+        "a shape left out": without_shape(SMILE),
         "skinned to another joint": mesh("primvars:skel:jointIndices", lambda old: (old + 1) % 5),
         "half the weight": mesh("primvars:skel:jointWeights", lambda old: 0.5 * old),
         "bound elsewhere": mesh("primvars:skel:geomBindTransform", Gf.Matrix4d().SetTranslate((0, 1, 0))),
@@ -256,7 +258,7 @@ FAULTS = {
         "members beside others": relation("rigUI:element:members", f"{MESH}/{OTHER}"),
         "points for a mesh": lambda each: each.prim(MESH).SetTypeName("Points"),
         "an unknown way of skinning": mesh("primvars:skel:skinningMethod", "magic"),
-        "a part that is none": other_part,
+        "a part that is none": elbows("face"),
         "colours beyond those that there are": mesh("primvars:displayColor:indices", lambda old: old + 9),
         "an unknown type of family": mesh("subsetFamily:rigUI:familyType", "magic"),
     },
@@ -275,6 +277,9 @@ FAULTS = {
         "another mirror": relation("rigUI:element:mirror", f"{MESH}/jawOpen"),
         "a mirror that is none": relation("rigUI:element:mirror", "/Char/Skeleton"),
         "mirrored the other way": control("mirrorReversed", True),
+        "mirrored the other way in a part that is not the main one": both(
+            elbows("face", "elbows"), control("mirrorReversed", True)
+        ),
         "a joystick with one axis": element("element:elementType", "patch"),
         "an end opposed to itself": control("opposes", SMILE),
         "an end opposed to none": control("opposes", "jawOpen"),
@@ -297,7 +302,7 @@ FAULTS = {
     (DRAWN, SQUASH): {
         "a track drawn backwards": turn_track,
         "a track that begins in a point of the handle": share_a_point,
-        "a shape of the board left out": lambda each: drop_shape(each, SQUASH),
+        "a shape of the board left out": without_shape(SQUASH),
     },
     (INVALID, SCOPE): {
         "a purpose of render": lambda each: each.set("purpose", "render", SCOPE),

@@ -263,12 +263,14 @@ def _of_mirror(
         yield doubtful_at(prim, f"{where} is on the side {other.side}")
     reflect = layout.frame.plane.reflected
     free = element.anchor.on_board or other.anchor.on_board or element.kind == "fan"
-    if free or not layout.frame.mirrors(element.part):
+    if free:
         return
     width = layout.frame.handle_width_of(element.part)
     away = np.linalg.norm(reflect(element.anchor.position) - other.anchor.position)
     if away > 3.0 * width:
-        yield doubtful_at(prim, f"{where} is {away:.3g} from its mirror image")
+        # The plane is that of the main part: others may turn from it.
+        if layout.frame.mirrors(element.part):
+            yield doubtful_at(prim, f"{where} is {away:.3g} from its mirror image")
         return
     for index, (one, twin) in enumerate(zip(element.members, other.members, strict=True)):
         mine, theirs = (track[-1] - track[0] for track in (reflect(one.track), twin.track))
