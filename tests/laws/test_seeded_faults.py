@@ -149,10 +149,6 @@ def in_time(name, prim=SMILE):
     return lambda layout: (found := layout.attribute(name, prim)).Set(found.Get(), 1.0)
 
 
-def roles_of_points(layout):
-    UsdGeom.PrimvarsAPI(layout.prim(MESH)).GetPrimvar(schema.ROLE).SetInterpolation("vertex")
-
-
 def second(layout):
     layout.stage.DefinePrim("/Char/Other").AddAppliedSchema(schema.LAYOUT)
     layout.set("rigUI:layout:handleWidth", 1.0, "/Char/Other")
@@ -198,9 +194,8 @@ def turn_track(layout):
 
 
 def draw_nothing(layout):
-    for each in layout.prim(MESH).GetChildren():
-        if each.IsA(UsdGeom.Subset):
-            layout.set("indices", [], each.GetName())
+    for each in UsdGeom.Subset.GetAllGeomSubsets(UsdGeom.Imageable(layout.prim(MESH))):
+        each.GetIndicesAttr().Set([])
 
 
 def far_from_base(layout):
@@ -244,7 +239,9 @@ FAULTS = {
         "a wrong number of corners": mesh("faceVertexCounts", lambda old: old + 1),
         "no role": mesh("primvars:rigUI:role", []),
         "an unknown role": mesh("primvars:rigUI:role", ["knob"] * 3),
-        "roles of points": roles_of_points,
+        "roles of points": lambda each: (
+            UsdGeom.PrimvarsAPI(each.prim(MESH)).GetPrimvar(schema.ROLE).SetInterpolation("vertex")
+        ),
         "points in time": in_time("points", MESH),
         "indices of points": lambda each: each.set("elementType", "point"),
         "no Skeleton": relation("skel:skeleton", prim=MESH),
@@ -306,6 +303,7 @@ FAULTS = {
     },
     (INVALID, SCOPE): {
         "a purpose of render": lambda each: each.set("purpose", "render", SCOPE),
+        "handles wider than those of a part": elbows("elbows"),
         "a name twice": element("element:name", OTHER),
         "its own member": relation("rigUI:element:members", f"{MESH}/{SMILE}"),
         "no Skeleton of the layout": relation("rigUI:layout:skeleton", prim=SCOPE),

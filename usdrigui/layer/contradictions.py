@@ -175,6 +175,10 @@ def _of_listing(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
         if UsdGeom.Imageable(prim).ComputePurpose() != UsdGeom.Tokens.guide:
             yield invalid_at(prim, "purpose is not guide: final pictures show the controls")
             break
+    width = value_of(scope, schema.LAYOUT, "handleWidth")
+    least = min((each.handle_width for each in layout.frame.parts), default=width)
+    if not np.isclose(width, least):
+        yield invalid_at(scope, f"rigUI:layout:handleWidth is not {least}, the least of its parts")
     names = base_controls(scope)
     if len({*names}) < len(names):
         yield invalid_at(scope, "rigUI:layout:baseControls lists a control twice")

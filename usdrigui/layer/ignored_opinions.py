@@ -19,7 +19,8 @@ def ignored_opinions(stage: Usd.Stage) -> tuple[Issue, ...]:
     defined = {_plain(spec) for spec in specs if spec.specifier == Sdf.SpecifierDef}
     found: dict[Issue, None] = {}
     for spec in specs:
-        path, prim = _plain(spec), stage.GetPrimAtPath(_plain(spec))
+        path = _plain(spec)
+        prim = stage.GetPrimAtPath(path)
         # Views of Sdf iterate over specs, not over names.
         names = [each for each in spec.properties.keys() if each.startswith("rigUI:")]  # noqa: SIM118
         if names and path not in defined and not (prim and prim.IsDefined()):

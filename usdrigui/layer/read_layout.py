@@ -89,24 +89,20 @@ def _without(stage: Usd.Stage, name: str) -> RigUIError:
     off = switched_off(stage)
     if not off:
         return refuse("LAYOUT_MISSING", name, f"no prim has {schema.LAYOUT}")
-    selections = [f"rigUI = {selected} on {listed(paths)}" for selected, paths in off.items()]
+    places = {each: [path for path in off if off[path] == each] for each in off.values()}
+    selections = [f"rigUI = {selected} on {listed(paths)}" for selected, paths in places.items()]
     return refuse("LAYOUT_OFF", name, f"is switched off, by {' and '.join(selections)}")
 
 
-def switched_off(stage: Usd.Stage) -> dict[str, list[str]]:
-    """Prims on which a layout is left out, by the variant that is selected there instead."""
-    off: dict[str, list[str]] = {}
+def switched_off(stage: Usd.Stage) -> dict[str, str]:
+    """The variant that is selected instead, by each prim on which a layout is left out."""
+    off: dict[str, str] = {}
     for prim in Usd.PrimRange(stage.GetPseudoRoot(), Usd.TraverseInstanceProxies()):
         choice = prim.GetVariantSets().GetVariantSet(schema.VARIANTS)
         selected = choice.GetVariantSelection()
         if selected != schema.WITH and choice.HasAuthoredVariant(schema.WITH):
-            off.setdefault(selected, []).append(str(prim.GetPath()))
+            off[str(prim.GetPath())] = selected
     return off
-
-
-def roots_off(stage: Usd.Stage) -> tuple[str, ...]:
-    """The same prims, whichever variant is selected."""
-    return tuple(path for paths in switched_off(stage).values() for path in paths)
 
 
 def with_corrections(stage: Usd.Stage, layouts: tuple[Layout, ...]) -> tuple[Layout, ...]:

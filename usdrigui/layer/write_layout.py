@@ -249,8 +249,8 @@ def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
         author.declare(scope, schema.PART, frame, instance)
     author.note(scope, record(layout))
     subsets = author_elements(scope, rig, layout, layout.elements)
-    children = [child for mesh in scope.nameChildren for child in mesh.nameChildren]
-    if subsets != [_plain(child.path) for child in children if _plain(child.path) in set(subsets)]:
+    paths = [_plain(child.path) for mesh in scope.nameChildren for child in mesh.nameChildren]
+    if subsets != [each for each in paths if each in subsets]:
         author.declare(scope, schema.LAYOUT, {"elements": subsets})
 
 

@@ -65,7 +65,7 @@ def without_layout(stage: Usd.Stage, laid_out: Collection[str], wanted: str) -> 
     """LAYOUT_OFF or LAYOUT_NONE for each SkelRoot, or the one `wanted`, that something animates and
     that is not `laid_out`."""
     roots = [str(root.GetPath()) for root in skel_roots(stage, wanted) if _is_animated(root)]
-    off = {where: selected for selected, paths in switched_off(stage).items() for where in paths}
+    off = switched_off(stage)
     return tuple(_bare(root, off) for root in roots if root not in laid_out)
 
 

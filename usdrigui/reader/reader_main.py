@@ -26,8 +26,8 @@ from usdrigui.layer.read_layout import (
     listed_controls,
     own_layouts,
     read_layout,
-    roots_off,
     source_of,
+    switched_off,
     with_corrections,
 )
 from usdrigui.layer.write_layout import SIGNATURE, stage_metadata
@@ -157,10 +157,14 @@ def _layer(path: Path, _: Settings) -> Response:
     scopes = dict.fromkeys(map(str, layout_paths(layer)))
     chosen = {tuple(sorted(asset_selections(each).items())): None for each in scopes}
     variants = tuple(map(dict, chosen)) if any(chosen) else ()
-    ours = SIGNATURE in layer.customLayerData
-    below = tuple(layer.subLayerPaths)
-    held = own_corrections(layer)
-    return Response(layer=LayerResult(below, tuple(needed.values()), ours, variants, held))
+    found = LayerResult(
+        tuple(layer.subLayerPaths),
+        tuple(needed.values()),
+        SIGNATURE in layer.customLayerData,
+        variants,
+        own_corrections(layer),
+    )
+    return Response(layer=found)
 
 
 _TASKS: Mapping[Task, Callable[[Path, Settings], Response]] = {
@@ -222,7 +226,7 @@ def read_result(stage: Usd.Stage, settings: Settings, found: Characters) -> Read
         (),
         own_layouts(stage),
         composed_from=composed_layouts(stage),
-        switched_off=roots_off(stage),
+        switched_off=tuple(switched_off(stage)),
         variant_paths={
             path: variant_path(stage.GetPrimAtPath(path))
             for path in (rig.path for rig in found.rigs)
