@@ -17,7 +17,7 @@ from usdrigui.reading.control import default_joint_drafts
 from usdrigui.reading.joint import default_turns, posed_locals
 from usdrigui.settings import JointSettings, Settings
 
-HAND = limbs.hand_rig()
+HAND, BALL = limbs.hand_rig(), ("rx", "ry", "rz")
 
 
 def kinds(rig):
@@ -154,12 +154,6 @@ def test_keys_of_a_flat_skeleton_are_no_more_than_ten_degrees_apart_and_no_more_
         assert set(values) == {0.0, *np.linspace(low, high, int(np.ceil((high - low) / 10.0)) + 1)}
 
 
-def test_a_wrist_turns_by_thirty_degrees_each_way():
-    ranges = {draft.name: draft.range for draft in default_joint_drafts(HAND.body, None, (), {})}
-    balls = [span for name, span in ranges.items() if name[-3:] in (":rx", ":ry", ":rz")]
-    assert [(span.minimum, span.maximum) for span in balls] == [(-30.0, 30.0)] * 3
-
-
 @pytest.mark.parametrize("twists", ["beside", "below"])
 def test_a_limb_whose_skin_hangs_on_twist_joints_turns_as_one_with_skin_of_its_own(twists):
     found, plain = kinds_of(limbs.twisted_body(twists)), kinds_of(limbs.twisted_body(""))
@@ -187,10 +181,14 @@ def test_helpers_off_the_way_change_no_degree_of_freedom():
     assert {(path[-2:], kind) for path, kind in kinds_of(helped)} == {(path[-2:], kind) for path, kind in kinds_of(rig)}
 
 
-def test_a_finger_curls_further_in_than_out_and_spreads_alike_to_both_sides():
+def test_a_head_turns_every_way_and_a_strand_across_its_bone():
+    kinds = [kind for path, kind in sorted(kinds_of(limbs.body_rig())) if path[-2:] in ("/n", "a2")]
+    assert kinds == [*BALL[1:], *BALL]
+
+
+def test_a_finger_curls_further_in_than_out_and_all_else_goes_alike_to_both_sides():
     spans = {turn.name: turn.range for turn in default_turns(Tree(HAND.body.joints, HAND.body.meshes))}
-    assert spans["curl"] == (-10.0, 80.0)
-    assert spans["spread"] == (-20.0, 20.0)
+    assert spans == {"curl": (-10.0, 80.0), "spread": (-20.0, 20.0), **dict.fromkeys(BALL, (-30.0, 30.0))}
 
 
 def staged_body(path, *, smiling, waving):

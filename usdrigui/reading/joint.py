@@ -177,8 +177,15 @@ def _turns(tree: Tree, joint: int, hinges: dict[int, Floats]) -> list[Turn]:
         bone = unit(tree.places[tree.next(start)] - tree.places[start])
         return [_single("twist", tree, joint, bone, BALL)]
     is_inner = any(tree.depth[child] for child in tree.children[joint])
-    axes = range(3) if is_inner else _levers(tree, joint)
+    axes = range(3) if is_inner or _ends_trunk(tree, joint) else _levers(tree, joint)
     return [Turn(f"r{'xyz'[axis]}", joint, (joint,), np.eye(3)[[axis]], BALL) for axis in axes]
+
+
+def _ends_trunk(tree: Tree, joint: int) -> bool:
+    """Whether a joint at the end of a chain is the last of a spine, as a head is, which nods, tilts
+    and turns: the joints beside it are chains off the mirror plane."""
+    beside = {c for c in tree.children[tree.parents[joint]] if tree.depth[c]} - {joint}
+    return tree.on_plane(joint) and all(tree.depth[c] > 1 and not tree.on_plane(c) for c in beside)
 
 
 def _single(name: str, tree: Tree, joint: int, axis: Floats, span: tuple[float, float]) -> Turn:
@@ -194,16 +201,22 @@ def _levers(tree: Tree, joint: int) -> list[int]:
     crosses = np.cross((points - place[3, :3])[None], bind[:, None])
     levers = (weights * np.linalg.norm(crosses, axis=2)).max(axis=1, initial=0.0).tolist()
     axes = [axis for axis in range(3) if axis != _roll(tree, joint, bind, levers)]
+    if len(axes) == 2:  # Both of those across a bone matter.
+        return axes
     ranked = sorted(axes, key=lambda axis: (-round(levers[axis], 9), axis))[:2]
     return sorted(axis for axis in ranked if levers[axis] >= _MATTERS * max(levers))
 
 
 def _roll(tree: Tree, joint: int, bind: Floats, levers: list[float]) -> int:
-    """The axis along which an eye looks, about which nobody turns it; -1 for another joint.
+    """The axis along which the bone of a strand or an eye lies, about which nobody turns it; -1 for
+    another joint.
 
-    A ball that lies wholly to one side of the mirror plane is an eye; it looks out of the head,
-    which holds it.
+    A joint without skin may end the bone.  A ball that lies wholly to one side of the mirror plane
+    is an eye; it looks out of the head, which holds it.
     """
+    bone = np.round(np.abs(tree.own(joint, tree.direction([joint]))), 9)
+    if bone.any() and not tree.on_plane(joint):
+        return int(np.argmax(bone))
     head = tree.parents[joint]
     if tree.mirror is None or min(levers) < _ROUND * max(levers) or head not in tree.owners:
         return -1

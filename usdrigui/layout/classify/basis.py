@@ -10,6 +10,8 @@ go can.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 from scipy.optimize import nnls
 
@@ -45,8 +47,8 @@ class Basis(Record):
 
     atoms: Flags
     """(motions,)."""
-    explanations: tuple[Explanation | None, ...]
-    """(motions,) None for atoms."""
+    explanations: Mapping[int, Explanation]
+    """Of every other motion."""
 
 
 def choose_basis(cosine: Floats, costs: Floats, twins: Indices) -> Basis:
@@ -67,7 +69,7 @@ def choose_basis(cosine: Floats, costs: Floats, twins: Indices) -> Basis:
         if again and all(again.values()):
             atoms = rest
             found |= {k: explained for k, explained in again.items() if explained is not None}
-    return Basis(atoms, tuple(found.get(i) for i in range(len(costs))))
+    return Basis(atoms, found)
 
 
 def _explanation(index: int, atoms: Flags, cosine: Floats, costs: Floats) -> Explanation | None:

@@ -39,9 +39,8 @@ class Classification:
 class _Evidence(Record):
     """What speaks for one control leaving the face."""
 
-    coverage_of_smaller: float
-    named_local: bool
-    """Whether its name is that of an action of a part of the face."""
+    wide: bool
+    """Whether it moves the face as a whole, and its name is that of no part of it."""
     vanishes: bool
     visible_share: float
     kept: float
@@ -80,8 +79,9 @@ def classify(
         own, meaning = motion.on_own_skin(), meanings[index]
         alone = joints_alone and motion.of_joint
         evidence = _Evidence(
-            coverage_of_smaller=0.0 if alone else float(covered[index]),
-            named_local=_named_local(meaning),
+            wide=not alone
+            and bool(covered[index] > settings.global_coverage)
+            and not _named_local(meaning),
             vanishes=bool(vanish[index]),
             visible_share=max(_visible_share(surface, seen, each) for each in (own, motion)),
             kept=float(kept[index]),
@@ -125,9 +125,7 @@ def _category(
     if settings.board_global and not stays:
         if evidence.vanishes:
             return "global", "makes parts of the character disappear"
-        # Where the mouth alone is animated, a jaw moves all that smaller controls move.
-        wide = evidence.coverage_of_smaller > settings.global_coverage
-        if wide and not evidence.named_local:
+        if evidence.wide:
             return "global", "moves the face as a whole"
     if settings.board_hidden and evidence.visible_share < settings.hidden_share:
         return "hidden", "only affects geometry hidden in all views"
@@ -170,10 +168,10 @@ def _kept(motions: tuple[Motion, ...], twins: Indices, visible: Flags) -> Floats
 
 
 def _named_local(meaning: Meaning | None) -> bool:
-    """Whether the name is that of an atom of a part of the face."""
-    if meaning is None:
-        return False
-    return meaning.action.category == "atom" and meaning.action.region not in ("head", "neck")
+    """Whether the name is that of an atom of a part of the face: where the mouth alone is animated,
+    a jaw moves all that smaller controls move."""
+    action = meaning and meaning.action
+    return bool(action and action.category == "atom" and action.region not in ("head", "neck"))
 
 
 def _visible_share(surface: BaseSurface, visible: Flags, motion: Motion) -> float:

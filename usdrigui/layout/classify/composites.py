@@ -67,15 +67,15 @@ def composites(face: Face, similarity: Similarity, coverage: Floats) -> dict[int
     families = find_families(names, meaning, similarity.cosine)
     basis = choose_basis(similarity.cosine, _costs(meaning, coverage, families, twins), twins)
     found = {
-        i: Composite("composite", _amounts(i, basis.explanations[i], similarity.norm))
-        for i in np.flatnonzero(~basis.atoms).tolist()
+        i: Composite("composite", _amounts(i, explained, similarity.norm))
+        for i, explained in basis.explanations.items()
     }
-    off_face = [i for family in families if not family.on_face for i in family.members]
+    off_face = [i for family in families if family.reason for i in family.members]
     shown = basis.atoms & ~np.isin(np.arange(len(names)), off_face)
     for family in families:
         for i in family.members:
             found.pop(i, None)
-            if not family.on_face:
+            if family.reason:
                 amounts = _amounts(i, best_sum(i, shown, similarity.cosine), similarity.norm)
                 found[i] = Composite(family.kind, amounts, family.reason)
     return {i: why for i, why in sorted(found.items()) if twins[i] < 0 or int(twins[i]) in found}
@@ -109,13 +109,9 @@ def _costs(
     return np.round(costs, 6)
 
 
-def _amounts(
-    index: int, explained: Explanation | None, norm: Floats
-) -> tuple[tuple[int, float], ...]:
+def _amounts(index: int, explained: Explanation, norm: Floats) -> tuple[tuple[int, float], ...]:
     """The motions of an explanation of motion `index`, and how far each goes, in shares of its own
     range."""
-    if explained is None:
-        return ()
     amounts = explained.weights * norm[index] / norm[explained.parts]
     return tuple(zip(explained.parts.tolist(), np.round(amounts, 6).tolist(), strict=True))
 

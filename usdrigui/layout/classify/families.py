@@ -43,8 +43,7 @@ class Family:
     kind: FamilyKind
     members: tuple[int, ...]
     """Motions."""
-    on_face: bool
-    reason: str
+    reason: str = ""
     """Why it is off the face; empty if it is not."""
 
 
@@ -82,13 +81,11 @@ def find_families(
 
 def _family(kind: FamilyKind, members: tuple[int, ...], others: Flags, cosine: Floats) -> Family:
     if kind not in ("viseme", "emotion"):
-        return Family(kind, members, False, _WORDS[kind])
+        return Family(kind, members, _WORDS[kind])
     made = float(np.mean([best_sum(i, others, cosine).share for i in members]))
     if made < _MADE_BY_OTHERS:
-        return Family(kind, members, True, "")
-    return Family(
-        kind, members, False, f"{_WORDS[kind]}; other controls make {made:.0%} of their motion"
-    )
+        return Family(kind, members)
+    return Family(kind, members, f"{_WORDS[kind]}; other controls make {made:.0%} of their motion")
 
 
 def _combinations(names: Sequence[str]) -> frozenset[int]:

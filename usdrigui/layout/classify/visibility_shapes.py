@@ -10,7 +10,7 @@ import numpy as np
 
 from usdrigui.character import Flags, Floats, Indices, RigMesh
 from usdrigui.character.surface import components, mesh_triangles
-from usdrigui.model import Motion, Trajectories
+from usdrigui.model import Trajectories
 
 _COLLAPSED = 0.1
 """A part collapses when its extent shrinks below this share."""
@@ -27,17 +27,11 @@ def visibility_shapes(meshes: tuple[RigMesh, ...], trajectories: Trajectories) -
         own = parts[motion.points]
         whole = np.bincount(own, minlength=len(sizes)) >= _WHOLE * sizes
         moved = np.bincount(own, weights=motion.arc_length, minlength=len(sizes))
-        collapsed = whole & _shrunk(trajectories.surface.points, motion, own, len(sizes))
-        flags[index] = 2.0 * moved[collapsed].sum() >= moved.sum()
+        before = trajectories.surface.points[motion.points]
+        extents = _extents(own, before, len(sizes))
+        shrunk = _extents(own, before + motion.offsets[-1], len(sizes)) < _COLLAPSED * extents
+        flags[index] = 2.0 * moved[whole & shrunk].sum() >= moved.sum()
     return flags
-
-
-def _shrunk(base: Floats, motion: Motion, parts: Indices, count: int) -> Flags:
-    """(count,) which parts the control shrinks to next to nothing; `parts` (p,) are those of its
-    points."""
-    before = base[motion.points]
-    after = before + motion.offsets[-1]
-    return _extents(parts, after, count) < _COLLAPSED * _extents(parts, before, count)
 
 
 def _extents(parts: Indices, positions: Floats, count: int) -> Floats:

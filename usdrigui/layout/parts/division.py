@@ -94,9 +94,12 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     }
     names = _together(names, _bound(settings, index))
     known = sorted(set(names.values()), key=_rank)
-    left_out = {each.control: tell(rig.excluded[each.control], each) for each in found.excluded}
-    main = main_part(known)
-    left_out = {control: name if name in known else main for control, name in left_out.items()}
+    left_out = {
+        each.control: told
+        if (told := tell(rig.excluded[each.control], each)) in known
+        else main_part(known)
+        for each in found.excluded
+    }
     return tuple(Part(name, _named(names, name), _named(left_out, name)) for name in known)
 
 
@@ -150,9 +153,8 @@ def _named(names: Mapping[int, str], name: str) -> frozenset[int]:
     return frozenset(control for control, own in names.items() if own == name)
 
 
-def _rank(name: str) -> tuple[int, str]:
-    order = {each: place for place, each in enumerate(ORDER)}
-    return (len(ORDER) + 1 if name == BODY else order.get(name, len(ORDER))), name
+def _rank(name: str) -> tuple[bool, int, str]:
+    return name == BODY, ORDER.index(name) if name in ORDER else len(ORDER), name
 
 
 def _bound(settings: Settings, index: Mapping[str, int]) -> list[list[int]]:

@@ -14,7 +14,7 @@ import numpy as np
 from usdrigui.character import Floats, Indices, Rig, RigMesh
 from usdrigui.character.joint_tree import Fan, Tree, fans, unit
 from usdrigui.conventions import words
-from usdrigui.layout.parts.own_pieces import NEARLY_ALL, eyes, pieces_of
+from usdrigui.layout.parts.own_pieces import NEARLY_ALL, is_eye, pieces_of
 from usdrigui.model import Trajectories
 
 FACE, EYES, HANDS, FEET, BODY = "face", "eyes", "hands", "feet", "body"
@@ -27,7 +27,7 @@ OF_SIDES = (HANDS, FEET)
 FLAT = (FACE, EYES, HEAD, INTERIOR)
 """Parts that are looked at from the front alone: their elements are kept apart on its screen."""
 
-_HEAD = ("head", "頭")
+_HEAD = frozenset({"head", "頭"})
 _FACIAL = 6
 """Joints without joints below on one joint that make it a head."""
 _LIMB = 3
@@ -64,16 +64,17 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
         and not heads & {fan.joint, *tree.above(fan.joint)}
     ]
     for fan in ends:
-        name = _end(rig.up, tree, fan)
         fingers = tree.below([chain[0] for chain in fan.chains])
+        name = _end(rig.up, tree, fan.joint, fingers)
         for joint in fingers:
             of_joint[joint] = of_skin[joint] = name
         of_skin[fan.joint] = name
     for joint in tree.below(heads):
         of_joint[joint] = BODY if joint in heads else FACE
         of_skin[joint] = FACE
-    eyeballs = eyes(pieces_of(body, tree, found.surface.places), tree.below(heads) - heads)
-    for joint in tree.below(eyeballs):
+    pieces = pieces_of(body, tree, found.surface.places)
+    eyes = {joint for joint in tree.below(heads) - heads if is_eye(pieces, joint)}
+    for joint in tree.below(eyes):
         of_joint[joint] = of_skin[joint] = EYES
     in_limbs = {i for i, name in enumerate(of_skin) if name == BODY} - set(spine)
     if max(tree.depth_among(in_limbs)) < _LIMB:
@@ -117,8 +118,7 @@ def _heads(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
 
 
 def _is_head(path: str) -> bool:
-    last = path.rsplit("/", 1)[-1]
-    return bool(set(words(last)) & set(_HEAD)) or last in _HEAD
+    return not _HEAD.isdisjoint(words(path.rsplit("/", 1)[-1]))
 
 
 def _by_shapes(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
@@ -149,10 +149,9 @@ def _carries_on(tree: Tree, fan: Fan) -> bool:
     )
 
 
-def _end(up: Floats, tree: Tree, fan: Fan) -> str:
+def _end(up: Floats, tree: Tree, joint: int, fingers: set[int]) -> str:
     """Feet stand on the ground: their joint lies at the bottom of a character that has more than
     them."""
     heights = (tree.places @ up)[sorted(tree.owners)]
-    own = {fan.joint, *tree.below([chain[0] for chain in fan.chains])}
-    is_low = tree.places[fan.joint] @ up <= heights.min() + _LOW * float(np.ptp(heights))
-    return FEET if is_low and len(tree.owners - own) >= _LIMB else HANDS
+    is_low = tree.places[joint] @ up <= heights.min() + _LOW * float(np.ptp(heights))
+    return FEET if is_low and len(tree.owners - fingers - {joint}) >= _LIMB else HANDS

@@ -5,8 +5,6 @@ An eyeball is a piece around its joint, all at one distance from it: it turns on
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 import numpy as np
 
 from usdrigui.character import Body, Floats, Indices, Record
@@ -57,12 +55,8 @@ def pieces_of(body: Body, tree: Tree, places: Indices) -> Pieces:
     return Pieces(tree, of_point, bound, held / np.maximum(held.sum(axis=0), 1e-30))
 
 
-def eyes(pieces: Pieces, below_heads: Iterable[int]) -> set[int]:
-    """The joints of eyeballs among those that hang on a head."""
-    return {joint for joint in below_heads if _is_eye(pieces, joint)}
-
-
-def _is_eye(pieces: Pieces, joint: int) -> bool:
+def is_eye(pieces: Pieces, joint: int) -> bool:
+    """Whether a joint that hangs on a head is that of an eyeball."""
     points = pieces.whole(joint)
     ways = points - pieces.tree.joints[joint].bind[3, :3]
     if len(ways) < _BALL:

@@ -88,7 +88,9 @@ def mirrored_joints(body: Body, plane: MirrorPlane) -> dict[int, int]:
     while pending:
         ours, theirs = pending.pop()
         for a, b in sorted(product(ours, theirs), key=cost):
-            near = named.get(a) == b or (apart[a, b] <= reach and not {a, b} & named.keys())
+            # A name counts among those that may mirror each other, as counts down two arms may not.
+            claimed = named.get(a) in theirs or named.get(b) in ours
+            near = named.get(a) == b or (apart[a, b] <= reach and not claimed)
             if near and a not in found and b not in found:
                 found[a], found[b] = b, a
                 pending.append(([*tree.children[a]], [*tree.children[b]]))

@@ -36,7 +36,7 @@ def test_of_copies_the_cheapest_is_the_atom_and_only_one(keep):
     costs[keep] = 0.5
     basis = chosen(np.stack([E[0], 2.0 * E[0], 0.5 * E[0]]), costs)
     assert np.flatnonzero(basis.atoms).tolist() == [keep]
-    assert all(each.parts.tolist() == [keep] for each in basis.explanations if each is not None)
+    assert all(each.parts.tolist() == [keep] for each in basis.explanations.values())
 
 
 def test_a_negative_cost_keeps_a_control_that_others_explain_unless_it_repeats_one():
@@ -68,10 +68,8 @@ def test_explanations_end_at_atoms_whatever_chains_there_are():
     """x is nearly y, y is nearly z: judged one by one each is explained by the next, and nobody is left."""
     angles = np.radians([0.0, 9.0, 18.0, 27.0])
     basis = chosen(np.stack([np.cos(angles), np.sin(angles)], axis=1))
-    for i, explanation in enumerate(basis.explanations):
-        assert (explanation is None) == bool(basis.atoms[i])
-        if explanation is not None:
-            assert basis.atoms[explanation.parts].all()
+    assert {*basis.explanations} == {*np.flatnonzero(~basis.atoms)}
+    assert all(basis.atoms[explanation.parts].all() for explanation in basis.explanations.values())
 
 
 @pytest.mark.parametrize("seed", range(6))

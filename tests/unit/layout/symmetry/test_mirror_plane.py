@@ -39,11 +39,10 @@ def names(rig, symmetry):
     ("matrix", "offset"),
     [
         (np.eye(3), (0, 0, 0)),
-        (ROTATION, (5.0, 6.0, -7.0)),
-        (100.0 * ROTATION, (0.0, 900.0, 0.0)),
+        (100.0 * ROTATION, (500.0, 900.0, -700.0)),
         (np.diag([1.0, 1.0, 0.0]), (0, 0, 0)),
     ],
-    ids=["as-made", "rotated", "rotated-and-large", "a-flat-sheet"],
+    ids=["as-made", "rotated-and-large", "a-flat-sheet"],
 )
 def test_the_plane_is_found_wherever_the_face_stands(matrix, offset):
     rig = makers.moved(makers.face(), matrix, offset)

@@ -81,8 +81,8 @@ def test_a_character_that_rests_in_a_pose_has_the_pairs_of_its_bind_pose():
     assert len(twins(posed)) >= 0.9 * len(twins(plain))
 
 
-def test_joints_mirror_as_a_tree_with_and_without_names():
-    """No joint of the spine is the image of another."""
+def test_joints_mirror_as_a_tree_whatever_their_names_say():
+    """No joint of the spine is the image of another, nor a hand that of a shoulder where arms are counted apart."""
     body = limbs.whole_body().body
     names = [joint.name for joint in body.joints]
     known = {
@@ -93,11 +93,12 @@ def test_joints_mirror_as_a_tree_with_and_without_names():
     assert known["a0"] == "b0"
     assert known["h"] == "h"
     assert known.keys() == set(names)
-    nameless = tuple(
-        replace(joint, path="/".join(f"j{names.index(part)}" for part in joint.path.split("/")))
+    counts = {"a0": "L1", "a1": "L0", "b0": "R0", "b1": "R1"}
+    counted = tuple(
+        replace(joint, path="/".join(counts.get(part, f"j{names.index(part)}") for part in joint.path.split("/")))
         for joint in body.joints
     )
-    assert mirrored_joints(replace(body, joints=nameless), ACROSS) == mirrored_joints(body, ACROSS)
+    assert mirrored_joints(replace(body, joints=counted), ACROSS) == mirrored_joints(body, ACROSS)
 
 
 def test_controls_of_unpaired_joints_are_no_twins_however_alike_they_move():
