@@ -62,14 +62,15 @@ def least_costs(
     """
     between = np.sqrt(np.square(one.handle - other.handle).sum(axis=0))
     slack = one.handle_apart + other.handle_apart
-    if isinstance(overlap, MeanOverlap):
-        costs, near = _mean_costs(one, other, overlap)
-    else:
-        costs, near = _seen_costs(one, other, between, slack, overlap)
     # Members at the separation exactly, as on a grid, are allowed: a bound must not fall short of
     # it by rounding.
     off = np.where(slack > 0, ROUNDING * (between + slack), 0.0)
-    costs[between + slack + off < separation] = np.inf
+    allowed = between + slack + off >= separation
+    if isinstance(overlap, MeanOverlap):
+        costs, near = _mean_costs(one, other, overlap)
+    else:
+        costs, near = _seen_costs(one, other, between, slack, allowed, overlap)
+    costs[~allowed] = np.inf
     return costs, near | (between - slack - off < separation)
 
 
@@ -138,7 +139,7 @@ def total_cost(problem: LayoutProblem, labels: ArrayLike) -> float:
     )
     for a in range(count):
         for b in range(a + 1, count):
-            cost += float(pair_costs(problem, a, b, chosen[a : a + 1], chosen[b : b + 1])[0])
+            cost += float(pair_costs(problem, a, b, chosen[[a]], chosen[[b]])[0])
     for extra in problem.extra:
         hit = (extra.first_labels == chosen[extra.first]) & (
             extra.second_labels == chosen[extra.second]
@@ -156,9 +157,10 @@ def _copies(samples: Floats, handles: Floats) -> list[Drawn]:
 
 
 def _seen_costs(
-    one: Drawn, other: Drawn, between: Floats, slack: Floats, overlap: Overlap
+    one: Drawn, other: Drawn, between: Floats, slack: Floats, allowed: Flags, overlap: Overlap
 ) -> tuple[Floats, Flags]:
-    """Handles near each other, a handle on the other's track, tracks that cross or run along.
+    """Handles near each other, and of pairs that are `allowed` a handle on the other's track,
+    tracks that cross or run along.
 
     A hinge (1 - distance / radius)+ falls with the distance, and a point of a track is moved by no
     more than the farther moved end of its segment: with the slack added to the distance the hinge
@@ -171,7 +173,7 @@ def _seen_costs(
         near |= between - slack < overlap.room_radius
     loose = slack + one.apart.max(axis=0) + other.apart.max(axis=0)
     radius = max(overlap.track_radius, overlap.along_radius)
-    met = np.flatnonzero(_boxes_meet(one, other, radius + loose))
+    met = np.flatnonzero(allowed & _boxes_meet(one, other, radius + loose))
     first, second = one.of(met), other.of(met)
     for track, handle in ((first, second), (second, first)):
         starts, ends = _segments(track.samples, overlap.samples)

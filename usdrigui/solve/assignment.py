@@ -51,6 +51,6 @@ def _too_near(problem: LayoutProblem, chosen: Indices) -> list[str]:
     """Names of the variables whose handles are too near another's."""
     found = set()
     for a, b in itertools.combinations(range(len(chosen)), 2):
-        if np.isinf(pair_costs(problem, a, b, chosen[a : a + 1], chosen[b : b + 1])).any():
+        if np.isinf(pair_costs(problem, a, b, chosen[[a]], chosen[[b]])).any():
             found |= {a, b}
     return [problem.variables[at].name for at in sorted(found)]

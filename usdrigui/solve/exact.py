@@ -11,18 +11,14 @@ from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import LabelSet, all_labels
 from usdrigui.solve.local_search import KnownRows, LazyRows, LocalSearch
 from usdrigui.solve.pair_costs import NearPairs, pair_costs
-from usdrigui.solve.partition import near_one_by_one
+from usdrigui.solve.partition import ONE_BY_ONE, near_one_by_one
 from usdrigui.solve.reduce import Reduction, reduce
 from usdrigui.solve.toulbar2 import check_installed, solve_by_toulbar2
 
-FEW = 2500
-"""Labels up to which the first layout is one of all."""
 DEARER = 0.18
 """The first layout is one of labels that cost no more than this above their variable's cheapest."""
-TRIES = 4
-"""Of local search per variable, and again as long as they help."""
-CROWD = 16, 0.2
-"""First tries where pair costs are at hand, and how much worse they may get: a crowd has many
+TRIES, TRAPS = 16, 0.5
+"""Of local search per variable, and how much worse it may get on the way: a crowd has many
 traps."""
 
 
@@ -85,12 +81,12 @@ def _first_layout(
         return LocalSearch(some.start, some.cost, rows, budget, penalty, tell=True)
 
     first = None
-    if len(labels.cost) > FEW:
+    if len(labels.cost) > ONE_BY_ONE:
         few = np.flatnonzero(labels.cost - labels.best[labels.variable] <= DEARER)
         some = labels.of(few)
         rough = search_among(some, LazyRows(problem, some, budget))
         rough.construct()
-        rough.search(TRIES)
+        rough.search(TRIES, TRAPS)
         wanted = labels.active_below(rough.cost)
         wanted[few[rough.chosen]] = True
         first = (np.cumsum(wanted) - 1)[few[rough.chosen]]
@@ -104,9 +100,7 @@ def _first_layout(
         incumbent.construct()
     else:
         incumbent.improve_from(first)
-    if near is not None:
-        incumbent.search(*CROWD)
-    incumbent.search(TRIES, most=budget.settings.work_limit / 2)
+    incumbent.search(TRIES, TRAPS, budget.settings.work_limit / 2)
     return labels, near, incumbent
 
 

@@ -50,11 +50,11 @@ def near_at_once(
             near = meeting(one, i, other, j, problem)
             near &= pairs[labels.variable[one.owner[i]], labels.variable[other.owner[j]]]
             at, columns = np.nonzero(near)
-            first, second = one.owner[at + low], other.owner[columns]
-            most -= len(first)
+            most -= len(at)
             if most < 0:
                 return None
-            pieces.append(_evaluated(problem, labels, (a, b), first, second, budget))
+            budget.spend(len(at))
+            pieces.append(_evaluated(problem, labels, (a, b), at + low, columns))
         found.append(_joined((a, b), pieces))
     return found
 
@@ -84,8 +84,12 @@ def refined(
         same = kept[each.first] & kept[each.second]
         first, second = child[each.first[same]], child[each.second[same]]
         pieces = [NearPairs(each.sets, first, second, each.costs[same])]
+        one, other = (labels.geometries[at] for at in each.sets)
         for first, second in _parts(each.first[~same], each.second[~same], children, child):
-            pieces.append(_evaluated(problem, labels, each.sets, first, second, budget))
+            budget.spend(len(first))
+            i, j = np.searchsorted(one.owner, first), np.searchsorted(other.owner, second)
+            met = meeting(one, i, other, j, problem)
+            pieces.append(_evaluated(problem, labels, each.sets, i[met], j[met]))
         found.append(_joined(each.sets, pieces))
     return found
 
@@ -105,21 +109,13 @@ def _parts(
 
 
 def _evaluated(
-    problem: LayoutProblem,
-    labels: LabelSet,
-    sets: tuple[int, int],
-    first: Indices,
-    second: Indices,
-    budget: Budget,
+    problem: LayoutProblem, labels: LabelSet, sets: tuple[int, int], i: Indices, j: Indices
 ) -> NearPairs:
-    """Bounds of the pairs; those beyond the cutoff distance are left out."""
+    """Bounds of pairs of members (q,) of two geometries; those beyond the cutoff distance are left
+    out."""
     one, other = (labels.geometries[each] for each in sets)
-    i, j = np.searchsorted(one.owner, first), np.searchsorted(other.owner, second)
-    budget.spend(len(i))
-    close = np.flatnonzero(meeting(one, i, other, j, problem))
-    costs, near = pair_bounds(one, i[close], other, j[close], problem)
-    close = close[near]
-    return NearPairs(sets, first[close], second[close], costs[near])
+    costs, near = pair_bounds(one, i, other, j, problem)
+    return NearPairs(sets, one.owner[i[near]], other.owner[j[near]], costs[near])
 
 
 def _joined(sets: tuple[int, int], pieces: list[NearPairs]) -> NearPairs:
