@@ -138,11 +138,7 @@ def layout(name, change):
 
 
 def both(*edits):
-    def edit(layout):
-        for each in edits:
-            each(layout)
-
-    return edit
+    return lambda layout: [each(layout) for each in edits]
 
 
 def in_time(name, prim=SMILE):
@@ -199,14 +195,8 @@ def draw_nothing(layout):
 
 
 def far_from_base(layout):
-    controls = layout.attribute("rigUI:layout:baseControls", SCOPE).Get()
-    layout.set("rigUI:layout:baseValues", [9.0] * len(controls), SCOPE)
-
-
-def call_tracks_areas(layout):
-    faces = layout.faces(SMILE)
-    # handle, track, area
-    layout.set("primvars:rigUI:role:indices", lambda old: moved(old, faces, old[faces]), MESH)
+    values = [9.0] * len(layout.attribute("rigUI:layout:baseControls", SCOPE).Get())
+    layout.set("rigUI:layout:baseValues", values, SCOPE)
 
 
 def share_a_point(layout):
@@ -232,7 +222,7 @@ FAULTS = {
         "wide handles": layout("handleWidth", lambda old: 3.0 * old),
         "skin that is static": element("handle:adapt", "static"),
         "a track cut short": cut_track,
-        "a track called an area": call_tracks_areas,
+        "tracks called areas": mesh("primvars:rigUI:role:indices", lambda old: np.minimum(2 * old, 2)),
     },
     (INVALID, MESH): {
         "a face of two elements": lambda each: each.set("indices", lambda old: np.append(old, each.faces(OTHER)[0])),
@@ -304,6 +294,9 @@ FAULTS = {
     (INVALID, SCOPE): {
         "a purpose of render": lambda each: each.set("purpose", "render", SCOPE),
         "handles wider than those of a part": elbows("elbows"),
+        "the view of no part": both(
+            elbows("elbows"), layout("handleWidth", 0.1), layout("viewDirection", Gf.Vec3f.XAxis())
+        ),
         "a name twice": element("element:name", OTHER),
         "its own member": relation("rigUI:element:members", f"{MESH}/{SMILE}"),
         "no Skeleton of the layout": relation("rigUI:layout:skeleton", prim=SCOPE),
@@ -366,7 +359,7 @@ FAULTS = {
         "no face for any element": draw_nothing,
     },
     (INVALID, SQUASH): {
-        "a board seen from its edge": element("anchor:normal", Gf.Vec3f(1, 0, 0), SQUASH),
+        "a board seen from its edge": element("anchor:normal", Gf.Vec3f.XAxis(), SQUASH),
         "the view from behind": layout("viewDirection", lambda old: -old),
         "no side on the board": element("element:side", "none", SQUASH),
         "a carrier that is no mesh": relation("rigUI:anchor:carrier", "/Char/Skeleton", prim=SQUASH),

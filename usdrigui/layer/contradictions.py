@@ -179,6 +179,9 @@ def _of_listing(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
     least = min((each.handle_width for each in layout.frame.parts), default=width)
     if not np.isclose(width, least):
         yield invalid_at(scope, f"rigUI:layout:handleWidth is not {least}, the least of its parts")
+    views = [each.view @ layout.frame.view for each in layout.frame.parts]
+    if max(views, default=1.0) < CLEAR:
+        yield doubtful_at(scope, "rigUI:layout:viewDirection is that of none of its parts")
     names = base_controls(scope)
     if len({*names}) < len(names):
         yield invalid_at(scope, "rigUI:layout:baseControls lists a control twice")

@@ -17,7 +17,7 @@ from pxr import Sdf, UsdGeom, Vt
 from usdrigui.character import Body, Channel, Floats, Indices, Joint, Record, Skeleton
 from usdrigui.character.palette import linear
 from usdrigui.layer import author
-from usdrigui.layer.drawn import Drawn
+from usdrigui.layer.drawn import Drawn, together
 from usdrigui.layer.skin_binding import JointBinding, PointShape
 from usdrigui.model import Element
 from usdrigui.stages import schema
@@ -118,12 +118,9 @@ def author_drawing(
 
 def _author_faces(mesh: Sdf.PrimSpec, drawing: Drawing, elements: Sequence[DrawnElement]) -> None:
     parts = [part for _, part in drawing.parts]
-    starts = _starts(len(part.points) for part in parts)
-    indices = [part.faces.indices + start for part, start in zip(parts, starts[:-1], strict=True)]
-    author.put(
-        mesh, "faceVertexCounts", "int[]", np.concatenate([part.faces.counts for part in parts])
-    )
-    author.put(mesh, "faceVertexIndices", "int[]", np.concatenate(indices))
+    _, faces = together([(part.points, part.faces) for part in parts])
+    author.put(mesh, "faceVertexCounts", "int[]", faces.counts)
+    author.put(mesh, "faceVertexIndices", "int[]", faces.indices)
     # Flat faces whose normals are theirs in every pose.  A mesh of the scheme "none" would have to
     # author normals.
     author.put(mesh, "subdivisionScheme", "token", "bilinear", uniform=True)

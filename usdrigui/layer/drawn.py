@@ -160,7 +160,7 @@ def _tracks(skin: SkinBinding, binding: AnchorBinding, element: Element, width: 
     ]
     areas = _areas(element)
     polygons = ((corners, Faces.alike(np.arange(len(corners))[None])) for _, corners in areas)
-    positions, faces = _together([*spikes, *polygons])
+    positions, faces = together([*spikes, *polygons])
     rows = [_values_along(base, i, member) for i, member in enumerate(members)]
     values = np.concatenate([*rows, *(_values_at(base, moved, ends) for ends, _ in areas)])
     return _still(skin, binding, moved, values, positions, faces, len(areas), width)
@@ -203,7 +203,7 @@ def _to_the_middle(line: Floats, normal: Floats, tolerance: float) -> Floats | N
     return shift if farthest <= tolerance and np.ptp(above) <= 2.0 * tolerance else None
 
 
-def _together(forms: Sequence[Form]) -> Form:
+def together(forms: Sequence[Form]) -> Form:
     """Several forms as one."""
     starts = np.cumsum([0, *(len(points) for points, _ in forms)])
     indices = [each.indices + start for (_, each), start in zip(forms, starts, strict=False)]
@@ -383,7 +383,7 @@ def _form(element: Element, width: float, view: Floats) -> Form:
         for line in np.split(glyph.points, ends)
         if len(line) > 1
     ]
-    return _together([(points, Faces.alike(quads)) for points, quads in lines])
+    return together([(points, Faces.alike(quads)) for points, quads in lines])
 
 
 def _dome(normal: Floats, view: Floats, width: float) -> Form:
