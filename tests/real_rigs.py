@@ -12,7 +12,7 @@ from pxr import Gf, Usd, UsdGeom
 
 from usdrigui.character import Channel
 from usdrigui.reading.character import read_rigs
-from usdrigui.settings import Settings, load
+from usdrigui.settings import load
 
 ASSETS = Path(__file__).resolve().parents[2] / "shared" / "assets"
 WORK = 100_000
@@ -25,9 +25,9 @@ def asset(name):
 
 
 @cache
-def line_of(name):
+def line_of(name, joints="auto"):
     """Every record of one rig's layout, made once a run."""
-    (rig,) = read_rigs(asset(name), Settings())
+    (rig,) = read_rigs(asset(name), load({"read": {"joints": joints}}))
     return laid_out(rig)
 
 

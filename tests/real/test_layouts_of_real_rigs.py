@@ -1,15 +1,19 @@
 """What a layout must be on real rigs: mirrored, visible, graspable, telling; whatever the search's limit."""
 
 import re
+from functools import partial
 
 import numpy as np
 import pytest
-from real_rigs import ASSETS, asset, homes, laid_out, line_of, on_face, point_of
+import real_rigs
+from real_rigs import ASSETS, asset, homes, on_face, point_of
 
 from usdrigui.pipeline import Task, stages
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
 
+line_of = partial(real_rigs.line_of, joints="none")
+"""The layout of shapes and poses alone: a body would be of one part with its face."""
 LIMBS = {"hands": "finger|thumb|index|pinky|hand(middle|ring)|f[23][ab]_", "feet": "toe"}
 """What joints of a limb are called, by the title of its part."""
 RIGS = ("godette", "mh_expr34", "mh_poseunits", "ict_face57", "vitruvian")
@@ -57,8 +61,7 @@ def test_no_anchor_is_invisible_from_front_and_three_quarters(name):
 
 @pytest.mark.parametrize(("name", "least"), [(rig, 0.92 if rig == "ict_face57" else 0.85) for rig in RIGS])
 def test_shapes_and_poses_keep_their_displacement_on_the_face(name, least):
-    (rig,) = read_rigs(asset(name), load({"read": {"joints": "none"}}))
-    line = laid_out(rig)
+    line = line_of(name)
     peaks = {line.face.rig.controls[m.control].name: m.arc_length.max() for m in line.face.trajectories.motions}
     kept = [member.arc_length / peaks[member.control] for element in on_face(line) for member in element.members]
     assert np.mean(kept) >= least
