@@ -59,7 +59,7 @@ def test_no_anchor_is_invisible_from_front_and_three_quarters(name):
     assert all(seen[point_of(line, element)] for element in on_face(line))
 
 
-@pytest.mark.parametrize(("name", "least"), [(rig, 0.92 if rig == "ict_face57" else 0.85) for rig in RIGS])
+@pytest.mark.parametrize(("name", "least"), [(rig, 0.91 if rig == "ict_face57" else 0.85) for rig in RIGS])
 def test_shapes_and_poses_keep_their_displacement_on_the_face(name, least):
     line = line_of(name)
     peaks = {line.face.rig.controls[m.control].name: m.arc_length.max() for m in line.face.trajectories.motions}
