@@ -384,6 +384,8 @@ FAULTS = {
 
 
 def test_the_layout_of_the_sample_has_no_fault(stage):
+    """Nor with a single number of a person's own on what draws it."""
+    UsdGeom.PrimvarsAPI(stage.GetPrimAtPath(MESH)).CreatePrimvar("weight", Sdf.ValueTypeNames.Float).Set(1.0)
     assert layout_faults(stage) == ()
 
 

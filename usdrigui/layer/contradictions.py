@@ -222,7 +222,7 @@ def _of_drawing(mesh: Usd.Prim, parts: Sequence[str]) -> Iterator[Issue]:
         held = places if primvar.IsIndexed() else values
         wanted = counts.get(kind, 0) * primvar.GetElementSize()
         odd = wanted and primvar.GetTypeName().isArray and len(held) != wanted
-        if odd or {*places} - {*range(len(values))}:
+        if odd or (places and {*places} - {*range(len(values))}):
             what = f"is {kind}, and its {len(held)} values or indices are not one for each"
             yield invalid_at(mesh, f"{primvar.GetName()} {what}")
     if min(drawn.GetDisplayOpacityAttr().Get() or (1.0,)) <= 0.0:

@@ -1,6 +1,5 @@
 """What motions say about which control is which, worked out by hand."""
 
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -47,12 +46,3 @@ def test_at_one_place_agreement_to_the_last_digit_says_most():
     assert at_one_point((0, -2, 0)) == -4.0
     assert at_one_point((2, 0, 0)) == pytest.approx(-3.0)
     assert at_one_point((0, 0, 0)) == 0.0
-
-
-SURFACE = SimpleNamespace(
-    points=np.array([[0.0, 0, 0], [0.0301, 0, 0], [0.0331, 0, 0], [0.5, 0, 0], [0.0, 0, 0]]),
-    places=np.array([0, 1, 2, 3, 0]),
-    areas=np.array([1.0, 1.0, 3.0, 1.0, 9.0]),
-    face_size=1.0,
-)
-"""Points in three cells of a grid of a sixtieth, the second of two points; the last is at the place of the first."""
