@@ -27,9 +27,9 @@ from usdrigui.solve.reduced_problem import (
 
 CHEAPEST = 8
 """Labels of a variable that tell which triplets raise the bound: those of least cost."""
-AT_ONCE = 50
+AT_ONCE = 10
 """Triplets taken at a time."""
-PASSES = 6
+PASSES = 24
 """Passes over the triplets before others are looked for; a third where labels are many, for all
 that is done on the whole matrix in each."""
 VISITS = ((0, 3), (1, 2), (2, 1), (1, 1), (0, 1))

@@ -1,6 +1,5 @@
 """What motions say about which control is which, worked out by hand."""
 
-
 import numpy as np
 import pytest
 
