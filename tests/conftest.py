@@ -66,6 +66,8 @@ def pytest_configure(config):
     os.unsetenv("COLUMNS")
     # A shell lets what it runs in the background ignore it, and so would every command that a test interrupts.
     signal.signal(signal.SIGINT, signal.default_int_handler)
+    # Files that meet programs have few tests and take long: they come first, in the order of their folders.
+    config.option.loadscopereorder = False
     if config.option.suite is None:
         named = config.args_source is pytest.Config.ArgsSource.ARGS or config.option.markexpr
         config.option.suite = "all" if named else "quick"
