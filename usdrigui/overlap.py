@@ -11,6 +11,7 @@ agree to the last bit; of blocks of labels it gives a lower bound.  numpy only.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -132,14 +133,12 @@ def short_costs(drawn: Drawn, overlap: AnyOverlap) -> Floats:
 def total_cost(problem: LayoutProblem, labels: ArrayLike) -> float:
     """Value of the objective for one label per variable; +inf if the labels are not allowed."""
     chosen = np.asarray(labels, dtype=np.int64)
-    count = len(problem.variables)
     cost = sum(
         variable.off_face_cost if label < 0 else float(variable.cost[label])
         for variable, label in zip(problem.variables, chosen, strict=True)
     )
-    for a in range(count):
-        for b in range(a + 1, count):
-            cost += float(pair_costs(problem, a, b, chosen[[a]], chosen[[b]])[0])
+    for a, b in combinations(range(len(chosen)), 2):
+        cost += float(pair_costs(problem, a, b, chosen[[a]], chosen[[b]])[0])
     for extra in problem.extra:
         hit = (extra.first_labels == chosen[extra.first]) & (
             extra.second_labels == chosen[extra.second]

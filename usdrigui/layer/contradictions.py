@@ -170,17 +170,17 @@ def _of_prims(scope: Usd.Prim) -> Iterator[Issue]:
 
 
 def _of_listing(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
-    """Whether the lists of a layout name what it has, each once."""
+    """Whether a layout is a guide, its width and view are those of its parts, and its lists name
+    what it has, each once."""
     for prim in (scope, *scope.GetAllChildren()):
         if UsdGeom.Imageable(prim).ComputePurpose() != UsdGeom.Tokens.guide:
             yield invalid_at(prim, "purpose is not guide: final pictures show the controls")
             break
-    width = value_of(scope, schema.LAYOUT, "handleWidth")
-    least = min((each.handle_width for each in layout.frame.parts), default=width)
+    frame, width = layout.frame, value_of(scope, schema.LAYOUT, "handleWidth")
+    least = min((each.handle_width for each in frame.parts), default=width)
     if not np.isclose(width, least):
         yield invalid_at(scope, f"rigUI:layout:handleWidth is not {least}, the least of its parts")
-    views = [each.view @ layout.frame.view for each in layout.frame.parts]
-    if max(views, default=1.0) < CLEAR:
+    if max((each.view @ frame.view for each in frame.parts), default=1.0) < CLEAR:
         yield doubtful_at(scope, "rigUI:layout:viewDirection is that of none of its parts")
     names = base_controls(scope)
     if len({*names}) < len(names):
@@ -223,7 +223,7 @@ def _of_drawing(mesh: Usd.Prim, parts: Sequence[str]) -> Iterator[Issue]:
         wanted = counts.get(kind, 0) * primvar.GetElementSize()
         odd = wanted and primvar.GetTypeName().isArray and len(held) != wanted
         if odd or (places and {*places} - {*range(len(values))}):
-            what = f"is {kind}, and its {len(held)} values or indices are not one for each"
+            what = f"is {kind}, which {len(held)} values do not fit, or has an index beyond them"
             yield invalid_at(mesh, f"{primvar.GetName()} {what}")
     if min(drawn.GetDisplayOpacityAttr().Get() or (1.0,)) <= 0.0:
         yield doubtful_at(mesh, "primvars:displayOpacity is 0: nobody sees what it draws")

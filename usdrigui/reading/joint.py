@@ -184,8 +184,10 @@ def _turns(tree: Tree, joint: int, hinges: dict[int, Floats]) -> list[Turn]:
 def _ends_trunk(tree: Tree, joint: int) -> bool:
     """Whether a joint at the end of a chain is the last of a spine, as a head is, which nods, tilts
     and turns: the joints beside it are chains off the mirror plane."""
-    beside = {c for c in tree.children[tree.parents[joint]] if tree.depth[c]} - {joint}
-    return tree.on_plane(joint) and all(tree.depth[c] > 1 and not tree.on_plane(c) for c in beside)
+    trunk = tree.parents[joint]
+    beside = (c for c in tree.children[trunk] if tree.depth[c] and c != joint)
+    limbs = all(tree.depth[c] > 1 and not tree.on_plane(c) for c in beside)
+    return trunk >= 0 and tree.on_plane(joint) and limbs
 
 
 def _single(name: str, tree: Tree, joint: int, axis: Floats, span: tuple[float, float]) -> Turn:

@@ -30,15 +30,11 @@ class NearPairs(Record):
     """(q,) lower bounds, +inf where forbidden."""
 
 
-def near_blocks(problem: LayoutProblem, labels: LabelSet, budget: Budget) -> list[NearPairs]:
-    """All pairs of blocks of different variables, visible together, that may interact."""
-    return near_at_once(problem, labels, budget, np.inf) or []
-
-
-def near_at_once(
-    problem: LayoutProblem, labels: LabelSet, budget: Budget, most: float
+def near_blocks(
+    problem: LayoutProblem, labels: LabelSet, budget: Budget, most: float = np.inf
 ) -> list[NearPairs] | None:
-    """The same; None where more than `most` pairs are to be looked at."""
+    """All pairs of blocks of different variables, visible together, that may interact; None where
+    more than `most` are to be looked at."""
     pairs = np.triu(problem.together, 1)
     found = []
     for a, b in itertools.product(range(len(labels.geometries)), repeat=2):

@@ -8,7 +8,7 @@ from usdrigui.character import Flags, Floats, Indices, Record
 from usdrigui.model import LayoutProblem
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import SEVERAL, LabelSet, bounding
-from usdrigui.solve.pair_costs import NearPairs, near_at_once
+from usdrigui.solve.pair_costs import NearPairs, near_blocks
 
 ONE_BY_ONE = 6000
 """Labels up to which a problem is not cut into blocks at all."""
@@ -62,7 +62,7 @@ def near_one_by_one(
     if len(labels.cost) > ONE_BY_ONE or planned(len(labels.cost) ** 2 // 2, 0) > memory:
         return None
     most = min(budget.work_left / 4, memory * 2**20 / BYTES_PER_NEAR)
-    return near_at_once(problem, labels, budget, most)
+    return near_blocks(problem, labels, budget, most)
 
 
 def planned(entries: int, pairs: int) -> float:

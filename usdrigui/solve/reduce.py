@@ -83,7 +83,7 @@ class Reduction:
         self._incumbent = incumbent
         self.blocks = first_blocks(labels, budget) if near is None else one_by_one(labels)
         self.block_set = block_set(labels, self.blocks)
-        self._near = near_blocks(problem, self.block_set, budget) if near is None else near
+        self._near = near or near_blocks(problem, self.block_set, budget) or []
         self.pairs = pair_costs(problem, self.block_set, self._near)
         """Pair costs of the problem's labels, without messages."""
         self.linear = self.block_set.cost

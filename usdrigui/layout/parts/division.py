@@ -94,12 +94,9 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     }
     names = _together(names, _bound(settings, index))
     known = sorted(set(names.values()), key=_rank)
-    left_out = {
-        each.control: told
-        if (told := tell(rig.excluded[each.control], each)) in known
-        else main_part(known)
-        for each in found.excluded
-    }
+    left_out = {each.control: tell(rig.excluded[each.control], each) for each in found.excluded}
+    main = main_part(known)
+    left_out = {control: name if name in known else main for control, name in left_out.items()}
     return tuple(Part(name, _named(names, name), _named(left_out, name)) for name in known)
 
 

@@ -151,12 +151,11 @@ class _Search(Record):
         """The planes, fitted to an end, that mirror most of the sample to places of the surface,
         the one that mirrors most first."""
         found = self._distinct(self._polished(self.fitted(plane, 60)) for plane in planes)
-        whole = (plane for plane in found if self._mirrored(plane) >= LEAST_SHARE)
-        return sorted(whole, key=self._mirrored, reverse=True)
-
-    def _mirrored(self, plane: MirrorPlane) -> float:
-        """Share of the sample whose mirror image meets a place of the surface."""
-        return round(float((self._apart(plane)[0] <= self.tolerance).mean()), 3)
+        # Of the sample, the share whose mirror image meets a place of the surface.
+        met = [self._apart(plane)[0] <= self.tolerance for plane in found]
+        shares = np.round([each.mean() for each in met], 3)
+        best = np.argsort(-shares, kind="stable")
+        return [found[i] for i in best if shares[i] >= LEAST_SHARE]
 
     def ranked(self, planes: list[MirrorPlane]) -> tuple[list[MirrorPlane], int]:
         """The distinct planes, the best first: those that fit as well as the best, of which the
