@@ -50,7 +50,7 @@ class Drawn:
     def of(self, rows: Indices) -> Drawn:
         """Some of the elements."""
         every = (self.samples, self.handle, self.apart, self.handle_apart)
-        return Drawn(*(each[..., rows] for each in every))
+        return Drawn(*(each.take(rows, axis=-1) for each in every))
 
 
 def least_costs(
@@ -183,12 +183,10 @@ def _seen_costs(
     if len(one.handle) == 2:
         single = loose[met] == 0.0
         near[met] |= ~single
-        met, of_single = met[single], np.flatnonzero(single)
-        met_costs = _track_costs(
-            first.samples[..., of_single], second.samples[..., of_single], overlap
-        )
-        cost[met] += met_costs
-        near[met] |= met_costs > 0.0
+        met, single = met[single], np.flatnonzero(single)
+        drawn = _track_costs(first.of(single), second.of(single), overlap)
+        cost[met] += drawn
+        near[met] |= drawn > 0.0
     return cost, near
 
 
@@ -205,12 +203,23 @@ def _boxes_meet(one: Drawn, other: Drawn, margin: float | Floats) -> Flags:
     return np.asarray((apart <= margin).all(axis=0))
 
 
-def _track_costs(first: Floats, second: Floats, overlap: Overlap) -> Floats:
-    """(q,) what tracks cost that cross, or run along each other: samples (u, 2, q), (v, 2, q)."""
-    one, other = (_segments(samples, overlap.samples) for samples in (first, second))
-    along = _along(*one, *other, overlap.along_radius) + _along(*other, *one, overlap.along_radius)
+def _track_costs(first: Drawn, second: Drawn, overlap: Overlap) -> Floats:
+    """(q,) what tracks on a screen cost that cross, or run along each other."""
+    cost = np.zeros(len(first.handle_apart))
+    met = np.flatnonzero(_boxes_meet(first, second, overlap.along_radius))
+    one, other = (_segments(each.of(met).samples, overlap.samples) for each in (first, second))
     crossing = segments_cross(*(end[:, None] for end in one), *(end[None] for end in other))
-    return overlap.crossing * crossing.any(axis=(0, 1)) + overlap.along * along
+    cost[met] = overlap.crossing * crossing.any(axis=(0, 1))
+    alike = _alike(one[1] - one[0], other[1] - other[0])
+    rows = np.flatnonzero(alike.any(axis=(0, 1)))
+    alike = alike.take(rows, axis=-1)
+    mine, theirs = (
+        _segments(each.of(met[rows]).samples, overlap.samples) for each in (first, second)
+    )
+    along = _along(*mine, *theirs, alike, overlap.along_radius)
+    along += _along(*theirs, *mine, alike.swapaxes(0, 1), overlap.along_radius)
+    cost[met[rows]] += overlap.along * along
+    return cost
 
 
 def _hinge(distance: Floats, radius: float) -> Floats:
@@ -252,18 +261,28 @@ def _turn(a: Floats, b: Floats, c: Floats) -> Floats:
     return np.asarray(along_x * aside_y - along_y * aside_x)
 
 
+def _alike(one: Floats, other: Floats) -> Flags:
+    """(a, b, q) which steps (a, d, q) run the same way as which of (b, d, q)."""
+    along = np.stack([_dot(step[None], other) for step in one])
+    lengths, other_lengths = (np.sqrt(_dot(each, each)) for each in (one, other))
+    return np.asarray(np.abs(along) >= SAME_WAY * lengths[:, None] * other_lengths)
+
+
 def _along(
-    starts: Floats, ends: Floats, other_starts: Floats, other_ends: Floats, radius: float
+    starts: Floats,
+    ends: Floats,
+    other_starts: Floats,
+    other_ends: Floats,
+    alike: Flags,
+    radius: float,
 ) -> Floats:
-    """(q,) share of the segments whose middles lie near a track that runs the same way there."""
-    steps, other_steps = ends - starts, other_ends - other_starts
-    lengths, other_lengths = (np.sqrt(_dot(each, each)) for each in (steps, other_steps))
-    share = np.zeros(starts.shape[-1])
-    for middle, step, length in zip(0.5 * (starts + ends), steps, lengths, strict=True):
+    """(q,) share of the segments whose middles lie near one of the others that is `alike`
+    (segments, others, q)."""
+    share = np.zeros(alike.shape[-1])
+    for middle, same in zip(0.5 * (starts + ends), alike, strict=True):
         gaps = segment_distances(middle[None], other_starts, other_ends)
-        alike = np.abs(_dot(step[None], other_steps)) >= SAME_WAY * length * other_lengths
-        share += _hinge(np.where(alike, gaps, np.inf).min(axis=0), radius)
-    return share / len(steps)
+        share += _hinge(np.where(same, gaps, np.inf).min(axis=0), radius)
+    return share / len(alike)
 
 
 # --- the paper's ----------------------------------------------------------------------------------

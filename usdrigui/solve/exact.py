@@ -12,7 +12,7 @@ from usdrigui.solve.label_geometry import LabelSet, all_labels
 from usdrigui.solve.local_search import KnownRows, LazyRows, LocalSearch
 from usdrigui.solve.pair_costs import NearPairs, pair_costs
 from usdrigui.solve.partition import ONE_BY_ONE, near_one_by_one
-from usdrigui.solve.reduce import Reduction, reduce
+from usdrigui.solve.reduce import Reduction
 from usdrigui.solve.toulbar2 import check_installed, solve_by_toulbar2
 
 DEARER = 0.18
@@ -45,11 +45,12 @@ def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
     budget.found("linear costs", bound=least)
     labels, near, incumbent = _first_layout(problem, labels, budget)
     budget.note("local search", cost=incumbent.cost, labels=count, work=budget.work)
-    left = reduce(problem, labels, near, budget, incumbent)
-    figures = {"labels": 0} if left is None else left.figures()
+    left = Reduction(problem, labels, near, budget, incumbent)
+    any_left = left.done()
+    figures = left.figures() if any_left else {"labels": 0}
     found = {"cutoff": budget.cutoff, "cost": incumbent.cost, "bound": budget.bound}
     budget.note("reduce", **figures, **found, work=budget.work)
-    if left is not None and left.exact and not budget.over():
+    if any_left and left.exact and not budget.over():
         method = _solve_reduced(left, incumbent, budget)
     return assignment(problem, labels, labels.candidate[incumbent.chosen], budget, method)
 
@@ -109,8 +110,9 @@ def _first_layout(
 
 def _solve_reduced(left: Reduction, incumbent: LocalSearch, budget: Budget) -> str:
     """Give what is left to the solver that the settings name as soon as its program is small: until
-    then variables are joined, as long as there are any to join, and triplets of them raise the
-    bound; the name of the step that had the last turn."""
+    then triplets of variables raise the bound of many labels, variables of few are joined, as long
+    as there are any to join, and triplets of them raise it again; the name of the step that had the
+    last turn."""
     name = ""
     while not (budget.over() or left.small()):
         if left.joined():

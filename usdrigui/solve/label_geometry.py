@@ -17,7 +17,7 @@ from usdrigui.character import Flags, Floats, Indices, Record
 from usdrigui.model import LayoutProblem, Variable
 from usdrigui.overlap import ROUNDING, Drawn, least_costs
 
-CHUNK = 32768
+CHUNK = 65536
 """Distances worked out at a time: they stay in the processor's cache."""
 SEVERAL = -2
 """Stands for the candidate of a block of several."""
@@ -55,14 +55,12 @@ class LabelGeometry(Record):
 
     def drawn(self, at: Indices) -> Drawn:
         """Geometries `at` as drawn."""
-        every = (self.samples, self.handle, self.apart, self.handle_apart)
-        return Drawn(*(each.take(at, axis=-1) for each in every))
+        return Drawn(self.samples, self.handle, self.apart, self.handle_apart).of(at)
 
     def of(self, kept: Indices, owner: Indices) -> LabelGeometry:
         """Some of the geometries, of other owners."""
-        every = (self.samples, self.apart, self.handle, self.handle_apart)
-        samples, apart, handle, handle_apart = (each.take(kept, axis=-1) for each in every)
-        return LabelGeometry(owner, samples, apart, handle, handle_apart)
+        some = self.drawn(kept)
+        return LabelGeometry(owner, some.samples, some.apart, some.handle, some.handle_apart)
 
     def places(self, labels: int) -> Indices:
         """(labels,) which of the geometries is each label's, or -1."""

@@ -46,7 +46,6 @@ class LocalSearch:
         self._budget, self.penalty, self._tell = budget, penalty, tell
         self._generator = np.random.default_rng(budget.settings.seed)
         self._least = np.minimum.reduceat(linear, start[:-1])
-        self._seen: set[bytes] = set()
         self._now = np.full(len(start) - 1, -1, dtype=np.int64)
         self._costs = linear.copy()
         """(n,) what every label costs, alone and against the labels chosen now."""
@@ -60,11 +59,9 @@ class LocalSearch:
         self._descend()
 
     def improve_from(self, chosen: Indices) -> None:
-        """Descend from a layout, unless it was seen before."""
-        if chosen.tobytes() not in self._seen:
-            self._seen.add(chosen.tobytes())
-            self._set(chosen)
-            self._descend()
+        """Descend from a layout."""
+        self._set(chosen)
+        self._descend()
 
     def search(self, tries: int, worse: float = WORSE, most: float = np.inf) -> None:
         """Iterated local search: so many tries per variable from the best layout on, and again as

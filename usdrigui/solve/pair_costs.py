@@ -39,18 +39,19 @@ def near_blocks(
     found = []
     for a, b in itertools.product(range(len(labels.geometries)), repeat=2):
         one, other = labels.geometries[a], labels.geometries[b]
-        rows = max(1, 32 * CHUNK // max(1, len(other.owner)))
+        mine, theirs = labels.variable[one.owner], labels.variable[other.owner]
+        rows = max(1, 8 * CHUNK // max(1, len(theirs)))
         pieces = []
-        for low in range(0, len(one.owner), rows):
-            i, j = np.ix_(range(low, min(low + rows, len(one.owner))), range(len(other.owner)))
-            near = meeting(one, i, other, j, problem)
-            near &= pairs[labels.variable[one.owner[i]], labels.variable[other.owner[j]]]
-            at, columns = np.nonzero(near)
+        for low in range(0, len(mine), rows):
+            later = int(np.searchsorted(theirs, mine[low], side="right"))
+            i, j = np.ix_(range(low, min(low + rows, len(mine))), range(later, len(theirs)))
+            near = np.argwhere(meeting(one, i, other, j, problem)) + np.array([low, later])
+            at, columns = near[pairs[mine[near[:, 0]], theirs[near[:, 1]]]].T
             most -= len(at)
             if most < 0:
                 return None
             budget.spend(len(at))
-            pieces.append(_evaluated(problem, labels, (a, b), at + low, columns))
+            pieces.append(_evaluated(problem, labels, (a, b), at, columns))
         found.append(_joined((a, b), pieces))
     return found
 

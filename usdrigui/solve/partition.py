@@ -173,17 +173,8 @@ def split(
         chosen = chosen if chosen.any() else several
         parts = np.zeros(len(lower_bounds), dtype=np.int64)
         parts[alive] = 1 + chosen
-        if _planned(near, blocks.variable, parts) <= budget.settings.memory_limit:
+        pairs = sum(int((parts[each.first] * parts[each.second]).sum()) for each in near)
+        if planned(int(parts.sum()) ** 2 // 2, pairs) <= budget.settings.memory_limit:
             finer, parent = bisect(labels, rest, chosen)
             return finer, alive[parent]
     return None
-
-
-def _planned(near: list[NearPairs], variable: Indices, parts: Indices) -> float:
-    """MiB needed when every block, of a `variable` (blocks,), is replaced by so many parts."""
-    pairs = sum(int((parts[each.first] * parts[each.second]).sum()) for each in near)
-    sizes = np.bincount(variable, weights=parts).astype(np.int64)
-    used = np.zeros((len(sizes), len(sizes)), dtype=bool)
-    for each in near:
-        used[variable[each.first], variable[each.second]] = True
-    return planned(int(np.outer(sizes, sizes)[used].sum()), pairs)

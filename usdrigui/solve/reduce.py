@@ -44,29 +44,9 @@ TRIES = 20
 """Of local search per variable where all pair costs are at hand: thousands take a second."""
 
 
-def reduce(
-    problem: LayoutProblem,
-    labels: LabelSet,
-    near: list[NearPairs] | None,
-    budget: Budget,
-    incumbent: LocalSearch,
-) -> Reduction | None:
-    """What bounds leave of a problem: labels, and pairs of them, that a layout below
-    `budget.cutoff` may use.
-
-    None when nothing is left.  At a limit blocks of several labels may be left.  `near` are all
-    pairs of labels that may interact, where they are few.  `incumbent` holds
-    the best layout known of these labels; it is improved on the way.
-    """
-    left = Reduction(problem, labels, near, budget, incumbent)
-    if left.done():
-        return left
-    budget.found("blocks", bound=budget.cutoff)
-    return None
-
-
 class Reduction:
-    """Blocks of labels, and what is left of the problem that they bound from below.
+    """Blocks of labels, and what is left of the problem that they bound from below: what a layout
+    below `budget.cutoff` may use.
 
     It shrinks in place: what goes must free its memory at once.
     """
@@ -79,6 +59,8 @@ class Reduction:
         budget: Budget,
         incumbent: LocalSearch,
     ) -> None:
+        """`near` are all pairs of labels that may interact, where they are few.  `incumbent` holds
+        the best layout known of these labels; it is improved on the way."""
         self._whole, self._labels, self._budget = problem, labels, budget
         self._incumbent = incumbent
         self.blocks = first_blocks(labels, budget) if near is None else one_by_one(labels)
@@ -141,8 +123,8 @@ class Reduction:
         }
 
     def done(self) -> bool:
-        """Sweep, tighten, split, until all blocks are single labels or a limit is reached; whether
-        anything is left."""
+        """Sweep, tighten, split, until all blocks are single labels or a limit is reached: then
+        blocks of several may be left; whether anything is."""
         budget, share = self._budget, NEAR
         while self._swept() and (not self.exact or self._thinned()):
             frustrated = self._frustrated()
@@ -202,6 +184,7 @@ class Reduction:
         """Take the blocks away that no layout below the cutoff uses; whether any are left."""
         left = reduced(self.problem, self._budget.cutoff)
         if left is None:
+            self._budget.found("blocks", bound=self._budget.cutoff)
             return False
         self._budget.found("blocks", bound=min(left.bound(), self._budget.cutoff))
         self._keep(left)
@@ -245,27 +228,26 @@ class Reduction:
         return self._reduced()
 
     def tightened(self) -> bool:
-        """Raise the bound by triplets and take away what it excludes, as long as this gains
-        more than a share of what the bound misses; whether any are left."""
-        while True:
+        """Raise the bound by triplets and take away what it excludes: of many labels until tests of
+        pairs and joining gain more, else as long as it gains more than a share of what the bound
+        misses; whether any are left."""
+        many = self.exact and len(self.problem.costs) > LARGEST_TESTED
+        while not self._budget.stopped():
             before, bound = len(self.problem.costs), self.problem.bound()
             raise_bound(self.problem, self._budget)
             if not (self._reduced() and self._excluded()):
-                self._budget.found("triplets", bound=self._budget.cutoff)
                 return False
-            if self.exact:
-                self._take_dominated()
             now, labels = self.problem.bound(), len(self.problem.costs)
-            stopped = self._budget.stopped()
             if labels > LARGEST_TESTED:
                 self._budget.lower_aim()
-            if self.exact and labels > LARGEST_TESTED and now > bound and not stopped:
-                continue  # The solvers of what is left could do nothing with so many.
+            elif many:
+                return self._thinned()
             few_gone = labels > (1.0 - SLOW) * before
-            if self.exact and few_gone:
+            if self.exact and few_gone and not many:
                 self._frustrated()  # A better layout of few labels excludes more.
-            if stopped or (few_gone and now - bound <= SLOW * (self._budget.cost - now)):
-                return True
+            if now - bound <= (0.0 if many else few_gone * SLOW * (self._budget.cost - now)):
+                break
+        return True
 
     def joined(self) -> bool:
         """Join variables and take away what bounds then exclude; whether there are any to join."""
@@ -278,8 +260,7 @@ class Reduction:
             self.pairs = csr_array(np.triu(joint.together(pairs)))
             self._joined = joint.members(self._members())
             self.problem = joint.problem
-            if not (self._swept() and self._thinned()):
-                self._budget.found("joining", bound=self._budget.cutoff)
+            _ = self._swept() and self._thinned()
         return bool(found)
 
     def _split(self, share: float) -> bool:

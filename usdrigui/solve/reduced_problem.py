@@ -321,27 +321,35 @@ class ReducedProblem:
         For every third variable the label counts that costs least with both.
         """
         gap, excess, pairs = cutoff - self.bound(), self.excess(), self.both_ways()
-        found = False
+        alone = np.minimum.reduceat(pairs + excess, self.start[:-1], axis=1)
+        alone = np.minimum(alone, DEAREST)  # (labels, variables)
         for variable, mine in enumerate(self.slices[:-1]):
             later = slice(mine.stop, None)
-            total = self._pair_lower_bounds(variable, excess, pairs)
-            bad = (total >= gap + EPSILON) & np.isfinite(pairs[mine, later])
-            found |= bool(bad.any())
+            total = self._pair_lower_bounds(variable, excess, pairs, alone)
+            bad = total >= gap + EPSILON
             pairs[mine, later][bad] = np.inf
             pairs[later, mine][bad.T] = np.inf
-        if found:  # between variables that do not interact, too
-            self.tables = tables_of(self.owner, pairs)
+        self.tables = tables_of(self.owner, pairs)
 
-    def _pair_lower_bounds(self, variable: int, excess: Floats, pairs: Floats) -> Floats:
-        """(labels, later labels) what layouts that use both cost above the bound."""
+    def _pair_lower_bounds(
+        self, variable: int, excess: Floats, pairs: Floats, alone: Floats
+    ) -> Floats:
+        """(labels, later labels) what layouts that use both cost above the bound.
+
+        A third variable that only one of them is linked to costs what it costs `alone`
+        (labels, variables) with that one at least.
+        """
         mine = self.slices[variable]
         later = slice(mine.stop, None)
         total = excess[mine, None] + excess[later] + pairs[mine, later]
         first = self.owner[later]
-        for third, other in enumerate(self.slices):
-            if third != variable:
-                least = least_sums(pairs[mine, other] + excess[other], pairs[later, other])
-                total += np.where(first == third, 0.0, least)
+        total += alone[mine].sum(axis=1)[:, None] - alone[mine][:, first]
+        total += alone[later].sum(axis=1) - alone[later, variable]
+        for third in np.flatnonzero(self.linked[variable]).tolist():
+            close, other = np.flatnonzero(self.linked[third, first]), self.slices[third]
+            with_both = pairs[later, other][close]
+            least = least_sums(pairs[mine, other] + excess[other], with_both)
+            total[:, close] += least - alone[mine, third, None] - alone[later, third][close]
         return total
 
 

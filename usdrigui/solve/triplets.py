@@ -86,12 +86,10 @@ def _visit(
 
 
 def _best_triplets(problem: ReducedProblem) -> list[Triplet]:
-    """New triplets that raise the bound most, by the cheapest labels of their variables; then those
-    whose weakest table costs most."""
+    """New triplets that raise the bound most, by the cheapest labels of their variables."""
     tables = _cheapest(problem)
     least = tables.min(axis=(2, 3))
-    strength = np.where(problem.linked, np.minimum(tables, 1.0).mean(axis=(2, 3)), 0.0)
-    rank: dict[Triplet, tuple[float, float]] = {}
+    rank: dict[Triplet, float] = {}
     sizes = np.diff(problem.start)
     for a, b in np.argwhere(np.triu(problem.linked)).tolist():
         third = b + 1 + np.flatnonzero(problem.linked[a, b + 1 :] & problem.linked[b, b + 1 :])
@@ -100,11 +98,10 @@ def _best_triplets(problem: ReducedProblem) -> list[Triplet]:
             (tables[a, b] + both).min(axis=(1, 2)) - least[a, b] - least[a, third] - least[b, third]
         )
         gains[gains <= EPSILON] = 0.0
-        weakest = np.minimum(np.minimum(strength[a, third], strength[b, third]), strength[a, b])
         new = ((a, b, each) not in problem.messages for each in third.tolist())
         for at in np.flatnonzero(np.fromiter(new, dtype=bool)).tolist():
             work = int(sizes[[a, b, third[at]]].prod())
-            rank[a, b, int(third[at])] = (-float(gains[at]) / work, -float(weakest[at]))
+            rank[a, b, int(third[at])] = -float(gains[at]) / work
     return sorted(rank, key=lambda each: (rank[each], each))[:AT_ONCE]
 
 
