@@ -96,7 +96,7 @@ def _problem(positions: Floats, motions: list[tuple[Floats, bool]]) -> LayoutPro
         _variable(f"control{at}", positions, offsets, mirrored, typical, settings, overlap, width)
         for at, (offsets, mirrored) in enumerate(motions)
     )
-    return LayoutProblem(variables, overlap, width, settings.displacement_weight)
+    return LayoutProblem(variables, overlap, width)
 
 
 def _head(points: int) -> tuple[Floats, Floats]:

@@ -5,8 +5,8 @@ Plain arrays, no pickled objects; ``numpy.load(path)`` reads them without usdrig
     version              () 4
     names                (variables,) text
     overlap              the fields of `usdrigui.model.Overlap` (12,) or `MeanOverlap` (5,)
-    separation, unit_cost, off_face_cost
-                         (), (), (variables,)
+    separation, off_face_cost
+                         (), (variables,)
     points_K, cost_K     (R,) of variable K: anchor points and linear costs
     displacement_K       (R,) displacement, contained in the linear costs
     samples_K            (R, copies, u, d): d is 2 for `Overlap`, on the screen, and 3 in the scene
@@ -40,7 +40,6 @@ def save_problem(path: Path, problem: LayoutProblem) -> None:
         "names": np.array([each.name for each in problem.variables], dtype=np.str_),
         "overlap": np.array(astuple(problem.overlap)),
         "separation": np.array(problem.separation),
-        "unit_cost": np.array(problem.unit_cost),
         "off_face_cost": np.array([float(each.off_face_cost) for each in problem.variables]),
         "extra": np.array(ends, dtype=np.int64).reshape(-1, 2),
     }
@@ -82,6 +81,4 @@ def _problem(arrays: np.lib.npyio.NpzFile) -> LayoutProblem:
     numbers = arrays["overlap"].tolist()
     is_mean = len(numbers) == len(fields(MeanOverlap))
     overlap = MeanOverlap(*numbers) if is_mean else Overlap(int(numbers[0]), *numbers[1:])
-    return LayoutProblem(
-        variables, overlap, float(arrays["separation"]), float(arrays["unit_cost"]), extra
-    )
+    return LayoutProblem(variables, overlap, float(arrays["separation"]), extra)

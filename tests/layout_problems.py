@@ -23,7 +23,7 @@ def random_problem(seed: int, variables: int = 5, candidates: int = 7) -> Layout
     if seed % 3:
         overlap = Overlap(3, 1.0, *generator.uniform(0.1, [1, 2, 0.3, 3, 0.5, 0.7, 0.5, 0.5, 0.5, 0.5]))
     separation = float(generator.choice([1e-6, 0.5, 1.0]))
-    return LayoutProblem(elements, overlap, separation, 0.85, _explicit(generator, elements))
+    return LayoutProblem(elements, overlap, separation, _explicit(generator, elements))
 
 
 def _element(generator: np.random.Generator, at: int, size: float, candidates: int, axes: int) -> Variable:
@@ -70,7 +70,7 @@ def crowd(seed: int, variables: int = 6, candidates: int = 40) -> LayoutProblem:
         samples = handles[:, :, None] + np.linspace(0, 1, 5)[:, None] * generator.normal(0, 0.3, 3)
         cost = -np.exp(-np.square(handles[:, 0]).sum(axis=-1) / 8) * generator.uniform(0.8, 1.2)
         elements.append(Variable(f"v{at}", np.arange(candidates), cost, samples, handles, 0.3, -cost))
-    return LayoutProblem(tuple(elements), MeanOverlap(5.0, 1.0, 4.0, 3.0, 0.15), 1.0, 0.85)
+    return LayoutProblem(tuple(elements), MeanOverlap(5.0, 1.0, 4.0, 3.0, 0.15), 1.0)
 
 
 def renumbered(problem: LayoutProblem, seed: int) -> LayoutProblem:

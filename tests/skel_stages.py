@@ -52,7 +52,7 @@ def add_shape(mesh, token, offsets, indices=None, inbetweens=None):
     shape = UsdSkel.BlendShape.Define(prim.GetStage(), path)
     shape.CreateOffsetsAttr(Vt.Vec3fArray.FromNumpy(np.asarray(offsets, dtype=np.float32)))
     if indices is not None:
-        shape.CreatePointIndicesAttr(Vt.IntArray([int(i) for i in indices]))
+        shape.CreatePointIndicesAttr(Vt.IntArray([*map(int, indices)]))
     for i, (weight, between) in enumerate((inbetweens or {}).items()):
         each = shape.CreateInbetween(f"b{i}")
         each.SetWeight(weight)

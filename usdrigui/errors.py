@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import tomllib
+import traceback
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
@@ -157,12 +158,8 @@ def refuse(code: str, path: object, message: str) -> RigUIError:
 
 def raised_at(error: BaseException) -> str:
     """File and line where an error of ours was raised, in brackets; empty where nobody knows."""
-    place = error.__traceback__
-    while place is not None and place.tb_next is not None:
-        place = place.tb_next
-    if place is None:
-        return ""
-    return f" ({Path(place.tb_frame.f_code.co_filename).name}:{place.tb_lineno})"
+    called = traceback.extract_tb(error.__traceback__)[-1:]
+    return "".join(f" ({Path(each.filename).name}:{each.lineno})" for each in called)
 
 
 def failure_json(asset: str, error: RigUIError) -> str:

@@ -79,8 +79,8 @@ def process(
         previous=_path(previous),
         like=_path(like),
         base=_path(base),
-        corrections=tuple(Path(each) for each in corrections),
-        animations=tuple(Path(each) for each in animations),
+        corrections=tuple(map(Path, corrections)),
+        animations=tuple(map(Path, animations)),
     )
     return pipeline.process(
         path,

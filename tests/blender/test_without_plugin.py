@@ -79,7 +79,7 @@ def anchors(layer, rig, frames):
 
 
 def root_points(stage, rig, element, points, frames):
-    root, mesh = (stage.GetPrimAtPath(path) for path in (rig.path, element.anchor.mesh))
+    root, mesh = map(stage.GetPrimAtPath, (rig.path, element.anchor.mesh))
     at = []
     for frame in frames:
         cache = UsdGeom.XformCache(frame)

@@ -79,6 +79,7 @@ TRAPS: Mapping[str, Trap] = {
         1,
         frozenset({"SKELETON_INVALID"}),
     ),
+    "a joint named twice": (((_JOINTS, _JOINTS.replace("neck/jaw", "neck")),), 1, frozenset({"SKELETON_INVALID"})),
     "NaN in a joint weight": ((("[1, 0, 1, 0, 1, 0", "[nan, 0, 1, 0, 1, 0"),), 1, frozenset({"NOT_FINITE"})),
     "a character in an instance": (
         ((_ROOT, 'def "Hero" (instanceable = true; references = </Char>) {}\nclass SkelRoot "Char"'),),

@@ -80,7 +80,7 @@ def test_everything_that_is_wrong_in_a_configuration_is_reported_at_once(command
     assert sorted(each["path"] for each in found) == sorted(wrong)
     hints = " ".join(each["message"] for each in found)
     assert texts == [VALUES] or ("'Jaw'" in hints and "'smile_L'" in hints)
-    assert main([str(each) for each in (command, read, *given)]) == 2
+    assert main([*map(str, (command, read, *given))]) == 2
     assert capsys.readouterr().err.count("repair:") == len(wrong)
 
 

@@ -29,7 +29,7 @@ def asset(folder):
 
 def published(*assets, staging=None):
     context = pyblish_api.Context()
-    context.data["rigUIAssets"] = [str(each) for each in assets]
+    context.data["rigUIAssets"] = [*map(str, assets)]
     if staging is not None:
         instance = context.create_instance("char")
         instance.data.update(family="rig", usdFile=str(assets[0]), stagingDir=str(staging), folderPath="/assets/World")

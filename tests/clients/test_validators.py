@@ -30,7 +30,7 @@ TRAPS = {
 }
 EDITS = ("TOKEN_ORDER", "ANIMATION_LENGTH", "WEIGHTS_BEYOND_LIMITS", "INBETWEEN_INVALID")
 FAULTS = [(code, traps.trapped, name) for code, name in TRAPS.items()]
-FAULTS += [("TOKEN_REPEATED", named_twice, "")]
+FAULTS += [("TOKEN_REPEATED", named_twice, ""), ("NOT_FINITE", traps.trapped, "NaN in a point")]
 FAULTS += [(code, minimal_assets.character, code) for code in EDITS]
 """A code, and how a character that calls for it is made."""
 

@@ -231,7 +231,7 @@ def test_members_handles_may_be_nearer_than_their_centres_by_what_both_are_off(
         far, still = np.full((1, 3, 1), 100.0 * (x + 1.0)), np.zeros((1, 1))
         return LabelGeometry(np.array([0]), far, still, np.array([[x], [0.0], [0.0]]), np.array([slack]))
 
-    problem = LayoutProblem((), MeanOverlap(5.0, 0.1, 20.0, 0.6, 0.15), 1.0, 0.85)
+    problem = LayoutProblem((), MeanOverlap(5.0, 0.1, 20.0, 0.6, 0.15), 1.0)
     at = np.array([0])
     (cost,), (meets,) = pair_bounds(geometry(0.0), at, geometry(between), at, problem)
     assert (np.isinf(cost), meets) == (excluded, near)

@@ -589,7 +589,7 @@ def on_a_line(count: int, apart: int, step: float, first: int, off_face: float) 
         cost = -np.ones(count)
         cost[outer] = -0.9
         elements.append(Variable(f"v{start}", np.arange(count), cost, handles[:, :, None], handles, off_face, -cost))
-    return LayoutProblem(tuple(elements), MeanOverlap(5.0, 1.0, 4.0, 3.0, 0.15), step * apart, 0.85)
+    return LayoutProblem(tuple(elements), MeanOverlap(5.0, 1.0, 4.0, 3.0, 0.15), step * apart)
 
 
 @pytest.mark.parametrize("grid", [(32, 37, 0.1, -2, 0.3), (16, 20, 0.3, -11, 0.3), (16, 26, 0.013, 16, np.inf)])
@@ -609,7 +609,7 @@ def test_handles_too_near_by_rounding_alone_are_not() -> None:
         samples[1, :, :, 0] = away
         cost = np.array([-1.0, -0.5])
         elements.append(Variable(f"v{away}", np.arange(2), cost, samples, samples[:, :, 0].copy(), np.inf, -cost))
-    problem = LayoutProblem(tuple(elements), MeanOverlap(5.0, 1.0, 4.0, 0.05, 0.15), 0.05, 0.85)
+    problem = LayoutProblem(tuple(elements), MeanOverlap(5.0, 1.0, 4.0, 0.05, 0.15), 0.05)
     assert faults(problem, solve(problem, HIGHS), best_of_all(problem)) == []
 
 
@@ -654,7 +654,7 @@ def test_what_is_forbidden_costs_more_than_the_dearest_allowed_layout() -> None:
 
     elements = element("a", [0.0, 0.5], 1), element("b", [-1.0, 0.25, -2.0], 2)
     extra = (ExtraPairs(0, 1, np.array([0, 1]), np.array([0, 2]), np.array([0.75, np.inf])),)
-    problem = LayoutProblem(elements, MeanOverlap(5.0, 1.0, 4.0, 3.0, 0.125), 1e-6, 0.85, extra)
+    problem = LayoutProblem(elements, MeanOverlap(5.0, 1.0, 4.0, 3.0, 0.125), 1e-6, extra)
     labels = all_labels(problem)
     assert infeasible_penalty(problem, labels) == pytest.approx(1.0 + 0.5 + 2.25 + 0.125 * 5.0 * 2 + 0.75)
 

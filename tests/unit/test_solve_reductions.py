@@ -29,7 +29,7 @@ def element(name, spots, gains, off_face=np.inf):
 
 
 def problem_of(*elements, radius=1.0):
-    return LayoutProblem(tuple(elements), MeanOverlap(5.0, radius, 4.0 / radius, 3.0 * radius, 0.15), SEPARATION, 0.85)
+    return LayoutProblem(tuple(elements), MeanOverlap(5.0, radius, 4.0 / radius, 3.0 * radius, 0.15), SEPARATION)
 
 
 def row(*places):

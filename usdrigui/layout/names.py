@@ -44,7 +44,7 @@ def common_label(labels: list[str]) -> str:
     are joined by slashes.
     """
     parts = [_WORDS.findall(label) for label in labels]
-    least = min(len(words) for words in parts)
+    least = min(map(len, parts))
     head = next((i for i in range(least) if len({words[i] for words in parts}) > 1), least)
     tail = next(
         (i for i in range(least - head) if len({words[-1 - i] for words in parts}) > 1),

@@ -24,8 +24,6 @@ class LayoutProblem(Record):
     separation: float
     """Scene units; > 0. Tiny (coincidence) where only "one element per point" is asked (paper eq.
     4)."""
-    unit_cost: float
-    """Cost of one unit of displacement (lambda); informs displays, not part of the problem."""
     extra: tuple[ExtraPairs, ...] = ()
 
     @cached_property

@@ -181,7 +181,7 @@ def values_at(drag: Drag, at: ArrayLike) -> Floats:
 def _ends(members: Sequence[int], ranges: Floats, home: Floats) -> tuple[End, ...]:
     found = []
     for sign, member in zip((1.0,) if len(members) == 1 else (-1.0, 1.0), members, strict=True):
-        minimum, default, maximum = (float(each) for each in ranges[member])
+        minimum, default, maximum = map(float, ranges[member])
         far = maximum if maximum - default >= default - minimum else minimum
         off, far = (minimum, maximum) if len(members) == 1 else (default, far)
         found.append(End(member, sign, off, far, float(home[member])))

@@ -23,7 +23,7 @@ from usdrigui.reading.clips import checked_weights
 from usdrigui.reading.range import limit_entries, limit_table
 from usdrigui.reading.skeleton import repeated
 from usdrigui.settings import ReadSettings
-from usdrigui.stages.arrays import tokens, value_at, vector_count
+from usdrigui.stages.arrays import tokens, value_at, vector_count, vectors
 
 
 def stage_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
@@ -38,8 +38,8 @@ def stage_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
 
 
 def mesh_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
-    """ARRAY_TYPE, TARGETS_LENGTH, TARGET_INVALID, TOKEN_REPEATED, TOKEN_ORDER, and the faults of
-    each shape."""
+    """ARRAY_TYPE, NOT_FINITE, TARGETS_LENGTH, TARGET_INVALID, TOKEN_REPEATED, TOKEN_ORDER, and the
+    faults of each shape."""
     found: list[Issue] = []
     with _collecting(found):
         names, targets = names_and_targets(prim)
@@ -94,6 +94,8 @@ def _pair_faults(
     yield from repeated(names, path, "skel:blendShapes")
     points = value_at(UsdGeom.Mesh(prim).GetPointsAttr(), Usd.TimeCode.Default())
     count = vector_count(points, path, "points")
+    with _collecting(faults):
+        vectors(points, path, "points")
     for name, target in zip(names, targets, strict=True):
         shape = prim.GetStage().GetPrimAtPath(target)
         if not is_shape(shape):

@@ -65,7 +65,7 @@ def read_frame_names(
         named = sorted((float(time), str(name)) for name, time in value.items() if _is_time(time))
         return FrameNames(tuple(Frame(name, time) for time, name in named))
     is_list = isinstance(value, (list, Vt.StringArray, Vt.TokenArray))
-    names = [str(name) for name in value] if is_list else []
+    names = [*map(str, value)] if is_list else []
     if len(names) != len(times):
         what = f"{len(names)} names in {key!r}, {len(times)} frames"
         issues.append(issue("POSES_MISMATCH", root.GetPath(), what))

@@ -196,7 +196,7 @@ def _custom_ranges(
 
 def _pair(value: Any) -> tuple[float, float] | None:
     try:
-        low, high = (float(each) for each in value)
+        low, high = map(float, value)
     except (TypeError, ValueError, OverflowError):
         return None
     return (low, high) if np.isfinite([low, high]).all() and low < high else None

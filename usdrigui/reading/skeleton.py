@@ -164,7 +164,7 @@ def _armature(
         )
     animation = query.GetAnimQuery()
     animated = animation.GetPrim() if animation else None
-    shapes = tuple(str(token) for token in animation.GetBlendShapeOrder()) if animation else ()
+    shapes = tuple(map(str, animation.GetBlendShapeOrder())) if animation else ()
     to_root = frames.to_root(prim)
     if np.linalg.matrix_rank(to_root) < 4:
         what = "its transform, or that of a prim above it, collapses space (is a scale 0?)"
@@ -172,7 +172,9 @@ def _armature(
     record = Skeleton(
         path, str(_in_instance(animated.GetPath(), prim)) if animated else "", to_root
     )
-    names = tuple(str(name) for name in query.GetJointOrder())
+    names = tuple(map(str, query.GetJointOrder()))
+    for twice in repeated(names, path, "joints"):
+        raise refuse("SKELETON_INVALID", path, twice.message)
     if animation:
         _check_joint_values(UsdSkel.Animation(animated))
     return Armature(record, query, animation or None, names, index, first, shapes)

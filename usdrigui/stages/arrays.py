@@ -29,7 +29,7 @@ def tokens(values: Any, path: object, name: str) -> tuple[str, ...]:
     # A single token could be iterated as well, letter by letter.
     if not isinstance(values, Vt.TokenArray):
         raise refuse("ARRAY_TYPE", path, f"{name} does not hold tokens")
-    return tuple(str(token) for token in values)
+    return tuple(map(str, values))
 
 
 def integers(values: Any, path: object, name: str) -> Indices:

@@ -109,7 +109,7 @@ def _cell_widths(controls: tuple[Control, ...], rows: list[tuple[BoardEntry, ...
 
     A lone element's label may run on over the cells to its right.
     """
-    count = max(len(row) for row in rows)
+    count = max(map(len, rows))
     widths = [_TRACK + 2.0] * count
     for cell in range(count):
         for row in rows:

@@ -42,7 +42,7 @@ def _firmness(body: Body, face_points: Indices) -> Floats:
     if not body.joints:
         return np.ones(sum(len(mesh.points) for mesh in body.meshes))
     tables = [_joint_weights(mesh.skin, len(mesh.points), len(body.joints)) for mesh in body.meshes]
-    face = np.zeros(sum(len(table) for table in tables), dtype=bool)
+    face = np.zeros(sum(map(len, tables)), dtype=bool)
     face[face_points] = True
     parts = (
         face[start : start + len(table)] for start, table in zip(body.starts, tables, strict=False)

@@ -20,7 +20,7 @@ def fan_order(tangents: Floats, normal: Floats) -> tuple[int, ...]:
     order = np.argsort(angles, kind="stable")
     gaps = np.diff(np.append(angles[order], angles[order[0]] + 2.0 * np.pi))
     start = (int(np.argmax(np.round(gaps, 9))) + 1) % len(order)
-    return tuple(int(i) for i in np.roll(order, -start))
+    return tuple(np.roll(order, -start).tolist())
 
 
 def _angles(tangents: Floats, normal: Floats) -> Floats:

@@ -92,7 +92,7 @@ def placement_problem(
         variable, choice = _variable(asked, own, groups, index)
         variables.append(variable)
         choices.append(choice)
-    problem = LayoutProblem(tuple(variables), overlap, separation, objective.displacement_weight)
+    problem = LayoutProblem(tuple(variables), overlap, separation)
     impossible = _impossible(problem, groups, tuple(choices), requests.overrides)
     extra = user_pairs(face, problem, tuple(choices), costs.terms.user)
     return PlacementProblem(groups, replace(problem, extra=extra), tuple(choices), impossible)
@@ -109,7 +109,9 @@ def penalties_of_leaving(face: Face, requests: Requests, choice: Choice) -> tupl
         anchors = choice.anchors[:, copies.index(set(controls))]
         stay += leaving_penalties(prior, controls, anchors, base, face.handle_width)
         leave += prior.leaving_penalty * prior.stood_on_face(controls)
-    return stay, leave
+    # What no solution saves is no part of what is to be proved.
+    forced = stay.min(initial=leave)
+    return stay - forced, leave - forced
 
 
 def penalty_of(

@@ -91,7 +91,7 @@ def costs_beside_existing(
     new = Variable("", labels, none, samples, handles, np.inf, none)
     cost = np.zeros(len(handles))
     for each in existing:
-        pair = LayoutProblem((new, each), overlap, separation, 0.0)
+        pair = LayoutProblem((new, each), overlap, separation)
         cost += pair_costs(pair, 0, 1, labels, np.zeros_like(labels))
     return cost
 
