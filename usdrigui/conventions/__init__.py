@@ -41,6 +41,7 @@ __all__ = [
     "Action",
     "Meaning",
     "Spelling",
+    "actions",
     "distinctive_words",
     "joysticks",
     "meanings",
@@ -138,17 +139,13 @@ def same_name(name: str, known: Sequence[str]) -> str:
     """The one of a rig's names that `name` spells otherwise, or that means the same; empty if none
     or several do."""
     spelling, (meaning,) = _spelling(words(name)), meanings([name])
-    spelt = [
-        each
-        for each, one in zip(known, spellings(known), strict=True)
-        if one == spelling and one.words
-    ]
-    means = [
-        each
-        for each, one in zip(known, meanings(known), strict=True)
-        if one is not None and one == meaning
-    ]
-    return next((each[0] for each in (spelt, means) if len(each) == 1), "")
+    ways = ((spelling.words and spelling, spellings(known)), (meaning, meanings(known)))
+    alike = (
+        [each for each, one in zip(known, read, strict=True) if one == own]
+        for own, read in ways
+        if own
+    )
+    return next((each[0] for each in alike if len(each) == 1), "")
 
 
 def same_act(one: Action, other: Action) -> bool:

@@ -136,16 +136,15 @@ def synonyms() -> Mapping[str, str]:
 @cache
 def phrases() -> tuple[Phrase, ...]:
     """Every phrase; the first that fits counts."""
-    return tuple(_phrase(row) for row in table("phrases")["phrase"])
-
-
-def _phrase(row: Mapping[str, Any]) -> Phrase:
-    return Phrase(
-        row["action"],
-        tuple(frozenset(words.split()) for words in row["words"]),
-        frozenset(row.get("without", ())),
-        bool(row.get("directed", False)),
-        frozenset(row["alone"].split()) if "alone" in row else None,
+    return tuple(
+        Phrase(
+            row["action"],
+            tuple(frozenset(words.split()) for words in row["words"]),
+            frozenset(row.get("without", ())),
+            bool(row.get("directed", False)),
+            frozenset(row["alone"].split()) if "alone" in row else None,
+        )
+        for row in table("phrases")["phrase"]
     )
 
 

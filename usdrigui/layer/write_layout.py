@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, Tf, UsdGeom
 
-from usdrigui.character import Body, Control, Floats, Rig, Skeleton
+from usdrigui.character import Body, Control, Floats, Rig
 from usdrigui.errors import refuse
 from usdrigui.layer import author
 from usdrigui.layer.control_api import author_control_api, author_limits
@@ -32,7 +32,7 @@ from usdrigui.layer.drawing import (
 )
 from usdrigui.layer.drawn import drawn_parts
 from usdrigui.layer.skin_binding import SkinBinding
-from usdrigui.model import Element, Layout, LayoutFrame, Member
+from usdrigui.model import Element, Layout, Member
 from usdrigui.model.levels import inner_names
 from usdrigui.replacing.transaction import State, commit, file_error
 from usdrigui.settings import OutputSettings
@@ -238,15 +238,21 @@ def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
     scope = author.prim(root, schema.SCOPE, "Scope", applied)
     scope.SetInfo("documentation", _ABOUT)
     author.put(scope, "purpose", "token", "guide", uniform=True)
-    author.declare(
-        scope,
-        schema.LAYOUT,
-        _frame(rig.body.skeletons, layout.frame) | account(rig.controls, layout.base_values),
-    )
+    frame = layout.frame
+    # RigUILayoutAPI: where and how large the elements are.
+    whole = {
+        "skeleton": [skeleton.path for skeleton in rig.body.skeletons],
+        "space": frame.space,
+        "viewDirection": frame.view,
+        "planeOrigin": frame.plane.origin,
+        "planeNormal": frame.plane.normal,
+        "handleWidth": min([frame.handle_width, *(part.handle_width for part in frame.parts)]),
+    }
+    author.declare(scope, schema.LAYOUT, whole | account(rig.controls, layout.base_values))
     for instance, part in parts.items():
         name = "" if part.name == instance else part.name
-        frame = {"name": name, "handleWidth": part.handle_width, "viewDirection": part.view}
-        author.declare(scope, schema.PART, frame, instance)
+        own = {"name": name, "handleWidth": part.handle_width, "viewDirection": part.view}
+        author.declare(scope, schema.PART, own, instance)
     author.note(scope, record(layout))
     subsets = author_elements(scope, rig, layout, layout.elements)
     paths = [_plain(child.path) for mesh in scope.nameChildren for child in mesh.nameChildren]
@@ -256,18 +262,6 @@ def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
 
 def _plain(path: Sdf.Path) -> Sdf.Path:
     return path.StripAllVariantSelections()
-
-
-def _frame(skeletons: tuple[Skeleton, ...], frame: LayoutFrame) -> dict[str, Any]:
-    """RigUILayoutAPI: where and how large the elements are."""
-    return {
-        "skeleton": [skeleton.path for skeleton in skeletons],
-        "space": frame.space,
-        "viewDirection": frame.view,
-        "planeOrigin": frame.plane.origin,
-        "planeNormal": frame.plane.normal,
-        "handleWidth": min([frame.handle_width, *(part.handle_width for part in frame.parts)]),
-    }
 
 
 def account(controls: tuple[Control, ...], base_values: Floats) -> dict[str, Any]:

@@ -16,7 +16,7 @@ import numpy as np
 
 from usdrigui.character import Flags, Floats, Record
 from usdrigui.character.joint_tree import level, unit
-from usdrigui.conventions import Action, Meaning
+from usdrigui.conventions import Action, Meaning, actions
 from usdrigui.layout.symmetry.front import moving_normals
 from usdrigui.layout.symmetry.lobes import ASIDE
 from usdrigui.layout.visibility import Views
@@ -37,6 +37,13 @@ _NEAR = 0.7
 _FAINT = 0.5
 """Share of the largest peak of an action below which another control of it does not fix its
 place."""
+_MOVES = 0.1
+"""Share of the largest motion from which a control moves a point."""
+_PART = 0.5
+"""Share of the surface below which a control moves a part of it."""
+_OPENING = ("jawOpen", "mouthOpen")
+_FALLS = 0.4
+"""Least share of what a jaw moves that goes down as it opens: some skin is drawn along."""
 _FACING = 0.2
 """Mean over the controls of how far what each moves faces one way, from which that is ahead."""
 _STANDING = 0.7
@@ -115,40 +122,41 @@ def believed(
     where most of those with a place act there: numbers may count something else than action units,
     and words may be those of other controls.  What mostly moves what is seen is not inside the
     mouth, whatever it is called, and what moves both sides alike is not the control of one.
+    What moves the most of a part of the face, both sides alike and down, opens the jaw where no
+    name does.
     """
-    surface = trajectories.surface
-    found = list(meanings)
+    surface, found = trajectories.surface, list(meanings)
+    tops, most, jaw = np.zeros((len(found), 1, 3)), 0.0, -1
     for motion in trajectories.motions:
-        meaning = found[motion.control]
-        weight = surface.areas[motion.points] * motion.arc_length
-        visible = weight[views.anywhere[motion.points]].sum() > 0.5 * weight.sum()
-        own_image = int(symmetry.twins[motion.control]) == motion.control
+        control, areas = motion.control, surface.areas[motion.points]
+        seen, weight = views.anywhere[motion.points], areas * motion.arc_length
+        tops[control] = surface.points[motion.points[first_largest(seen * motion.arc_length)]]
+        meaning, own_image = found[control], int(symmetry.twins[control]) == control
+        amount = weight.sum()
         if meaning is not None and (
-            (meaning.action.category == "interior" and visible) or (meaning.side and own_image)
+            (meaning.action.category == "interior" and weight[seen].sum() > 0.5 * amount)
+            or (meaning.side and own_image)
         ):
-            found[motion.control] = None
+            found[control] = None
+        far = motion.arc_length >= _MOVES * motion.arc_length.max()
+        if amount > most and areas @ far < _PART * surface.areas.sum():
+            falls = -(areas @ motion.span @ views.up) > _FALLS * amount
+            most, jaw = amount, control if falls and own_image and meaning is None else -1
+    named = {each.action.name for each in found if each}
+    if jaw >= 0 and named and named.isdisjoint(_OPENING):
+        found[jaw] = Meaning(actions()["jawOpen"], "")
     expected = expectations(trajectories, symmetry, views, found)
     right = [
-        _is_there(surface, views, motion, expected[motion.control])
+        place is not None and place.regions(tops[motion.control])[1][0]
         for motion in trajectories.motions
         if (meaning := found[motion.control]) is not None
-        and (meaning.numbered or expected[motion.control] is not None)
+        and ((place := expected[motion.control]) is not None or meaning.numbered)
         and not motion.of_joint
     ]
     if right and 2 * sum(right) <= len(right):
-        return (None,) * len(found), (None,) * len(found)
+        nothing = (None,) * len(found)
+        return nothing, nothing
     return tuple(found), expected
-
-
-def _is_there(
-    surface: BaseSurface, views: Views, motion: Motion, expected: Expectation | None
-) -> bool:
-    """Whether a motion is largest, as far as it is seen, where it is expected."""
-    if expected is None:
-        return False
-    seen = np.where(views.anywhere[motion.points], motion.arc_length, 0.0)
-    top = surface.points[motion.points[[first_largest(seen)]]]
-    return bool(expected.regions(top)[1][0])
 
 
 def expectations(

@@ -63,16 +63,10 @@ def find_families(
             found.setdefault((kind, meaning.action.name), []).append(index)
         elif index in products:
             found.setdefault(("combination", ""), []).append(index)
-    alone = np.ones(len(names), dtype=bool)
-    alone[[i for members in found.values() for i in members]] = False
-    local = [
-        i
-        for (kind, key), members in found.items()
-        if kind in ("viseme", "emotion") and key != _WHOLE_FACE
-        for i in members
-    ]
-    with_parts = alone.copy()
-    with_parts[local] = True
+    alone, with_parts = np.ones((2, len(names)), dtype=bool)
+    for (which, key), members in found.items():
+        alone[members] = False
+        with_parts[members] = which in ("viseme", "emotion") and key != _WHOLE_FACE
     return tuple(
         _family(kind, tuple(members), with_parts if key == _WHOLE_FACE else alone, cosine)
         for (kind, key), members in sorted(found.items())

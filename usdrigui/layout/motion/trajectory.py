@@ -259,7 +259,8 @@ def _scale(
     shown = [motions[i] for i in np.flatnonzero(local)]
     # A joint may own a single point, and all points may rest in one place.
     size = (
-        _face_size(shown, base @ rig.up)
+        # The height of all that the motions move by at least half of their peak.
+        float(np.ptp(base[_moved_most(shown)] @ rig.up) if shown else 0.0)
         or diagonal(base[np.concatenate([np.zeros(0, int), *(each.points for each in shown)])])
         or diagonal(base)
         or float(peaks.max(initial=0.0))
@@ -296,11 +297,6 @@ def at_scale_of_a_side(found: Trajectories, plane: MirrorPlane) -> Trajectories:
     along = one @ np.linalg.svd(one - one.mean(axis=0), full_matrices=False)[2][0]
     size = float(np.ptp(along)) or found.surface.face_size
     return replace(found, surface=replace(found.surface, face_size=size))
-
-
-def _face_size(motions: Sequence[Motion], heights: Floats) -> float:
-    """Extent in `heights` of all that the motions move by at least half of their peak."""
-    return float(np.ptp(heights[_moved_most(motions)])) if motions else 0.0
 
 
 def _moved_most(motions: Sequence[Motion]) -> Indices:

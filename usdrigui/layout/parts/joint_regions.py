@@ -104,7 +104,9 @@ def owner_of_points(meshes: tuple[RigMesh, ...]) -> Indices:
 def _heads(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
     """The joint of the head, of each skeleton that has one."""
     named = {
-        i for i, joint in enumerate(rig.body.joints) if _is_head(joint.path) and tree.depth[i] > 0
+        i
+        for i, joint in enumerate(rig.body.joints)
+        if not _HEAD.isdisjoint(words(joint.path.rsplit("/", 1)[-1])) and tree.depth[i] > 0
     }
     if named:
         return frozenset(i for i in named if not named & set(tree.above(i)))
@@ -115,10 +117,6 @@ def _heads(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
     if max(leaves) >= _FACIAL:
         return frozenset({int(np.argmax(leaves))})
     return _by_shapes(rig, tree, found)
-
-
-def _is_head(path: str) -> bool:
-    return not _HEAD.isdisjoint(words(path.rsplit("/", 1)[-1]))
 
 
 def _by_shapes(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:

@@ -17,7 +17,7 @@ from scipy.spatial import cKDTree
 
 from usdrigui.character import Flags, Floats, Indices, Rig
 from usdrigui.layout.reuse.retargeting import face_map
-from usdrigui.model import BaseSurface, Element, Member, Motion, Trajectories
+from usdrigui.model import BaseSurface, Element, Motion, Trajectories
 from usdrigui.model.levels import outer_first
 
 _SAMPLES = 1.0 / 30.0
@@ -222,13 +222,10 @@ def _held(elements: tuple[Element, ...]) -> dict[str, _Held]:
     found: dict[str, _Held] = {}
     for element in outer_first(elements):
         for member in element.members if not element.anchor.on_board else ():
-            held = _Held(element.anchor.position, _displacement(member))
+            moved = (member.track[-1] - member.track[0]) / (member.magnification or 1.0)
+            held = _Held(element.anchor.position, moved)
             found.setdefault(member.control, held)
     return found
-
-
-def _displacement(member: Member) -> Floats:
-    return np.asarray((member.track[-1] - member.track[0]) / (member.magnification or 1.0))
 
 
 def _at_point(motions: tuple[Motion, ...], count: int, point: int) -> Floats:

@@ -217,23 +217,19 @@ def with_twins(
     found = list(overrides)
     for control in (motion.control for motion in trajectories.motions):
         twin, override = int(symmetry.twins[control]), overrides[control]
-        if twin in (-1, control) or not _follows(overrides[twin]):
+        own = overrides[twin]
+        fixed = own.anchor or own.place or own.near or own.exclude
+        if twin in (-1, control) or fixed or not own.follow_twin:
             continue
         if override.near and not override.anchor:
             near, within = MIRROR + override.near, override.within
-            found[twin] = replace(overrides[twin], near=near, within=within)
+            found[twin] = replace(own, near=near, within=within)
         if override.anchor:
             point = fixed_anchor(rig, rig.controls[control].name, override.anchor)
             image = -1 if point is None else _image(trajectories, symmetry, twin, point)
             if image >= 0:
-                found[twin] = replace(overrides[twin], anchor=place_of(rig.body, image))
+                found[twin] = replace(own, anchor=place_of(rig.body, image))
     return tuple(found)
-
-
-def _follows(override: ControlSettings) -> bool:
-    return override.follow_twin and not (
-        override.anchor or override.place or override.near or override.exclude
-    )
 
 
 def _image(trajectories: Trajectories, symmetry: Symmetry, twin: int, point: int) -> int:
