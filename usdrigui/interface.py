@@ -99,9 +99,7 @@ def inspect(
     """What the stages before the search find out about an asset; writes nothing.  Raises
     `RigUIError`."""
     path = Path(asset)
-    return pipeline.inspect(
-        path, _settings(settings, path), animations=[Path(each) for each in animations]
-    )
+    return pipeline.inspect(path, _settings(settings, path), animations=[*map(Path, animations)])
 
 
 def check(

@@ -25,7 +25,7 @@ from usdrigui.stages.arrays import value_at
 
 def applied(prim: Usd.Prim) -> list[str]:
     """The API schemas that are applied to a prim, whether or not USD knows them."""
-    return [str(name) for name in prim.GetPrimTypeInfo().GetAppliedAPISchemas()]
+    return [*map(str, prim.GetPrimTypeInfo().GetAppliedAPISchemas())]
 
 
 def has(prim: Usd.Prim, api: str) -> bool:
@@ -126,7 +126,7 @@ def element_name(prim: Usd.Prim) -> str:
 
 def strings(values: Any) -> list[str]:
     """Tokens or strings of an array."""
-    return [str(value) for value in values]
+    return [*map(str, values)]
 
 
 def array_of(values: Any) -> Floats:

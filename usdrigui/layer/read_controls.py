@@ -77,7 +77,7 @@ class _Reader:
         return value_of(self.prim, schema.CONTROL, name, self.instance)
 
     def targets(self, name: str) -> list[str]:
-        return [str(path) for path in targets(self.prim, schema.CONTROL, name, self.instance)]
+        return [*map(str, targets(self.prim, schema.CONTROL, name, self.instance))]
 
     def faults(self, tokens: set[str]) -> Iterator[str]:
         """What keeps it from driving anything; `tokens` are the shapes of the character."""

@@ -165,7 +165,7 @@ def _placed(known: Correction, value: str, rig: Rig, layout: Layout) -> Correcti
         position = rest[point].reshape(3)
     else:
         try:
-            position = np.array([float(each) for each in value.split(",")]).reshape(3)
+            position = np.array([*map(float, value.split(","))]).reshape(3)
         except ValueError:
             what = "neither here, board, face, free, MESH_PATH#POINT nor X,Y,Z"
             raise refuse("CONFIG_VALUE", known.control, f"{value!r} is {what}") from None

@@ -109,7 +109,7 @@ def _glyph(prim: Usd.Prim, name: str) -> Glyph:
         counts, indices = checked_faces(UsdGeom.Mesh(prim), time, len(points))
     else:
         form, lines = "curve", _curves(UsdGeom.BasisCurves(prim), points, path)
-        counts = np.array([len(line) for line in lines], dtype=np.int64)
+        counts = np.array([*map(len, lines)], dtype=np.int64)
         points, indices = np.concatenate(lines), np.arange(counts.sum(), dtype=np.int64)
     if len(points) > _MOST_POINTS:
         what = f"has {len(points)} points; a glyph has {_MOST_POINTS} at most"

@@ -120,7 +120,7 @@ def all_labels(problem: LayoutProblem) -> LabelSet:
     """
     explicit = {end for each in problem.extra for end in (each.first, each.second)}
     kept = [_kept(each, at not in explicit) for at, each in enumerate(problem.variables)]
-    variable = np.repeat(np.arange(len(kept)), [len(each) for each in kept])
+    variable = np.repeat(np.arange(len(kept)), [*map(len, kept)])
     candidate = np.concatenate([np.empty(0, dtype=np.int64), *kept])
     costs = [
         np.append(each.cost, each.off_face_cost)[labels]

@@ -168,13 +168,17 @@ def split(
     alive = np.flatnonzero(lower_bounds <= cutoff)
     rest = thinned(labels, blocks, cutoff - lower_bounds)
     several = rest.sizes > 1
+    linked = np.zeros((labels.variables, labels.variables), dtype=bool)
+    for each in near:
+        linked[blocks.variable[each.first], blocks.variable[each.second]] = True
     for nearer in range(8):
         chosen = several & (lower_bounds[alive] <= bound + share / 2**nearer * (cutoff - bound))
         chosen = chosen if chosen.any() else several
         parts = np.zeros(len(lower_bounds), dtype=np.int64)
         parts[alive] = 1 + chosen
         pairs = sum(int((parts[each.first] * parts[each.second]).sum()) for each in near)
-        if planned(int(parts.sum()) ** 2 // 2, pairs) <= budget.settings.memory_limit:
+        sizes = np.bincount(blocks.variable, parts, labels.variables)
+        if planned(int(sizes @ linked @ sizes), pairs) <= budget.settings.memory_limit:
             finer, parent = bisect(labels, rest, chosen)
             return finer, alive[parent]
     return None

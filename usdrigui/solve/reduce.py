@@ -223,7 +223,9 @@ class Reduction:
         """Exclude pairs by tests of pairs, and then labels; whether any are left."""
         if len(self.problem.costs) > LARGEST_TESTED:
             return True
-        self._budget.spend(len(self.problem.costs) ** 3 // 1024)
+        sizes = np.diff(self.problem.start)
+        # Of each pair, the labels of the variables that both are linked to are gone through.
+        self._budget.spend(int(sizes @ np.square(self.problem.linked @ sizes)) // 1024)
         self.problem.exclude_pairs(self._budget.cutoff)
         return self._reduced()
 
@@ -231,7 +233,8 @@ class Reduction:
         """Raise the bound by triplets and take away what it excludes: of many labels until tests of
         pairs and joining gain more, else as long as it gains more than a share of what the bound
         misses; whether any are left."""
-        many = self.exact and len(self.problem.costs) > LARGEST_TESTED
+        searched = len(self.problem.costs)
+        many = self.exact and searched > LARGEST_TESTED
         while not self._budget.stopped():
             before, bound = len(self.problem.costs), self.problem.bound()
             raise_bound(self.problem, self._budget)
@@ -243,8 +246,9 @@ class Reduction:
             elif many:
                 return self._thinned()
             few_gone = labels > (1.0 - SLOW) * before
-            if self.exact and few_gone and not many:
-                self._frustrated()  # A better layout of few labels excludes more.
+            if 4 * labels <= 3 * searched or (self.exact and few_gone and not many):
+                searched = labels
+                self._frustrated()  # Of fewer labels a better layout is found, which excludes more.
             if now - bound <= (0.0 if many else few_gone * SLOW * (self._budget.cost - now)):
                 break
         return True

@@ -41,8 +41,6 @@ _TRIM = 0.7
 _MOTION_WEIGHT = 1e-3
 """Weight of motion against position when partners are chosen: decides only between points that
 nearly touch, as closed lips do."""
-_HALF_A_CELL = 0.75
-"""Distance of any place of a surface from the nearest point, in spacings of its points, at most."""
 _ACROSS_ALL = [way for way in AROUND if tuple(way) > (0.0, 0.0, 0.0)]
 """One of either direction along the axes and between them."""
 LEAST_SHARE = 0.5
@@ -267,7 +265,7 @@ def _towards_left(
 
 def _partners(plane: MirrorPlane, trajectories: Trajectories, tolerance: float) -> Indices:
     """For every point the place nearest to its mirror image; -1 where that lies beyond the
-    tolerance and beyond three quarters of the spacing of points there."""
+    tolerance."""
     base, places = trajectories.surface.points, trajectories.surface.places
     chosen = np.flatnonzero(places == np.arange(len(base)))
     motion = total_motion(trajectories.motions, len(base)).astype(np.float64)
@@ -279,14 +277,5 @@ def _partners(plane: MirrorPlane, trajectories: Trajectories, tolerance: float) 
     partner = np.full(len(base), -1, dtype=np.int64)
     apart = np.linalg.norm(plane.reflected(base[chosen]) - base[chosen[nearest]], axis=1)
     near: Flags = apart <= tolerance
-    far = np.flatnonzero(~near)
-    # Where a mesh is coarse and not its own mirror image, the nearest place lies within its mesh.
-    near[far] = apart[far] <= _HALF_A_CELL * _spacing(base[chosen], nearest[far])
     partner[chosen[near]] = chosen[nearest[near]]
     return partner[places]
-
-
-def _spacing(points: Floats, at: Indices) -> Floats:
-    """(a,) distance of each of the points `at` from its second nearest neighbour."""
-    among = min(3, len(points))
-    return np.asarray(cKDTree(points).query(points[at], k=[among])[0][:, 0])
