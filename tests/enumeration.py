@@ -21,7 +21,7 @@ def best_of_all(problem: LayoutProblem) -> Assignment | None:
         np.append(np.arange(len(each.cost)), [-1] if np.isfinite(each.off_face_cost) else []).astype(np.int64)
         for each in problem.variables
     ]
-    assert math.prod(len(each) for each in labels) <= MOST
+    assert math.prod(map(len, labels)) <= MOST
     total = np.zeros([1] * len(labels))
     for at, (each, mine) in enumerate(zip(problem.variables, labels, strict=True)):
         own = np.where(mine >= 0, np.append(each.cost, 0.0)[mine], each.off_face_cost)

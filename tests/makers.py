@@ -48,7 +48,7 @@ def mesh(points, faces, shapes=(), path="/Root/mesh", left_handed=False, visible
         path=path,
         points=np.array(points, dtype=np.float64),
         topology=Topology(
-            np.array([len(face) for face in faces], dtype=np.int64),
+            np.array([*map(len, faces)], dtype=np.int64),
             np.array([point for face in faces for point in face], dtype=np.int64),
             left_handed,
             f"{len(points)}-{len(faces)}",

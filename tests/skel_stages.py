@@ -65,8 +65,8 @@ def add_shape(mesh, token, offsets, indices=None, inbetweens=None):
 def add_skin(mesh, indices, weights, width, geom_bind=None, method=None, joints=None, rigid=False):
     """Joint influences; `joints` is the mesh's own joint order."""
     api = UsdSkel.BindingAPI.Apply(mesh.GetPrim())
-    api.CreateJointIndicesPrimvar(rigid, width).Set(Vt.IntArray([int(i) for i in np.ravel(indices)]))
-    api.CreateJointWeightsPrimvar(rigid, width).Set(Vt.FloatArray([float(w) for w in np.ravel(weights)]))
+    api.CreateJointIndicesPrimvar(rigid, width).Set(Vt.IntArray([*map(int, np.ravel(indices))]))
+    api.CreateJointWeightsPrimvar(rigid, width).Set(Vt.FloatArray([*map(float, np.ravel(weights))]))
     if geom_bind is not None:
         api.CreateGeomBindTransformAttr(geom_bind)
     if method is not None:

@@ -57,7 +57,7 @@ def layers(folder, *names, output_dir=None):
     for name in names:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).touch()
-    found = [Path(each) for each in names]
+    found = [*map(Path, names)]
     return [each.as_posix() for each in places.outputs_of(found, output_dir)]
 
 

@@ -124,7 +124,7 @@ def test_a_shot_over_two_levels(folder, capsys):
 def test_members_that_make_no_sense_are_refused(folder, capsys, old, new):
     layer = Sdf.Layer.FindOrOpen(str(folder / "char.rigui.usda"))
     relationship = layer.GetRelationshipAtPath("/World/Char{rigUI=ui}RigUI/FaceControls/grin.rigUI:element:members")
-    paths = [str(path) for path in relationship.targetPathList.explicitItems]
+    paths = [*map(str, relationship.targetPathList.explicitItems)]
     assert any(old in path for path in paths)
     relationship.targetPathList.explicitItems = [Sdf.Path(path.replace(old, new)) for path in paths]
     layer.Save()

@@ -99,8 +99,8 @@ def test_the_same_places_have_the_same_cost_whatever_made_them(capsys, folder):
 
 def test_what_no_layout_could_keep_costs_nothing(capsys, folder):
     """Controls that never move one point have no place together, wherever each of them stood."""
-    far, old = "groups.groups.far=['chin', 'blink_L']", folder / "old.rigui.usda"
-    assert solution(capsys, folder, "--set", far, "--previous", old)["penalty"] == 0.0
+    far = "groups.groups.far=['chin', 'blink_L']"
+    assert solution(capsys, folder, "--set", far, "--previous", folder / "old.rigui.usda")["penalty"] == 0.0
 
 
 def test_the_cost_of_a_worse_place_is_the_one_that_check_gives(capsys, folder):

@@ -169,7 +169,7 @@ def test_a_shot_of_three(folder):
     studio_assets.add_shape(shot, "/Shot/friend")
     assert main(["process", "shot.usda", "--base", LAYER, "-q"]) == 0
     added = Sdf.Layer.FindOrOpen(str(folder / "shot.rigui.usda"))
-    assert [str(each) for each in layout_paths(added)] == ["/Shot/friend{LOD=low}{rigUI=ui}RigUI"]
+    assert [*map(str, layout_paths(added))] == ["/Shot/friend{LOD=low}{rigUI=ui}RigUI"]
     assert main(["check", "shot.rigui.usda", "-q"]) == 0
 
 

@@ -28,9 +28,9 @@ TRAPS = {
     "NOT_FINITE": "NaN in an offset",
     "INBETWEEN_INVALID": "two in-betweens at one weight",
 }
-EDITS = ("TOKEN_ORDER", "ANIMATION_LENGTH", "WEIGHTS_BEYOND_LIMITS", "INBETWEEN_INVALID")
+EDITS = ("NOT_FINITE", "TOKEN_ORDER", "ANIMATION_LENGTH", "WEIGHTS_BEYOND_LIMITS", "INBETWEEN_INVALID")
 FAULTS = [(code, traps.trapped, name) for code, name in TRAPS.items()]
-FAULTS += [("TOKEN_REPEATED", named_twice, ""), ("NOT_FINITE", traps.trapped, "NaN in a point")]
+FAULTS += [("TOKEN_REPEATED", named_twice, "")]
 FAULTS += [(code, minimal_assets.character, code) for code in EDITS]
 """A code, and how a character that calls for it is made."""
 

@@ -234,7 +234,7 @@ def test_patches_are_still_under_all_their_controls_and_span_an_area(tmp_path):
         centre = handle_of(stage, rig, patch, time)[0]
         assert np.abs(still[member][-1] - centre).max() < HAIR * layout.frame.handle_width
     faces = {each.name: drawn_faces(stage, rig, each) for each in layout.elements}
-    assert [len(each) for each in faces[patch.name]] == [3] * (7 + 2 + 1)
+    assert [*map(len, faces[patch.name])] == [3] * (7 + 2 + 1)
     fan = faces[layout.elements[1].name]
     assert len(laid_out.tracks(stage, rig.path, layout.elements[1], 0)) == 3
     assert len(fan) > 1 + sum(len(member.values) - 1 for member in layout.elements[1].members)

@@ -183,7 +183,7 @@ def test_what_covers_the_pupil_is_clear_or_bears_it(sample, inner, before):
         eye,
         path="/Char/shell",
         points=eye.points * 1.05,
-        face_counts=np.array([len(face) for face in cap]),
+        face_counts=np.array([*map(len, cap)]),
         face_indices=np.concatenate(cap),
         shapes=(),
     )

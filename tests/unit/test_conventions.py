@@ -105,6 +105,7 @@ _RIGS = {
     "Preston Blair": dict.fromkeys(("AI", "W_Q", "CDGKNRSThYZ", "Rest"), ("viseme", "")),
     "deformers of several meshes": {
         "blendShape1_jawOpen": ("jawOpen", ""),
+        "blendShape12_eyeBlinkLeft": ("eyeBlink", "left"),
         "shape_012": None,
     },
     "MakeHuman": {

@@ -292,7 +292,7 @@ def test_signed_axes_span_every_quadrant_once(rig, ends, count, area):
     at = crossed(elements_at(prepare(rig, layout), layout.base_values)[0], ends)
     fields = marks.mark(layout.elements[0], at, CAMERA, 0.06).fields
     assert len(fields) == count
-    assert sum(surface(each) for each in fields) == pytest.approx(area * 100.0**2)
+    assert sum(map(surface, fields)) == pytest.approx(area * 100.0**2)
 
 
 def surface(outline):

@@ -53,7 +53,7 @@ def rig(weights, to_root=None, controls=None, **skin):
     face = makers.face(9, 11)
     count = len(face.body.meshes[0].points)
     joints = np.tile(list(weights), (count, 1))
-    shares = np.tile([float(each) for each in weights.values()], (count, 1))
+    shares = np.tile([*map(float, weights.values())], (count, 1))
     bound = Skin(joints, shares, "classicLinear", np.eye(4), False)
     skeleton = Skeleton("/Root/Skel", "/Root/anim", np.eye(4) if to_root is None else to_root)
     return makers.changed(

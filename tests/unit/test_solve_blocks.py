@@ -126,7 +126,7 @@ def left_out_wrongly(problem: LayoutProblem, taken_off: float = 0.0) -> int:
 
 
 def test_what_is_not_in_play_is_in_no_better_layout() -> None:
-    assert sum(left_out_wrongly(each) for each in problems()) == 0
+    assert sum(map(left_out_wrongly, problems())) == 0
 
 
 def test_too_little_in_play_is_caught() -> None:
@@ -167,7 +167,7 @@ def thinned_wrongly(problem: LayoutProblem, taken_off: float = 0.0) -> int:
 
 
 def test_what_is_thinned_out_is_in_no_better_layout() -> None:
-    assert sum(thinned_wrongly(each) for each in problems()) == 0
+    assert sum(map(thinned_wrongly, problems())) == 0
 
 
 def test_too_much_thinned_out_is_caught() -> None:

@@ -96,7 +96,7 @@ def test_single_linkage_by_its_definition(seed) -> None:
     apart = np.linalg.norm(places[:, None] - places[None], axis=-1)
     found = clusters(problem, 4)
     assert sorted(at for each in found for at in each) == list(range(12))
-    assert [len(each) for each in found] == sorted(map(len, found), reverse=True)
+    assert [*map(len, found)] == sorted(map(len, found), reverse=True)
     label = {at: index for index, each in enumerate(found) for at in each}
     out = min(apart[i, j] for i in range(12) for j in range(12) if label[i] != label[j])
     for each in found:
@@ -205,7 +205,7 @@ def test_clusters_do_not_get_a_limit_each() -> None:
     problem = crowd(1, variables=12, candidates=60)
     for at in range(1, 4):
         problem = moved(problem, set(range(at, 12, 4)), 100.0 * at)
-    assert [len(each) for each in clusters(problem, 4)] == [3, 3, 3, 3]
+    assert [*map(len, clusters(problem, 4))] == [3, 3, 3, 3]
     free = solve(problem, SolveSettings(method="paper", clusters=4, gap=0.0))
     spent = [dict(step.figures)["work"] for step in free.steps if step.name == "cluster"]
     limit = int(min(spent)) // 2
@@ -259,7 +259,7 @@ def test_a_sample_keeps_one_of_each_and_follows_the_seed() -> None:
     weights = [np.full(400, 1e-3), np.full(400, 1.0)]
     allowed = [np.ones(400, dtype=bool)] * 2
     few = sample(weights, 1e-6, np.random.default_rng(0), allowed)
-    assert [len(each) for each in few] == [1, 1]
+    assert [*map(len, few)] == [1, 1]
     one, again, other = (sample(weights, 0.1, np.random.default_rng(seed), allowed) for seed in (1, 1, 2))
     assert all(map(np.array_equal, one, again))
     assert not all(map(np.array_equal, one, other))

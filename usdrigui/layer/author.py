@@ -48,7 +48,7 @@ def properties(api: str) -> Mapping[str, Property]:
         is_attribute = isinstance(spec, Sdf.AttributeSpec)
         type_name = str(spec.typeName) if is_attribute else ""
         fallback = spec.default if is_attribute else None
-        allowed = tuple(str(token) for token in spec.allowedTokens or ()) if is_attribute else ()
+        allowed = tuple(map(str, spec.allowedTokens or ())) if is_attribute else ()
         rules = dict(_RULE.findall(spec.documentation))
         found[spec.name.rpartition(":")[2]] = Property(
             spec.name, type_name, fallback, allowed, rules

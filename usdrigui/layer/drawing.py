@@ -130,7 +130,7 @@ def _author_faces(mesh: Sdf.PrimSpec, drawing: Drawing, elements: Sequence[Drawn
     _author_vectors(mesh, "extent", Sdf.ValueTypeNames.Float3Array, np.array(extent))
     sides = [elements[position].element.side for position, _ in drawing.parts]
     used_sides = [*dict.fromkeys(sides)]
-    which = [used_sides.index(side) for side in sides]
+    which = [*map(used_sides.index, sides)]
     repeated = np.repeat(which, [len(part.faces.counts) for part in parts])
     colours = [*map(linear, used_sides)]
     _author_per_face(mesh, "primvars:displayColor", "color3f[]", colours, repeated)

@@ -155,9 +155,7 @@ def _scopes(stage: Usd.Stage) -> Iterator[Usd.Prim]:
 def element_prims(scope: Usd.Prim) -> tuple[Usd.Prim, ...]:
     """The active elements of a layout: those that it lists, in that order, and the others as they
     are below it."""
-    listed = [
-        scope.GetStage().GetPrimAtPath(path) for path in targets(scope, schema.LAYOUT, "elements")
-    ]
+    listed = [*map(scope.GetStage().GetPrimAtPath, targets(scope, schema.LAYOUT, "elements"))]
     walk = Usd.PrimRange(scope, _EVERYTHING)
     found = dict.fromkeys([*(prim for prim in listed if prim), *walk])
     return tuple(prim for prim in found if prim.IsActive() and has(prim, schema.ELEMENT))

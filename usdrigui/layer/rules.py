@@ -67,7 +67,7 @@ def _ascending(_: str, numbers: Floats, __: Sibling) -> bool:
 
 def _with_norm(said: str, numbers: Floats, _: Sibling) -> bool:
     lengths = np.linalg.norm(numbers.reshape(-1, 3), axis=1)
-    wanted = np.array([float(each) for each in said.split(" or ")])
+    wanted = np.array([*map(float, said.split(" or "))])
     return bool((np.abs(lengths[:, None] - wanted).min(axis=1) <= _UNIT).all())
 
 

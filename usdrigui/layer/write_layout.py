@@ -279,8 +279,8 @@ def record(layout: Layout) -> str:
     found = {
         "proof": asdict(layout.proof),
         "parts": parts,
-        "leftOff": [asdict(each) for each in layout.left_off],
-        "matches": [asdict(each) for each in layout.matches],
+        "leftOff": [*map(asdict, layout.left_off)],
+        "matches": [*map(asdict, layout.matches)],
     }
 
     def short(text: str) -> float:

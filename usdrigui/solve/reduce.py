@@ -40,6 +40,8 @@ SLOW = 0.1
 SMALL = 500
 """Labels and pairs that cost anything, of which HiGHS closes nearly all at its root, sooner than
 bounds."""
+FEWER = 0.75
+"""Of the labels of the last local search are left when the next one looks for a better layout."""
 TRIES = 20
 """Of local search per variable where all pair costs are at hand: thousands take a second."""
 
@@ -246,10 +248,11 @@ class Reduction:
             elif many:
                 return self._thinned()
             few_gone = labels > (1.0 - SLOW) * before
-            if 4 * labels <= 3 * searched or (self.exact and few_gone and not many):
+            if labels <= FEWER * searched or (self.exact and few_gone and not many):
                 searched = labels
                 self._frustrated()  # Of fewer labels a better layout is found, which excludes more.
-            if now - bound <= (0.0 if many else few_gone * SLOW * (self._budget.cost - now)):
+            missed = self._budget.cost - now
+            if now - bound <= (SLOW * missed if few_gone and not many else 0.0):
                 break
         return True
 
@@ -264,7 +267,8 @@ class Reduction:
             self.pairs = csr_array(np.triu(joint.together(pairs)))
             self._joined = joint.members(self._members())
             self.problem = joint.problem
-            _ = self._swept() and self._thinned()
+            if self._swept():
+                self._thinned()
         return bool(found)
 
     def _split(self, share: float) -> bool:

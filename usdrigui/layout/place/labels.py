@@ -57,8 +57,7 @@ def labels_of(
     for copy, controls in enumerate(choice.controls):
         worst, least = np.full(len(cost), -np.inf), np.full(len(cost), np.inf)
         importance = max(
-            1.0 if (own := requests.overrides[control].importance) is None else own
-            for control in controls
+            _importance(requests.overrides[control].importance) for control in controls
         )
         worth = displacement_weight * importance
         for control in controls:
@@ -124,6 +123,10 @@ def drawn_magnification(face: Face, motion: Motion, sources: Indices, least: flo
     """(R,) how much larger than the motion of `sources` a track is drawn, for it to be as long as
     `least` where elements are kept apart: on the screen of a flat layout."""
     return magnification(drawn_lengths(face, motion, sources), least)
+
+
+def _importance(importance: float | None) -> float:
+    return 1.0 if importance is None else importance
 
 
 def drawn_lengths(face: Face, motion: Motion, sources: Indices) -> Floats:

@@ -99,8 +99,8 @@ def placement_problem(
 
 
 def penalties_of_leaving(face: Face, requests: Requests, choice: Choice) -> tuple[Floats, float]:
-    """What an earlier layout makes each label cost (R,), and what it makes leaving the face
-    cost."""
+    """What an earlier layout makes each label cost (R,), and what it makes leaving the face cost,
+    above what it makes all of them cost."""
     prior, base = requests.prior, face.surface.points
     stay, leave = np.zeros(len(choice.anchors)), 0.0
     copies = [set(controls) for controls in choice.controls]

@@ -54,7 +54,7 @@ def _panel(panel: Panel) -> list[str]:
     lines += [_line(leader, "#82878f", 1.0) for leader in panel.leaders]
     for mark in panel.marks:
         lines += _group(mark.element, mark) if mark.element else _drawn(mark, ())
-    return [*lines, *(_text(label) for label in panel.labels), "</svg>"]
+    return [*lines, *map(_text, panel.labels), "</svg>"]
 
 
 def _group(element: Element, mark: Mark) -> list[str]:
