@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
+import rig_copies
 
 _SYLLABLES = ("ka", "lo", "mi", "tu", "ren", "pas", "dor", "vi", "nel", "gash")
 _IDEOGRAPHS = "天地玄黄宇宙洪荒日月盈昃辰宿列张寒来暑往"
@@ -15,6 +14,11 @@ def counted(names, rng):
     head = rng.choice(["Key ", "target", "shape_0", ""])
     numbers = np.sort(rng.choice(np.arange(1, len(names) + 9), len(names), replace=False))
     return [f"{head}{number}" for number in numbers]
+
+
+def lettered(names, _):
+    """As the columns of a sheet: ``targetA`` to ``targetZ``, ``targetAA`` and on."""
+    return [f"target{chr(64 + i // 26) if i > 25 else ''}{chr(65 + i % 26)}" for i, _ in enumerate(names)]
 
 
 def permuted(names, rng):
@@ -57,19 +61,16 @@ def mixed(names, rng):
     return [others[k][i] for i, k in enumerate(rng.integers(0, 3, len(names)))]
 
 
-HINTS = (counted, upper_case, prefixed, suffixed, in_ideographs, other_words, mixed)
+HINTS = (counted, lettered, upper_case, prefixed, suffixed, in_ideographs, other_words, mixed)
 """Names that say less than the usual ones, or the same in another way."""
 
 
 def renamed(rig, naming, rng):
     """The rig with names that `naming` gives to its controls of shapes."""
-    of_shapes = [i for i, control in enumerate(rig.controls) if control.kind == "blendShape"]
-    names = naming([rig.controls[i].name for i in of_shapes], rng)
-    assert len({*names}) == len(names)
-    controls = list(rig.controls)
-    for i, name in zip(of_shapes, names, strict=True):
-        controls[i] = replace(controls[i], name=name, label=name)
-    return replace(rig, controls=tuple(controls))
+    of_shapes = [control.name for control in rig.controls if control.kind == "blendShape"]
+    names = dict(zip(of_shapes, naming(of_shapes, rng), strict=True))
+    assert len({*names.values()}) == len(names)
+    return rig_copies.renamed(rig, lambda name: names.get(name, name))[0]
 
 
 def places(rig, layout):

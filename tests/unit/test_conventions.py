@@ -113,6 +113,7 @@ _RIGS = {
         "mouth-corner-puller": ("mouthSmile", ""),
         "nose-right-dilatation": ("nostrilDilate", "right"),
     },
+    "letters that count": dict.fromkeys(("targetA", "targetB", "targetC", "targetE", "targetF")),
     "people": {"Identity_NoseLength": ("identity", ""), "id_004": ("identity", ""), "id_card": None},
     "series": {"identity042": ("identity", ""), "viseme_PP": ("viseme", ""), "phalanx": None, "sculpt": None},
 }

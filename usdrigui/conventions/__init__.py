@@ -55,6 +55,9 @@ __all__ = [
 _MIDDLES = frozenset({"m", "mid", "middle", "c", "center", "centre"})
 _CODED = 0.5
 """Share of a rig's names that are numbers of action units from which its numbers are such."""
+_FOLLOWED = 0.5
+"""Share of letters that are followed by the next one, beyond which they count; of the consonants of
+ARPABET, where phonemes are densest, 8 of 16 are."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,12 +83,14 @@ def meanings(names: Sequence[str], *, numbers: bool = False) -> tuple[Meaning | 
     they count something else only the motions tell.
     """
     bare = distinctive_words(names)
+    counting = _counting(bare)
     units = [_numbered_unit(each) for each in bare]
     if not numbers or sum(unit is not None for unit in units) < _CODED * len(bare):
         units = [None] * len(bare)
     found = []
     for name, each, unit in zip(names, bare, units, strict=True):
-        meaning = _meaning(each, _called_unit(words(name)) or unit)
+        spoken = not counting.issuperset(_plain(each))
+        meaning = _meaning(each, _called_unit(words(name)) or unit, spoken=spoken)
         found.append(meaning and replace(meaning, numbered=meaning.action == unit))
     return tuple(found)
 
@@ -158,13 +163,29 @@ def _spelling(each: tuple[str, ...]) -> Spelling:
     return Spelling(frozenset(rest), side)
 
 
-def _meaning(each: tuple[str, ...], unit: Action | None) -> Meaning | None:
+def _plain(each: tuple[str, ...]) -> list[str]:
+    """The words of a name without its numbers and those in front that say whose it is."""
+    makers = table("codes")["makers"]["words"]
+    return [word for word in each if not word.isdigit() and word not in makers]
+
+
+def _counting(names: Sequence[tuple[str, ...]]) -> set[str]:
+    """The letters by which the `names` that are no more than letters are counted, ``targetA``,
+    ``targetB`` and on with ``targetAA``: most are followed by the next one, phonemes are not."""
+    alone = (each[0] for each in map(_plain, names) if len(each) == 1)
+    letters = {each for each in alone if len(each) < 3}
+    followed = sum(each[:-1] + chr(ord(each[-1]) + 1) in letters for each in letters)
+    return letters if followed > _FOLLOWED * len(letters) else set()
+
+
+def _meaning(each: tuple[str, ...], unit: Action | None, *, spoken: bool) -> Meaning | None:
     """The words in their order first (in mouthLeft the side is a direction), then without the side;
-    before both the action `unit` of which the name is the number."""
+    before both the action `unit` of which the name is the number.  Phonemes are `spoken`, but for
+    letters that count."""
     side, toward, rest = side_and_direction(each)
     if unit is not None:
         return Meaning(unit, side)
-    if found := _coded(each):
+    if spoken and (found := _coded(each)):
         return Meaning(found, "")
     for phrase in phrases():
         if phrase.fits(rest, toward):
@@ -195,7 +216,7 @@ def _called_unit(each: tuple[str, ...]) -> Action | None:
 def _coded(each: tuple[str, ...]) -> Action | None:
     """Visemes by their phonemes, moods and identity series by their words."""
     codes = table("codes")
-    plain = [word for word in each if not word.isdigit() and word not in codes["makers"]["words"]]
+    plain = _plain(each)
     # To the left and right, not the letters.
     if not plain or plain in (["mouth", "l"], ["mouth", "r"]):
         return None
