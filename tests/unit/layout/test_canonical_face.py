@@ -16,6 +16,8 @@ PLACES = {
     "cheekSquint": (0.6, -0.35),
 }  # fmt: skip
 SCALE, HEIGHT = 0.6, 0.35
+SIDES = (("L", 1.0), ("R", -1.0)), (("R", 1.0), ("L", -1.0))
+"""As they are called, and swapped."""
 
 
 def at(x, y):
@@ -23,8 +25,7 @@ def at(x, y):
 
 
 def shapes(swapped=False):
-    sides = {"L": -1.0 if swapped else 1.0, "R": 1.0 if swapped else -1.0}
-    found = {f"{name}_{side}": at(sign * x, y) for name, (x, y) in PLACES.items() for side, sign in sides.items()}
+    found = {f"{name}_{side}": at(sign * x, y) for name, (x, y) in PLACES.items() for side, sign in SIDES[swapped]}
     return found | {"jawOpen": at(0.0, -1.5)}
 
 
@@ -62,6 +63,11 @@ def test_words_that_mostly_stand_elsewhere_than_they_act_mean_nothing():
     assert meant(dict(zip(names, [shapes()[name] for name in names[5:] + names[:5]], strict=True))) == []
 
 
+def test_words_of_what_is_high_that_move_what_is_low_mean_nothing():
+    turned = {f"{name}_{side}": at(sign * x, -1.25 - y) for name, (x, y) in PLACES.items() for side, sign in SIDES[0]}
+    assert meant(turned) == []
+
+
 def test_what_moves_both_sides_alike_is_not_the_control_of_one():
     assert "browUp_L" not in meant(shapes() | {"browUp_L": at(0.5, 0.28) + at(-0.5, 0.28)})
 
@@ -75,14 +81,14 @@ def meant(shapes):
 
 def test_the_brow_is_expected_above_its_eye_however_long_the_muzzle_and_high_the_ears():
     low = {name: at(x, y - 1.0) for name, (x, y) in (("jawOpen", (0.0, -1.5)), ("mouthSmile_L", (0.42, -1.0)))}
-    ears = {f"browUp_{side}": at(sign * 0.5, 0.28) + at(sign * 0.5, 1.3) for side, sign in (("L", 1), ("R", -1))}
+    ears = {f"browUp_{side}": at(sign * 0.5, 0.28) + at(sign * 0.5, 1.3) for side, sign in SIDES[0]}
     _, found = expected({**shapes(), **low, **ears})
     above = np.array([[SCALE * 0.5, HEIGHT + SCALE * 0.28, 0.0]])
     assert found["browUp_L"].distance(above)[0] < 0.15
 
 
 def test_one_control_in_the_wrong_place_does_not_move_the_others():
-    odd = shapes() | {f"noseSneer_{side}": at(sign * 0.3, 0.6) for side, sign in (("L", 1), ("R", -1))}
+    odd = shapes() | {f"noseSneer_{side}": at(sign * 0.3, 0.6) for side, sign in SIDES[0]}
     _, found = expected(odd)
     place = np.array([[SCALE * 0.42, HEIGHT - SCALE, 0.0]])
     assert found["mouthSmile_L"].distance(place)[0] < 0.3
@@ -102,7 +108,7 @@ def test_lashes_with_controls_of_their_own_do_not_say_where_the_mouth_is():
 
 
 def test_a_control_stands_where_it_is_expected_though_it_peaks_elsewhere():
-    lifted = {f"noseSneer_{s}": at(sign * 0.24, -0.55) + 1.5 * at(sign * 0.2, 0.3) for s, sign in (("L", 1), ("R", -1))}
+    lifted = {f"noseSneer_{s}": at(sign * 0.24, -0.55) + 1.5 * at(sign * 0.2, 0.3) for s, sign in SIDES[0]}
     line = chain.with_candidates(makers.rig(POINTS, QUADS, shapes() | lifted))
     assert (POINTS[chain.set_of(line, "noseSneer_L").points][:, 1] < HEIGHT).all()
 
