@@ -1,6 +1,7 @@
 """Laws of the controls that a rig driven by joints alone has by default: read from geometry, never from names."""
 
 import re
+from collections import Counter
 from dataclasses import replace
 
 import limbs
@@ -12,6 +13,7 @@ from pxr import Gf, Vt
 from usdrigui.character.deform import posed
 from usdrigui.character.joint_tree import Tree
 from usdrigui.character.rotation import rotation_part, rotations
+from usdrigui.character.skinning import in_skeleton_space
 from usdrigui.reading.character import read_rigs
 from usdrigui.reading.control import default_joint_drafts
 from usdrigui.reading.joint import default_turns, posed_locals
@@ -20,10 +22,14 @@ from usdrigui.settings import JointSettings, Settings
 HAND, BALL = limbs.hand_rig(), ("rx", "ry", "rz")
 
 
+def turns_of(rig):
+    """The degrees of freedom of its joints."""
+    return default_turns(Tree(rig.body.joints, rig.body.meshes))
+
+
 def kinds(rig):
     """How many controls of each kind."""
-    found = [turn.name for turn in default_turns(Tree(rig.body.joints, rig.body.meshes))]
-    return {name: found.count(name) for name in sorted(set(found))}
+    return Counter(turn.name for turn in turns_of(rig))
 
 
 @pytest.mark.parametrize(
@@ -47,8 +53,15 @@ def test_what_hangs_on_the_middle_curls_whole_and_fingers_without_their_metacarp
             names += ["/".join([hanging_on, *chain[: k + 1]]) for k in range(4)]
             places += [(side * (aside + 0.3), -y, 0.3 * (strand - 1)) for y in (0.2, 0.7, 1.2, 1.6)]
     made = limbs.skeleton_rig(names, np.array(places), list(range(len(names))))
-    turns = default_turns(Tree(made.body.joints, made.body.meshes))
-    assert {len(turn.joints) for turn in turns if turn.name == "curl"} == {curled}
+    assert {len(turn.joints) for turn in turns_of(made) if turn.name == "curl"} == {curled}
+
+
+def test_skin_at_the_tip_of_a_finger_adds_no_joint_that_curls():
+    """Skinners leave a little on the end of one finger."""
+    names = [joint.path for joint in HAND.body.joints]
+    owners = [i for i, name in enumerate(names) if name[-1] != "3" or name[-2:] == "33"]
+    made = limbs.skeleton_rig(names, np.array([joint.bind[3, :3] for joint in HAND.body.joints]), owners)
+    assert kinds_of(made) == kinds_of(HAND)
 
 
 def test_rigid_motion_scale_and_other_own_axes_of_the_joints_change_no_turn():
@@ -60,7 +73,7 @@ def test_rigid_motion_scale_and_other_own_axes_of_the_joints_change_no_turn():
 def test_curled_fingers_reach_into_the_palm_and_stay_in_one_piece(made):
     tree = Tree(made.body.joints, made.body.meshes)
     for turn in (turn for turn in default_turns(tree) if turn.name == "curl"):
-        world = _world(made, posed_locals(tree, turn, np.array([60.0]))[0])
+        world = in_skeleton_space(made.body.joints, posed_locals(tree, turn, np.array([60.0])))[0]
         tip = max(turn.joints)
         assert world[tip][3, 2] > tree.places[tip, 2]
         bones = [(a, b) for a, b in zip(turn.joints, turn.joints[1:], strict=False)]
@@ -80,18 +93,10 @@ def test_the_thumb_is_the_finger_apart_and_curls_towards_the_others(bend):
     curls = {turn.joints[0]: turn for turn in default_turns(tree) if turn.name == "curl"}
     turn = curls.pop(len(paths))
     others = tree.places[sorted(curls)].mean(axis=0)
-    posed = [_world(made, posed_locals(tree, turn, np.array([at]))[0]) for at in (0.0, 30.0)]
-    tips = [each[len(paths) + 3][3, :3] for each in posed]
+    posed = in_skeleton_space(made.body.joints, posed_locals(tree, turn, np.array([0.0, 30.0])))
+    tips = posed[:, len(paths) + 3, 3, :3]
     assert np.linalg.norm(tips[1] - others) < np.linalg.norm(tips[0] - others) - 0.1
     assert all(abs(each.axes[0][0]) > 0.99 for each in curls.values()), "fingers curl about their row"
-
-
-def _world(made, locals_):
-    """Where each joint is by the local transforms of all."""
-    world = {}
-    for i, each in enumerate(made.body.joints):
-        world[i] = locals_[i] @ world[each.parent] if each.parent >= 0 else locals_[i]
-    return world
 
 
 def test_what_a_flat_skeleton_does_under_a_control_is_what_the_hierarchy_does():
@@ -141,8 +146,7 @@ def test_an_eye_turns_about_the_axes_that_lie_across_its_gaze(turned):
     at = {"h": (0, 0, 0), "h/n": (0, 0.5, 0), "h/n/l": (0.2, 0.6, 0.4), "h/n/r": (-0.2, 0.6, 0.4)}
     at |= {f"h/n/{name}": (x, 0.1, 0.1) for name, x in (("a", 0.9), ("b", -0.9))}
     rig = limbs.skeleton_rig(list(at), np.array(list(at.values()), float), range(len(at)), frame)
-    found = default_turns(Tree(rig.body.joints, rig.body.meshes))
-    axes = [turn.axes[0] @ frame for turn in found if rig.body.joints[turn.home].path in ("h/n/l", "h/n/r")]
+    axes = [turn.axes[0] @ frame for turn in turns_of(rig) if rig.body.joints[turn.home].path in ("h/n/l", "h/n/r")]
     assert np.abs(np.sum(np.square(axes), axis=0) - [2.0, 2.0, 0.0]).max() < 1e-9
 
 
@@ -162,12 +166,25 @@ def test_a_limb_whose_skin_hangs_on_twist_joints_turns_as_one_with_skin_of_its_o
     assert [kind for _, kind in found - plain] == ["twist"] * 16
 
 
+def test_joints_in_line_on_the_bones_of_a_bent_arm_twist():
+    """t between the shoulder a and the elbow e, u between that and the hand, without which they turn alike."""
+    found, along = [], {"a": (0, -4, -1), "t": (0, -3, -0.5), "e": (0, -2, 0), "u": (0, -1, 0)}
+    for arm in ("ae", "ateu"):
+        at = {"r": (0, -5, -1), "r/b": (1, -5, -1), "r/b/c": (2, -5, -1)}
+        at |= {"r/" + "/".join(arm[: k + 1]): along[name] for k, name in enumerate(arm)}
+        at |= {f"{[*at][-1]}/{joint.path}": joint.bind[3, :3] for joint in HAND.body.joints}
+        owners = [i for i, name in enumerate(at) if name[-1] != "3"]
+        # Aslant: no axis mirrors the hand.
+        places = np.array([*at.values()], float) @ rotations(np.array([0.3, 0.5, 0.0]))
+        rig = limbs.skeleton_rig([*at], places, owners)
+        found.append({(path[-2:], kind) for path, kind in kinds_of(rig)})
+    assert found[1] - found[0] == {("/t", "twist"), ("/u", "twist")}
+    assert found[1] > found[0] > {("/e", "bend")}
+
+
 def kinds_of(rig):
     """Path of the first joint and kind of every turn."""
-    return {
-        (rig.body.joints[turn.joints[0]].path, turn.name)
-        for turn in default_turns(Tree(rig.body.joints, rig.body.meshes))
-    }
+    return {(rig.body.joints[turn.joints[0]].path, turn.name) for turn in turns_of(rig)}
 
 
 def test_helpers_off_the_way_change_no_degree_of_freedom():
@@ -187,7 +204,7 @@ def test_a_head_turns_every_way_and_a_strand_across_its_bone():
 
 
 def test_a_finger_curls_further_in_than_out_and_all_else_goes_alike_to_both_sides():
-    spans = {turn.name: turn.range for turn in default_turns(Tree(HAND.body.joints, HAND.body.meshes))}
+    spans = {turn.name: turn.range for turn in turns_of(HAND)}
     assert spans == {"curl": (-10.0, 80.0), "spread": (-20.0, 20.0), **dict.fromkeys(BALL, (-30.0, 30.0))}
 
 

@@ -223,7 +223,7 @@ class Tree(Record):
         joint at the start of that bone."""
         found = {}
         for joint, children in enumerate(self.children):
-            lines = {child: self._line(child) for child in children}
+            lines = {child: self.below([child]) for child in children}
             for end in children:
                 on_it = {c for c in children if c != end and self._on_bone(lines[c], joint, end)}
                 # Small joints of a face lie in one line by chance.
@@ -260,11 +260,7 @@ class Tree(Record):
             if self.depth[child] > 1 and child not in self.twists
         ]
 
-    def _line(self, joint: int) -> list[int]:
-        """A joint and all below it."""
-        return [joint, *(k for child in self.children[joint] for k in self._line(child))]
-
-    def _on_bone(self, joints: Sequence[int], start: int, end: int) -> bool:
+    def _on_bone(self, joints: Collection[int], start: int, end: int) -> bool:
         """Whether joints lie on the bone between two others, before its end."""
         bone = self.places[end] - self.places[start]
         ways = self.places[list(joints)] - self.places[start]
@@ -302,9 +298,8 @@ class Tree(Record):
 
     def max_path(self, joint: int, start: int) -> float:
         """Greatest distance from the joint `start` to `joint` and what hangs on it."""
-        own = float(np.linalg.norm(self.places[joint] - self.places[start]))
-        children = (c for c in self.children[joint] if c not in self.hanging.aside)
-        return max([own, *(self.max_path(child, start) for child in children)])
+        ways = self.places[[*(self.below([joint]) - self.hanging.aside)]] - self.places[start]
+        return float(np.linalg.norm(ways, axis=1).max())
 
     def direction(self, chain: Sequence[int]) -> Floats:
         """(3,) unit vector along a chain."""

@@ -8,6 +8,7 @@ from names.
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from itertools import chain, pairwise
 
 import numpy as np
 
@@ -17,6 +18,9 @@ from usdrigui.character.rotation import rotation_part, rotations
 
 _THUMB = 0.85
 """A finger whose cosine to the others is less is a thumb."""
+_TIP = 0.3
+"""Share of the last bone of a finger that its skin reaches on from there, at least; the skin of the
+last joints of people's fingers reaches .7 and more, that of joints at their tips .1."""
 _BENT = 0.05
 """Sine of the bend from which a chain defines its own hinge axis."""
 _LONG = 0.05
@@ -56,11 +60,12 @@ def default_turns(tree: Tree) -> tuple[Turn, ...]:
     """The degrees of freedom of every joint that skin follows, in the order of the joints."""
     if len(tree.owners) < 2:
         return ()
-    fingers = [finger for fan in fans(tree) for finger in _fingers(tree, fan)]
-    taken = {joint for finger in fingers for joint in finger.chain}
+    fingers = {}
+    for fan in fans(tree):
+        fingers.update(_fingers(tree, fan))
     hinges = _hinges(tree)
-    turns = [turn for finger in fingers for turn in finger.turns(tree)]
-    for joint in sorted(tree.bearers - taken):
+    turns = [*chain.from_iterable(fingers.values())]
+    for joint in sorted(tree.bearers.difference(*fingers)):
         turns.extend(_turns(tree, joint, hinges))
     return tuple(sorted(turns, key=lambda turn: (turn.joints[0], turn.name)))
 
@@ -68,33 +73,13 @@ def default_turns(tree: Tree) -> tuple[Turn, ...]:
 # --- hands ----------------------------------------------------------------------------------------
 
 
-class _Finger(Record):
-    chain: tuple[int, ...]
-    """Every joint with skin, the metacarpal included."""
-    curled: tuple[int, ...]
-    """Those that curl."""
-    curl: Floats
-    spread: Floats
-    """(3,) axes."""
-
-    def turns(self, tree: Tree) -> list[Turn]:
-        curled = self.curled
-        curl = np.array([tree.own(joint, self.curl) for joint in curled])
-        spread = tree.own(curled[0], self.spread)[None]
-        home = curled[len(curled) // 2]
-        return [
-            Turn("curl", home, curled, curl, CURL),
-            Turn("spread", curled[0], curled[:1], spread, SPREAD),
-        ]
-
-
-def _fingers(tree: Tree, fan: Fan) -> list[_Finger]:
-    """The fingers of a hand: they curl about the line across their first joints, towards where they
-    are bent."""
+def _fingers(tree: Tree, fan: Fan) -> dict[tuple[int, ...], list[Turn]]:
+    """The turns of the fingers of a hand, by every joint of each with skin: they curl about the
+    line across their first joints, towards where they are bent."""
     chains, middle = fan.chains, fan.middle
+    ends = [_without_tip(tree, each)[-FINGERS:] for each in chains]
     straight = fan.directions @ middle
     thumb = (straight < _THUMB) & (straight == straight.min())
-    ends = [chain[-FINGERS:] for chain in chains]
     bases = tree.places[[end[0] for end in ends]]
     row = bases[~thumb] - bases[~thumb].mean(axis=0)
     across = np.linalg.svd(row - np.outer(row @ middle, middle))[2][0]
@@ -102,38 +87,68 @@ def _fingers(tree: Tree, fan: Fan) -> list[_Finger]:
     evidence = float((bends[~thumb] @ across).sum())
     across = across if evidence >= 0.0 else -across
     palm = np.cross(across, middle)
-    fingers = []
-    for chain, along, bend, apart in zip(chains, fan.directions, bends, thumb, strict=True):
+    fingers = {}
+    for finger, end, along, bend, apart in zip(
+        chains, ends, fan.directions, bends, thumb, strict=True
+    ):
         axis = level(across, along)
         if apart:
             axis = unit(bend) if np.linalg.norm(bend) > _BENT else level(palm, along)
-            towards = bases[~thumb].mean(axis=0) - tree.places[chain[-1]]
+            towards = bases[~thumb].mean(axis=0) - tree.places[finger[-1]]
             axis = axis if np.cross(axis, along) @ towards >= 0.0 else -axis
         # Legs and strands that hang on the middle of a character have no metacarpals.
-        curled = chain if tree.on_plane(fan.joint) else chain[-FINGERS:]
-        fingers.append(_Finger(chain, curled, axis, np.cross(along, axis)))
+        curled = finger if tree.on_plane(fan.joint) else end
+        curl = np.array([tree.own(joint, axis) for joint in curled])
+        fingers[finger] = [
+            Turn("curl", curled[len(curled) // 2], curled, curl, CURL),
+            _single("spread", tree, curled[0], np.cross(along, axis), SPREAD),
+        ]
     return fingers
+
+
+def _without_tip(tree: Tree, finger: tuple[int, ...]) -> tuple[int, ...]:
+    """A finger without the joint at its tip: no bone, and hardly any of its skin, lies ahead."""
+    before, last = (tree.joints[joint].bind[3, :3] for joint in finger[-2:])
+    bone = last - before
+    ahead = (tree.skin[finger[-1]][0] - last) @ bone
+    has_bone = tree.next(finger[-1]) >= 0 or ahead.max() >= _TIP * (bone @ bone)
+    return finger if has_bone else finger[:-1]
 
 
 # --- limbs and what is left -----------------------------------------------------------------------
 
 
-def _hinges(tree: Tree) -> dict[int, Floats]:
-    """Elbows and knees, with their axes: the joint between the two long bones of each limb."""
+def _hinges(tree: Tree) -> dict[int, Turn]:
+    """The turns of elbows and knees, the joints between the two long bones of each limb.
+
+    Where an arm has two long bones only but for the joints that lie in line on them, these twist.
+    """
     found = {}
     hands = {fan.joint for fan in fans(tree)}
     for start in range(len(tree.joints)):
         limb = _limb(tree, start, hands)
-        if len(limb) < 3:
+        bent = [b for a, b in pairwise(limb[:-1]) if np.linalg.norm(tree.bend((a, b))) > _BENT]
+        arm = [limb[0], *bent, limb[-1]] if limb and limb[-1] in hands else []
+        bones = _long_bones(tree, limb) or _long_bones(tree, arm)
+        if not bones:
             continue
-        bones = np.linalg.norm(np.diff(tree.places[limb], axis=0), axis=1)
-        shorter = np.minimum(bones[:-1], bones[1:])
-        first = int(np.argmax(shorter))
-        length, others = shorter[first], np.delete(bones, [first, first + 1])
-        is_limb = length >= _LONG * tree.size and (length > 1.2 * others).all()
-        if is_limb and limb[first + 1] in tree.bearers:
-            found[limb[first + 1]] = _hinge_axis(tree, limb[first : first + 3])
+        for joint in limb[limb.index(bones[0]) + 1 : limb.index(bones[2])]:
+            found[joint] = _single("twist", tree, joint, tree.direction([joint]), BALL)
+        found[bones[1]] = _single("bend", tree, bones[1], _hinge_axis(tree, bones), HINGE)
     return found
+
+
+def _long_bones(tree: Tree, limb: Sequence[int]) -> Sequence[int]:
+    """The three joints of the two long bones of a limb, which are longer than its others; none
+    where there are no such."""
+    if len(limb) < 3:
+        return ()
+    bones = np.linalg.norm(np.diff(tree.places[limb], axis=0), axis=1)
+    shorter = np.minimum(bones[:-1], bones[1:])
+    first = int(np.argmax(shorter))
+    length, others = shorter[first], np.delete(bones, [first, first + 1])
+    is_limb = length >= _LONG * tree.size and (length > 1.2 * others).all()
+    return limb[first : first + 3] if is_limb and limb[first + 1] in tree.bearers else ()
 
 
 def _limb(tree: Tree, start: int, hands: Collection[int]) -> list[int]:
@@ -151,16 +166,14 @@ def _limb(tree: Tree, start: int, hands: Collection[int]) -> list[int]:
             return limb
         limb.append(ahead)
     carried = sorted(tree.max_path(child, limb[-1]) for child in tree.branches(limb[-1]))
-    length = float(np.linalg.norm(tree.places[limb[-1]] - tree.places[start]))
+    length = np.linalg.norm(tree.places[limb[-1]] - tree.places[start])
     return [] if limb[-1] not in hands and carried[-2] >= _CARRIED * length else limb
 
 
 def _hinge_axis(tree: Tree, joints: Sequence[int]) -> Floats:
     """(3,) axis of the middle of three joints: that of its bend, or of a straight limb the one
     across the mirror plane and the limb."""
-    a, b, c = (tree.places[joint] for joint in joints)
-    before, after = unit(b - a), unit(c - b)
-    bend = np.cross(before, after)
+    before, bend = tree.direction(joints[:1]), tree.bend(joints[:2])
     if np.linalg.norm(bend) > _BENT:
         return unit(bend)
     lateral = np.eye(3)[tree.mirror[0] if tree.mirror else 0]
@@ -168,14 +181,13 @@ def _hinge_axis(tree: Tree, joints: Sequence[int]) -> Floats:
     return level(lateral if is_across else np.roll(lateral, 1), before)
 
 
-def _turns(tree: Tree, joint: int, hinges: dict[int, Floats]) -> list[Turn]:
+def _turns(tree: Tree, joint: int, hinges: dict[int, Turn]) -> list[Turn]:
     """The degrees of freedom of a joint that belongs to no finger."""
     if joint in hinges:
-        return [_single("bend", tree, joint, hinges[joint], HINGE)]
+        return [hinges[joint]]
     if joint in tree.twists:
         start = tree.twists[joint]
-        bone = unit(tree.places[tree.next(start)] - tree.places[start])
-        return [_single("twist", tree, joint, bone, BALL)]
+        return [_single("twist", tree, joint, tree.direction([start]), BALL)]
     is_inner = any(tree.depth[child] for child in tree.children[joint])
     axes = range(3) if is_inner or _ends_trunk(tree, joint) else _levers(tree, joint)
     return [Turn(f"r{'xyz'[axis]}", joint, (joint,), np.eye(3)[[axis]], BALL) for axis in axes]
