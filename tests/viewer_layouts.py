@@ -102,3 +102,8 @@ def member_at(rig, base, control, point, shift):
         track = track + offsets[:, row[0]]
     length = float(np.linalg.norm(np.diff(track, axis=0), axis=1).sum())
     return Member(rig.controls[control].name, values, track, length, 1.0)
+
+
+def on_track(track, share):
+    """Pixel at a share of a straight track."""
+    return [a + share * (b - a) for a, b in zip(track[0], track[-1], strict=True)]

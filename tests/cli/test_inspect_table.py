@@ -21,10 +21,16 @@ def test_small_shares_are_not_nothing(share, text):
     assert percent(share) == text
 
 
+def inspected(path, capsys):
+    """What the only character of a file is found to be."""
+    assert main(["inspect", str(path), "--json"]) == 0
+    (only,) = json.loads(capsys.readouterr().out)["characters"]
+    return only
+
+
 def test_every_visible_control_covers_something(tmp_path, capsys):
     character = skinned_stages.character(tmp_path / "char.usda")
-    assert main(["inspect", str(character), "--json"]) == 0
-    (only,) = json.loads(capsys.readouterr().out)["characters"]
+    only = inspected(character, capsys)
     shares = {row["control"]: row["coverage"] for row in only["controls"]}
     assert min(shares.values()) > 0.0
     assert shares["brow_L"] == pytest.approx(shares["brow_R"], rel=0.2)
@@ -36,8 +42,7 @@ def test_every_visible_control_covers_something(tmp_path, capsys):
 def test_what_the_configuration_sends_beside_is_reported(tmp_path, capsys):
     character = skinned_stages.character(tmp_path / "char.usda")
     character.with_suffix(".rigui.toml").write_text('[controls.chin]\nplace = "board"\n')
-    assert main(["inspect", str(character), "--json"]) == 0
-    (only,) = json.loads(capsys.readouterr().out)["characters"]
+    only = inspected(character, capsys)
     flags = {row["control"]: row["flags"] for row in only["controls"]}
     assert "on the board by request" in flags["chin"]
     assert "global" not in flags["chin"]
@@ -47,8 +52,7 @@ def test_what_the_configuration_sends_beside_is_reported(tmp_path, capsys):
 def test_a_narrow_terminal_loses_no_number(width, tmp_path, capsys, monkeypatch):
     monkeypatch.setenv("COLUMNS", str(width))
     character = skinned_stages.character(tmp_path / "char.usda")
-    assert main(["inspect", str(character), "--json"]) == 0
-    (only,) = json.loads(capsys.readouterr().out)["characters"]
+    only = inspected(character, capsys)
     assert main(["inspect", str(character)]) == 0
     _, _, table = capsys.readouterr().out.partition("\ncontrol  ")
     starts = [table.index(f"\n{row['control']}  ") for row in only["controls"]]

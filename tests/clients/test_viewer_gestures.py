@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from browser_pages import Viewer
 from pxr import Sdf, Usd
-from viewer_layouts import MIRRORS, peak_layout
+from viewer_layouts import MIRRORS, on_track, peak_layout
 
 from usdrigui.view.web.page import page_html
 
@@ -21,9 +21,10 @@ def characters():
     return [(rig, peak_layout(rig, mirrors=MIRRORS, groups=(JAW,), beside=("chin",)))]
 
 
-def on_track(track, share):
-    """Pixel at a share of a straight track."""
-    return [a + share * (b - a) for a, b in zip(track[0], track[-1], strict=True)]
+def drag_half_way(viewer):
+    """The left brow, to half of its value."""
+    element = viewer.element("brow_L")
+    viewer.drag(element["handle"], on_track(element["tracks"][0], 0.5))
 
 
 # --- handles -----------------------------------------------------------------------------------------
@@ -61,8 +62,7 @@ def test_escape_takes_the_drag_back(viewer):
 
 def test_symmetric_drag_moves_the_twin(viewer):
     viewer.page.get_by_role("button", name="Symmetry").click()
-    element = viewer.element("brow_L")
-    viewer.drag(element["handle"], on_track(element["tracks"][0], 0.5))
+    drag_half_way(viewer)
     assert viewer.moved() == pytest.approx({"brow_L": 0.5, "brow_R": 0.5}, abs=1e-3)
 
 
@@ -71,8 +71,7 @@ def test_selected_elements_move_together(viewer):
         viewer.page.keyboard.down("Shift")
         viewer.page.mouse.click(*viewer.on_page(viewer.element(name)["handle"]))
         viewer.page.keyboard.up("Shift")
-    element = viewer.element("brow_L")
-    viewer.drag(element["handle"], on_track(element["tracks"][0], 0.5))
+    drag_half_way(viewer)
     assert viewer.moved() == pytest.approx({"brow_L": 0.5, "blink_R": 0.5}, abs=1e-3)
 
 
@@ -181,8 +180,7 @@ def test_empty_space_orbits_and_sides_are_named_from_behind(viewer):
 
 
 def test_undo_and_redo(viewer):
-    element = viewer.element("brow_L")
-    viewer.drag(element["handle"], on_track(element["tracks"][0], 0.5))
+    drag_half_way(viewer)
     after = viewer.values()
     viewer.page.keyboard.press("Control+z")
     assert viewer.moved() == {}
@@ -232,8 +230,7 @@ def test_f_looks_closely_and_goes_back(viewer):
 def test_copy_beside_the_clean_face(viewer):
     viewer.page.get_by_role("button", name="On copy", exact=True).click()
     viewer.settle()
-    element = viewer.element("brow_L")
-    viewer.drag(element["handle"], on_track(element["tracks"][0], 0.5))
+    drag_half_way(viewer)
     assert viewer.moved() == pytest.approx({"brow_L": 0.5}, abs=1e-3)
     columns = viewer.page.evaluate("usdrigui.app.view.columns.map(({ kind }) => kind)")
     assert columns == ["controls", "clean"]
@@ -281,8 +278,7 @@ def test_other_json_is_refused_in_words(viewer, tmp_path):
 def test_keys_out_as_a_usd_layer_and_in_again(viewer, tmp_path):
     """A drag keys when auto-key is on; USD reads the samples; the viewer reads its own layer again."""
     viewer.page.get_by_role("button", name="Auto-key").click()
-    element = viewer.element("brow_L")
-    viewer.drag(element["handle"], on_track(element["tracks"][0], 0.5))
+    drag_half_way(viewer)
     viewer.page.evaluate("usdrigui.app.timeline.go(11)")
     viewer.set(brow_L=1.0, pucker=0.5)
     pose = Sdf.Layer.FindOrOpen(str(saved(viewer, "Save pose layer", tmp_path, "pose.usda")))

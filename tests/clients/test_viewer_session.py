@@ -9,7 +9,7 @@ import makers
 import numpy as np
 import pytest
 from browser_pages import DRAWN_BY, Viewer, decoded
-from viewer_layouts import animated, peak_layout
+from viewer_layouts import animated, on_track, peak_layout
 
 from usdrigui.character.deform import deform
 
@@ -42,10 +42,6 @@ def viewer(shared):
     shared.settle()
     yield shared
     assert shared.trouble == []
-
-
-def on_track(track, share):
-    return [a + share * (b - a) for a, b in zip(track[0], track[-1], strict=True)]
 
 
 # --- fans --------------------------------------------------------------------------------------------

@@ -60,6 +60,13 @@ def diagonal(rig):
     return float(np.linalg.norm(np.ptp(deform(rig), axis=0)))
 
 
+def posed(rig, pose, values):
+    """The values of all controls of a `pose`, some of them others, by name."""
+    found = pose.copy()
+    found[[rig.control_indices[name] for name in values]] = [*values.values()]
+    return found
+
+
 def handle_of(stage, rig, element, time):
     return laid_out.handle(stage, rig.path, element, time)
 
@@ -112,11 +119,8 @@ def test_a_shape_that_hides_the_face_far_away_moves_no_handle(tmp_path, far):
     )
     rig = with_far_shape(source, far)
     layout = laid_out.layout_of(rig, only=names)
-    hide = [control.name for control in rig.controls].index("hide")
     rng = np.random.default_rng(9)
-    poses = [laid_out.defaults(rig), *(laid_out.random_values(rig, rng) for _ in range(3))]
-    for pose in poses:
-        pose[hide] = 0.0
+    poses = [laid_out.defaults(rig), *(posed(rig, laid_out.random_values(rig, rng), {"hide": 0.0}) for _ in range(3))]
     stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, poses)
     for element in layout.elements:
         drawn = handle_of(stage, rig, element, 0)
@@ -130,18 +134,12 @@ def test_a_shape_that_hides_the_face_far_away_moves_no_handle(tmp_path, far):
 def test_tracks_do_not_move_with_their_own_controls(tmp_path, kind):
     source, rig = read(tmp_path, **KINDS[kind])
     layout = laid_out.layout_of(rig, seed=3)
-    names = [control.name for control in rig.controls]
     layer = written(tmp_path, rig, layout, source)
     around = laid_out.random_values(rig, np.random.default_rng(6))
-    poses = [around]
-    for control in rig.controls:
-        for value in (control.minimum, control.maximum):
-            pose = around.copy()
-            pose[names.index(control.name)] = value
-            poses.append(pose)
-    stage = laid_out.baked(layer, rig, poses)
+    ends = [(each.name, value) for each in rig.controls for value in (each.minimum, each.maximum)]
+    stage = laid_out.baked(layer, rig, [around, *(posed(rig, around, dict([end])) for end in ends)])
     for element in layout.elements:
-        own = names.index(element.name)
+        own = rig.control_indices[element.name]
         low, high = (track_of(stage, rig, element, 1 + 2 * own + end) for end in (0, 1))
         assert np.abs(high - low).max() < 1e-6 * diagonal(rig), element.name
         moved = handle_of(stage, rig, element, 2 + 2 * own) - handle_of(stage, rig, element, 1 + 2 * own)
@@ -151,7 +149,6 @@ def test_tracks_do_not_move_with_their_own_controls(tmp_path, kind):
 @pytest.mark.parametrize("kind", [name for name in KINDS if "all at once" not in name])
 def test_handles_stay_on_their_tracks_whatever_else_moves(tmp_path, kind):
     source, rig = read(tmp_path, **KINDS[kind])
-    names = [control.name for control in rig.controls]
     shapes = [control.name for control in rig.controls if control.kind == "blendShape"]
     layout = laid_out.layout_of(rig, seed=4, only=shapes)
     around = laid_out.random_values(rig, np.random.default_rng(8))
@@ -159,8 +156,7 @@ def test_handles_stay_on_their_tracks_whatever_else_moves(tmp_path, kind):
     for element in layout.elements:
         for k, value in enumerate(element.members[0].values):
             times[element.name, k] = len(poses)
-            poses.append(around.copy())
-            poses[-1][names.index(element.name)] = value
+            poses.append(posed(rig, around, {element.name: value}))
     stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, poses)
     for element in layout.elements:
         for k in range(len(element.members[0].values)):
@@ -174,17 +170,11 @@ def test_handles_stay_on_their_tracks_whatever_else_moves(tmp_path, kind):
 def test_joint_tracks_follow_shapes_and_parents_exactly_on_a_hinge(tmp_path, moved):
     """Skin of head and jaw alone: the jaw's track is carried by the head and turned shapes ride along."""
     source, rig = read(tmp_path, animated_joints=("Hips/Head", *JAW), hinged=True, moved=moved)
-    names = [control.name for control in rig.controls]
     layout = laid_out.layout_of(rig, seed=1, only=["Jaw:rx"])
     (element,) = layout.elements
-    jaw = [name for name in names if name.startswith("Jaw:")]
-    poses = []
     around = laid_out.random_values(rig, np.random.default_rng(9))
-    for name in jaw:
-        around[names.index(name)] = 0.0
-    for value in element.members[0].values:
-        poses.append(around.copy())
-        poses[-1][names.index("Jaw:rx")] = value
+    closed = {name: 0.0 for name in rig.control_names if name.startswith("Jaw:")}
+    poses = [posed(rig, around, {**closed, "Jaw:rx": value}) for value in element.members[0].values]
     stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, poses)
     assert len(poses) > 2
     for time in range(len(poses)):
@@ -197,14 +187,10 @@ def test_joint_tracks_follow_shapes_and_parents_exactly_on_a_hinge(tmp_path, mov
 def test_pose_controls_leave_their_own_tracks_alone(tmp_path):
     settings = load({"poses": {"talk": {"frame": 10.0}, "mix": {"weights": {"brow_L": 0.6, "chin": 1.0}}}})
     source, rig = read(tmp_path, settings, animated_joints=JAW)
-    names = [control.name for control in rig.controls]
     layout = laid_out.layout_of(rig, only=["talk", "mix"])
     assert [element.name for element in layout.elements] == ["talk", "mix"]
     base = laid_out.defaults(rig)
-    poses = [base]
-    for name in ("talk", "mix"):
-        poses.append(base.copy())
-        poses[-1][names.index(name)] = 1.0
+    poses = [base, *(posed(rig, base, {name: 1.0}) for name in ("talk", "mix"))]
     stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, poses)
     for time, element in enumerate(layout.elements, start=1):
         assert np.abs(track_of(stage, rig, element, time) - track_of(stage, rig, element, 0)).max() < 1e-6
@@ -217,13 +203,9 @@ def test_patches_are_still_under_all_their_controls_and_span_an_area(tmp_path):
     source, rig = read(tmp_path, animated_joints=JAW)
     group = ("smile_L", "sneer_L")
     layout = laid_out.layout_of(rig, seed=2, groups=[group, ("jawLeft", "chin", "jaw:open")])
-    names = [control.name for control in rig.controls]
     around = laid_out.random_values(rig, np.random.default_rng(3))
-    poses = []
-    for corner in ((0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)):
-        poses.append(around.copy())
-        for name, value in zip(group, corner, strict=True):
-            poses[-1][names.index(name)] = value
+    corners = ((0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0))
+    poses = [posed(rig, around, dict(zip(group, corner, strict=True))) for corner in corners]
     stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, poses)
     patch = layout.elements[0]
     still = laid_out.tracks(stage, rig.path, patch, 0)
@@ -253,13 +235,11 @@ def drawn_faces(stage, rig, element):
 @pytest.mark.parametrize("skinned", [False, True])
 def test_elements_beside_the_face_or_static_do_not_deform_but_show_their_value(tmp_path, adapt, skinned):
     source, rig = read(tmp_path, skinned=skinned, animated_joints=("Hips",))
-    names = [control.name for control in rig.controls]
     beside = ("brow_L", "chin") if adapt == "deform" else ()
     layout = laid_out.layout_of(rig, beside=beside, adapt=adapt, only=["brow_L", "chin", "half"])
     rng = np.random.default_rng(2)
-    shapes_only = laid_out.random_values(rig, rng)
-    hips = [i for i, name in enumerate(names) if name.startswith("Hips:")]
-    shapes_only[hips] = 0.0
+    hips = [name for name in rig.control_names if name.startswith("Hips:")]
+    shapes_only = posed(rig, laid_out.random_values(rig, rng), dict.fromkeys(hips, 0.0))
     turned = laid_out.random_values(rig, rng)
     stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, [laid_out.defaults(rig), shapes_only, turned])
     for element in layout.elements:
@@ -267,7 +247,7 @@ def test_elements_beside_the_face_or_static_do_not_deform_but_show_their_value(t
             continue
         member = element.members[0]
         assert np.abs(track_of(stage, rig, element, 1) - member.track).max() < CLOSE * diagonal(rig)
-        value = shapes_only[names.index(element.name)]
+        value = shapes_only[rig.control_indices[element.name]]
         there = [np.interp(value, member.values, member.track[:, axis]) for axis in range(3)]
         centre = handle_of(stage, rig, element, 1)[0]
         assert np.abs(centre - there).max() < CLOSE * diagonal(rig), element.name

@@ -154,11 +154,15 @@ def test_a_source_without_metadata_gets_a_layer_that_validates(tmp_path):
     assert laid_out.validation_errors(stage) == []
 
 
-def test_everything_is_a_guide_below_the_character_and_nothing_is_of_a_type_of_ours(char, tmp_path):
-    source, rig, layout = char
-    target = tmp_path / "a.usda"
+def staged(source, rig, layout, folder):
+    """The stage of a layer with one layout."""
+    target = folder / "a.usda"
     write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
-    stage = Usd.Stage.Open(str(target))
+    return Usd.Stage.Open(str(target))
+
+
+def test_everything_is_a_guide_below_the_character_and_nothing_is_of_a_type_of_ours(char, tmp_path):
+    rig, stage = char[1], staged(*char, tmp_path)
     scope = stage.GetPrimAtPath(rig.path).GetChild("RigUI")
     kinds = {prim.GetTypeName() for prim in Usd.PrimRange(scope)}
     assert kinds == {"Scope", "GeomSubset", "Mesh", "BlendShape"}
@@ -173,10 +177,7 @@ def test_everything_is_a_guide_below_the_character_and_nothing_is_of_a_type_of_o
 
 def test_few_prims_draw_all_elements(char, tmp_path):
     """One mesh for what hangs on the skeleton in one way, a subset per element, a shape per channel."""
-    source, rig, layout = char
-    target = tmp_path / "a.usda"
-    write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
-    stage = Usd.Stage.Open(str(target))
+    rig, stage = char[1], staged(*char, tmp_path)
     scope = stage.GetPrimAtPath(rig.path).GetChild("RigUI")
     kinds = [str(prim.GetTypeName()) for prim in Usd.PrimRange(scope)]
     assert kinds.count("Mesh") <= 2
@@ -211,9 +212,7 @@ def test_meshes_are_named_after_their_part_and_what_no_joint_moves(tmp_path):
         layout,
         elements=tuple(replace(each, part="body") for each in layout.elements),
     )
-    target = tmp_path / "a.usda"
-    write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
-    stage = Usd.Stage.Open(str(target))
+    stage = staged(source, rig, layout, tmp_path)
     skinned, still = stage.GetPrimAtPath(rig.path).GetChild("RigUI").GetChildren()
     assert (skinned.GetName(), still.GetName()) == ("BodyControls", "BodyStillControls")
     assert skinned.GetAttribute("skel:joints").HasAuthoredValue()

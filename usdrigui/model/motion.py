@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cached_property
 
 import numpy as np
 
@@ -31,6 +32,11 @@ class BaseSurface(Record):
     face_size: float
     """Height along `Rig.up` of the region moved by the local controls: the unit of handle
     sizes."""
+
+    @cached_property
+    def first(self) -> Flags:
+        """(n,) which points are the first of a place."""
+        return np.asarray(self.places == np.arange(len(self.places)))
 
 
 class Trajectories(Record):

@@ -261,8 +261,9 @@ def joint_settings(
     """The configuration of each joint by its full path or, where no other joint has it, its last
     name."""
     names = names_in_configuration(joints)
-    by_index = {names[name]: override for name, override in configured.items() if name in names}
-    return [configured.get(joint.path) or by_index.get(i) for i, joint in enumerate(joints)]
+    # Paths come last there, and win.
+    found = {i: configured[name] for name, i in names.items() if name in configured}
+    return [*map(found.get, range(len(joints)))]
 
 
 def names_in_configuration(joints: tuple[Joint, ...]) -> dict[str, int]:
@@ -311,8 +312,6 @@ def _as_posed(drive: Drive, _: Range) -> Drive:
 
 
 def _hull(ranges: list[Range]) -> Range:
-    if len(ranges) == 1:
-        return ranges[0]
     widest = max(ranges, key=lambda each: each.maximum - each.minimum)
     return Range(
         min(each.minimum for each in ranges),

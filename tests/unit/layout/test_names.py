@@ -29,6 +29,10 @@ def test_no_two_elements_have_one_name():
         (["eyeLookIn_L", "eyeLookOut_L"], "eyeLook In/Out L"),
         (["eye_blink", "eye_eye_blink"], "eye_blink / eye_eye_blink"),
         (["jaw", "brow"], "jaw / brow"),
+        (["jawLeft", "jawRight"], "jaw Left/Right"),
+        (["mouthOpen", "browUp"], "mouthOpen / browUp"),
+        (["smile_x_c_d", "frown_y_c_d"], "smile_x/frown_y c_d"),
+        (["one"], "one"),
     ],
 )
 def test_a_label_says_once_what_its_controls_have_in_common(labels, expected):

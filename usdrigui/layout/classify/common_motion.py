@@ -23,7 +23,7 @@ from scipy.optimize import lsq_linear
 
 from usdrigui.character import Flags, Floats, Indices
 from usdrigui.layout.classify.basis import least_squares
-from usdrigui.layout.motion.similarity import Similarity
+from usdrigui.layout.motion.similarity import Similarity, rows_of
 from usdrigui.model import Trajectories
 from usdrigui.ties import first_largest, steady
 
@@ -45,9 +45,7 @@ def with_common_motion(
     only they are others; `visible` (n,) are the points that some view sees.  A control whose joint
     owns skin stands there; it is left out.
     """
-    fields = similarity.fields
-    row = np.full(len(trajectories.surface.points), -1, dtype=np.int64)
-    row[fields.places] = np.arange(len(fields.places))
+    row = rows_of(similarity.fields.places, len(trajectories.surface.points))
     motions = list(trajectories.motions)
     for index in np.flatnonzero(on_face).tolist():
         motion = motions[index]

@@ -131,7 +131,7 @@ def _turned(joints: tuple[Joint, ...], control: Control, clip: Performance) -> F
     joint = joints[int(control.drive.joints[0])]
     leaves = [path.rpartition("/")[2] for path in clip.joints]
     same = [i for i, path in enumerate(clip.joints) if path == joint.path]
-    same = same or [i for i, leaf in enumerate(leaves) if leaf == joint.path.rpartition("/")[2]]
+    same = same or [i for i, leaf in enumerate(leaves) if leaf == joint.name]
     if len(same) != 1:
         return None
     column = same[0]

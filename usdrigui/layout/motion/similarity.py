@@ -77,10 +77,9 @@ def displacement_fields(trajectories: Trajectories) -> DisplacementFields:
     moved = np.zeros(count)
     for motion in trajectories.motions:
         moved[motion.points] += motion.arc_length / motion.arc_length.max(initial=1e-300)
-    moved[trajectories.surface.places != np.arange(count)] = 0.0
+    moved[~trajectories.surface.first] = 0.0
     places = _most_moved(moved, max(1, _ENTRIES // max(1, len(trajectories.motions))))
-    row = np.full(count, -1, dtype=np.int64)
-    row[places] = np.arange(len(places))
+    row = rows_of(places, count)
     vectors = np.zeros((len(trajectories.motions), len(places), 3), dtype=np.float32)
     for field, motion in zip(vectors, trajectories.motions, strict=True):
         at = row[motion.points]
@@ -90,6 +89,13 @@ def displacement_fields(trajectories: Trajectories) -> DisplacementFields:
     if not weights.any():
         weights = np.ones(len(places))
     return DisplacementFields(places, vectors, weights / max(float(weights.mean()), 1e-300))
+
+
+def rows_of(places: Indices, count: int) -> Indices:
+    """(count,) the place of each of `count` points among `places`, -1 where it is none of them."""
+    row = np.full(count, -1, dtype=np.int64)
+    row[places] = np.arange(len(places))
+    return row
 
 
 def similarity(fields: DisplacementFields) -> Similarity:

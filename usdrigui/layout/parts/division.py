@@ -167,8 +167,7 @@ def _together(names: dict[int, str], bound: list[list[int]]) -> dict[int, str]:
     """The parts with every bound control in the part of the first of them."""
     for controls in bound:
         present = [control for control in controls if control in names]
-        for control in present:
-            names[control] = names[present[0]]
+        names |= dict.fromkeys(present, names[present[0]]) if present else {}
     return names
 
 

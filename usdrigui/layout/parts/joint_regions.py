@@ -79,8 +79,10 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     in_limbs = {i for i, name in enumerate(of_skin) if name == BODY} - set(spine)
     if max(tree.depth_among(in_limbs)) < _LIMB:
         rest = FACE if heads else next((of_skin[fan.joint] for fan in ends), BODY)
-        of_joint = [rest if name in (BODY, EYES) else name for name in of_joint]
-        of_skin = [rest if name in (BODY, EYES) else name for name in of_skin]
+        of_joint, of_skin = (
+            [rest if name in (BODY, EYES) else name for name in each]
+            for each in (of_joint, of_skin)
+        )
     return JointRegions(tuple(of_joint), tuple(of_skin))
 
 
@@ -106,7 +108,7 @@ def _heads(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
     named = {
         i
         for i, joint in enumerate(rig.body.joints)
-        if not _HEAD.isdisjoint(words(joint.path.rsplit("/", 1)[-1])) and tree.depth[i] > 0
+        if not _HEAD.isdisjoint(words(joint.name)) and tree.depth[i] > 0
     }
     if named:
         return frozenset(i for i in named if not named & set(tree.above(i)))

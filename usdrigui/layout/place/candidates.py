@@ -173,7 +173,7 @@ def _allowed(known: Measured, motion: Motion, among: Flags) -> Flags:
     """Those `among` (p,) the moving points where the control may stand, before any pruning: one of
     each place, near what the configuration names, on the skin that its joint owns."""
     face = known.face
-    first = among & (face.surface.places[motion.points] == motion.points)
+    first = among & face.surface.first[motion.points]
     near = kept_near(face, motion.control, known.requests, motion.points, first)
     near = _nearest_to_hidden(face, motion, near)
     return motion.stands_on(near) | _in_the_middle(known, motion, near)

@@ -98,13 +98,13 @@ def _checked_pairs(
     pairs = list(answer)
     sizes = [len(variable.points) for variable in problem.variables]
     for each in pairs:
-        ordered = 0 <= each.first < each.second < len(sizes)
-        if not ordered or not _within(each.first_labels, sizes[each.first]):
-            raise refuse(
-                "TERM_INVALID", name, "pair terms need first < second and labels that exist"
-            )
-        if not _within(each.second_labels, sizes[each.second]):
-            raise refuse("TERM_INVALID", name, "pair terms need labels that exist")
+        if not (
+            0 <= each.first < each.second < len(sizes)
+            and _within(each.first_labels, sizes[each.first])
+            and _within(each.second_labels, sizes[each.second])
+        ):
+            what = "pair terms need first < second and labels that exist"
+            raise refuse("TERM_INVALID", name, what)
         _checked(name, each.costs, len(each.first_labels))
     return pairs
 

@@ -109,9 +109,9 @@ def on_face(
     overrides: Sequence[ControlSettings],
 ) -> Flags:
     """(motions,) those of the controls that are to stand on the face."""
-    kept = [not overrides[motion.control].exclude for motion in motions]
+    found = zip(motions, classification, strict=True)
     return np.array(
-        [here and not each.category for here, each in zip(kept, classification, strict=True)],
+        [not (overrides[motion.control].exclude or each.category) for motion, each in found],
         dtype=bool,
     )
 
@@ -120,7 +120,7 @@ def wanted(trajectories: Trajectories, anywhere: Flags, motion: Motion) -> tuple
     """Points where a control keeps most of its displacement, none where it is seen nowhere, and the
     share of each in their area."""
     surface = trajectories.surface
-    seen = anywhere[motion.points] & (surface.places[motion.points] == motion.points)
+    seen = (anywhere & surface.first)[motion.points]
     arc = np.where(motion.stands_on(seen), motion.arc_length, 0.0)
     points = motion.points[(arc > 0.0) & (arc >= KEPT * arc.max(initial=0.0))]
     areas = surface.areas[points]

@@ -6,10 +6,11 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial import cKDTree
 
-from usdrigui.character import Flags, Floats, Indices, Joint, Rig
+from usdrigui.character import Flags, Floats, Indices, Rig
 from usdrigui.character.surface import mesh_triangles, surface_distances
 from usdrigui.errors import listed, meant, refuse
 from usdrigui.layout.face import Face
+from usdrigui.layout.motion.owned_skin import joint_places
 from usdrigui.layout.reuse.partial_layout import MIRROR, anchored_point
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.ties import first_smallest
@@ -46,8 +47,7 @@ def proxies(face: Face, point: int) -> Indices:
     """Visible places nearest to a hidden `point`, ascending: where a hidden control can stand on
     the face."""
     surface = face.surface
-    places = surface.places
-    seen = np.flatnonzero(face.views.anywhere & (places == np.arange(len(places))))
+    seen = np.flatnonzero(face.views.anywhere & surface.first)
     if not len(seen):
         return seen
     count = min(_PROXIES, len(seen))
@@ -92,7 +92,7 @@ def _named_points(rig: Rig, where: str, near: str) -> Indices:
                 return np.asarray(start + subset.points)
     meshes = [mesh.path for mesh in body.meshes]
     subsets = [subset.path for mesh in body.meshes for subset in mesh.topology.subsets]
-    joints = [f"joint:{name}" for name in _joint_names(body.joints)]
+    joints = [f"joint:{joint.name}" for joint in body.joints]
     like = meant(near, (*meshes, *subsets, *joints)) or f"; its meshes are {listed(meshes)}"
     raise refuse(
         "CONFIG_VALUE",
@@ -106,17 +106,8 @@ def _joint_position(rig: Rig, where: str, name: str) -> Floats:
     last part."""
     body = rig.body
     for index, joint in enumerate(body.joints):
-        if name in (joint.path, joint.path.rpartition("/")[2]):
-            matrix, at = np.eye(4), index
-            while at >= 0:
-                matrix = matrix @ body.joints[at].base
-                at = body.joints[at].parent
-            return (matrix @ body.skeletons[joint.skeleton].to_root)[3, :3]
-    names = _joint_names(body.joints)
+        if name in (joint.path, joint.name):
+            return np.asarray(joint_places(body.skeletons, body.joints)[index])
+    names = [joint.name for joint in body.joints]
     like = meant(name, names) or (f"; its joints are {listed(names)}" if names else "")
     raise refuse("CONFIG_VALUE", where, f"{rig.path} has no joint {name!r}{like}")
-
-
-def _joint_names(joints: tuple[Joint, ...]) -> list[str]:
-    """The last parts of the paths of all joints."""
-    return [joint.path.rpartition("/")[2] for joint in joints]

@@ -145,10 +145,8 @@ def _fitting(layouts: tuple[Layout, ...], rig: Rig) -> Layout | None:
 def _alike(layout: Layout, rig: Rig) -> bool:
     """Whether a layout has a mesh and a control in common with a character."""
     meshes = {element.anchor.mesh for element in layout.elements}
-    names = layout.controls
-    return bool(meshes & {mesh.path for mesh in rig.body.meshes}) and bool(
-        names & {each.name for each in rig.controls}
-    )
+    elsewhere = meshes.isdisjoint(mesh.path for mesh in rig.body.meshes)
+    return not (elsewhere or layout.controls.isdisjoint(rig.control_names))
 
 
 def _moved(layout: Layout, root: str, variant_path: str) -> Layout:

@@ -99,8 +99,7 @@ def over_faces(
     `landmarks`: names after by names before, from which the map between the faces is made; the
     faces are laid over each other by size where there are too few.
     """
-    known = {each.name for each in before[0].controls}
-    map_ = face_map(before, after, {**dict.fromkeys(known, ""), **landmarks})
+    map_ = face_map(before, after, {**dict.fromkeys(before[0].control_names, ""), **landmarks})
     samples = _thinned(before[1], _SAMPLES)
     one, other = map_.vectors(_blurred(before, samples)), _blurred(after, map_.points(samples))
     return _agreement(one.reshape(len(one), -1), other.reshape(len(other), -1))
@@ -161,7 +160,7 @@ def _moved_places(trajectories: Trajectories) -> Indices:
     moved = np.zeros(len(trajectories.surface.points), dtype=bool)
     for motion in trajectories.motions:
         moved[motion.points] = True
-    return np.flatnonzero(moved & (trajectories.surface.places == np.arange(len(moved))))
+    return np.flatnonzero(moved & trajectories.surface.first)
 
 
 def _thinned(trajectories: Trajectories, size: float) -> Floats:

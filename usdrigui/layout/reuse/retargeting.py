@@ -154,7 +154,7 @@ def _marks(rig: Rig, trajectories: Trajectories) -> dict[str, Floats]:
 def _middle(surface: BaseSurface, motion: Motion, power: float) -> Floats:
     """(3,) mean of the places (a face that is split at seams is the same face), weighted by the
     distance moved."""
-    first = surface.places[motion.points] == motion.points
+    first = surface.first[motion.points]
     weights = np.where(first, (motion.arc_length / motion.arc_length.max()) ** power, 0.0)
     if not weights.any():
         weights = np.ones(len(weights))

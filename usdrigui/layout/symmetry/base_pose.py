@@ -8,13 +8,13 @@ from dataclasses import replace
 import numpy as np
 
 from usdrigui.character import Floats, Rig
-from usdrigui.character.joint_tree import unit
 from usdrigui.layout.motion.similarity import DisplacementFields, displacement_fields
 from usdrigui.layout.motion.trajectory import of_controls, trajectories as find_trajectories
 from usdrigui.layout.parts.joint_regions import FACE
 from usdrigui.layout.symmetry.mirror_plane import LEAST_SHARE, find_symmetry
+from usdrigui.layout.symmetry.sides_of_joints import plane_between
 from usdrigui.layout.symmetry.twins import paired
-from usdrigui.model import BaseSurface, MirrorPlane, Symmetry, Trajectories
+from usdrigui.model import BaseSurface, Symmetry, Trajectories
 from usdrigui.settings import Settings, TrajectorySettings
 
 
@@ -112,9 +112,5 @@ def _at_pose(symmetry: Symmetry, surface: BaseSurface, base: Floats) -> Symmetry
         return symmetry
     # Pairs near the middle determine the plane badly.
     left = left[side[left] >= np.median(side[left])]
-    other = base[symmetry.partner[left]]
-    across = base[left] - other
-    normal = unit(np.median(across / np.linalg.norm(across, axis=1)[:, None], axis=0))
-    offset = float(np.median(0.5 * (base[left] + other) @ normal))
-    plane = MirrorPlane(offset * normal, normal)
+    plane, _ = plane_between(base[left], base[symmetry.partner[left]])
     return replace(symmetry, plane=replace(plane, origin=plane.projected(base.mean(axis=0))))

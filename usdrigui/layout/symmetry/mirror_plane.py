@@ -117,7 +117,7 @@ def _moving_region(trajectories: Trajectories) -> tuple[Floats, Floats]:
     weights = np.minimum(surface.areas, _LARGE * usual) * moved
     chosen = np.flatnonzero(weights > 0.0)
     if not len(chosen):
-        chosen = np.flatnonzero((surface.places == np.arange(count)) & (moved > 0.0))
+        chosen = np.flatnonzero(surface.first & (moved > 0.0))
         weights = moved
     return surface.points[chosen], weights[chosen]
 
@@ -267,7 +267,7 @@ def _partners(plane: MirrorPlane, trajectories: Trajectories, tolerance: float) 
     """For every point the place nearest to its mirror image; -1 where that lies beyond the
     tolerance."""
     base, places = trajectories.surface.points, trajectories.surface.places
-    chosen = np.flatnonzero(places == np.arange(len(base)))
+    chosen = np.flatnonzero(trajectories.surface.first)
     motion = total_motion(trajectories.motions, len(base)).astype(np.float64)
     unit = _MOTION_WEIGHT * trajectories.surface.face_size / (float(np.abs(motion).max()) or 1.0)
     tree = cKDTree(np.hstack([base[chosen], unit * motion[chosen]]))

@@ -73,8 +73,7 @@ def orbit_points(
     motions of its n members.
     """
     centre, axis = _axis(surface, orbit, up)
-    places = surface.places
-    chosen = np.flatnonzero(places == np.arange(len(places)))
+    chosen = np.flatnonzero(surface.first)
     tree = cKDTree(surface.points[chosen])
     images = [points]
     for step in range(1, len(orbit)):

@@ -9,7 +9,7 @@ from itertools import product
 
 import numpy as np
 
-from usdrigui.character import Body, Joint, Skeleton
+from usdrigui.character import Body, Floats, Joint, Skeleton
 from usdrigui.character.joint_tree import Tree, unit
 from usdrigui.conventions.sides import mirrored, side_of
 from usdrigui.layout.motion.owned_skin import joint_places
@@ -37,13 +37,17 @@ def plane_of_names(
     ]
     if len(pairs) < 2:
         return None
-    left, right = np.array(pairs).transpose(1, 0, 2)
+    plane, agreement = plane_between(*np.array(pairs).transpose(1, 0, 2))
+    return plane if agreement >= ACROSS else None
+
+
+def plane_between(left: Floats, right: Floats) -> tuple[MirrorPlane, float]:
+    """The plane between points (p, 3) on the left and those that mirror them, in the middle, and
+    the mean cosine of the lines between them to its normal."""
     across = (left - right) / np.linalg.norm(left - right, axis=1)[:, None]
     normal = unit(np.median(across, axis=0))
-    if float((across @ normal).mean()) < ACROSS:
-        return None
     offset = float(np.median(0.5 * (left + right) @ normal))
-    return MirrorPlane(offset * normal, normal)
+    return MirrorPlane(offset * normal, normal), (across @ normal).mean()
 
 
 def _twins(joints: tuple[Joint, ...]) -> dict[int, int]:

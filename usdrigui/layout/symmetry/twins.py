@@ -18,7 +18,7 @@ from usdrigui.character import Flags, Floats, Indices, Rig, Singles
 from usdrigui.conventions.sides import has_side, hints_at_twin
 from usdrigui.errors import Faults, meant, refuse
 from usdrigui.layout.control_overrides import control_index, control_overrides
-from usdrigui.layout.motion.similarity import DisplacementFields, bidirectional
+from usdrigui.layout.motion.similarity import DisplacementFields, bidirectional, rows_of
 from usdrigui.layout.symmetry.sides_of_joints import mirrored_joints
 from usdrigui.model import MirrorPlane, Motion, Symmetry
 from usdrigui.settings import ControlSettings, Settings
@@ -114,8 +114,7 @@ def _mirrored(
 ) -> tuple[Singles, Floats]:
     """The mirrored vectors (motions, m, 3) and the weights (m,) of the places, both zero where the
     partner is none of them."""
-    row = np.full(len(partner), -1, dtype=np.int64)
-    row[fields.places] = np.arange(len(fields.places))
+    row = rows_of(fields.places, len(partner))
     images = partner[fields.places]
     source = np.where(images >= 0, row[images], -1)
     turn = (np.eye(3) - 2.0 * np.outer(normal, normal)).astype(np.float32)

@@ -9,7 +9,6 @@ from usdrigui.conventions.sides import has_side, hints_at_twin
 from usdrigui.errors import RigUIError
 from usdrigui.layout.motion.similarity import displacement_fields
 from usdrigui.layout.motion.trajectory import trajectories
-from usdrigui.layout.names import common_label
 from usdrigui.layout.symmetry.mirror_plane import find_symmetry
 from usdrigui.layout.symmetry.twins import configured_twins
 from usdrigui.settings import ControlSettings, Settings
@@ -247,20 +246,6 @@ def test_names_without_sides_hint_at_nothing():
     assert not hints_at_twin("jawOpen", "jawOpen")
     assert not hints_at_twin("browDown_L", "browUp_R")
     assert not hints_at_twin("mouthRoll", "mouthRolr")
-
-
-@pytest.mark.parametrize(
-    ("labels", "expected"),
-    [
-        (["eyeLookIn_L", "eyeLookOut_L"], "eyeLook In/Out L"),
-        (["jawLeft", "jawRight"], "jaw Left/Right"),
-        (["mouthOpen", "browUp"], "mouthOpen / browUp"),
-        (["smile_x_c_d", "frown_y_c_d"], "smile_x/frown_y c_d"),
-        (["one"], "one"),
-    ],
-)
-def test_labels_of_shared_elements_say_what_is_common(labels, expected):
-    assert common_label(labels) == expected
 
 
 def test_a_twin_that_one_control_names_is_the_twin_of_both_the_first_control_too():
