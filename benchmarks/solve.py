@@ -51,7 +51,7 @@ from usdrigui.solve.budget import Budget
 from usdrigui.solve.exact import infeasible_penalty
 from usdrigui.solve.label_geometry import LabelSet, all_labels
 from usdrigui.solve.milp import solve_milp
-from usdrigui.solve.pair_costs import near_blocks, pair_costs
+from usdrigui.solve.pair_costs import pair_costs
 from usdrigui.solve.paper import solve_by_clusters
 from usdrigui.solve.reduced_problem import PlainProblem
 
@@ -355,8 +355,9 @@ def _integer_quadratic(problem: LayoutProblem, budget: Budget) -> Assignment:
 
 def _written_down(problem: LayoutProblem, labels: LabelSet, budget: Budget) -> tuple[Floats, float]:
     """The costs of all pairs of labels, and what stands for a pair that is forbidden."""
-    pairs = pair_costs(problem, labels, near_blocks(problem, labels, budget)).toarray()
-    return pairs, infeasible_penalty(problem, labels)
+    pairs = pair_costs(problem, labels, budget)
+    assert pairs is not None
+    return pairs.toarray(), infeasible_penalty(problem, labels)
 
 
 _SOLVERS = {

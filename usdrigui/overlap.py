@@ -4,8 +4,8 @@ There are two measures: what is seen on the screen of the layout's own view (`Ov
 handles near each other or on a foreign track, and tracks that cross or run along each other; and
 the paper's mean distance of two sampled elements (`MeanOverlap`, section 4.1, eq. 1 and 2).
 
-Both the stages that build a `LayoutProblem` and those that solve it ask `least_costs`, so that they
-agree to the last bit; of blocks of labels it gives a lower bound.  numpy only.
+Both the stages that build a `LayoutProblem` and those that solve it ask `drawn_costs`, so that they
+agree to the last bit.  numpy only.
 """
 
 from __future__ import annotations
@@ -31,48 +31,32 @@ class Drawn:
     in the scene."""
 
     samples: Floats
-    """(u, d, q) positions along the tracks; of blocks, those of their centres."""
+    """(u, d, q) positions along the tracks."""
     handle: Floats
     """(d, q)."""
-    apart: Floats
-    """(u, q) how far a member of the block is from `samples` at most; zero for one label."""
-    handle_apart: Floats
-    """(q,) the same for `handle`."""
 
     @classmethod
     def of_labels(cls, samples: Floats, handles: Floats) -> Drawn:
         """One copy of labels: `samples` (q, u, d), `handles` (q, d)."""
-        count, points, _ = samples.shape
-        return cls(
-            samples.transpose(1, 2, 0), handles.T, np.zeros((points, count)), np.zeros(count)
-        )
+        return cls(samples.transpose(1, 2, 0), handles.T)
 
     def of(self, rows: Indices) -> Drawn:
         """Some of the elements."""
-        every = (self.samples, self.handle, self.apart, self.handle_apart)
-        return Drawn(*(each.take(rows, axis=-1) for each in every))
+        return Drawn(*(each.take(rows, axis=-1) for each in (self.samples, self.handle)))
 
 
-def least_costs(
-    one: Drawn, other: Drawn, overlap: AnyOverlap, separation: float
-) -> tuple[Floats, Flags]:
-    """Least cost (q,) of a member of `one` and a member of `other`, pair by pair, and whether they
-    can interact.
-
-    Exact for single labels.  +inf where all members' handles are nearer than the separation.
-    """
+def drawn_costs(one: Drawn, other: Drawn, overlap: AnyOverlap, separation: float) -> Floats:
+    """Costs (q,) of the elements `one` and `other`, pair by pair; +inf where the handles are nearer
+    than the separation."""
     between = np.sqrt(np.square(one.handle - other.handle).sum(axis=0))
-    slack = one.handle_apart + other.handle_apart
-    # Members at the separation exactly, as on a grid, are allowed: a bound must not fall short of
-    # it by rounding.
-    off = np.where(slack > 0, ROUNDING * (between + slack), 0.0)
-    allowed = between + slack + off >= separation
+    allowed = between >= separation
     if isinstance(overlap, MeanOverlap):
-        costs, near = _mean_costs(one, other, overlap)
+        distance = element_distance(one.samples, other.samples)
+        costs = overlap.weight * overlap_cost(distance, overlap)
     else:
-        costs, near = _seen_costs(one, other, between, slack, allowed, overlap)
+        costs = _seen_costs(one, other, between, allowed, overlap)
     costs[~allowed] = np.inf
-    return costs, near | (between - slack - off < separation)
+    return costs
 
 
 def pair_costs(
@@ -97,9 +81,9 @@ def pair_costs(
         for theirs in second_copies:
             near = np.flatnonzero(_boxes_meet(mine, theirs, reach))
             if len(near):
-                cost[on_face[near]] += least_costs(
+                cost[on_face[near]] += drawn_costs(
                     mine.of(near), theirs.of(near), problem.overlap, problem.separation
-                )[0]
+                )
     return cost
 
 
@@ -115,7 +99,7 @@ def own_costs(samples: Floats, handles: Floats, overlap: AnyOverlap, separation:
     for i, one in enumerate(copies):
         cost += short_costs(one, overlap)
         for other in copies[i + 1 :]:
-            cost += least_costs(one, other, overlap, separation)[0]
+            cost += drawn_costs(one, other, overlap, separation)
     return cost
 
 
@@ -156,41 +140,26 @@ def _copies(samples: Floats, handles: Floats) -> list[Drawn]:
 
 
 def _seen_costs(
-    one: Drawn, other: Drawn, between: Floats, slack: Floats, allowed: Flags, overlap: Overlap
-) -> tuple[Floats, Flags]:
+    one: Drawn, other: Drawn, between: Floats, allowed: Flags, overlap: Overlap
+) -> Floats:
     """Handles near each other, and of pairs that are `allowed` a handle on the other's track,
-    tracks that cross or run along.
-
-    A hinge (1 - distance / radius)+ falls with the distance, and a point of a track is moved by no
-    more than the farther moved end of its segment: with the slack added to the distance the hinge
-    is a lower bound.  Of blocks, crossing and running along are bounded by zero.
-    """
-    cost = overlap.near * _hinge(between + slack, overlap.near_radius)
-    near = between - slack < overlap.near_radius
+    tracks that cross or run along."""
+    cost = overlap.near * _hinge(between, overlap.near_radius)
     if overlap.room:
-        cost += overlap.room * _hinge(between + slack, overlap.room_radius)
-        near |= between - slack < overlap.room_radius
-    loose = slack + one.apart.max(axis=0) + other.apart.max(axis=0)
+        cost += overlap.room * _hinge(between, overlap.room_radius)
     radius = max(overlap.track_radius, overlap.along_radius)
-    met = np.flatnonzero(allowed & _boxes_meet(one, other, radius + loose))
+    met = np.flatnonzero(allowed & _boxes_meet(one, other, radius))
     first, second = one.of(met), other.of(met)
     for track, handle in ((first, second), (second, first)):
         starts, ends = _segments(track.samples, overlap.samples)
         gap = segment_distances(handle.handle[None], starts, ends).min(axis=0)
-        room = track.apart.max(axis=0) + handle.handle_apart
-        cost[met] += overlap.on_track * _hinge(gap + room, overlap.track_radius)
-        near[met] |= gap - room < overlap.track_radius
+        cost[met] += overlap.on_track * _hinge(gap, overlap.track_radius)
     if len(one.handle) == 2:
-        single = loose[met] == 0.0
-        near[met] |= ~single
-        met, single = met[single], np.flatnonzero(single)
-        drawn = _track_costs(first.of(single), second.of(single), overlap)
-        cost[met] += drawn
-        near[met] |= drawn > 0.0
-    return cost, near
+        cost[met] += _track_costs(first, second, overlap)
+    return cost
 
 
-def _boxes_meet(one: Drawn, other: Drawn, margin: float | Floats) -> Flags:
+def _boxes_meet(one: Drawn, other: Drawn, margin: float) -> Flags:
     """(q,) whether the boxes around what is drawn of two elements come within the margin."""
     (low, high), (other_low, other_high) = (
         (
@@ -205,7 +174,7 @@ def _boxes_meet(one: Drawn, other: Drawn, margin: float | Floats) -> Flags:
 
 def _track_costs(first: Drawn, second: Drawn, overlap: Overlap) -> Floats:
     """(q,) what tracks on a screen cost that cross, or run along each other."""
-    cost = np.zeros(len(first.handle_apart))
+    cost = np.zeros(first.handle.shape[1])
     met = np.flatnonzero(_boxes_meet(first, second, overlap.along_radius))
     one, other = (_segments(each.of(met).samples, overlap.samples) for each in (first, second))
     crossing = segments_cross(*(end[:, None] for end in one), *(end[None] for end in other))
@@ -310,19 +279,6 @@ def element_distance(first: Floats, second: Floats) -> Floats:
     square = np.square(first[:, None] - second[None]).sum(axis=2)
     nearest = np.sqrt(square.min(axis=0)).sum(axis=0) + np.sqrt(square.min(axis=1)).sum(axis=0)
     return np.asarray(nearest / (len(first) + len(second)), dtype=np.float64)
-
-
-def _mean_costs(one: Drawn, other: Drawn, overlap: MeanOverlap) -> tuple[Floats, Flags]:
-    """Moving each sample by at most its own amount changes the sum over its element's samples by no
-    more than the sum of the amounts, and each of the other's nearest distances by no more than the
-    largest."""
-    distance = element_distance(one.samples, other.samples)
-    room = np.zeros(len(distance))
-    for mine, theirs in ((one, other), (other, one)):
-        room += mine.apart.sum(axis=0) + len(theirs.samples) * mine.apart.max(axis=0, initial=0.0)
-    room /= len(one.samples) + len(other.samples)
-    cost = overlap.weight * overlap_cost(distance + room, overlap)
-    return cost, distance - room < overlap.cutoff_distance
 
 
 def _fall(z: Floats, overlap: MeanOverlap) -> Floats:

@@ -16,16 +16,18 @@ from usdrigui.errors import RigUIError
 from usdrigui.model import LayoutProblem
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import partition, solve
+from usdrigui.solve import cheap_labels, solve
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.exact import infeasible_penalty
 from usdrigui.solve.label_geometry import all_labels
-from usdrigui.solve.pair_costs import near_blocks, pair_costs
+from usdrigui.solve.pair_costs import pair_costs
 from usdrigui.solve.reduced_problem import PlainProblem
 from usdrigui.solve.toulbar2 import _solved, solve_by_toulbar2
 
 FEW = 3_000_000
 """Work that is enough for a crowd of five."""
+FEW_FIT = SolveSettings().memory_limit * 2**21 / 8**2
+"""Bytes for a pair of labels that leave room for eight."""
 
 
 def best_or_none(problem: LayoutProblem, method: str) -> float | None:
@@ -53,10 +55,16 @@ def test_bound_optimum_cost_in_this_order(seed: int) -> None:
     problem = random_problem(seed)
     best = best_of_all(problem)
     if best is not None:
-        for method, labels in (("highs", partition.ONE_BY_ONE), ("highs", 0), ("paper", 0)):
+        for method, room in (("highs", cheap_labels.BYTES_PER_PAIR), ("highs", FEW_FIT), ("paper", FEW_FIT)):
             with pytest.MonkeyPatch.context() as patch:
-                patch.setattr(partition, "ONE_BY_ONE", labels)
-                found = solve(problem, SolveSettings(method=method, work_limit=3_000))
+                patch.setattr(cheap_labels, "BYTES_PER_PAIR", room)
+                try:
+                    found = solve(problem, SolveSettings(method=method, work_limit=3_000))
+                except RigUIError as error:
+                    # Without a board the few that fit may have no layout.
+                    if room != FEW_FIT or "no layout before the work limit" not in str(error):
+                        raise
+                    continue
             assert found.bound <= best.cost + 1e-9 <= found.cost + 2e-9
 
 
@@ -162,7 +170,7 @@ def test_a_forbidden_pair_costs_local_search_more_than_any_layout_without_one() 
         labels = all_labels(problem)
         if not np.diff(labels.start).all():
             continue
-        pairs = pair_costs(problem, labels, near_blocks(problem, labels, Budget(SolveSettings()))).toarray()
+        pairs = pair_costs(problem, labels, Budget(SolveSettings())).toarray()
         penalty = infeasible_penalty(problem, labels)
         layouts = list(itertools.product(*(range(*ends) for ends in itertools.pairwise(labels.start))))
         tables = [pairs[np.ix_(each, each)] for each in layouts]

@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 
+from usdrigui.character import Indices
 from usdrigui.errors import refuse
 from usdrigui.model import Assignment, LayoutProblem
 from usdrigui.solve.assignment import assignment
 from usdrigui.solve.budget import Budget
+from usdrigui.solve.cheap_labels import cheap_labels
 from usdrigui.solve.label_geometry import LabelSet, all_labels
 from usdrigui.solve.local_search import KnownRows, LazyRows, LocalSearch
-from usdrigui.solve.pair_costs import NearPairs, pair_costs
-from usdrigui.solve.partition import ONE_BY_ONE, near_one_by_one
-from usdrigui.solve.reduce import Reduction
+from usdrigui.solve.reduce import SLOW, Reduction
 from usdrigui.solve.toulbar2 import check_installed, solve_by_toulbar2
 
-DEARER = 0.18
-"""The first layout is one of labels that cost no more than this above their variable's cheapest."""
 TRIES, TRAPS = 16, 0.5
 """Of local search per variable, and how much worse it may get on the way: a crowd has many
 traps."""
@@ -39,20 +37,37 @@ def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
     if not problem.variables:
         budget.found("local search", cost=0.0, bound=0.0)
         return assignment(problem, labels, labels.candidate, budget, "bounds")
-    least, count, method = float(labels.best.sum()), len(labels.cost), "bounds"
+    least, penalty, method = float(labels.best.sum()), infeasible_penalty(problem, labels), "bounds"
     # Layouts with a forbidden pair cost at least 1 more than all that are allowed.
-    budget.ceiling = least + infeasible_penalty(problem, labels) - 0.5
+    budget.ceiling = least + penalty - 0.5
     budget.found("linear costs", bound=least)
-    labels, near, incumbent = _first_layout(problem, labels, budget)
-    budget.note("local search", cost=incumbent.cost, labels=count, work=budget.work)
-    left = Reduction(problem, labels, near, budget, incumbent)
-    any_left = left.done()
-    figures = left.figures() if any_left else {"labels": 0}
-    found = {"cutoff": budget.cutoff, "cost": incumbent.cost, "bound": budget.bound}
-    budget.note("reduce", **figures, **found, work=budget.work)
-    if any_left and left.exact and not budget.over():
-        method = _solve_reduced(left, incumbent, budget)
-    return assignment(problem, labels, labels.candidate[incumbent.chosen], budget, method)
+    alive, chosen = np.ones(len(labels.cost), dtype=bool), np.empty(0, dtype=np.int64)
+    while True:
+        taken = cheap_labels(problem, labels, alive, chosen, budget)
+        rows, best = KnownRows(taken.pairs), np.searchsorted(taken.place, chosen)
+        incumbent = _layout_of(taken.labels, rows, best, budget, penalty)
+        if taken.stands.any() and not len(chosen):
+            best = taken.place[incumbent.chosen]
+            wide = _layout_of(labels, LazyRows(problem, labels, budget), best, budget, penalty)
+            chosen = wide.chosen
+            continue  # Their labels are taken, too.
+        budget.note("local search", cost=incumbent.cost, labels=len(taken.place), work=budget.work)
+        left = Reduction(taken, budget, incumbent)
+        any_left = left.done()
+        figures = left.figures() if any_left else {"labels": 0}
+        found = {"cutoff": budget.cutoff, "cost": incumbent.cost, "bound": budget.bound}
+        budget.note("reduce", **figures, **found, work=budget.work)
+        if any_left and left.exact and not budget.over():
+            method = _solve_reduced(left, incumbent, budget)
+        chosen = taken.place[incumbent.chosen]
+        if not any_left or left.exact or budget.over():
+            break
+        opened = taken.opened(labels, left.problem.labels, left.spare())
+        if opened.sum() > (1.0 - SLOW) * alive.sum():
+            budget.reach(taken.limit)
+            break
+        alive = opened
+    return assignment(problem, labels, labels.candidate[chosen], budget, method)
 
 
 def infeasible_penalty(problem: LayoutProblem, labels: LabelSet) -> float:
@@ -67,42 +82,17 @@ def infeasible_penalty(problem: LayoutProblem, labels: LabelSet) -> float:
     return float(1.0 + spread.sum() + overlaps + explicit)
 
 
-def _first_layout(
-    problem: LayoutProblem, labels: LabelSet, budget: Budget
-) -> tuple[LabelSet, list[NearPairs] | None, LocalSearch]:
-    """A good layout, and the labels that a better one may use, with all their near pairs where they
-    are few.
-
-    What a label costs against all others is dear to work out where there are many, so a layout of
-    labels nearly as cheap as the cheapest comes first: good layouts have hardly any others.
-    """
-    penalty = infeasible_penalty(problem, labels)
-
-    def search_among(some: LabelSet, rows: KnownRows | LazyRows) -> LocalSearch:
-        return LocalSearch(some.start, some.cost, rows, budget, penalty, tell=True)
-
-    first = None
-    if len(labels.cost) > ONE_BY_ONE:
-        few = np.flatnonzero(labels.cost - labels.best[labels.variable] <= DEARER)
-        some = labels.of(few)
-        rough = search_among(some, LazyRows(problem, some, budget))
-        rough.construct()
-        rough.search(TRIES, TRAPS)
-        wanted = labels.active_below(rough.cost)
-        wanted[few[rough.chosen]] = True
-        first = (np.cumsum(wanted) - 1)[few[rough.chosen]]
-        labels = labels.of(np.flatnonzero(wanted))
-    near = near_one_by_one(problem, labels, budget)
-    rows: KnownRows | LazyRows = LazyRows(problem, labels, budget)
-    if near is not None:
-        rows = KnownRows(pair_costs(problem, labels, near))
-    incumbent = search_among(labels, rows)
-    if first is None:
-        incumbent.construct()
+def _layout_of(
+    labels: LabelSet, rows: KnownRows | LazyRows, chosen: Indices, budget: Budget, penalty: float
+) -> LocalSearch:
+    """A good layout of some labels, from one of them on (variables,), if there is any yet."""
+    found = LocalSearch(labels.start, labels.cost, rows, budget, penalty, tell=True)
+    if len(chosen):
+        found.improve_from(chosen)
     else:
-        incumbent.improve_from(first)
-    incumbent.search(TRIES, TRAPS, budget.settings.work_limit / 2)
-    return labels, near, incumbent
+        found.construct()
+    found.search(TRIES, TRAPS, budget.settings.work_limit / 2)
+    return found
 
 
 # --- what is left ---------------------------------------------------------------------------------

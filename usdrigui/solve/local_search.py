@@ -15,8 +15,8 @@ from scipy.sparse import csr_array
 from usdrigui.character import Floats, Indices
 from usdrigui.model import LayoutProblem
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.label_geometry import LabelSet, meeting, pair_bounds
-from usdrigui.solve.pair_costs import pair_costs
+from usdrigui.solve.label_geometry import LabelSet
+from usdrigui.solve.pair_costs import explicit_costs, geometry_costs, meeting
 
 SAME = 1e-9
 """Costs that differ by no more are of the same layout."""
@@ -164,7 +164,7 @@ class LazyRows:
 
     def __init__(self, problem: LayoutProblem, labels: LabelSet, budget: Budget) -> None:
         self._problem, self._labels, self._budget = problem, labels, budget
-        self._explicit = KnownRows(pair_costs(problem, labels))
+        self._explicit = KnownRows(explicit_costs(problem, labels))
         self._together = problem.together & ~np.eye(labels.variables, dtype=bool)
         self._known: dict[int, tuple[Indices, Floats]] = {}
         self._room = self._most = budget.settings.memory_limit * 2**20 // 80
@@ -191,8 +191,8 @@ class LazyRows:
                 at = at[together[labels.variable[other.owner[at]]]]
                 if len(at):
                     self._budget.spend(len(at))
-                    piece, _ = pair_bounds(one, place, other, at, self._problem)
-                    cost[other.owner[at]] += piece
+                    mine = np.broadcast_to(place, at.shape)
+                    cost[other.owner[at]] += geometry_costs(one, mine, other, at, self._problem)
         others, costs = self._explicit.of(label)
         cost[others] += costs
         found = np.flatnonzero(cost)

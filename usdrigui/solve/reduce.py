@@ -1,4 +1,4 @@
-"""Sound reduction: bound blocks of candidates, discard what no better layout uses, split."""
+"""Sound reduction: what no better layout uses is discarded by bounds."""
 
 from __future__ import annotations
 
@@ -6,19 +6,10 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from usdrigui.character import Floats, Indices
-from usdrigui.model import LayoutProblem
 from usdrigui.solve.budget import Budget
+from usdrigui.solve.cheap_labels import CheapLabels
 from usdrigui.solve.joint_labels import Joint, couples
-from usdrigui.solve.label_geometry import LabelSet
 from usdrigui.solve.local_search import KnownRows, LocalSearch
-from usdrigui.solve.pair_costs import NearPairs, near_blocks, pair_costs, refined
-from usdrigui.solve.partition import (
-    block_set,
-    cheapest,
-    first_blocks,
-    one_by_one,
-    split,
-)
 from usdrigui.solve.reduced_problem import (
     LARGEST_TESTED,
     PlainProblem,
@@ -30,11 +21,6 @@ from usdrigui.solve.triplets import raise_bound
 
 SWEEPS = 8
 """Of dual ascent before their improvement is measured."""
-FRUSTRATED = 0.7
-"""Share of the distance to the cutoff that the blocks' own solution must leave before triplets are
-looked for."""
-NEAR = 0.02
-"""Share of the way to the cutoff in which blocks are split while the bound rises well."""
 SLOW = 0.1
 """Share of the labels, or of what the bound misses, that a step must take for another to pay."""
 SMALL = 500
@@ -47,49 +33,39 @@ TRIES = 20
 
 
 class Reduction:
-    """Blocks of labels, and what is left of the problem that they bound from below: what a layout
-    below `budget.cutoff` may use.
+    """What is left of the problem of some labels: those that a layout below `budget.cutoff` may
+    use.
 
     It shrinks in place: what goes must free its memory at once.
     """
 
-    def __init__(
-        self,
-        problem: LayoutProblem,
-        labels: LabelSet,
-        near: list[NearPairs] | None,
-        budget: Budget,
-        incumbent: LocalSearch,
-    ) -> None:
-        """`near` are all pairs of labels that may interact, where they are few.  `incumbent` holds
-        the best layout known of these labels; it is improved on the way."""
-        self._whole, self._labels, self._budget = problem, labels, budget
-        self._incumbent = incumbent
-        self.blocks = first_blocks(labels, budget) if near is None else one_by_one(labels)
-        self.block_set = block_set(labels, self.blocks)
-        self._near = near or near_blocks(problem, self.block_set, budget) or []
-        self.pairs = pair_costs(problem, self.block_set, self._near)
+    def __init__(self, taken: CheapLabels, budget: Budget, incumbent: LocalSearch) -> None:
+        """`incumbent` holds the best layout known of these labels; it is improved on the way."""
+        self._stands, self._budget, self._incumbent = taken.stands, budget, incumbent
+        self.pairs = taken.least_pairs
         """Pair costs of the problem's labels, without messages."""
-        self.linear = self.block_set.cost
+        self.linear = taken.labels.cost
         """What they cost alone."""
         self._joined: Indices | None = None
-        """(labels, variables) the blocks that joint labels stand for, -1 for other variables."""
-        numbers, cost = np.arange(len(self.block_set.cost)), self.block_set.cost.copy()
-        self.problem = ReducedProblem(self.block_set.variable, numbers, cost, self.pairs)
-        """Its labels are blocks."""
+        """(labels, variables) what joint labels stand for, -1 for other variables."""
+        numbers, cost = np.arange(len(self.linear)), self.linear.copy()
+        self.problem = ReducedProblem(taken.labels.variable, numbers, cost, self.pairs)
 
     @property
     def exact(self) -> bool:
-        """Whether every block is a single label."""
-        return bool(self.blocks.sizes.max(initial=1) == 1)
+        """Whether every label that is left is one alone."""
+        return self._joined is not None or not self._stands[self.problem.labels].any()
+
+    def spare(self) -> Floats:
+        """(n,) how far layouts that use what is left stay below the cutoff, at most."""
+        return self._budget.cutoff - self.problem.label_lower_bounds()
 
     def representatives(self, chosen: Indices) -> Indices:
-        """(variables,) the labels of least linear cost of the blocks that a solution chooses."""
-        blocks = self._members()[chosen].max(axis=0)
-        return np.asarray(cheapest(self._labels, self.blocks)[blocks])
+        """(variables,) the labels that a solution chooses."""
+        return np.asarray(self._members()[chosen].max(axis=0))
 
     def _members(self) -> Indices:
-        """(labels, variables) the block of every variable that a label stands for, or -1."""
+        """(labels, variables) the label of every variable that one stands for, or -1."""
         left = self.problem
         if self._joined is not None:
             return self._joined[left.labels]
@@ -116,39 +92,25 @@ class Reduction:
     def figures(self) -> dict[str, int]:
         """How much is left, for the report."""
         excluded = sum(int(np.isinf(each.costs).sum()) for each in self.problem.tables)
-        members = np.unique(self._members())
         return {
-            "blocks": len(self.problem.labels),
-            "labels": int(self.blocks.sizes[members[members >= 0]].sum()),
+            "labels": len(self.problem.labels),
             "excluded_pairs": excluded,
             "triplets": len(self.problem.messages),
         }
 
     def done(self) -> bool:
-        """Sweep, tighten, split, until all blocks are single labels or a limit is reached: then
-        blocks of several may be left; whether anything is."""
-        budget, share = self._budget, NEAR
-        while self._swept() and (not self.exact or self._thinned()):
-            frustrated = self._frustrated()
-            if self.exact or budget.over():
-                return True
-            if frustrated and not self.tightened():
-                return False
-            bound = self.problem.bound()
-            if not self._split(share):
-                if not self.tightened():
-                    return False
-                if self.problem.bound() <= bound:
-                    budget.reach("memory limit")
-                    return True
-            slow = self.problem.bound() - bound <= SLOW * (budget.cutoff - bound)
-            share = min(1.0, 2.0 * share) if slow else NEAR
-        return False
+        """Sweep and tighten, as far as that pays; whether anything is left."""
+        if not (self._swept() and (not self.exact or self._thinned())):
+            return False
+        self._search()
+        if self.exact or self._budget.over():
+            return True
+        return self.tightened() and (not self.exact or self._thinned())
 
     # --- local search -----------------------------------------------------------------------------
 
-    def _frustrated(self) -> bool:
-        """Look for a good layout of the blocks; whether it is far above the bound."""
+    def _search(self) -> None:
+        """Look for a better layout of what is left."""
         left = self.problem
         first = np.array([each.start + int(left.costs[each].argmin()) for each in left.slices])
         linear, penalty = self.linear[left.labels], self._incumbent.penalty
@@ -157,15 +119,8 @@ class Reduction:
         if self.exact:
             found.search(TRIES)
         self._incumbent.improve_from(self.representatives(found.chosen))
-        return found.cost - left.bound() > FRUSTRATED * (self._budget.cutoff - left.bound())
 
     # --- bounds -----------------------------------------------------------------------------------
-
-    def _lower_bounds(self) -> Floats:
-        """(blocks,) no layout that uses a block costs less."""
-        found = np.full(len(self.block_set.cost), np.inf)
-        found[self.problem.labels] = self.problem.label_lower_bounds()
-        return found
 
     def _swept(self) -> bool:
         """Raise the bound by dual ascent and take away what it excludes; whether any are left."""
@@ -183,12 +138,12 @@ class Reduction:
         return left
 
     def _reduced(self) -> bool:
-        """Take the blocks away that no layout below the cutoff uses; whether any are left."""
+        """Take the labels away that no layout below the cutoff uses; whether any are left."""
         left = reduced(self.problem, self._budget.cutoff)
         if left is None:
-            self._budget.found("blocks", bound=self._budget.cutoff)
+            self._budget.found("bounds", bound=self._budget.cutoff)
             return False
-        self._budget.found("blocks", bound=min(left.bound(), self._budget.cutoff))
+        self._budget.found("bounds", bound=min(left.bound(), self._budget.cutoff))
         self._keep(left)
         return True
 
@@ -236,21 +191,19 @@ class Reduction:
         pairs and joining gain more, else as long as it gains more than a share of what the bound
         misses; whether any are left."""
         searched = len(self.problem.costs)
-        many = self.exact and searched > LARGEST_TESTED
+        many = searched > LARGEST_TESTED
         while not self._budget.stopped():
             before, bound = len(self.problem.costs), self.problem.bound()
             raise_bound(self.problem, self._budget)
             if not (self._reduced() and self._excluded()):
                 return False
             now, labels = self.problem.bound(), len(self.problem.costs)
-            if labels > LARGEST_TESTED:
-                self._budget.lower_aim()
-            elif many:
+            if many and self.exact and labels <= LARGEST_TESTED:
                 return self._thinned()
             few_gone = labels > (1.0 - SLOW) * before
             if labels <= FEWER * searched or (self.exact and few_gone and not many):
                 searched = labels
-                self._frustrated()  # Of fewer labels a better layout is found, which excludes more.
+                self._search()  # Of fewer labels a better layout is found, which excludes more.
             missed = self._budget.cost - now
             if now - bound <= (SLOW * missed if few_gone and not many else 0.0):
                 break
@@ -270,20 +223,3 @@ class Reduction:
             if self._swept():
                 self._thinned()
         return bool(found)
-
-    def _split(self, share: float) -> bool:
-        """Split blocks and go on from the messages of their parents; whether memory allows it."""
-        bounds = self._lower_bounds()
-        parts = split(self._labels, self.blocks, self._near, bounds, share, self._budget)
-        if parts is None:
-            return False
-        older, (blocks, parent) = self.block_set, parts
-        same = (blocks.sizes > 1) | (self.blocks.sizes[parent] == 1)
-        self.blocks, self.block_set = blocks, block_set(self._labels, blocks)
-        self._near = refined(self._whole, self.block_set, self._near, parent, same, self._budget)
-        pairs = pair_costs(self._whole, self.block_set, self._near)
-        place = np.searchsorted(self.problem.labels, parent)
-        more = self.block_set.cost - older.cost[parent]
-        self.problem = self.problem.refined(place, more, self.pairs, pairs)
-        self.pairs, self.linear = pairs, self.block_set.cost
-        return True

@@ -211,33 +211,6 @@ class ReducedProblem:
         part.inherit(self, np.flatnonzero(alive))
         return part
 
-    def refined(
-        self, parent: Indices, costs: Floats, older: csr_array, pairs: csr_array
-    ) -> ReducedProblem:
-        """The problem of smaller blocks, with the messages of the blocks that they are part of.
-
-        `parent` (m,) tells each block's index here.  `costs` (m,) are their linear costs above
-        those of the parent, `older` and `pairs` the pair costs of this problem's blocks and theirs,
-        all without messages.
-        """
-        owner = self.owner[parent]
-        start = np.searchsorted(owner, np.arange(self.count + 1))
-        used = interacting(owner, pairs) | self.linked
-        tables = []
-        for at, strip in enumerate(self.tables):
-            messages = strip.costs - finite(older[strip.mine][:, strip.columns].toarray())
-            mine = slice(*start[at : at + 2].tolist())
-            columns = mine.stop + np.flatnonzero(used[at, owner[mine.stop :]])
-            found = pairs[mine][:, columns].toarray()
-            held = np.isin(parent[columns], strip.columns)
-            place = np.searchsorted(strip.columns, parent[columns[held]])
-            found[:, held] += messages[np.ix_(parent[mine] - strip.mine.start, place)]
-            tables.append(_strip(owner, mine, columns, found))
-        labels, costs = np.arange(len(parent)), self.costs[parent] + costs
-        part = ReducedProblem(owner, labels, costs, tables, self.constant)
-        part.inherit(self, parent)
-        return part
-
     def inherit(self, older: ReducedProblem, parent: Indices) -> None:
         """Take the messages of another problem; `parent` (n,) tells each label's index there."""
         self.linked = older.linked.copy()
