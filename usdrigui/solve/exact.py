@@ -15,9 +15,8 @@ from usdrigui.solve.local_search import KnownRows, LazyRows, LocalSearch
 from usdrigui.solve.reduce import SLOW, Reduction
 from usdrigui.solve.toulbar2 import check_installed, solve_by_toulbar2
 
-TRIES, TRAPS = 16, 0.5
-"""Of local search per variable, and how much worse it may get on the way: a crowd has many
-traps."""
+TRAPS = 0.5
+"""How much worse the first local search may get on its way: a crowd has many traps."""
 
 
 def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
@@ -91,7 +90,7 @@ def _layout_of(
         found.improve_from(chosen)
     else:
         found.construct()
-    found.search(TRIES, TRAPS, budget.settings.work_limit / 2)
+    found.search(TRAPS, budget.settings.work_limit / 2)
     return found
 
 

@@ -28,8 +28,6 @@ SMALL = 500
 bounds."""
 FEWER = 0.75
 """Of the labels of the last local search are left when the next one looks for a better layout."""
-TRIES = 20
-"""Of local search per variable where all pair costs are at hand: thousands take a second."""
 
 
 class Reduction:
@@ -117,7 +115,7 @@ class Reduction:
         found = LocalSearch(left.start, linear, KnownRows(self.pairs), self._budget, penalty)
         found.improve_from(first)
         if self.exact:
-            found.search(TRIES)
+            found.search()
         self._incumbent.improve_from(self.representatives(found.chosen))
 
     # --- bounds -----------------------------------------------------------------------------------
