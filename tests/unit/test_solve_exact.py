@@ -32,7 +32,7 @@ from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import Progress, cheap_labels, milp, reduce, solve
 from usdrigui.solve.assignment import assignment
-from usdrigui.solve.budget import Budget
+from usdrigui.solve.budget import LOWERED_AIM, Budget
 from usdrigui.solve.exact import infeasible_penalty, solve_whole
 from usdrigui.solve.joint_labels import Joint
 from usdrigui.solve.label_geometry import all_labels
@@ -470,6 +470,32 @@ def test_progress_only_gets_better() -> None:
     assert lower == sorted(lower)
     assert told[-1].cost == pytest.approx(found.cost)
     assert {each.step for each in told} >= {"local search", "bounds"}
+
+
+def test_half_of_the_work_lowers_the_aim() -> None:
+    budget = Budget(replace(HIGHS, gap=0.0, work_limit=100))
+    budget.found("", cost=-10.0, bound=-20.0)
+    budget.spend(49)
+    budget.lower_aim()
+    assert budget.cutoff == -10.0
+    budget.spend(1)
+    budget.lower_aim()
+    assert budget.cutoff == pytest.approx(-17.5)
+    budget.found("", bound=-17.0)
+    budget.lower_aim()
+    assert (budget.limit, budget.cutoff) == (LOWERED_AIM, pytest.approx(-17.5))
+
+
+@pytest.mark.parametrize("share", [0.2, 0.5, 0.9])
+def test_a_lower_aim_is_a_bound(share: float) -> None:
+    problem = crowd(3, variables=5, candidates=12)
+    best, budget = solve(problem, HIGHS), Budget(HIGHS)
+    assert best.status == "optimal"
+    least = sum(min(each.cost.min(), each.off_face_cost) for each in problem.variables)
+    budget.aim = best.cost - share * (best.cost - least)
+    found = solve_whole(problem, budget)
+    assert (found.status, found.closed_by) == ("stopped", LOWERED_AIM)
+    assert budget.aim - 1e-9 <= found.bound <= best.cost
 
 
 def test_work_limit_is_reproducible() -> None:

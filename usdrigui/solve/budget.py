@@ -11,8 +11,12 @@ import numpy as np
 from usdrigui.model import GAP_FLOOR, Step
 from usdrigui.settings import SolveSettings
 
+LOWERED_AIM = "aim of the work limit"
+"""Names the limit where the bound came to an aim that was lowered for the work that was left."""
 ROUNDED = 2e-9
 """Share of a cost that a proof leaves: what HiGHS may round in a bound is taken off it."""
+WITHIN_REACH = 0.25
+"""Share of the way from the bound to the cutoff that half of the work may go."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,9 +54,12 @@ class Budget:
     bound: float = -np.inf
     ceiling: float = np.inf
     """More than any allowed layout can cost; set by the solver."""
+    aim: float = np.inf
+    """A bound above this is not looked for."""
     steps: list[Step] = field(default_factory=list)
     limit: str = ""
-    """What stopped the run: ``work limit``, ``time limit``, ``memory limit`` or ``interrupt``."""
+    """What stopped the run: ``work limit``, ``time limit``, ``memory limit``, ``interrupt`` or
+    `LOWERED_AIM`."""
     _began: float = field(default_factory=time.monotonic, init=False)
     _step_began: float = field(default_factory=time.monotonic, init=False)
 
@@ -99,6 +106,13 @@ class Budget:
         """Note that a limit is reached: the run ends with what it has."""
         self.limit = self.limit or limit
 
+    def lower_aim(self) -> None:
+        """Once half of the work is done, aim at a bound that the rest of it may come to: what
+        cannot be in a layout below that goes, and with it most of what the work would be spent
+        on."""
+        if 2 * self.work >= self.settings.work_limit and np.isinf(self.aim):
+            self.aim = self.bound + WITHIN_REACH * (self.cutoff - self.bound)
+
     def closed(self) -> bool:
         """Whether the gap is within the setting, or it is proved that no layout is allowed."""
         if not np.isfinite(self.cost):
@@ -123,14 +137,17 @@ class Budget:
         """Solutions that cost at least this much need not be looked for.
 
         A little below the best cost: discarding them leaves ``min(cutoff, bound of the rest)`` as
-        the bound of the whole, which is within the gap that the settings ask for.
+        the bound of the whole, which is within the gap that the settings ask for, unless the aim is
+        lower.
         """
         if not np.isfinite(self.cost):
             return self.ceiling
-        return self.cost - 0.9 * self.allowed(self.cost)
+        return min(self.cost - 0.9 * self.allowed(self.cost), self.aim)
 
     def found(self, step: str, cost: float = np.inf, bound: float = -np.inf) -> None:
         """Tell of a layout or a bound; the best of each is kept."""
+        if bound >= self.aim:
+            self.reach(LOWERED_AIM)
         better = cost < self.cost or bound > self.bound
         self.cost, self.bound = min(self.cost, cost), max(self.bound, bound)
         if better and self.progress is not None:

@@ -20,7 +20,7 @@ from usdrigui.solve.pair_costs import explicit_costs, geometry_costs, meeting
 
 SAME = 1e-9
 """Costs that differ by no more are of the same layout."""
-TRIES = 16
+TRIES = 20
 """Of the search per variable, each time: thousands take a second where pair costs are at hand."""
 WORSE = 0.01
 """How much more than the best a layout may cost for the search to go on from it, and, in the mean,

@@ -196,7 +196,9 @@ class Reduction:
             if not (self._reduced() and self._excluded()):
                 return False
             now, labels = self.problem.bound(), len(self.problem.costs)
-            if many and self.exact and labels <= LARGEST_TESTED:
+            if self.exact and labels > LARGEST_TESTED:
+                self._budget.lower_aim()
+            elif self.exact and many:
                 return self._thinned()
             few_gone = labels > (1.0 - SLOW) * before
             if labels <= FEWER * searched or (self.exact and few_gone and not many):
