@@ -169,13 +169,14 @@ def test_a_track_that_leaves_the_skin_or_stands_still_is_drawn_all_the_same(dire
     assert np.linalg.norm(tracks.points[0] - tracks.points[1]) == pytest.approx(0.22 * 0.1)
 
 
-def test_controls_of_several_weights_leave_the_handle_of_a_board_alone():
+@pytest.mark.parametrize(("second", "moved"), [(1.0, [0]), (0.5, [])])
+def test_a_handle_on_the_board_slides_where_several_weights_are_alike(second, moved):
     rig = makers.face(9, 11)
-    mixed = replace(rig.controls[0], name="mix", drive=makers.drive((0, 1)))
+    mixed = replace(rig.controls[0], name="mix", drive=makers.drive((0, 1), weights=[[0, 0], [1, second]]))
     rig = replace(rig, controls=(*rig.controls, mixed))
     slider = element([member("mix", (1, 0, 0))], "slider", beside=True)
     handle = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, frame(0.1))[0]
-    assert handle.shapes == ()
+    assert [shape.channel for shape in handle.shapes] == moved
     assert np.allclose(handle.points[0], ORIGIN)
 
 

@@ -73,6 +73,22 @@ def test_tokens_are_mapped_by_name_over_meshes_and_animations(tmp_path):
     assert shapes == {f"/World/Char/{mesh}/s_smile" for mesh in ("Geo/Face", "Geo/Teeth", "Geo/Hat", "Tongue")}
 
 
+def test_tokens_that_an_exporter_numbered_are_one_control(tmp_path):
+    def edit(stage):
+        UsdSkel.BindingAPI(stage.GetPrimAtPath("/Char/Face")).GetBlendShapesAttr().Set(["s_smile", "s_frown"])
+        teeth = add_mesh(stage, "/Char/Teeth", "/Char/Skel")
+        add_shape(teeth, "smile", np.ones((SIDE**2, 3)))
+        UsdSkel.BindingAPI(teeth).GetBlendShapesAttr().Set(["s_smile2"])
+        _animation(stage).GetBlendShapesAttr().Set(["s_smile", "s_frown", "s_smile2"])
+        _animation(stage).GetBlendShapeWeightsAttr().Set([0.0, 0.0, 0.0])
+
+    rig = edited(tmp_path, edit)
+    assert {name: [*control.drive.channels] for name, control in controls(rig).items()} == {
+        "s_smile": [0, 2],
+        "s_frown": [1],
+    }
+
+
 def test_a_token_without_shape_is_left_off(tmp_path):
     rig = read(character(tmp_path / "char.usda"))
     assert [(each.control, each.stage, each.reason) for each in rig.left_off] == [

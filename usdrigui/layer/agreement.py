@@ -23,6 +23,7 @@ from usdrigui.character.subset import subset
 from usdrigui.character.surface import mesh_triangles, vertex_normals, weld
 from usdrigui.errors import Issue, issue
 from usdrigui.layer import author
+from usdrigui.layer.control_api import slides
 from usdrigui.layer.properties import value_of
 from usdrigui.layer.read_controls import doubtful_at, invalid_at, read_controls
 from usdrigui.layer.read_layout import base_controls, element_prims, faces_by_role, points_of
@@ -271,8 +272,7 @@ def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterat
     yield from _lengths(scene, drawn, member, subject.maximum - subject.minimum, far)
     motion = np.zeros((len(member.values), len(scene.base.points), 3))
     motion[:, moved] = offsets[2:] - offsets[1]
-    sliding = len(subject.drive.channels) == 1 and not len(subject.drive.joints)
-    yield from _along(scene, drawn, member, motion, sliding)
+    yield from _along(scene, drawn, member, motion, slides(scene.rig.body, subject.drive))
 
 
 def _lengths(

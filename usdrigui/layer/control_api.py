@@ -72,6 +72,15 @@ def is_plain(base_weights: Floats, drive: Drive) -> bool:
     return bool(abs(absolute - drive.values).max() < 1e-12)
 
 
+def slides(body: Body, drive: Drive) -> bool:
+    """Whether what does not deform slides with the control: all that it drives are weights of one
+    SkelAnimation, and those are alike, so that the first of them can carry it."""
+    animations = {body.channels[channel].animation for channel in drive.channels}
+    return (
+        len(animations) == 1 and not len(drive.joints) and not np.ptp(drive.weights, axis=1).any()
+    )
+
+
 def _driven_joints(body: Body, drive: Drive) -> dict[str, Any]:
     extent = max((float(np.abs(joint.rest[3, :3]).max()) for joint in body.joints), default=0.0)
     turns, shifts, scales = (

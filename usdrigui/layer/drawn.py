@@ -18,6 +18,7 @@ import numpy as np
 
 from usdrigui.character import Floats, Indices, Record
 from usdrigui.character.deform import keyed
+from usdrigui.layer.control_api import slides
 from usdrigui.layer.polyline import fewest_points
 from usdrigui.layer.skin_binding import AnchorBinding, JointBinding, PointShape, SkinBinding
 from usdrigui.model import Element, LayoutFrame, Member
@@ -430,11 +431,10 @@ def _slider(
 
 
 def _along_track(skin: SkinBinding, binding: AnchorBinding, member: Member) -> PointShape | None:
-    """A shape that puts the handle on its track at every weight; None unless one weight is all that
-    is driven."""
+    """A shape that puts the handle on its track at every weight; None where it does not slide."""
     control = skin.control(member.control)
     drive = control.drive
-    if len(drive.channels) != 1 or len(drive.joints):
+    if not slides(skin.rig.body, drive):
         return None
     channel = int(drive.channels[0])
     base = skin.value(member.control)

@@ -36,6 +36,9 @@ class Found:
 
     tokens: dict[tuple[str, str], int] = field(default_factory=dict)
     """Channel index by (token, animation path); grows by tokens that no animation lists."""
+    numbered: dict[str, str] = field(default_factory=dict)
+    """The name of the shape of a token that only adds a number to it.  A SkelAnimation has every
+    token once: of *smile* on three meshes Blender's exporter makes *smile*, *smile2*, *smile3*."""
     shapeless: dict[str, str] = field(default_factory=dict)
     """Why a token got no shape from some mesh."""
     issues: list[Issue] = field(default_factory=list)
@@ -93,6 +96,8 @@ def read_shapes(
     found.issues.extend(repeated(names, path, "skel:blendShapes"))
     shapes = []
     for token, target in dict(zip(names, targets, strict=True)).items():
+        if target.name not in names and token.removeprefix(target.name).isdecimal():
+            found.numbered[token] = target.name
         with found.leaving_off(str(target), (token,)):
             blend_shape = prim.GetStage().GetPrimAtPath(target)
             if not is_shape(blend_shape):
@@ -225,13 +230,21 @@ def note_tokens(prim: Usd.Prim, found: Found, reason: str) -> None:
     found.shapeless.update(dict.fromkeys(legible_tokens(prim), reason))
 
 
+def control_names(found: Found) -> dict[str, str]:
+    """The name of the control of each token: the token itself, or what it stands for."""
+    tokens = dict.fromkeys([*(token for token, _ in found.tokens), *found.shapeless])
+    plain = ((token, found.numbered.get(token, token)) for token in tokens)
+    return {token: name if name in tokens else token for token, name in plain}
+
+
 def left_off_tokens(found: Found, body: Body) -> tuple[LeftOff, ...]:
     """Tokens that no mesh implements, with the reason."""
+    names = control_names(found)
     used = {shape.channel for mesh in body.meshes for shape in mesh.shapes}
-    shaped = {token for (token, _), channel in found.tokens.items() if channel in used}
-    names = dict.fromkeys([*(token for token, _ in found.tokens), *found.shapeless])
+    shaped = {names[token] for (token, _), channel in found.tokens.items() if channel in used}
+    reasons = {names[token]: reason for token, reason in found.shapeless.items()}
     return tuple(
-        LeftOff(name, "read", found.shapeless.get(name, "no mesh has a shape for it"))
-        for name in names
+        LeftOff(name, "read", reasons.get(name, "no mesh has a shape for it"))
+        for name in dict.fromkeys(names.values())
         if name not in shaped
     )

@@ -42,24 +42,26 @@ class Draft:
     """Its drive over a range that the configuration gives it."""
 
 
-def blend_shape_drafts(body: Body, ranges: Sequence[Range]) -> list[Draft]:
+def blend_shape_drafts(
+    body: Body, ranges: Sequence[Range], names: Mapping[str, str]
+) -> list[Draft]:
     """One draft per token that some mesh implements; a token of several animations drives them
-    all.  `ranges` are those of the channels."""
+    all, and so do tokens with one of the `names`.  `ranges` are those of the channels."""
     used = {shape.channel for mesh in body.meshes for shape in mesh.shapes}
-    by_token: dict[str, list[int]] = {}
+    by_name: dict[str, list[int]] = {}
     for index, channel in enumerate(body.channels):
         if index in used:
-            by_token.setdefault(channel.token, []).append(index)
+            by_name.setdefault(names[channel.token], []).append(index)
     return [
         Draft(
-            token,
+            name,
             "",
             "blendShape",
-            token,
+            body.channels[indices[0]].token,
             _hull([ranges[index] for index in indices]),
             partial(_weight_drive, indices),
         )
-        for token, indices in by_token.items()
+        for name, indices in by_name.items()
     ]
 
 
