@@ -16,9 +16,11 @@ from scipy.sparse import csr_array
 from scipy.spatial import cKDTree
 
 from usdrigui.character import Flags, Floats, Indices, Rig
+from usdrigui.layout.motion.trajectory import of_controls
 from usdrigui.layout.reuse.retargeting import face_map
 from usdrigui.model import BaseSurface, Element, Motion, Trajectories
 from usdrigui.model.levels import outer_first
+from usdrigui.settings import TrajectorySettings
 
 _SAMPLES = 1.0 / 30.0
 """Distance of the sample points, as a share of the face."""
@@ -96,9 +98,33 @@ def over_faces(
 ) -> Agreement:
     """How alike every pair of controls of two characters acts.
 
+    Joints are compared with joints and the rest with the rest, each at the scale of what they move:
+    at that of a body all of a face is one place.  Of a pair of both kinds nothing is said, unless
+    the characters have no kind in common.
+
     `landmarks`: names after by names before, from which the map between the faces is made; the
     faces are laid over each other by size where there are too few.
     """
+    kinds = [(_of_kind(before, jointed), _of_kind(after, jointed)) for jointed in (False, True)]
+    common = [pair for pair in kinds if all(found.motions for _, found in pair)]
+    agreed = [_over(*pair, landmarks) for pair in common or [(before, after)]]
+    return Agreement(
+        np.sum([each.cosine for each in agreed], axis=0),
+        np.max([each.length * each.moving for each in agreed], axis=0),
+        np.any([each.moving for each in agreed], axis=0),
+    )
+
+
+def _of_kind(character: tuple[Rig, Trajectories], jointed: bool) -> tuple[Rig, Trajectories]:
+    rig, found = character
+    own = [i for i, each in enumerate(rig.controls) if (each.kind == "joint") == jointed]
+    return rig, of_controls(rig, found, (own, ()), TrajectorySettings())
+
+
+def _over(
+    before: tuple[Rig, Trajectories], after: tuple[Rig, Trajectories], landmarks: Mapping[str, str]
+) -> Agreement:
+    """The same of all that the trajectories move, at their scale."""
     map_ = face_map(before, after, {**dict.fromkeys(before[0].control_names, ""), **landmarks})
     samples = _thinned(before[1], _SAMPLES)
     one, other = map_.vectors(_blurred(before, samples)), _blurred(after, map_.points(samples))
