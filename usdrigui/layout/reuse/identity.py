@@ -90,8 +90,7 @@ def match_rigs(
         }
         if known == landmarks:
             break
-        same = [(names[0].index(a), names[1].index(b)) for a, b in landmarks.items()]
-        motion = over_faces(before, after, landmarks).evidence(same)[np.ix_(rows, columns)]
+        motion = over_faces(before, after, landmarks)[np.ix_(rows, columns)]
         found = _matched(one, other, name_evidence(one, other, geometry=True) + motion)
     dropped = tuple(name for name in chosen if not chosen[name])
     return _joined(names[0], decided, replace(found, left_before=(*found.left_before, *dropped)))

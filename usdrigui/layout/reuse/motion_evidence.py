@@ -33,70 +33,44 @@ _NEIGHBOURS = 64
 
 _LEAST = -4.0
 """Most evidence of motion against a pair: shapes are replaced."""
-_OFF, _UNEVEN = 0.4, 0.5
-"""How far fields of one control are from parallel (1 less the cosine) and from equal length
-(natural logarithm) in rigs of two makers."""
-_OFF_LEAST, _UNEVEN_LEAST, _ENOUGH = 0.005, 0.02, 4
-"""The least of either that matches may show, and how many it takes."""
-_SLOPE, _SHARPER = 12.0, 0.7
-"""Evidence for each unit of the cosine at that distance, and the power with which it grows as
-copies get nearer."""
-_AT_OFF, _CLOSER = 1.8, 1.6
-"""Evidence of a pair that is just so far off; what it gains for each natural logarithm by which
-copies are nearer."""
-_LENGTH, _LENGTH_MOST = 0.5, 12.0
-"""What a pair loses for each unit of the length, at that inequality and at most."""
-_SELDOM = 1.5
-"""What the evidence loses where a shape must have been sculpted anew."""
-_ANCHOR_SLOPE, _ANCHOR_MIDDLE = 5.0, 0.6
-"""Evidence for each unit of the cosine at a single point, where many controls go the same way."""
+_FIELD, _ANCHOR = (12.0, 0.45), (5.0, 0.6)
+"""Evidence for each unit of the cosine, and the cosine that says nothing: of whole fields in rigs
+of two makers, and at a single point, where many controls go the same way."""
+_LENGTH = 0.5
+"""What a pair loses for each natural logarithm by which its motions differ in length."""
 _CLOSE, _CLOSE_WEIGHT, _EXACT = 0.3, 1.5, 0.01
-"""Relative difference at an anchor below which agreement weighs more and more, until it is as small
-as rounding."""
+"""Relative difference below which agreement weighs more and more, until it is as small as rounding:
+copies of a rig differ by less than shapes of two makers."""
 
 
 @dataclass(frozen=True)
 class Agreement:
-    """How alike the fields of two rigs' controls are."""
+    """How alike the motions of two rigs' controls are."""
 
     cosine: Floats
-    """(a, b) of the fields as vectors; 0 where one of them moves nothing."""
+    """(a, b) of the motions as vectors; 0 where one of them moves nothing."""
     length: Floats
     """(a, b) magnitude of the natural logarithm of the ratio of their lengths; at most three."""
     moving: Flags
     """(a, b) whether both move anything."""
 
-    def evidence(self, same: Sequence[tuple[int, int]]) -> Floats:
-        """(a, b) logarithms of odds, for pairs `same` that are taken for one control so far.
+    def evidence(self, slope: float, middle: float) -> Floats:
+        """(a, b) logarithms of odds that two motions are of one control.
 
-        How far one maker's shape is from another's of the same name differs from pair to pair of
-        rigs, and so does what a difference means: between copies of a rig a tenth is much.  The
-        matches so far show; as single shapes may have been sculpted anew, a shape that is as far
-        off as another maker's keeps what it would have there.
+        The difference of vectors of lengths 1 and r <= 1, which is their relative difference, has
+        the square 1 + r^2 - 2 r cos.
         """
-        off, uneven = self._typical(same)
-        slope = _SLOPE * (_OFF / off) ** _SHARPER
-        close = _AT_OFF + _CLOSER * np.log(_OFF / off) + slope * (self.cosine - 1.0 + off)
-        close -= np.minimum(_LENGTH * _UNEVEN / uneven, _LENGTH_MOST) * self.length
-        loose = _SLOPE * (self.cosine - 1.0 + _OFF) + _AT_OFF - _LENGTH * self.length - _SELDOM
-        return np.where(self.moving, np.maximum(np.logaddexp(close, loose), _LEAST), 0.0)
-
-    def _typical(self, same: Sequence[tuple[int, int]]) -> tuple[float, float]:
-        """How far from parallel, and how unequal in length, the fields of one control are in the
-        middle."""
-        pairs = [pair for pair in same if self.moving[pair]]
-        if len(pairs) < _ENOUGH:
-            return _OFF, _UNEVEN
-        rows, columns = np.array(pairs).T
-        off = 1.0 - np.median(self.cosine[rows, columns])
-        uneven = np.median(self.length[rows, columns])
-        return float(np.clip(off, _OFF_LEAST, _OFF)), float(np.clip(uneven, _UNEVEN_LEAST, _UNEVEN))
+        ratio = np.exp(-self.length)
+        off = np.sqrt(np.maximum(1.0 + ratio**2 - 2.0 * ratio * self.cosine, 0.0))
+        close = np.where(off < _CLOSE, _CLOSE_WEIGHT * np.log(_CLOSE / (off + _EXACT)), 0.0)
+        found = slope * (self.cosine - middle) - _LENGTH * self.length + close
+        return np.where(self.moving, np.maximum(found, _LEAST), 0.0)
 
 
 def over_faces(
     before: tuple[Rig, Trajectories], after: tuple[Rig, Trajectories], landmarks: Mapping[str, str]
-) -> Agreement:
-    """How alike every pair of controls of two characters acts.
+) -> Floats:
+    """(before, after) evidence that a control of one character acts as one of another.
 
     Joints are compared with joints and the rest with the rest, each at the scale of what they move:
     at that of a body all of a face is one place.  Of a pair of both kinds nothing is said, unless
@@ -108,11 +82,7 @@ def over_faces(
     kinds = [(_of_kind(before, jointed), _of_kind(after, jointed)) for jointed in (False, True)]
     common = [pair for pair in kinds if all(found.motions for _, found in pair)]
     agreed = [_over(*pair, landmarks) for pair in common or [(before, after)]]
-    return Agreement(
-        np.sum([each.cosine for each in agreed], axis=0),
-        np.max([each.length * each.moving for each in agreed], axis=0),
-        np.any([each.moving for each in agreed], axis=0),
-    )
+    return np.asarray(sum(each.evidence(*_FIELD) for each in agreed))
 
 
 def _of_kind(character: tuple[Rig, Trajectories], jointed: bool) -> tuple[Rig, Trajectories]:
@@ -160,22 +130,8 @@ def at_anchors(
     for row, name in enumerate(left):
         if name in held:
             here = _at_point(trajectories.motions, len(rig.controls), points[name])[columns]
-            found[row] = _at_one_point(held[name].vector, here)
+            found[row] = _agreement(held[name].vector[None], here).evidence(*_ANCHOR)[0]
     return found
-
-
-def _at_one_point(one: Floats, other: Floats) -> Floats:
-    """(b,) evidence of a displacement (3,) and others (b, 3) at one place, where copies agree to
-    the last digit; none where nothing moves there."""
-    found = _agreement(one[None], other)
-    evidence = (
-        np.maximum(_ANCHOR_SLOPE * (found.cosine[0] - _ANCHOR_MIDDLE), _LEAST)
-        - _LENGTH * found.length[0]
-    )
-    sizes = np.maximum(np.linalg.norm(other, axis=1), np.linalg.norm(one))
-    off = np.linalg.norm(other - one, axis=1) / np.maximum(sizes, 1e-300)
-    evidence += np.where(off < _CLOSE, _CLOSE_WEIGHT * np.log(_CLOSE / (off + _EXACT)), 0.0)
-    return np.where(np.any(one) & np.any(other), np.maximum(evidence, _LEAST), 0.0)
 
 
 # --- fields ---------------------------------------------------------------------------------------
