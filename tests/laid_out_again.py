@@ -17,12 +17,12 @@ ASSETS = Path(__file__).resolve().parents[1].parent / "shared" / "assets"
 SETTINGS = load({"solve": {"gap": 1e-2}})
 
 
-def read(name):
+def read(name, settings=SETTINGS):
     """The rig of a file; skips the test where it is not there."""
     path = ASSETS / name
     if not path.is_file():
         pytest.skip(f"needs {path}")
-    return read_rigs_isolated(path, SETTINGS).rigs[0]
+    return read_rigs_isolated(path, settings).rigs[0]
 
 
 def lay_out(rig, settings=SETTINGS, **references):

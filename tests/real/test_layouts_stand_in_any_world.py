@@ -74,20 +74,20 @@ def test_a_shot_that_scales_and_turns_the_asset_gives_the_same_anchors(name, z_u
 
 @cache
 def with_whole_head(name):
-    plain = line_of(name)
+    """Of shapes alone: a body under the face is a part of its own."""
+    plain = line_of(name, "none")
     base = plain.face.surface.points
     moved = np.zeros(len(base), dtype=bool)
     for candidate_set in plain.candidates.sets:
         if candidate_set.category != "global":
             moved[plain.face.trajectories.motions[candidate_set.motion].points] = True
-    (rig,) = read_rigs(asset(name), Settings())
-    return laid_out(with_whole_head_shapes(rig, base, moved))
+    return laid_out(with_whole_head_shapes(plain.face.rig, base, moved))
 
 
 @pytest.mark.parametrize("name", ["godette", "mh_expr34", "ict_face57"])
 def test_whole_head_and_hide_shapes_stand_beside_the_face(name):
     found = homes(with_whole_head(name))
-    own = {control for control, element in homes(line_of(name)).items() if element.category == "global"}
+    own = {control for control, element in homes(line_of(name, "none")).items() if element.category == "global"}
     assert {control for control, element in found.items() if element.category == "global"} == WHOLE | own
     assert all(found[control].anchor.on_board and found[control].reason for control in WHOLE)
 

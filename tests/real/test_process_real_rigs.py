@@ -12,6 +12,7 @@ from pxr import Sdf
 
 from usdrigui.cli import main
 from usdrigui.layer.read_layout import read_layout
+from usdrigui.model.levels import states
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
 
@@ -56,12 +57,15 @@ def test_every_control_of_the_source_is_accounted_for(run):
 
 
 def test_the_bound_holds_and_handles_are_apart(run):
-    _, _, document = run
-    for character in document["characters"]:
+    """Apart among elements that are visible together: members of a coarse one stand where others do that give way."""
+    _, layer, document = run
+    for character, layout in zip(document["characters"], read_layout(layer), strict=True):
         solution = character["solution"]
         assert solution["bound"] <= solution["cost"] + 1e-9
-        spots = np.array([element["position"] for element in character["elements"] if not element["on_board"]])
-        apart = np.linalg.norm(spots[:, None] - spots[None], axis=2) + np.eye(len(spots)) * 1e30
+        elements, seen = [each for each in layout.elements if not each.anchor.on_board], states(layout.elements)
+        spots = np.array([element.anchor.position for element in elements])
+        alone = np.array([[seen[a.name].isdisjoint(seen[b.name]) for b in elements] for a in elements])
+        apart = np.linalg.norm(spots[:, None] - spots[None], axis=2) + (alone | np.eye(len(spots), dtype=bool)) * 1e30
         assert apart.min() >= character["handle_width"] * (1.0 - 1e-6)
 
 

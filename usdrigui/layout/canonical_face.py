@@ -14,11 +14,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from usdrigui.character import Flags, Floats, Record
+from usdrigui.character import Flags, Floats, Record, Rig
 from usdrigui.character.joint_tree import level, unit
 from usdrigui.conventions import Action, Meaning, actions
 from usdrigui.layout.symmetry.front import moving_normals
 from usdrigui.layout.symmetry.lobes import ASIDE
+from usdrigui.layout.symmetry.sides_of_joints import limbs_point
 from usdrigui.layout.visibility import Views
 from usdrigui.model import BaseSurface, MirrorPlane, Motion, Symmetry, Trajectories
 from usdrigui.ties import first_largest, towards
@@ -56,23 +57,26 @@ _STRAIGHT = 0.85
 """Cosine to an axis from which a face lies along it."""
 
 
-def own_up(up: Floats, trajectories: Trajectories, plane: MirrorPlane) -> Floats:
-    """(3,) unit up direction of a face in root space: `up`, that of the stage, but where the face
-    lies on its back, its belly or a side, or is tilted.
+def own_up(rig: Rig, trajectories: Trajectories, plane: MirrorPlane) -> Floats:
+    """(3,) unit up direction of a character in root space: that of the stage, but where the face
+    or body lies on its back, its belly or a side, or is tilted.
 
-    The moving skin faces ahead, and up goes across that in the mirror plane.  What moves one side
-    alone, as lids, brows and corners of the mouth do, lies above what moves both, as jaw and lips
-    do.  Faces look down or up a little, and characters are modelled along the axes: the axis near
-    to what was found is meant.
+    Limbs hang down.  Without any, the moving skin of a face faces ahead, and up goes across that in
+    the mirror plane.  What moves one side alone, as lids, brows and corners of the mouth do, lies
+    above what moves both, as jaw and lips do.  Faces look down or up a little, and characters are
+    modelled along the axes: the axis near to what was found is meant.
     """
+    up, limbs = rig.up, limbs_point(rig.body, plane)
     across = np.cross(moving_normals(trajectories), plane.normal)
-    upright = unit(across)
+    upright = -limbs if limbs.any() else unit(across)
     if abs(float(upright @ up)) > _STANDING:
         return level(up, plane.normal) if abs(plane.normal @ up) > _TILTED else up
-    if np.linalg.norm(across) < _FACING * len(trajectories.motions):
-        return up
     axis = np.eye(3)[first_largest(np.abs(upright))]
     straight = towards(level(axis, plane.normal), upright)
+    if limbs.any():
+        return straight
+    if np.linalg.norm(across) < _FACING * len(trajectories.motions):
+        return up
     if straight @ upright > _STRAIGHT:
         upright = straight
     surface = trajectories.surface
