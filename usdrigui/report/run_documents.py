@@ -35,6 +35,7 @@ def review_json(layer: str, characters: Sequence[tuple[str, Any]], issues: Seque
             "root": root,
             "cost": review.cost,
             "legibility": _legibility(review.legibility),
+            "posing": review.posing,
             "elements": review.elements,
         }
         for root, review in characters

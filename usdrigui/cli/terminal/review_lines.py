@@ -143,6 +143,15 @@ def _review(found: LayerReview) -> Iterator[Printed]:
     for root, review in found.characters:
         yield f"{root}: {len(review.elements)} elements on the character, cost {review.cost:.4f}"
         yield from clear_lines(review.legibility)
+        times = (
+            f"{name} {usual:.0f} s ({least:.0f} to {most:.0f})"
+            for name, (least, usual, most) in review.posing.items()
+        )
+        if review.posing:
+            yield (
+                "  a model, which makes lists too slow, predicts for the faces of the study:"
+                f" {', '.join(times)}"
+            )
         yield _review_table(review.elements)
         yield ("  displacement: at the handle, as a share of the control's peak; w: handle widths")
     yield from issue_lines(found.issues)

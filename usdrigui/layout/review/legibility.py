@@ -8,7 +8,7 @@ enough for a hand.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -35,8 +35,7 @@ _SHORTEST = 12.0
 def legibility(elements: tuple[Element, ...], axes: Floats) -> Legibility:
     """How clear the elements of a part are that are drawn on the skin; `axes` (2, 3) are unit
     vectors to the right and up as its viewer sees them."""
-    inner = inner_names(elements)
-    shown = [e for e in elements if e.name not in inner and not e.anchor.on_board]
+    shown = first_level(elements)
     if not shown:
         return Legibility(0, ())
     found: dict[str, list[str]] = {}
@@ -51,15 +50,28 @@ def legibility_of(face: Face, elements: tuple[Element, ...]) -> Legibility:
     return legibility(elements, screen(face.views)) if face.flat else Legibility(0, ())
 
 
-def _obstacles(shown: list[Element], axes: Floats) -> Iterator[tuple[int, str]]:
-    """The index of an element, and what is in its way; of the screen `axes` (2, 3)."""
+def first_level(elements: Sequence[Element]) -> list[Element]:
+    """The elements that are drawn on the skin before any of them is opened."""
+    inner = inner_names(elements)
+    return [e for e in elements if e.name not in inner and not e.anchor.on_board]
+
+
+def on_screen(shown: Sequence[Element], axes: Floats) -> tuple[Floats, list[Floats], Floats, float]:
+    """Handles (n, 2), the track (k, 2) of every member in order and its length, in pixels of the
+    screen `axes` (2, 3), and the pixels of a unit."""
     tracks = [member.track @ axes.T for each in shown for member in each.members]
-    owner = np.repeat(np.arange(len(shown)), [len(each.members) for each in shown])
     handles = np.stack([each.anchor.position for each in shown]) @ axes.T
     size = np.ptp(np.concatenate([handles, *tracks]), axis=0)
     pixels = SCREEN_HEIGHT / max(size[1], size[0] / _WIDEST, 1e-300)
-    handles, tracks = handles * pixels, [track * pixels for track in tracks]
+    tracks = [track * pixels for track in tracks]
     lengths = np.array([np.linalg.norm(np.diff(each, axis=0), axis=1).sum() for each in tracks])
+    return handles * pixels, tracks, lengths, float(pixels)
+
+
+def _obstacles(shown: list[Element], axes: Floats) -> Iterator[tuple[int, str]]:
+    """The index of an element, and what is in its way; of the screen `axes` (2, 3)."""
+    handles, tracks, lengths, _ = on_screen(shown, axes)
+    owner = np.repeat(np.arange(len(shown)), [len(each.members) for each in shown])
     longest = np.zeros(len(shown))
     np.maximum.at(longest, owner, lengths)
     names = [each.name for each in shown]

@@ -15,6 +15,7 @@ from usdrigui.layout.measured import Measured
 from usdrigui.layout.review.layout_faults import crowded, hidden, stale, unplaced
 from usdrigui.layout.review.layout_problem import as_problem, board_cost, sound_elements
 from usdrigui.layout.review.legibility import legibility_of
+from usdrigui.layout.review.posing_time import PosingTimes, posing_times
 from usdrigui.layout.review.rating import ElementReview, ratings
 from usdrigui.model import Candidates, Layout, Legibility
 from usdrigui.overlap import total_cost
@@ -32,6 +33,8 @@ class Review(Record):
     cost: float
     """Objective of the elements on the face at their places; inf if two handles are too near."""
     legibility: Legibility
+    posing: PosingTimes
+    """Of the first part that has any."""
 
 
 class Whole(Record):
@@ -49,10 +52,11 @@ def review(
     """Rate `layout` on the rig that was measured; faults come first, and what is faulty is not
     rated.  `whole` where it is not the layout of all of the character."""
     face, whole = known.face, whole or Whole(layout)
+    width = layout.frame.handle_width or face.handle_width
     faults = [
         *stale(face.rig, face.trajectories, (layout, whole.layout), known.settings.read),
         *unplaced(face, layout, known.requests, whole.listed),
-        *crowded(layout.elements, layout.frame.handle_width or face.handle_width),
+        *crowded(layout.elements, width),
     ]
     sound = sound_elements(face, layout.elements)
     pinned = {element.name for element in layout.elements if "anchor" in element.pinned}
@@ -71,7 +75,9 @@ def review(
     read = legibility_of(face, layout.elements)
     issues += [issue("LAYOUT_UNCLEAR", name, why) for name, why in read.unclear]
     cost = total_cost(answered[0], answered[2]) + board_cost(known, candidates, layout.elements)
-    return Review(tuple(issues), rated, cost, read)
+    listed = len(whole.layout.controls)
+    times = posing_times(face, layout.elements, width, listed) if read.elements else {}
+    return Review(tuple(issues), rated, cost, read, times)
 
 
 def joined(parts: Sequence[Review]) -> Review:
@@ -81,4 +87,5 @@ def joined(parts: Sequence[Review]) -> Review:
         tuple(element for each in parts for element in each.elements),
         sum(each.cost for each in parts),
         sum((each.legibility for each in parts), Legibility(0, ())),
+        next((each.posing for each in parts if each.posing), {}),
     )
