@@ -64,8 +64,8 @@ def test_the_bound_holds_and_handles_are_apart(run):
         assert solution["bound"] <= solution["cost"] + 1e-9
         elements, seen = [each for each in layout.elements if not each.anchor.on_board], states(layout.elements)
         spots = np.array([element.anchor.position for element in elements])
-        alone = np.array([[seen[a.name].isdisjoint(seen[b.name]) for b in elements] for a in elements])
-        apart = np.linalg.norm(spots[:, None] - spots[None], axis=2) + (alone | np.eye(len(spots), dtype=bool)) * 1e30
+        alone = np.array([[a is b or seen[a.name].isdisjoint(seen[b.name]) for b in elements] for a in elements])
+        apart = np.linalg.norm(spots[:, None] - spots[None], axis=2) + alone * 1e30
         assert apart.min() >= character["handle_width"] * (1.0 - 1e-6)
 
 

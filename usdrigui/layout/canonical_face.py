@@ -19,7 +19,7 @@ from usdrigui.character.joint_tree import level, unit
 from usdrigui.conventions import Action, Meaning, actions
 from usdrigui.layout.symmetry.front import moving_normals
 from usdrigui.layout.symmetry.lobes import ASIDE
-from usdrigui.layout.symmetry.sides_of_joints import limbs_point
+from usdrigui.layout.symmetry.sides_of_joints import legs_point
 from usdrigui.layout.visibility import Views
 from usdrigui.model import BaseSurface, MirrorPlane, Motion, Symmetry, Trajectories
 from usdrigui.ties import first_largest, towards
@@ -61,19 +61,19 @@ def own_up(rig: Rig, trajectories: Trajectories, plane: MirrorPlane) -> Floats:
     """(3,) unit up direction of a character in root space: that of the stage, but where the face
     or body lies on its back, its belly or a side, or is tilted.
 
-    Limbs hang down.  Without any, the moving skin of a face faces ahead, and up goes across that in
+    Legs go down.  Without any, the moving skin of a face faces ahead, and up goes across that in
     the mirror plane.  What moves one side alone, as lids, brows and corners of the mouth do, lies
     above what moves both, as jaw and lips do.  Faces look down or up a little, and characters are
     modelled along the axes: the axis near to what was found is meant.
     """
-    up, limbs = rig.up, limbs_point(rig.body, plane)
+    up, legs = rig.up, legs_point(rig.body, plane)
     across = np.cross(moving_normals(trajectories), plane.normal)
-    upright = -limbs if limbs.any() else unit(across)
+    upright = -legs if legs.any() else unit(across)
     if abs(float(upright @ up)) > _STANDING:
         return level(up, plane.normal) if abs(plane.normal @ up) > _TILTED else up
     axis = np.eye(3)[first_largest(np.abs(upright))]
     straight = towards(level(axis, plane.normal), upright)
-    if limbs.any():
+    if legs.any():
         return straight
     if np.linalg.norm(across) < _FACING * len(trajectories.motions):
         return up

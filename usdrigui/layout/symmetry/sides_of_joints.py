@@ -22,9 +22,6 @@ _OFF = 0.1
 rest in poses."""
 _LIMB = 3
 """Joints with skin in a chain beside the mirror plane that make a limb."""
-_TOGETHER = 0.2
-"""Share of the length of all limbs that they go one way, from which that is down: .4 to .99 in nine
-bodies."""
 _COUNT = re.compile(r"[ _.-]*\d+$")
 """What an exporter counts the joints with."""
 
@@ -106,22 +103,18 @@ def mirrored_joints(body: Body, plane: MirrorPlane) -> dict[int, int]:
     return found
 
 
-def limbs_point(body: Body, plane: MirrorPlane) -> Floats:
-    """(3,) direction of the limbs of both sides together, zero where there are none or they point
-    every way.
-
-    Arms that are spread cancel each other, and legs go down, under whatever stands on them.
-    """
+def legs_point(body: Body, plane: MirrorPlane) -> Floats:
+    """(3,) unit direction of the limbs that part from the skeleton first, of both sides together:
+    legs go down, under whatever stands on them.  Zero where there are none."""
     if not plane.normal.any():
         return np.zeros(3)
     tree, twins = Tree(body.joints, body.meshes), mirrored_joints(body, plane)
     aside = {joint for joint, twin in twins.items() if twin != joint}
-    tops = [i for i in aside if tree.parents[i] not in aside and tree.depth[i] >= _LIMB]
-    bones = [(tree.parents[i], i) for i in sorted(tree.below(tops) & aside - {*tops})]
-    starts, ends = joint_places(body.skeletons, body.joints)[
-        np.array(bones, dtype=int).reshape(-1, 2).T
-    ]
-    found = (ends - starts).sum(axis=0)
-    found -= (found @ plane.normal) * plane.normal
-    lengths = np.linalg.norm(ends - starts, axis=1).sum()
-    return unit(found) if np.linalg.norm(found) > _TOGETHER * lengths else np.zeros(3)
+    above = {i: len([*tree.above(i)]) for i in aside if tree.depth[i] >= _LIMB}
+    found, places = np.zeros(3), joint_places(body.skeletons, body.joints)
+    for top in sorted(i for i, count in above.items() if count == min(above.values())):
+        end = top
+        while tree.next(end) >= 0:
+            end = tree.next(end)
+        found += places[end] - places[top]
+    return unit(found - (found @ plane.normal) * plane.normal)
