@@ -21,6 +21,7 @@ from usdrigui.character import (
     Skin,
     Topology,
 )
+from usdrigui.model import Layout, LayoutFrame, MirrorPlane, Proof
 
 Y_UP = np.array([0.0, 1.0, 0.0])
 
@@ -251,3 +252,20 @@ def shuffled(made, order):
 def skin(count, joint=0):
     """Rigid influences of one joint."""
     return Skin(np.full((count, 1), joint), np.ones((count, 1)), "classicLinear", np.eye(4), True)
+
+
+def layout(rig, *elements, base_values=None):
+    """A layout of the elements, its handles a tenth of a unit wide."""
+    return Layout(
+        root=rig.path,
+        base_values=np.zeros(len(rig.controls)) if base_values is None else base_values,
+        elements=elements,
+        left_off=(),
+        frame=frame(0.1),
+        proof=Proof(method="", status="stopped", cost=0.0, bound=0.0, above_unary_bound=0.0),
+    )
+
+
+def frame(width):
+    view, plane = np.array([0.0, 0.0, 1.0]), MirrorPlane(origin=np.zeros(3), normal=np.zeros(3))
+    return LayoutFrame(space="object", view=view, plane=plane, handle_width=width)

@@ -7,18 +7,11 @@ from dataclasses import replace
 import makers
 import numpy as np
 import pytest
+from makers import frame, layout
 
 from usdrigui.layer.drawn import drawn_parts
 from usdrigui.layer.skin_binding import SkinBinding
-from usdrigui.model import (
-    Anchor,
-    Element,
-    Layout,
-    LayoutFrame,
-    Member,
-    MirrorPlane,
-    Proof,
-)
+from usdrigui.model import Anchor, Element, Member
 
 NAMES = ["brow_L", "chin", "smile_L", "pucker", "jawLeft"]
 ORIGIN = np.array([0.1, 0.2, 0.5])
@@ -40,22 +33,6 @@ def element(members, kind="fan", beside=False, normal=(0.0, 0.0, 1.0), opposed=(
         label="e",
         side="none",
     )
-
-
-def layout(rig, *elements, base_values=None):
-    return Layout(
-        root=rig.path,
-        base_values=np.zeros(len(rig.controls)) if base_values is None else base_values,
-        elements=elements,
-        left_off=(),
-        frame=frame(0.1),
-        proof=Proof(method="", status="stopped", cost=0.0, bound=0.0, above_unary_bound=0.0),
-    )
-
-
-def frame(width):
-    view, plane = np.array([0.0, 0.0, 1.0]), MirrorPlane(origin=np.zeros(3), normal=np.zeros(3))
-    return LayoutFrame(space="object", view=view, plane=plane, handle_width=width)
 
 
 def around(*degrees):

@@ -7,19 +7,12 @@ from dataclasses import replace
 import makers
 import numpy as np
 import pytest
+from makers import layout
 
 from usdrigui.character import Control, Drive, Joint, Skeleton, Skin
 from usdrigui.errors import RigUIError
 from usdrigui.layer.skin_binding import PointShape, SkinBinding
-from usdrigui.model import (
-    Anchor,
-    Element,
-    Layout,
-    LayoutFrame,
-    Member,
-    MirrorPlane,
-    Proof,
-)
+from usdrigui.model import Anchor, Element, Member
 
 PARENTS = [-1, 0, 1, 1, -1]
 """Hips, head, jaw and eye below the head, and a prop with a root of its own."""
@@ -76,22 +69,6 @@ def element(names, point=60, adapt="deform", beside=False):
         label="e",
         side="none",
         adapt=adapt,
-    )
-
-
-def layout(made, *elements, base_values=None):
-    return Layout(
-        root=made.path,
-        base_values=np.zeros(len(made.controls)) if base_values is None else base_values,
-        elements=elements,
-        left_off=(),
-        frame=LayoutFrame(
-            space="object",
-            view=np.array([0.0, 0, 1]),
-            plane=MirrorPlane(origin=np.zeros(3), normal=np.zeros(3)),
-            handle_width=0.1,
-        ),
-        proof=Proof(method="", status="stopped", cost=0.0, bound=0.0, above_unary_bound=0.0),
     )
 
 

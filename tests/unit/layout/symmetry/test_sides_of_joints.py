@@ -7,11 +7,14 @@ import chain
 import limbs
 import numpy as np
 import pytest
+import rig_copies
 from makers import changed
 
 from usdrigui.character.rotation import rotations
 from usdrigui.layout.symmetry.sides_of_joints import mirrored_joints
 from usdrigui.model import MirrorPlane
+from usdrigui.pipeline import Task, stages
+from usdrigui.settings import Settings
 
 ACROSS = MirrorPlane(np.zeros(3), np.array([1.0, 0.0, 0.0]))
 
@@ -110,3 +113,10 @@ def test_controls_of_unpaired_joints_are_no_twins_however_alike_they_move():
     pairs = [(of[i], of[twin]) for i, twin in enumerate(face.symmetry.twins.tolist()) if twin >= 0]
     assert pairs
     assert all(images[a] == b for a, b in pairs)
+
+
+@pytest.mark.parametrize("world", ["on its back", "on its belly", "on a side", "nodding"])
+def test_a_body_that_lies_is_up_where_its_legs_are_not(world):
+    body, rotation = limbs.whole_body(), rig_copies.WORLDS[world](np.random.default_rng(3))
+    up = rotation @ body.up if world.startswith("on ") else body.up
+    assert np.allclose(stages.character_of(rig_copies.turned(body, rotation), Task(Settings())).rig.up, up)
