@@ -57,34 +57,52 @@ _STRAIGHT = 0.85
 """Cosine to an axis from which a face lies along it."""
 
 
-def own_up(rig: Rig, trajectories: Trajectories, plane: MirrorPlane) -> Floats:
-    """(3,) unit up direction of a character in root space: that of the stage, but where the face
-    or body lies on its back, its belly or a side, or is tilted.
+def own_up(rig: Rig, plane: MirrorPlane, face: Trajectories | None) -> Floats:
+    """(3,) unit up direction of a character in root space: that of the stage, but where its body or
+    face lies on its back, its belly or a side, or is tilted.
 
-    Legs go down.  Without any, the moving skin of a face faces ahead, and up goes across that in
-    the mirror plane.  What moves one side alone, as lids, brows and corners of the mouth do, lies
-    above what moves both, as jaw and lips do.  Faces look down or up a little, and characters are
-    modelled along the axes: the axis near to what was found is meant.
+    Legs go down; without any the skin of the `face` tells, if the character has one.  Characters
+    are modelled along the axes: the axis near to what was found is meant.
     """
-    up, legs = rig.up, legs_point(rig.body, plane)
-    across = np.cross(moving_normals(trajectories), plane.normal)
-    upright = -legs if legs.any() else unit(across)
-    if abs(float(upright @ up)) > _STANDING:
-        return level(up, plane.normal) if abs(plane.normal @ up) > _TILTED else up
-    axis = np.eye(3)[first_largest(np.abs(upright))]
-    straight = towards(level(axis, plane.normal), upright)
-    if legs.any():
-        return straight
-    if np.linalg.norm(across) < _FACING * len(trajectories.motions):
+    legs = legs_point(rig.body, plane)
+    if not legs.any():
+        return rig.up if face is None else _up_of_face(rig.up, plane, face)
+    return _leveled(rig.up, plane) if _stands(legs, rig.up) else _along_axis(-legs, plane)
+
+
+def _up_of_face(up: Floats, plane: MirrorPlane, face: Trajectories) -> Floats:
+    """The moving skin faces ahead, and up goes across that in the mirror plane.  What moves one
+    side alone, as lids, brows and corners of the mouth do, lies above what moves both, as jaw and
+    lips do.  Faces look down or up a little."""
+    across = np.cross(moving_normals(face), plane.normal)
+    upright = unit(across)
+    if _stands(upright, up):
+        return _leveled(up, plane)
+    if np.linalg.norm(across) < _FACING * len(face.motions):
         return up
+    straight = _along_axis(upright, plane)
     if straight @ upright > _STRAIGHT:
         upright = straight
-    surface = trajectories.surface
+    surface = face.surface
     seen = upright, np.ones(len(surface.points), dtype=bool)
-    middles = np.array([_middle(surface, plane, seen, each) for each in trajectories.motions])
+    middles = np.array([_middle(surface, plane, seen, each) for each in face.motions])
     aside = middles[:, 0] != 0.0
     above = (aside - aside.mean()) @ middles[:, 1]
     return np.asarray(np.sign(above) * upright) if above else up
+
+
+def _stands(upright: Floats, up: Floats) -> bool:
+    return abs(float(upright @ up)) > _STANDING
+
+
+def _leveled(up: Floats, plane: MirrorPlane) -> Floats:
+    return level(up, plane.normal) if abs(plane.normal @ up) > _TILTED else up
+
+
+def _along_axis(upright: Floats, plane: MirrorPlane) -> Floats:
+    """(3,) the axis nearest to a direction, in the mirror plane."""
+    axis = np.eye(3)[first_largest(np.abs(upright))]
+    return towards(level(axis, plane.normal), upright)
 
 
 class Expectation(Record):

@@ -26,7 +26,7 @@ from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.similarity import displacement_fields, similarity
 from usdrigui.layout.motion.trajectory import at_scale_of_a_side, of_controls, trajectories
 from usdrigui.layout.parts.division import divide
-from usdrigui.layout.parts.joint_regions import FLAT, OF_SIDES
+from usdrigui.layout.parts.joint_regions import FACE, FLAT, OF_SIDES
 from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.place.handle_width import handle_width, on_face
 from usdrigui.layout.place.problem import penalty_of, placement_problem
@@ -61,7 +61,8 @@ def character_of(rig: Rig, task: Task, clock: Clock | None = None) -> Character:
         with clock.stage("symmetry"):
             whole = symmetry_at_pose(rig, found, displacement_fields(found), settings)
             parts = _parts(rig, found, whole, settings)
-        up = own_up(rig, parts[0].trajectories, whole.plane)
+        face = parts[0].trajectories if parts[0].name == FACE else None
+        up = own_up(rig, whole.plane, face)
         if again or (up == rig.up).all():
             break
         rig = replace(rig, up=up)
@@ -123,7 +124,7 @@ def measured(
         views = find_views(
             rig, found, symmetry.plane, character.viewpoint, of_sides=part.name in OF_SIDES
         )
-        names = [control.name for control in rig.controls]
+        names = rig.control_names
         read = meanings(names, numbers=True) if settings.candidates.conventions else ()
         meant, expected = believed(found, symmetry, views, read or (None,) * len(names))
         face = Face(rig, found, symmetry, views, meant, expected)

@@ -30,7 +30,7 @@ FLAT = (FACE, EYES, HEAD, INTERIOR)
 _HEAD = frozenset({"head", "頭"})
 _FACIAL = 6
 """Joints without joints below on one joint that make it a head."""
-_LIMB = 3
+LIMB = 3
 """Joints with skin in a chain beside the spine, the hands and the feet that make a body."""
 _LOW = 0.2
 """Share of a character's height below which chains side by side are toes."""
@@ -77,7 +77,7 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     for joint in tree.below(eyes):
         of_joint[joint] = of_skin[joint] = EYES
     in_limbs = {i for i, name in enumerate(of_skin) if name == BODY} - set(spine)
-    if max(tree.depth_among(in_limbs)) < _LIMB:
+    if max(tree.depth_among(in_limbs)) < LIMB:
         rest = FACE if heads else next((of_skin[fan.joint] for fan in ends), BODY)
         of_joint, of_skin = (
             [rest if name in (BODY, EYES) else name for name in each]
@@ -154,4 +154,4 @@ def _end(up: Floats, tree: Tree, joint: int, fingers: set[int]) -> str:
     them."""
     heights = (tree.places @ up)[sorted(tree.owners)]
     is_low = tree.places[joint] @ up <= heights.min() + _LOW * float(np.ptp(heights))
-    return FEET if is_low and len(tree.owners - fingers - {joint}) >= _LIMB else HANDS
+    return FEET if is_low and len(tree.owners - fingers - {joint}) >= LIMB else HANDS
