@@ -49,9 +49,9 @@ class Rig(Record):
         return self.variant_path or self.path
 
     @cached_property
-    def control_names(self) -> frozenset[str]:
-        """The names of all controls."""
-        return frozenset(control.name for control in self.controls)
+    def control_names(self) -> tuple[str, ...]:
+        """The names of all controls, in their order."""
+        return tuple(control.name for control in self.controls)
 
     @cached_property
     def control_indices(self) -> Mapping[str, int]:

@@ -415,7 +415,7 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
             found.append(issue("LAYOUT_TOPOLOGY", element.name, change))
         elif anchor.point_count not in (0, count):
             found.append(invalid_at(prim, f"rigUI:anchor:pointCount is not {count}"))
-        elif point >= 0 and rig.control_names >= element.controls:
+        elif point >= 0 and element.controls.issubset(rig.control_names):
             drawn.append(
                 _Drawn(
                     prim,

@@ -151,7 +151,7 @@ def _likeness(inputs: ProblemInputs) -> Likeness | None:
 
 
 def _group_lines(inputs: ProblemInputs) -> tuple[str, ...]:
-    names = [control.name for control in inputs.face.rig.controls]
+    names = inputs.face.rig.control_names
     return tuple(
         f"{group.kind} {group.name}: {', '.join(names[each] for each in group.controls)}"
         f" ({group.reason})"

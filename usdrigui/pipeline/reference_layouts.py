@@ -178,7 +178,7 @@ def as_sibling(references: ReferenceLayouts, rig: Rig, first: Layout) -> Referen
     """
     root = rig.path
     given = bool(references.like) or root in references.fixed or root in references.previous
-    if given or rig.control_names.isdisjoint(first.controls):
+    if given or first.controls.isdisjoint(rig.control_names):
         return references
     return replace(references, previous={**references.previous, root: first})
 

@@ -170,7 +170,7 @@ def _with_base(rig: Rig, layout: Layout, every: Mapping[str, Sequence[str]]) -> 
     own, listed = layout.base_values, every.get(rig.path, ())
     if not len(own):
         values = {each.name: each.default for each in rig.controls}
-    elif len(listed) != len(rig.controls) or not rig.control_names.issuperset(listed):
+    elif len(listed) != len(rig.controls) or not set(listed).issubset(rig.control_names):
         return layout
     else:
         values = dict(zip(listed, own.tolist(), strict=True))

@@ -122,7 +122,7 @@ def _with_neighbours(controls: tuple[Control, ...], names: Mapping[int, str]) ->
 def _inside_mouth(rig: Rig, found: Trajectories, names: Mapping[int, str]) -> list[int]:
     """The controls of the face that bear the name of a tongue or of teeth;
     a shape of the piece of surface that most controls move, the skin, is none of them."""
-    meant = meanings([control.name for control in rig.controls])
+    meant = meanings(rig.control_names)
     named = {
         control
         for control, part in names.items()

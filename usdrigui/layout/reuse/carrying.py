@@ -25,7 +25,7 @@ class Today(Record):
     def moved_by_all(self, controls: Sequence[str]) -> Indices:
         """Points that every one of these controls moves by a share of its peak; none where one of
         them moves nothing."""
-        names = [control.name for control in self.rig.controls]
+        names = self.rig.control_names
         motions = {names[each.control]: each for each in self.trajectories.motions}
         found = np.arange(len(self.points))
         for name in controls:

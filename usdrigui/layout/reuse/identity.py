@@ -18,7 +18,7 @@ from scipy.optimize import linear_sum_assignment
 from usdrigui.character import Floats, Rig
 from usdrigui.conventions import spellings
 from usdrigui.errors import Issue, issue
-from usdrigui.layout.reuse.motion_evidence import at_anchors, over_faces
+from usdrigui.layout.reuse.motion_evidence import at_anchors, kinds, over_faces
 from usdrigui.layout.reuse.name_evidence import name_evidence, same_meaning
 from usdrigui.model import SURE, Layout, Match, Trajectories
 from usdrigui.model.levels import outer_first
@@ -71,17 +71,14 @@ def match_rigs(
     counterpart.
     """
     chosen = chosen or {}
-    names = (
-        [control.name for control in before[0].controls],
-        [control.name for control in after[0].controls],
-    )
+    names = before[0].control_names, after[0].control_names
     decided = tuple(Match(a, b, 1.0, "configuration") for a, b in chosen.items() if b)
     one = [name for name in names[0] if name not in chosen]
     other = [name for name in names[1] if name not in chosen.values()]
     found = _matched(one, other, name_evidence(one, other, geometry=False))
-    rows, columns = (
-        [all_.index(name) for name in left] for all_, left in zip(names, (one, other), strict=True)
-    )
+    rows = [before[0].control_indices[name] for name in one]
+    columns = [after[0].control_indices[name] for name in other]
+    compared, named = kinds(before, after), name_evidence(one, other, geometry=True)
     landmarks: dict[str, str] | None = None
     for _ in range(_ROUNDS):
         known = landmarks
@@ -90,8 +87,7 @@ def match_rigs(
         }
         if known == landmarks:
             break
-        motion = over_faces(before, after, landmarks)[np.ix_(rows, columns)]
-        found = _matched(one, other, name_evidence(one, other, geometry=True) + motion)
+        found = _matched(one, other, named + over_faces(compared, landmarks)[np.ix_(rows, columns)])
     dropped = tuple(name for name in chosen if not chosen[name])
     return _joined(names[0], decided, replace(found, left_before=(*found.left_before, *dropped)))
 
@@ -103,8 +99,7 @@ def match_layout(layout: Layout, rig: Rig, trajectories: Trajectories) -> Matchi
     """
     members = (member for each in outer_first(layout.elements) for member in each.members)
     before = list(dict.fromkeys(member.control for member in members))
-    after = [control.name for control in rig.controls]
-    kept, left, new = _kept(before, after)
+    kept, left, new = _kept(before, rig.control_names)
     if not left:
         return Matching(kept, (), tuple(new))
     evidence = name_evidence(left, new, geometry=True) + at_anchors(

@@ -2,14 +2,14 @@
 
 Two rigs are compared over the whole face, as fields of displacements that are carried from one face
 to the other and blurred a little, so that neither topology nor a lid that lies somewhat higher
-counts.  A layout knows of each control what it does at its own anchor, to the last digit: exact
-agreement there weighs as much as a whole field.
+counts.  A layout knows of each control what it does at its own anchor alone, to the last digit.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from scipy.sparse import csr_array
@@ -67,22 +67,38 @@ class Agreement:
         return np.where(self.moving, np.maximum(found, _LEAST), 0.0)
 
 
-def over_faces(
-    before: tuple[Rig, Trajectories], after: tuple[Rig, Trajectories], landmarks: Mapping[str, str]
-) -> Floats:
-    """(before, after) evidence that a control of one character acts as one of another.
+class Kind(NamedTuple):
+    """What is compared of two characters: joints, or all else."""
 
-    Joints are compared with joints and the rest with the rest, each at the scale of what they move:
-    at that of a body all of a face is one place.  Of a pair of both kinds nothing is said, unless
-    the characters have no kind in common.
+    before: tuple[Rig, Trajectories]
+    after: tuple[Rig, Trajectories]
+    samples: Floats
+    """(m, 3) points of the one face."""
+    fields: Floats
+    """(controls, m, 3) what its controls do there."""
+
+
+def kinds(before: tuple[Rig, Trajectories], after: tuple[Rig, Trajectories]) -> list[Kind]:
+    """Joints to be compared with joints and the rest with the rest, each at the scale of what they
+    move: at that of a body all of a face is one place.  Where the characters have no kind in
+    common, everything is one."""
+    pairs = [(_of_kind(before, jointed), _of_kind(after, jointed)) for jointed in (False, True)]
+    common = [pair for pair in pairs if all(found.motions for _, found in pair)]
+    found = []
+    for one, other in common or [(before, after)]:
+        samples = _thinned(one[1], _SAMPLES)
+        found.append(Kind(one, other, samples, _blurred(one, samples)))
+    return found
+
+
+def over_faces(compared: Sequence[Kind], landmarks: Mapping[str, str]) -> Floats:
+    """(before, after) evidence that a control of one character acts as one of another; of a pair of
+    two kinds nothing is said.
 
     `landmarks`: names after by names before, from which the map between the faces is made; the
     faces are laid over each other by size where there are too few.
     """
-    kinds = [(_of_kind(before, jointed), _of_kind(after, jointed)) for jointed in (False, True)]
-    common = [pair for pair in kinds if all(found.motions for _, found in pair)]
-    agreed = [_over(*pair, landmarks) for pair in common or [(before, after)]]
-    return np.asarray(sum(each.evidence(*_FIELD) for each in agreed))
+    return np.asarray(sum(_over(each, landmarks).evidence(*_FIELD) for each in compared))
 
 
 def _of_kind(character: tuple[Rig, Trajectories], jointed: bool) -> tuple[Rig, Trajectories]:
@@ -91,13 +107,10 @@ def _of_kind(character: tuple[Rig, Trajectories], jointed: bool) -> tuple[Rig, T
     return rig, of_controls(rig, found, (own, ()), TrajectorySettings())
 
 
-def _over(
-    before: tuple[Rig, Trajectories], after: tuple[Rig, Trajectories], landmarks: Mapping[str, str]
-) -> Agreement:
-    """The same of all that the trajectories move, at their scale."""
+def _over(kind: Kind, landmarks: Mapping[str, str]) -> Agreement:
+    before, after, samples, fields = kind
     map_ = face_map(before, after, {**dict.fromkeys(before[0].control_names, ""), **landmarks})
-    samples = _thinned(before[1], _SAMPLES)
-    one, other = map_.vectors(_blurred(before, samples)), _blurred(after, map_.points(samples))
+    one, other = map_.vectors(fields), _blurred(after, map_.points(samples))
     return _agreement(one.reshape(len(one), -1), other.reshape(len(other), -1))
 
 

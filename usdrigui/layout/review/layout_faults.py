@@ -59,7 +59,7 @@ def stale(
     # Positions of another base pose cannot be compared.
     comparable = not posed and np.allclose(layout.base_values, 0.0)
     meshes = {mesh.path: mesh for mesh in rig.body.meshes}
-    known = rig.control_names
+    known = {*rig.control_names}
     lacking = not known.issuperset(layout.controls)
     renamed = match_layout(layout, rig, trajectories).renamed if lacking else {}
     anchored = dict.fromkeys(element.anchor.mesh for element in whole.elements)

@@ -22,7 +22,7 @@ def shortfalls(known: Measured, elements: tuple[Element, ...]) -> tuple[Issue, .
 
 def _still_places(known: Measured, elements: tuple[Element, ...]) -> Iterator[Issue]:
     face, least = known.face, known.settings.candidates.least_kept
-    names = [control.name for control in face.rig.controls]
+    names = face.rig.control_names
     asked = dict(zip(names, known.requests.configured, strict=True))
     peaks = {face.control_name(each.control): each.peak for each in face.trajectories.motions}
     for element in elements:

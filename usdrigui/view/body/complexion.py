@@ -228,8 +228,7 @@ def _on_face(layout: Layout) -> list[Element]:
 
 def _actions(rig: Rig) -> Mapping[str, Action]:
     """What controls do by their names, as far as these have a known meaning."""
-    names = [control.name for control in rig.controls]
-    read = zip(names, meanings(names), strict=True)
+    read = zip(rig.control_names, meanings(rig.control_names), strict=True)
     return {name: meaning.action for name, meaning in read if meaning is not None}
 
 

@@ -180,7 +180,7 @@ def _character(arrays: _Arrays, rig: Rig, layout: Layout) -> Json:
 def _identity(rig: Rig) -> str:
     """Hex digest of what work on a character belongs to: its meshes and controls, not its layout or
     animation."""
-    found = hashlib.sha256(json.dumps([rig.path, [each.name for each in rig.controls]]).encode())
+    found = hashlib.sha256(json.dumps([rig.path, rig.control_names]).encode())
     for mesh in rig.body.meshes:
         found.update(mesh.path.encode() + np.ascontiguousarray(mesh.points, dtype="<f4").tobytes())
     return found.hexdigest()[:32]
