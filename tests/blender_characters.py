@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import laid_out
+import makers
 import numpy as np
 import skinned_stages
 from pxr import Sdf, Usd, UsdGeom
@@ -16,11 +17,7 @@ from usdrigui.layer.write_layout import stage_metadata, write_layout
 from usdrigui.model import (
     Anchor,
     Element,
-    Layout,
-    LayoutFrame,
     Member,
-    MirrorPlane,
-    Proof,
 )
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, Settings
@@ -90,18 +87,12 @@ def sample(folder):
     (rig,) = read_rigs(source, Settings())
     base = posed(rig)
     elements = [_on_face(rig, base, name, *said) for name, said in _ON_FACE.items()]
-    layout = Layout(
-        root=rig.path,
+    layout = makers.layout(
+        rig,
+        *elements,
+        _joystick(rig),
         base_values=laid_out.defaults(rig),
-        elements=(*elements, _joystick(rig)),
-        left_off=(),
-        frame=LayoutFrame(
-            space="object",
-            view=np.array([0.0, 0.0, 1.0]),
-            plane=MirrorPlane(origin=np.zeros(3), normal=np.array([1.0, 0.0, 0.0])),
-            handle_width=0.44,
-        ),
-        proof=Proof(method="hand", status="stopped", cost=0.0, bound=-np.inf, above_unary_bound=0.0),
+        drawn=makers.frame(0.44, normal=(1.0, 0.0, 0.0)),
     )
     target = folder / "char.rigui.usda"
     write_layout([(rig, layout)], source, target, OutputSettings(), stage_metadata(Sdf.Layer.FindOrOpen(str(source))))

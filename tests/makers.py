@@ -254,18 +254,19 @@ def skin(count, joint=0):
     return Skin(np.full((count, 1), joint), np.ones((count, 1)), "classicLinear", np.eye(4), True)
 
 
-def layout(rig, *elements, base_values=None):
-    """A layout of the elements, its handles a tenth of a unit wide."""
+def layout(rig, *elements, base_values=None, drawn=None):
+    """A layout of the elements, in the frame `drawn`: by default one in which a handle is a tenth of a unit wide."""
     return Layout(
         root=rig.path,
         base_values=np.zeros(len(rig.controls)) if base_values is None else base_values,
         elements=elements,
         left_off=(),
-        frame=frame(0.1),
-        proof=Proof(method="", status="stopped", cost=0.0, bound=0.0, above_unary_bound=0.0),
+        frame=drawn or frame(0.1),
+        proof=Proof(method="", status="stopped", cost=0.0, bound=-np.inf, above_unary_bound=0.0),
     )
 
 
-def frame(width):
-    view, plane = np.array([0.0, 0.0, 1.0]), MirrorPlane(origin=np.zeros(3), normal=np.zeros(3))
-    return LayoutFrame(space="object", view=view, plane=plane, handle_width=width)
+def frame(width, view=(0.0, 0.0, 1.0), normal=(0.0, 0.0, 0.0)):
+    """Of handles of a width, seen from `view`, with the mirror plane through the origin that has the `normal`."""
+    plane = MirrorPlane(origin=np.zeros(3), normal=np.array(normal))
+    return LayoutFrame(space="object", view=np.asarray(view, dtype=np.float64), plane=plane, handle_width=width)

@@ -10,11 +10,7 @@ from usdrigui.character.deform import deform, knots, posed, sweep
 from usdrigui.model import (
     Anchor,
     Element,
-    Layout,
-    LayoutFrame,
     Member,
-    MirrorPlane,
-    Proof,
 )
 
 MIRRORS = {f"{name}_{a}": f"{name}_{b}" for name in makers.LEFT_BUMPS for a, b in (("L", "R"), ("R", "L"))}
@@ -44,18 +40,11 @@ def peak_layout(rig, view=(0.0, 0.0, 1.0), mirrors=None, groups=(), beside=()):
         element(rig, base, name, kind, members, opposed, mirrors, False) for name, kind, members, opposed in groups
     ]
     spread = np.ptp(deform(rig), axis=0)
-    return Layout(
-        root=rig.path,
+    return makers.layout(
+        rig,
+        *(each for each in elements if each is not None),
         base_values=np.array([control.default for control in rig.controls]),
-        elements=tuple(each for each in elements if each is not None),
-        left_off=(),
-        frame=LayoutFrame(
-            space="object",
-            view=np.asarray(view, dtype=np.float64),
-            plane=MirrorPlane(origin=np.zeros(3), normal=np.array([1.0, 0.0, 0.0])),
-            handle_width=0.02 * float(spread.max()),
-        ),
-        proof=Proof(method="peak", status="stopped", cost=0.0, bound=-np.inf, above_unary_bound=0.0),
+        drawn=makers.frame(0.02 * float(spread.max()), view, (1.0, 0.0, 0.0)),
     )
 
 

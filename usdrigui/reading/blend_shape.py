@@ -230,7 +230,7 @@ def note_tokens(prim: Usd.Prim, found: Found, reason: str) -> None:
     found.shapeless.update(dict.fromkeys(legible_tokens(prim), reason))
 
 
-def control_names(found: Found) -> dict[str, str]:
+def controls_of_tokens(found: Found) -> dict[str, str]:
     """The name of the control of each token: the token itself, or what it stands for."""
     tokens = dict.fromkeys([*(token for token, _ in found.tokens), *found.shapeless])
     plain = ((token, found.numbered.get(token, token)) for token in tokens)
@@ -239,7 +239,7 @@ def control_names(found: Found) -> dict[str, str]:
 
 def left_off_tokens(found: Found, body: Body) -> tuple[LeftOff, ...]:
     """Tokens that no mesh implements, with the reason."""
-    names = control_names(found)
+    names = controls_of_tokens(found)
     used = {shape.channel for mesh in body.meshes for shape in mesh.shapes}
     shaped = {names[token] for (token, _), channel in found.tokens.items() if channel in used}
     reasons = {names[token]: reason for token, reason in found.shapeless.items()}

@@ -24,7 +24,7 @@ from usdrigui.character import (
     Rig,
 )
 from usdrigui.errors import Faults, Issue, issue, listed, of_character, refuse
-from usdrigui.reading.blend_shape import Binding, Found, control_names, left_off_tokens
+from usdrigui.reading.blend_shape import Binding, Found, controls_of_tokens, left_off_tokens
 from usdrigui.reading.clips import Animated, read_clip, read_still, time_codes, weights_at
 from usdrigui.reading.control import (
     Draft,
@@ -264,7 +264,7 @@ def _drafts(
     animated, clip, found, read = scene.animated, scene.clip, scene.found, settings.read
     body, named = animated.body, bool(scene.names.frames)
     ranges = read_ranges(root, animated, clip, found.issues)
-    drafts = blend_shape_drafts(body, ranges, control_names(found))
+    drafts = blend_shape_drafts(body, ranges, controls_of_tokens(found))
     by_place = read.joints == "auto" and has_limbs(body)
     which = "none" if by_place or (named and read.joints == "auto") else read.joints
     drafts += joint_drafts(body.joints, clip, which, settings)

@@ -14,6 +14,7 @@ from usdrigui.cli.terminal.run_lines import (
     percent,
 )
 from usdrigui.cli.terminal.table import Table, Verbatim
+from usdrigui.clients.study import INTERFACES
 
 if TYPE_CHECKING:
     from usdrigui.cli.terminal.screen import Printed
@@ -144,7 +145,7 @@ def _review(found: LayerReview) -> Iterator[Printed]:
         yield f"{root}: {len(review.elements)} elements on the character, cost {review.cost:.4f}"
         yield from clear_lines(review.legibility)
         times = (
-            f"{name} {usual:.0f} s ({least:.0f} to {most:.0f})"
+            f"{INTERFACES[name]} {usual:.0f} s ({least:.0f} to {most:.0f})"
             for name, (least, usual, most) in review.posing.items()
         )
         if review.posing:
