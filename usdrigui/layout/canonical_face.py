@@ -53,8 +53,6 @@ _STANDING = 0.7
 """Cosine to the up axis of the stage from which a face stands."""
 _TILTED = 0.005
 """Sine of the angle between its mirror plane and the up axis from which a face is tilted."""
-_STRAIGHT = 0.85
-"""Cosine to an axis from which a face lies along it."""
 
 
 def own_up(rig: Rig, plane: MirrorPlane, face: Trajectories | None) -> Floats:
@@ -80,9 +78,7 @@ def _up_of_face(up: Floats, plane: MirrorPlane, face: Trajectories) -> Floats:
         return _leveled(up, plane)
     if np.linalg.norm(across) < _FACING * len(face.motions):
         return up
-    straight = _along_axis(upright, plane)
-    if straight @ upright > _STRAIGHT:
-        upright = straight
+    upright = _along_axis(upright, plane)
     surface = face.surface
     seen = upright, np.ones(len(surface.points), dtype=bool)
     middles = np.array([_middle(surface, plane, seen, each) for each in face.motions])

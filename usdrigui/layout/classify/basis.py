@@ -55,7 +55,7 @@ def choose_basis(cosine: Floats, costs: Floats, twins: Indices) -> Basis:
     """A cheap set of atoms that explains all other motions.
 
     `cosine` (m, m) of the motions as vectors over the surface; `costs` (m,) of being an atom,
-    negative for those that are to be one in any case; `twins` (m,) the mirror motion of each,
+    0 or less for those that are to be one in any case; `twins` (m,) the mirror motion of each,
     itself or -1.  Where costs tie, the earlier motion is the atom.
     """
     atoms = np.ones(len(costs), dtype=bool)

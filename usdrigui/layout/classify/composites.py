@@ -27,8 +27,6 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.model import Category
 
-_UNNAMED_SIDE = 0.5
-"""Importance of a control of one side whose name means nothing: less than that of any action."""
 _NAMED = 3
 """Parts of a mixture that its explanation names."""
 
@@ -85,8 +83,8 @@ def _costs(
     meanings: Sequence[Meaning | None], coverage: Floats, families: Sequence[Family], twins: Indices
 ) -> Floats:
     """(m,) what it costs that each is an atom, of which only the order counts: members of a family
-    first, then copies for both sides, then what has no name, the widest first; negative for one
-    that is to be one in any case."""
+    first, then copies for both sides, then what has no name, the widest first; 0 for one of one
+    side without a name, and negative for an action, which are to be one in any case."""
     sides: dict[str, set[str]] = {}
     for meaning in meanings:
         if meaning is not None:
@@ -98,7 +96,7 @@ def _costs(
             costs[i] += 2.0
         elif meaning is None:
             if twins[i] not in (-1, i):
-                costs[i] = -_UNNAMED_SIDE
+                costs[i] = 0.0
         else:
             action = meaning.action
             of_one_place = meaning.side or meaning.middle or action.is_central

@@ -45,9 +45,6 @@ any place does."""
 _COINCIDENT = 1e-9
 """Separation that forbids only a shared point, in face sizes."""
 
-_SAME = 1e-6
-"""Widths that differ by a smaller share are the same."""
-
 
 class PlacementProblem(Record):
     """The problem whose solution is the layout of all groups that may stand on the face."""
@@ -132,7 +129,7 @@ def _constants(face: Face, settings: ObjectiveSettings) -> tuple[AnyOverlap, flo
     separation = width if settings.separation else _COINCIDENT * trajectories.surface.face_size
     if settings.overlap == "seen":
         # A crowd that made handles narrower has no room to give.
-        has_room = width >= (1.0 - _SAME) * settings.handle_size * trajectories.surface.face_size
+        has_room = width >= settings.handle_size * trajectories.surface.face_size
         seen = Overlap(
             samples=settings.samples,
             handle_width=width,

@@ -75,10 +75,11 @@ def match_rigs(
     decided = tuple(Match(a, b, 1.0, "configuration") for a, b in chosen.items() if b)
     one = [name for name in names[0] if name not in chosen]
     other = [name for name in names[1] if name not in chosen.values()]
-    found = _matched(one, other, name_evidence(one, other, geometry=False))
+    named = name_evidence(one, other)
+    found = _matched(one, other, named)
     rows = [before[0].control_indices[name] for name in one]
     columns = [after[0].control_indices[name] for name in other]
-    compared, named = kinds(before, after), name_evidence(one, other, geometry=True)
+    compared = kinds(before, after)
     landmarks: dict[str, str] | None = None
     for _ in range(_ROUNDS):
         known = landmarks
@@ -102,9 +103,7 @@ def match_layout(layout: Layout, rig: Rig, trajectories: Trajectories) -> Matchi
     kept, left, new = _kept(before, rig.control_names)
     if not left:
         return Matching(kept, (), tuple(new))
-    evidence = name_evidence(left, new, geometry=True) + at_anchors(
-        layout.elements, left, rig, trajectories, new
-    )
+    evidence = name_evidence(left, new) + at_anchors(layout.elements, left, rig, trajectories, new)
     return _joined(before, kept, _matched(left, new, evidence))
 
 

@@ -22,12 +22,9 @@ from usdrigui.model import BaseSurface, Element, Motion, Trajectories
 from usdrigui.model.levels import outer_first
 from usdrigui.settings import TrajectorySettings
 
-_SAMPLES = 1.0 / 30.0
-"""Distance of the sample points, as a share of the face."""
-_CELLS = 1.0 / 60.0
-"""Size of the cells over which displacements are averaged first, as a share of the face."""
 _BLUR = 0.03
-"""Standard deviation of the blur, as a share of the face."""
+"""Standard deviation of the blur, as a share of the face; so far apart are the sample points, and
+half as wide the cells over which displacements are averaged first."""
 _NEIGHBOURS = 64
 """Cells within two standard deviations, at most."""
 
@@ -86,7 +83,7 @@ def kinds(before: tuple[Rig, Trajectories], after: tuple[Rig, Trajectories]) -> 
     common = [pair for pair in pairs if all(found.motions for _, found in pair)]
     found = []
     for one, other in common or [(before, after)]:
-        samples = _thinned(one[1], _SAMPLES)
+        samples = _thinned(one[1], _BLUR)
         found.append(Kind(one, other, samples, _blurred(one, samples)))
     return found
 
@@ -173,7 +170,7 @@ def _blurred(character: tuple[Rig, Trajectories], points: Floats) -> Floats:
     rig, trajectories = character
     surface, places = trajectories.surface, _moved_places(trajectories)
     areas, size = _areas(surface, places), surface.face_size
-    grid = np.floor(surface.points[places] / (_CELLS * size))
+    grid = np.floor(surface.points[places] / (0.5 * _BLUR * size))
     number = np.unique(grid, axis=0, return_inverse=True)[1].reshape(-1)
     area = np.bincount(number, areas)
     shape = len(area), len(surface.points)

@@ -21,21 +21,15 @@ _OTHER_ACTION = -2.5
 _SHARED_WORDS = 2.5
 """Of names all of whose words mean the same; in proportion where some do."""
 _OTHER_SIDE = 1.5
-_OTHER_SIDE_ALONE = 4.0
-"""What names lose that name two sides, where geometry tells the sides too, and where it does not:
-rigs that mean the side of the viewer are not rare."""
+"""What names lose that name two sides: rigs that mean the side of the viewer are not rare."""
 _ONE_SIDE = 0.5
 """Share of that which is lost where only one of two names has a side."""
 
 
-def name_evidence(before: Sequence[str], after: Sequence[str], *, geometry: bool) -> Floats:
-    """(before, after) logarithms of odds that two names are of one control.
-
-    `geometry`: whether evidence of motion is added, which tells sides better than names do.
-    """
+def name_evidence(before: Sequence[str], after: Sequence[str]) -> Floats:
+    """(before, after) logarithms of odds that two names are of one control."""
     spelt, meant = (spellings(before), spellings(after)), (meanings(before), meanings(after))
     usual = tuple(Counter(_sense(each) for each in rig if each is not None) for rig in meant)
-    side_weight = _OTHER_SIDE if geometry else _OTHER_SIDE_ALONE
     found = np.zeros((len(before), len(after)))
     for i, name in enumerate(before):
         for j, other in enumerate(after):
@@ -51,7 +45,7 @@ def name_evidence(before: Sequence[str], after: Sequence[str], *, geometry: bool
                     * len(one.senses & two.senses)
                     / max(1, len(one.senses | two.senses))
                     + _by_meaning(*senses, *usual)
-                    - side_weight * _sides(*senses, one, two)
+                    - _OTHER_SIDE * _sides(*senses, one, two)
                 )
     return found
 

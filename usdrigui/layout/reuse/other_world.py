@@ -30,8 +30,7 @@ def up_of(layout: Layout) -> Floats | None:
     if layout.frame.view @ ahead <= _LYING * np.linalg.norm(ahead) or length < _SIDEWAYS:
         return None
     axis = int(np.abs(up).argmax())
-    straight = np.sign(up[axis]) * np.eye(3)[axis]
-    return straight if abs(up[axis]) > _LYING * length else up / length
+    return np.asarray(np.sign(up[axis]) * np.eye(3)[axis])
 
 
 def other_up(layout: Layout, up: Floats) -> Floats | None:

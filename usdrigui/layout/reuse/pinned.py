@@ -16,6 +16,7 @@ import numpy as np
 from usdrigui.character import Rig
 from usdrigui.character.deform import posed
 from usdrigui.errors import Issue, RigUIError, issue, refuse
+from usdrigui.layout.motion.coverage import NOTABLE
 from usdrigui.layout.reuse.carrying import MOVES, Today, carried, point_named
 from usdrigui.layout.reuse.other_world import turn_between
 from usdrigui.layout.reuse.partial_layout import MIRROR, fixed_anchor, place_of
@@ -32,9 +33,6 @@ from usdrigui.model import (
 from usdrigui.model.levels import with_levels
 from usdrigui.settings import ControlSettings
 from usdrigui.ties import first_smallest
-
-_SHARED = 0.25
-"""Share of its peak by which a control moves a point that is its own as well as its twin's."""
 
 
 @dataclass(frozen=True)
@@ -236,7 +234,7 @@ def _image(trajectories: Trajectories, symmetry: Symmetry, twin: int, point: int
     """The mirror image of a point, or what the twin moves nearest to that; -1 where it moves
     nothing, or that point too: the two ends of a jaw's axis may be one element."""
     motion = next((each for each in trajectories.motions if each.control == twin), None)
-    if motion is None or motion.arc_length[motion.points == point].sum() >= _SHARED * motion.peak:
+    if motion is None or motion.arc_length[motion.points == point].sum() >= NOTABLE * motion.peak:
         return -1
     partner = int(symmetry.partner[point])
     if partner in motion.points:

@@ -24,7 +24,6 @@ CUTOFF_DISTANCE = 4.0
 """Handle widths from the corresponding place at which the whole penalty is due."""
 
 _LEAST_FOR_SIMILARITY = 8
-_LEAST_FOR_WARP = 16
 _POWERS = (2.0, 12.0)
 """Of the distance moved, as weights of the two landmarks of a control: a wide mean and one close to
 the peak."""
@@ -37,9 +36,6 @@ _FOLDS = 8
 _NO_WORSE = 1.1
 """The smoothest warp is taken that predicts landmarks it has not seen no worse than this many times
 the best one."""
-_FAR_OFF = 3.0
-"""Landmarks that a warp misses by more than this many times the median miss count no more than
-so."""
 _FLAT = 1e-3
 """Least share of the largest spread that landmarks have in their second direction: fewer lie on a
 line."""
@@ -104,11 +100,7 @@ class FaceMap:
     def points(self, points: Floats) -> Floats:
         """(m, 3) where points (m, 3) of the one face are on the other."""
         aligned = self.similarity(points)
-        return (
-            _warped(self.source, self.target, aligned)
-            if len(self.source) >= _LEAST_FOR_WARP
-            else aligned
-        )
+        return _warped(self.source, self.target, aligned) if len(self.source) else aligned
 
     def vectors(self, vectors: Floats) -> Floats:
         """(..., 3) displacements as the other face has them, without the warp."""
@@ -211,8 +203,7 @@ def _warped(source: Floats, target: Floats, points: Floats) -> Floats:
         for row, smoothing in enumerate(_SMOOTHINGS):
             found = _thin_plate(source[~out], target[~out], smoothing, source[out])
             missed[row, out] = np.linalg.norm(found - target[out], axis=1)
-    middle = np.median(missed, axis=1, keepdims=True)
-    error = np.minimum(missed, _FAR_OFF * middle).mean(axis=1)
+    error = np.median(missed, axis=1)
     chosen = int(np.flatnonzero(error <= _NO_WORSE * error.min()).max())
     return _thin_plate(source, target, _SMOOTHINGS[chosen], points)
 

@@ -154,5 +154,5 @@ def test_a_doubled_element_is_the_same_whichever_side_comes_first(line):
     ],
 )
 def test_other_words_for_one_thing_and_one_action_unit_speak_for_a_pair(name, counterpart, others):
-    found = name_evidence.name_evidence([name, "jawOpen"], [counterpart, *others, "Jaw_Lower"], geometry=True)[0]
+    found = name_evidence.name_evidence([name, "jawOpen"], [counterpart, *others, "Jaw_Lower"])[0]
     assert found[0] > max(found[1:]) + 0.5
