@@ -10,6 +10,7 @@ from usdrigui import errors
 from usdrigui.cli import main
 from usdrigui.cli.terminal.review_lines import facts_table
 from usdrigui.cli.terminal.run_lines import issue_lines, on_what, percent
+from usdrigui.cli.terminal.table import Table
 from usdrigui.report import inspection
 
 
@@ -75,6 +76,7 @@ def test_one_long_name_squeezes_no_other_column():
     assert sum(line.count("x") for line in lines) == 240
     assert any("smile_R" in line and "global" in line for line in lines)
     assert len(lines) < 12
+    assert [*Table("a | b", [("x", "y")], below="b").lines(4)] == ["a  b", "x  y"]
 
 
 def test_a_finding_is_one_line_of_two_sentences():

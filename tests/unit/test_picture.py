@@ -180,9 +180,11 @@ def test_a_board_fills_its_box_in_columns(rig, layout, width):
     assert len(places) == len(elements) + len(set(words))
     assert (places >= 0.0).all()
     assert (places <= panel.size).all()
-    headings = [label.place[1] for label in panel.labels if label.ink == flat.QUIET]
+    headings = [label.place for label in panel.labels if label.ink == flat.QUIET]
     assert len(headings) == len(words)
-    assert max(headings) < places[:, 1].max()
+    assert headings[0] == (14.0, 25.0)
+    for heading in headings:  # a row above the first of its names, which stand behind their symbols
+        assert np.isclose(places - heading, [48.0, 22.0]).all(axis=1).any()
     for mark in panel.marks:
         points = np.concatenate([*mark.tracks, mark.handle[None]])
         assert (points >= 0.0).all()
@@ -366,6 +368,7 @@ def test_leader_lines_cross_no_other_and_no_name(count):
     texts = ["n" * random.integers(1, 30) for _ in range(count)]
     labels, leaders = callouts.called_out(places, texts, (800, 600))
     assert sorted(label.text for label in labels) == sorted(texts)
+    assert sum(label.anchor[0] == "l" for label in labels) == count // 2
     assert {tuple(line[-1]) for line in leaders} == set(map(tuple, places))
     for anchor in "lr":
         lines = [line for line, label in zip(leaders, labels, strict=True) if label.anchor[0] == anchor]
