@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 import tomllib
 import traceback
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
 from difflib import get_close_matches
@@ -18,7 +18,7 @@ from enum import IntEnum
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from typing import Literal, TypeVar
+from typing import Literal
 
 _SLIP = 0.85
 """Likeness (difflib) from which a name is another with a slip of a letter."""
@@ -27,7 +27,6 @@ _SLIP = 0.85
 NO_LAYOUT = ("LAYOUT_MISSING", "LAYOUT_OFF")
 """What a stage without a layout is refused for by all that need one."""
 
-T = TypeVar("T")
 Severity = Literal["info", "warning", "error"]
 
 
@@ -173,18 +172,6 @@ def failure_json(asset: str, error: RigUIError) -> str:
         "issues": [asdict(each) for each in error.issues],
     }
     return json.dumps(document, indent=2, ensure_ascii=False) + "\n"
-
-
-def explained(tell: Callable[[], T], instead: T, path: str) -> tuple[T, tuple[Issue, ...]]:
-    """The result of `tell`, or `instead` and the warning EXPLANATION_FAILED where it raises.
-
-    For explanations of a layout alone, which decide nothing in it: a bug there costs the
-    words, not the layout. Refusals, interruptions and want of memory pass.
-    """
-    try:
-        return tell(), ()
-    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
-        return instead, (issue("EXPLANATION_FAILED", path, f"{type(error).__name__}: {error}"),)
 
 
 def sentences(found: Issue) -> str:

@@ -166,7 +166,6 @@ def SkelRoot "Char\""""),
             _WEIGHTS + " (limits = { dictionary hard = { float[] minimum = [1, 0]; float[] maximum = [0, 1] } })",
         ),
     ),
-    "TOKEN_ORDER": (('token[] blendShapes = ["smile", "frown"]', 'token[] blendShapes = ["frown", "smile"]'),),
     "WEIGHTS_BEYOND_LIMITS": (
         (
             _WEIGHTS,
@@ -199,10 +198,6 @@ def SkelRoot "Char\""""),
     ),
     "UNITS_TYPE": (("metersPerUnit = 0.01", "metersPerUnit = 0"),),
     "CONTROL_TINY": (("(0,0,1), (0,0,0.5)]", "(0,0,1e-4), (0,0,5e-5)]"),),
-    "CONTROL_DUPLICATE": (
-        ("[(0,0,0), (0,0,0), (0,0,0), (0,0,0), (0,0,0.3), (0,0,1)]",
-         "[(0,0,1), (0,0,0.5), (0,0,0), (0,0,0), (0,0,0), (0,0,0)]"),
-    ),
 }  # fmt: skip
 """Code to (what stands in `TEXT`, what stands there instead)."""
 

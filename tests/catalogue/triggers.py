@@ -34,7 +34,6 @@ from usdrigui.clients.publish import hook
 from usdrigui.errors import Exit, RigUIError, issue, refuse
 from usdrigui.isolation import foreign_file
 from usdrigui.layer import write_layout as layer
-from usdrigui.layout.classify import classification
 from usdrigui.layout.motion import trajectory
 from usdrigui.reader import reader_process
 from usdrigui.reading import character as rig, clips
@@ -245,15 +244,6 @@ def _animated(names: str) -> Trigger:
         return command("inspect", minimal_assets.character(folder), "--animation", take)
 
     return trigger
-
-
-def _unexplained(folder: Path, patch: Any) -> Found:
-    """A control that repeats another, where the sentence about it makes a mistake."""
-    path = minimal_assets.character(folder)
-    same = "(0,0,1), (0,0,0.5), (0,0,0), (0,0,0), (0,0,0), (0,0,0)]"
-    path.write_text(re.sub(r"\(0,0,0\), .*\(0,0,0.3\), \(0,0,1\)\]", same, path.read_text()))
-    patch.setattr(classification, "explanation", lambda *_: [][1])
-    return command("process", path)
 
 
 def _obsolete(folder: Path, _: Any) -> Found:
@@ -618,7 +608,6 @@ TRIGGERS: Mapping[str, Trigger] = {
     "VARIANT_LEFT_OFF": _in_variants("/Char", "/Char/Face", "--each-variant", "LOD"),
     "CLIP_THINNED": _thinned,
     "CONTROL_TINY": _trajectories("CONTROL_TINY"),
-    "CONTROL_DUPLICATE": _trajectories("CONTROL_DUPLICATE"),
     "CONFIG_SYNTAX": _configured("[solve\n"),
     "RUN_TIME_LIMIT": _supervised(_told("budget", seconds=0.2, memory=100, base=0) + "; exec sleep 60"),
     "RUN_MEMORY_LIMIT": _raising(MemoryError()),
@@ -656,7 +645,6 @@ TRIGGERS: Mapping[str, Trigger] = {
     "VIEW_MISMATCH": _empty_page,
     "LAYOUT_MISSING": _viewed(_no_layout),
     "LAYOUT_OFF": _viewed(_switched_off),
-    "TOKEN_ORDER": lambda folder, _: command("check", minimal_assets.character(folder, "TOKEN_ORDER")),
     "WEIGHTS_BEYOND_LIMITS": lambda folder, _: command(
         "check", minimal_assets.character(folder, "WEIGHTS_BEYOND_LIMITS")
     ),
@@ -692,7 +680,6 @@ TRIGGERS: Mapping[str, Trigger] = {
     "CLIP_UNKNOWN_CONTROL": _animated("'wing', 'smile'"),
     "CLIP_FOREIGN": _animated("'wing', 'tail'"),
     "LAYER_UNREADABLE": _obsolete,
-    "EXPLANATION_FAILED": _unexplained,
     "BASE_COMPLETE": _based(),
     "BASE_APART": _based(('"Char"', '"Hero"'), ("</Char/", "</Hero/")),
     "BASE_MISMATCH": _based(("Face", "Nose")),

@@ -61,15 +61,12 @@ def _spared(
 def view(arguments: argparse.Namespace) -> Exit:
     """Pose the character in a browser by its layout."""
     from usdrigui import pipeline
-    from usdrigui.pose import evaluate
     from usdrigui.view.web import page, serve
 
     more = (*arguments.review, *arguments.targets)
     reviews = [page.read_review(path) for path in more]
     settings = settings_of(arguments)
     loaded = pipeline.load_layer(arguments.layer, settings)
-    for rig, layout in loaded.characters:
-        evaluate.prepare(rig, layout)  # refuses a layout made for another version of the character
     read = _spared((arguments.html,), loaded, arguments, more)
     name = Path(arguments.layer).name
     live = _live(arguments, read)

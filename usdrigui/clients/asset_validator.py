@@ -23,8 +23,8 @@ class BlendShapeChecker(BaseRuleChecker):
     """Blend shapes are what UsdSkel can use: names and targets in pairs, arrays of the right
     length, finite numbers.
 
-    Found besides: in-betweens without a weight of their own, names that are listed twice, an order
-    other than the animation's, and weights outside the limits of the animation.
+    Found besides: in-betweens without a weight of their own, names that are listed twice, and
+    weights outside the limits of the animation.
     """
 
     def CheckPrim(self, prim: Usd.Prim) -> None:  # noqa: N802 (the validator's own name)

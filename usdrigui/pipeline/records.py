@@ -85,14 +85,13 @@ class ProblemInputs(Record):
     @property
     def issues(self) -> tuple[Issue, ...]:
         """Findings about the rig and its controls."""
-        unexplained = (told for each in self.measured.classification for told in each.issues)
         renamed = (
             told
             for which, matching in self.character.references.matchings.items()
             for told in matching_issues(which, matching)
         )
         rig, odd = self.face.rig, self.face.trajectories.issues
-        told = (*odd, *unexplained, *renamed, *self.requests.pins.issues)
+        told = (*odd, *renamed, *self.requests.pins.issues)
         return (*rig.issues, *of_character(rig.path_in_variants, told))
 
     @property

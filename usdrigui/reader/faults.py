@@ -38,8 +38,8 @@ def stage_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
 
 
 def mesh_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
-    """ARRAY_TYPE, NOT_FINITE, TARGETS_LENGTH, TARGET_INVALID, TOKEN_REPEATED, TOKEN_ORDER, and the
-    faults of each shape."""
+    """ARRAY_TYPE, NOT_FINITE, TARGETS_LENGTH, TARGET_INVALID, TOKEN_REPEATED, and the faults of
+    each shape."""
     found: list[Issue] = []
     with _collecting(found):
         names, targets = names_and_targets(prim)
@@ -105,7 +105,6 @@ def _pair_faults(
         with _collecting(faults):
             shape_arrays(shape, count, faults, partial(_collecting, faults))
     yield from faults
-    yield from _order_faults(prim, names)
 
 
 @contextlib.contextmanager
@@ -117,30 +116,7 @@ def _collecting(found: list[Issue]) -> Iterator[None]:
         found.append(error.issue)
 
 
-# --- order and ranges -----------------------------------------------------------------------------
-
-
-def _animated(prim: Usd.Prim) -> tuple[str, ...]:
-    """The blend shapes that the animation of a mesh's Skeleton lists; none without."""
-    skeleton = UsdSkel.BindingAPI(prim).GetInheritedSkeleton()
-    if not skeleton:
-        return ()
-    source = UsdSkel.BindingAPI(skeleton.GetPrim()).GetInheritedAnimationSource()
-    animation = UsdSkel.Animation(source) if source else None
-    # Faults of the animation are recorded with the animation.
-    with contextlib.suppress(RigUIError):
-        if animation:
-            listed = animation.GetBlendShapesAttr().Get()
-            return tokens(listed, str(animation.GetPath()), "blendShapes")
-    return ()
-
-
-def _order_faults(prim: Usd.Prim, names: tuple[str, ...]) -> Iterator[Issue]:
-    """UsdSkel maps by name; exporters and engines that map by index need the same order."""
-    animated = _animated(prim)
-    if sorted(animated) == sorted(names) and animated != names:
-        first = next(a for a, b in zip(names, animated, strict=True) if a != b)
-        yield issue("TOKEN_ORDER", prim.GetPath(), f"the first at another index is {first!r}")
+# --- ranges ---------------------------------------------------------------------------------------
 
 
 def _beyond(

@@ -30,8 +30,8 @@ class ControlFacts:
     twin: str
     twin_source: str
     flags: tuple[str, ...]
-    """``global``, ``hidden``, ``composite``, ``on the board by request``, ``tiny``,
-    ``duplicate of X``, ``opposite of X``, ``left off: why``."""
+    """``global``, ``hidden``, ``composite``, ``on the board by request``, why it is
+    left off, that it is tiny."""
     part: str = ""
     """The part of the character in which it is laid out; empty for a control that moves nothing."""
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -10,7 +9,6 @@ import numpy as np
 
 from usdrigui.character import Control, Flags, Floats, Indices, Record
 from usdrigui.conventions import Meaning
-from usdrigui.errors import Issue, explained
 from usdrigui.layout.classify.composites import Composite, composites, explanation
 from usdrigui.layout.classify.visibility_shapes import visibility_shapes
 from usdrigui.layout.face import Face
@@ -30,8 +28,6 @@ class Classification:
     off_face_reason: str = ""
     coverage: float = 0.0
     """Share of the visible face that it moves notably."""
-    issues: tuple[Issue, ...] = ()
-    """EXPLANATION_FAILED where the reason could not be put into words."""
     explained_by: tuple[tuple[int, float], ...] = ()
     """Motions of which that of a composite is the sum, and how far each of them goes."""
 
@@ -91,13 +87,11 @@ def classify(
             composite=None if alone else repeated.get(index),
         )
         category, reason = _category(evidence, motion.control, requests, settings)
-        issues: tuple[Issue, ...] = ()
         explained_by: tuple[tuple[int, float], ...] = ()
         if index in repeated and category == repeated[index].category:
             explained_by = repeated[index].explained_by
-            tell = functools.partial(explanation, repeated[index], names)
-            reason, issues = explained(tell, "repeats other controls", names[index])
-        found.append(Classification(category, reason, float(shares[index]), issues, explained_by))
+            reason = explanation(repeated[index], names)
+        found.append(Classification(category, reason, float(shares[index]), explained_by))
     return tuple(found)
 
 

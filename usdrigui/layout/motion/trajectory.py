@@ -61,8 +61,8 @@ def trajectories(
 
     `base_values` (controls,) defaults to every control's default.  Polylines are exact for blend
     shapes (a fixed pose bends their straight pieces nowhere) and sampled to `settings.tolerance`
-    where joints turn.  Only moving points are held.  Controls that move nothing are left off;
-    duplicate and tiny ones stay and are named in `issues`.
+    where joints turn.  Only moving points are held.  Controls that move nothing are left off; tiny
+    ones stay and are named in `issues`.
     """
     base = posed(rig, base_values)
     size = diagonal(base.points)
@@ -312,36 +312,11 @@ def _moved_most(motions: Sequence[Motion]) -> Indices:
 def _doubtful(
     controls: tuple[Control, ...], motions: tuple[Motion, ...], face_size: float, tiny: float
 ) -> list[Issue]:
-    """Controls that move less than the share `tiny` of the face, and those that do the same as an
-    earlier one, perhaps in another measure."""
-    small, doubled = list[Issue](), list[Issue]()
-    seen: dict[tuple[int, int, int], list[Motion]] = {}
-    for motion in motions:
-        name, share = controls[motion.control].name, float(motion.arc_length.max()) / face_size
-        if share < tiny:
-            what = f"moves no point further than {share:.2%} of the face's height"
-            small.append(issue("CONTROL_TINY", name, what))
-        key = (len(motion.points), int(motion.points[0]), int(motion.points[-1]))
-        factors = ((_same_up_to_scale(motion, other), other) for other in seen.setdefault(key, []))
-        factor, first = next((pair for pair in factors if pair[0]), (0.0, motion))
-        if factor:
-            times = "" if f"{factor:.3g}" == "1" else f", {factor:.3g} times as far"
-            what = f"moves every point the same as {controls[first.control].name}{times}"
-            doubled.append(issue("CONTROL_DUPLICATE", name, what))
-        else:
-            seen[key].append(motion)
-    return small + doubled
-
-
-def _same_up_to_scale(motion: Motion, other: Motion) -> float:
-    """Factor by which `motion` repeats `other`, or 0."""
-    if not np.array_equal(motion.points, other.points) or len(motion.values) != len(other.values):
-        return 0.0
-    a = motion.offsets.astype(np.float64).ravel()
-    b = other.offsets.astype(np.float64).ravel()
-    factor = float(a @ b) / float(b @ b)
-    return (
-        factor
-        if factor > 0.0 and float(np.abs(a - factor * b).max()) <= 1e-4 * float(np.abs(a).max())
-        else 0.0
-    )
+    """Controls that move less than the share `tiny` of the face."""
+    shares = {controls[each.control].name: each.arc_length.max() / face_size for each in motions}
+    what = "moves no point further than {:.2%} of the face's height"
+    return [
+        issue("CONTROL_TINY", name, what.format(share))
+        for name, share in shares.items()
+        if share < tiny
+    ]

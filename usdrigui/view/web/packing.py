@@ -24,7 +24,6 @@ from numpy.typing import ArrayLike, NDArray
 from PIL import Image
 
 from usdrigui.character import (
-    Body,
     Clip,
     Control,
     Flags,
@@ -75,8 +74,8 @@ def pack(rig_layouts: Sequence[tuple[Rig, Layout]], title: str, around: float = 
 
     The inflated bytes are: the header's length (uint32, little endian), the header (UTF-8 JSON,
     padded with spaces to a multiple of four), the body.  Header entries ``{"at", "kind", "shape"}``
-    refer to arrays in the body.  Raises RigUIError VIEW_MISMATCH when a layout names a mesh or a
-    control that its rig does not have.
+    refer to arrays in the body.  Raises RigUIError LAYOUT_STALE when a layout was made for another
+    version of its rig, VIEW_MISMATCH for a number that is not finite.
     """
     arrays = _Arrays()
     header = {
@@ -329,6 +328,7 @@ def _clip(arrays: _Arrays, clip: Clip | None, issues: tuple[Issue, ...]) -> Json
 def _layout(rig: Rig, layout: Layout) -> Json:
     controls = rig.control_indices
     meshes = {mesh.path: index for index, mesh in enumerate(rig.body.meshes)}
+    looked_at = _sections(rig, layout)  # refuses a layout of another version of the rig
     return {
         "planeOrigin": _list(layout.frame.plane.origin),
         "planeNormal": _list(layout.frame.plane.normal),
@@ -336,7 +336,7 @@ def _layout(rig: Rig, layout: Layout) -> Json:
         "leastTrack": OutputSettings().min_track,
         "colours": {side: f"#{bytes(colour).hex()}" for side, colour in SIDES.items()},
         "elements": _elements(rig, meshes, controls, layout),
-        "sections": _sections(rig, layout),
+        "sections": looked_at,
         "leftOff": [[each.control, each.stage, each.reason] for each in layout.left_off],
         **_fields(layout.proof, "method status"),
         "cost": _finite(layout.proof.cost),
@@ -369,7 +369,7 @@ def _sections(rig: Rig, layout: Layout) -> list[Json]:
 def _elements(
     rig: Rig, meshes: dict[str, int], controls: Mapping[str, int], layout: Layout
 ) -> list[Json]:
-    found = [_element(rig.body, meshes, controls, each) for each in layout.elements]
+    found = [_element(meshes, controls, each) for each in layout.elements]
     own = [np.array([each["control"] for each in packed["members"]]) for packed in found]
     rows = [rig.body.starts[packed["mesh"]] + packed["point"] for packed in found]
     on_board = np.array([packed["onBoard"] for packed in found], dtype=bool)
@@ -388,24 +388,14 @@ def _elements(
     return found
 
 
-def _element(
-    body: Body, meshes: dict[str, int], controls: Mapping[str, int], element: Element
-) -> Json:
+def _element(meshes: dict[str, int], controls: Mapping[str, int], element: Element) -> Json:
     anchor = element.anchor
-    if anchor.mesh not in meshes or not 0 <= anchor.point < len(
-        body.meshes[meshes[anchor.mesh]].points
-    ):
-        raise refuse(
-            "VIEW_MISMATCH",
-            anchor.mesh,
-            f"element {element.name} is anchored where the rig has no point",
-        )
     return {
         "name": element.name,
         **_fields(element, "kind axes mirror reversed"),
         **_fields(anchor, "point position normal on_board"),
         **_fields(element, "side inner category reason"),
-        "members": [_member(element.name, controls, each) for each in element.members],
+        "members": [_member(controls, each) for each in element.members],
         "mesh": meshes[anchor.mesh],
         "rank": rank(element.category),
         "heading": _capitalised(heading(element.category, element.part)),
@@ -430,13 +420,7 @@ def _glyph(glyph: Glyph | None) -> Json | None:
     }
 
 
-def _member(name: str, controls: Mapping[str, int], member: Member) -> Json:
-    if member.control not in controls:
-        raise refuse(
-            "VIEW_MISMATCH",
-            member.control,
-            f"element {name} has a control that the rig lacks",
-        )
+def _member(controls: Mapping[str, int], member: Member) -> Json:
     return {
         "control": controls[member.control],
         **_fields(member, "values track magnification"),

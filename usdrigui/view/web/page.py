@@ -59,9 +59,8 @@ def page_html(
     evaluation of the paper's section 5 as well (docs/decisions/073); with the name of a file
     ``live`` it keeps its animation there, by way of the server that it comes from
     (docs/decisions/079).  `reviews` are layers whose notes it opens (docs/decisions/142), and
-    shelves whose poses the evaluation has as targets.  Raises
-    RigUIError VIEW_MISMATCH when a layout does not belong to its rig, or when there is no character
-    at all.
+    shelves whose poses the evaluation has as targets.  Raises RigUIError as `pack`, and
+    VIEW_MISMATCH when there is no character at all.
     """
     if not rig_layouts:
         raise refuse("VIEW_MISMATCH", "", "there is no character with a layout to show")

@@ -1,13 +1,9 @@
 """Composites: controls that repeat others."""
 
-from dataclasses import replace
-
 import chain
 import makers
 import numpy as np
 import pytest
-
-from usdrigui.layout.classify import classification
 
 POINTS, QUADS = makers.mask()
 
@@ -31,21 +27,6 @@ def test_of_many_copies_one_stays_and_the_others_repeat_it(noise):
 def test_a_control_alone_is_no_composite():
     found = chain.chosen(makers.rig(POINTS, QUADS, {"pucker": SHAPES["pucker"]}))("pucker")
     assert (found.category, found.off_face_reason) == ("", "")
-
-
-def test_an_explanation_that_fails_costs_the_words_alone(monkeypatch):
-    rig = makers.face_with(both=SHAPES["smile_L"] + SHAPES["smile_R"])
-    sound = chain.measured(rig).classification
-    monkeypatch.setattr(classification, "explanation", lambda *_: [][1])
-    spoilt = chain.measured(rig).classification
-    (index,) = (i for i, each in enumerate(spoilt) if each.issues)
-    assert replace(spoilt[index], off_face_reason=sound[index].off_face_reason, issues=()) == sound[index]
-    assert [each for i, each in enumerate(spoilt) if i != index] == [each for i, each in enumerate(sound) if i != index]
-    assert spoilt[index].off_face_reason == "repeats other controls"
-    assert (spoilt[index].issues[0].code, spoilt[index].issues[0].path) == ("EXPLANATION_FAILED", "both")
-    monkeypatch.setattr(classification, "explanation", lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
-    with pytest.raises(KeyboardInterrupt):
-        chain.measured(rig)
 
 
 def test_composites_say_of_what_they_consist_and_their_chains_end_at_atoms():

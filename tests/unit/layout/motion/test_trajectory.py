@@ -66,19 +66,11 @@ def test_an_empty_control_is_left_off_with_the_reason():
     assert [motion.control for motion in found.motions] == [1]
 
 
-def test_tiny_and_duplicate_controls_stay_and_are_named():
+def test_tiny_controls_stay_and_are_named():
     shape = makers.bump(POINTS, (0, 0.3), (0, 0, 1), 0.6)
-    rig = makers.rig(
-        POINTS, QUADS, {"big": shape, "again": shape, "half": 0.5 * shape, "tiny": 0.001 * shape, "other": -shape}
-    )
-    found = trajectories(rig, DENSE)
-    assert len(found.motions) == 5
-    named = {(each.code, each.path) for each in found.issues}
-    assert {("CONTROL_DUPLICATE", "again"), ("CONTROL_DUPLICATE", "half"), ("CONTROL_TINY", "tiny")} <= named
-    assert ("CONTROL_DUPLICATE", "other") not in named
-    told = {each.path: each.message for each in found.issues if each.code == "CONTROL_DUPLICATE"}
-    assert told["again"] == "moves every point the same as big"
-    assert told["half"] == "moves every point the same as big, 0.5 times as far"
+    found = trajectories(makers.rig(POINTS, QUADS, {"big": shape, "again": shape, "tiny": 0.001 * shape}), DENSE)
+    assert len(found.motions) == 3
+    assert [(each.code, each.path) for each in found.issues] == [("CONTROL_TINY", "tiny")]
 
 
 def test_noise_does_not_move_points_unless_asked():
