@@ -196,7 +196,7 @@ def test_a_broken_configuration_and_a_part_cost_no_other_asset(monkeypatch, tmp_
     """The part is no character by itself; the pattern, however it is spelt, finds what was done before."""
     minimal_assets.character(tmp_path)
     (tmp_path / "typo.usda").write_bytes((tmp_path / "char.usda").read_bytes())
-    (tmp_path / "typo.rigui.toml").write_text("this is [not toml")
+    (tmp_path / "typo.rigui.toml").write_text("typo = 1\n[candidates]\nview = 1")
     (tmp_path / "geo.usda").write_text('#usda 1.0\n(\n    defaultPrim = "Hair"\n)\ndef Xform "Hair"\n{\n}\n')
     whole = Sdf.Layer.FindOrOpen(str(tmp_path / "char.usda"))
     whole.subLayerPaths.append("./geo.usda")
@@ -207,7 +207,7 @@ def test_a_broken_configuration_and_a_part_cost_no_other_asset(monkeypatch, tmp_
         assert main(["batch", pattern, "--jobs", "2", "--json"]) == 2
         rows = json.loads(capsys.readouterr().out)["assets"]
         outcomes.append({Path(row["asset"]).stem: (row["outcome"], row["code"]) for row in rows})
-    rest = {"geo": ("part", ""), "typo": ("refused", "CONFIG_SYNTAX")}
+    rest = {"geo": ("part", ""), "typo": ("refused", "CONFIG_UNKNOWN_KEY")}
     assert outcomes == [{"char": ("written", "")} | rest, {"char": ("skipped", "")} | rest]
 
 

@@ -341,6 +341,7 @@ def test_a_body_with_collapsed_and_missing_points_is_still_drawn(rig, layout):
     shaded = shading.shade(shading.subject_of(rig.body.meshes, points, complexion(rig, layout)), camera)
     assert np.isfinite(shaded.colour).all()
     assert shaded.cover.max() == 1.0
+    assert shaded.colour[shaded.cover == 0.25].sum() > 0.8, "where one sample of four meets the skin, it is as light"
 
 
 def test_several_characters_are_each_named_once(rig, layout, front, monkeypatch):

@@ -101,7 +101,7 @@ def test_identical_matrices_share_one_map():
     points = rng.normal(size=(COUNT, 3))
     weights = rng.dirichlet([1.0] * WIDTH, COUNT)
     for method in ("classicLinear", "dualQuaternion"):
-        rig = _rig(points, [matrix] * JOINTS, joints, weights, method, np.eye(4))
+        rig = _rig(points, matrix + 1e-12 * rng.normal(size=(JOINTS, 4, 4)), joints, weights, method, np.eye(4))
         (maps,) = posed(rig).maps
         assert len(maps) == 1
         assert np.allclose(points @ maps[0, :3] + maps[0, 3], points @ matrix[:3, :3] + matrix[3, :3], atol=1e-6)

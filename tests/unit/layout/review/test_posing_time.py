@@ -19,6 +19,9 @@ def test_seconds_of_two_handles_and_two_rows_by_hand():
     assert beside - face == pytest.approx([0.14, 0.46, 1.4])
     # One and a half rows, and the eye goes there and back; a row is 23 pixels high, a drag .7 of 78, a thumb 10.
     assert by_list[1] == pytest.approx(1.4 + 0.23 * 3.5 + log2(3.3 * 6.46) / 4.3)
+    # A page has 27 rows: half of as many again to look at, and a key half of the time.
+    one, two = (times(rows=rows)[0][1] / 30 for rows in (27, 54))
+    assert two - one == pytest.approx(0.23 * 13.5 + 0.28 / 2, abs=0.02)
 
 
 def times(count=40, near=1, width=1, rows=80):
