@@ -8,7 +8,7 @@ PACKAGE = Path(__file__).resolve().parents[2] / "usdrigui"
 FIELDS, FUNCTIONS = 5, 10
 
 
-ONE_FIELD = 10
+ONE_FIELD = 9
 """Functions at most that take such a record for one field: another meaning has the field's name, or
 they are handed on as values."""
 CHANGES = {"Budget"}

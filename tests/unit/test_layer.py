@@ -15,7 +15,7 @@ from pxr import Sdf, Tf, Usd, UsdGeom
 
 from usdrigui.character import LeftOff
 from usdrigui.errors import Exit, RigUIError
-from usdrigui.layer.read_layout import base_controls, element_prims, layout_scopes, read_layout, source_of
+from usdrigui.layer.read_layout import element_prims, read_layout, source_of
 from usdrigui.layer.write_layout import layer_bytes, layer_for, relative_asset_path, stage_metadata, write_layout
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import OutputSettings, Settings
@@ -85,9 +85,7 @@ def test_the_source_is_sublayered_by_a_relative_path(char, tmp_path):
 def test_odd_source_names_are_referred_to(tmp_path, name):
     source = skinned_stages.character(tmp_path / name)
     (rig,) = read_rigs(source, Settings())
-    target = tmp_path / "layout.usda"
-    write_layout([(rig, laid_out.layout_of(rig))], source, target, PLAIN, metadata(source))
-    assert Usd.Stage.Open(str(target)).GetPrimAtPath(rig.path).IsDefined()
+    assert staged(source, rig, laid_out.layout_of(rig), tmp_path).GetPrimAtPath(rig.path).IsDefined()
 
 
 @pytest.mark.parametrize("name", ["a:SDF_FORMAT_ARGS:b.usda", "a@@@b.usda", "a\nb.usda"])
@@ -128,14 +126,13 @@ def test_stage_metadata_is_repeated(tmp_path):
 )
 """)
     found = stage_metadata(layer)
-    assert found["expressionVariables"] == {"SHOT": "a"}
+    assert (found["expressionVariables"], found["defaultPrim"]) == ({"SHOT": "a"}, "Char")
     assert "customLayerData" not in found
     assert found["metersPerUnit"] == 0.01
     stage = Usd.Stage.Open(layer_for([], "./a.usda", PLAIN, found))
     assert UsdGeom.GetStageUpAxis(stage) == "Z"
     assert (stage.GetStartTimeCode(), stage.GetEndTimeCode()) == (1, 48)
     assert (stage.GetTimeCodesPerSecond(), stage.GetFramesPerSecond()) == (48, 24)
-    assert stage.GetDefaultPrim().GetPath() in (Sdf.Path.emptyPath, Sdf.Path("/Char"))
     assert layer_for([], "", PLAIN, {"metersPerUnit": 1}).pseudoRoot.GetInfo("metersPerUnit") == 1.0
 
 
@@ -146,9 +143,7 @@ def test_a_source_without_metadata_gets_a_layer_that_validates(tmp_path):
         bare.pseudoRoot.ClearInfo(key)
     bare.Save()
     (rig,) = read_rigs(source, Settings())
-    target = tmp_path / "layout.usda"
-    write_layout([(rig, laid_out.layout_of(rig))], source, target, PLAIN, metadata(source))
-    stage = Usd.Stage.Open(str(target))
+    stage = staged(source, rig, laid_out.layout_of(rig), tmp_path)
     assert stage.GetDefaultPrim().GetName() == "World"
     assert UsdGeom.GetStageMetersPerUnit(stage) == UsdGeom.GetStageMetersPerUnit(Usd.Stage.Open(str(source)))
     assert laid_out.validation_errors(stage) == []
@@ -280,7 +275,7 @@ def test_a_layer_written_by_hand_takes_the_fallbacks():
     assert member.track.tolist() == [[0, 0, 0], [0, 1, 0]]
     assert (element.anchor.mesh, element.anchor.point, element.anchor.on_board) == ("/Char/face", 7, False)
     stage = Usd.Stage.Open(hand_made())
-    assert base_controls(next(layout_scopes(stage))) == ()
+    assert read_layout(stage)[0].listed == ()
 
 
 ELEMENT = "int rigUI:anchor"

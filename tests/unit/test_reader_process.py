@@ -89,9 +89,8 @@ def test_a_camera_is_a_direction_in_the_space_of_the_root(tmp_path):
     camera.AddTransformOp().Set(Gf.Matrix4d().SetRotate(Gf.Rotation((0, 1, 0), 90)))
     stage.Save()
     found = read_rigs_isolated(path, load({"candidates": {"view": "/cam"}}))
-    (direction,) = found.cameras.values()
-    np.testing.assert_allclose(direction, [1, 0, 0], atol=1e-12)
-    assert read_rigs_isolated(path, load({"candidates": {"view": "/none"}})).cameras == {}
+    np.testing.assert_allclose(found.rigs[0].camera, [1, 0, 0], atol=1e-12)
+    assert read_rigs_isolated(path, load({"candidates": {"view": "/none"}})).rigs[0].camera is None
 
 
 # --- what may become of the reader -------------------------------------------------------------------

@@ -18,7 +18,7 @@ from usdrigui.character.skinning import base_locals, bound_points, in_skeleton_s
 
 FINGERS = 3
 """Chains of a fan, at least; and joints of a finger that curl, at most."""
-_OWNS = 1e-3
+OWNS = 1e-3
 """Largest weight below which no skin hangs on a joint."""
 _PARALLEL = 0.6
 """Least cosine of a chain to the mean direction of its fan; a thumb stays ahead."""
@@ -94,7 +94,7 @@ def _skin_radius(places: Floats, meshes: Sequence[RigMesh]) -> Floats:
     """(joints,) distance of the farthest skin of each joint, bound; -1 without skin."""
     found = np.full(len(places), -1.0)
     for joint, points, weights in _bound_skin(meshes):
-        apart = np.linalg.norm(points[weights > _OWNS] - places[joint], axis=1)
+        apart = np.linalg.norm(points[weights > OWNS] - places[joint], axis=1)
         found[joint] = max(found[joint], float(apart.max(initial=-1.0)))
     return found
 
@@ -200,7 +200,7 @@ class Tree(Record):
     def owners(self) -> frozenset[int]:
         """The joints on which skin hangs."""
         return frozenset(
-            i for i, (_, weights) in enumerate(self.skin) if weights.max(initial=0.0) > _OWNS
+            i for i, (_, weights) in enumerate(self.skin) if weights.max(initial=0.0) > OWNS
         )
 
     @cached_property

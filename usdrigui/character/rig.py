@@ -41,6 +41,8 @@ class Rig(Record):
     face."""
     glyphs: Mapping[str, Glyph] = field(default_factory=dict)
     """Shapes that it wants drawn as handles, by the name that it gives them."""
+    camera: Floats | None = None
+    """(3,) unit direction to the viewer of the camera from which it is to be laid out, if any."""
 
     @property
     def path_in_variants(self) -> str:

@@ -26,7 +26,7 @@ from usdrigui.layer import author
 from usdrigui.layer.control_api import slides
 from usdrigui.layer.properties import value_of
 from usdrigui.layer.read_controls import doubtful_at, invalid_at, read_controls
-from usdrigui.layer.read_layout import base_controls, element_prims, faces_by_role, points_of
+from usdrigui.layer.read_layout import element_prims, faces_by_role, points_of
 from usdrigui.layer.skin_binding import influences
 from usdrigui.model import Element, Layout, Member
 from usdrigui.overlap import segment_distances
@@ -430,7 +430,7 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
             )
     if not drawn:
         return None
-    base = dict(zip(base_controls(scope), layout.base_values.tolist(), strict=True))
+    base = dict(zip(layout.listed, layout.base_values.tolist(), strict=True))
     values = np.array([base.get(control.name, control.default) for control in rig.controls])
     near = {each.element.anchor.mesh for each in drawn} | {str(each.GetPath()) for each in drawing}
     size = max(_worst(np.ptp(mesh.points, axis=0)) for mesh in body.meshes if mesh.path in near)

@@ -26,7 +26,6 @@ from usdrigui.layer.properties import (
 )
 from usdrigui.layer.read_controls import doubtful_at, invalid_at
 from usdrigui.layer.read_layout import (
-    base_controls,
     element_prims,
     layout_at,
     layout_scopes,
@@ -182,7 +181,7 @@ def _of_listing(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
         yield invalid_at(scope, f"rigUI:layout:handleWidth is not {least}, the least of its parts")
     if max((each.view @ frame.view for each in frame.parts), default=1.0) < CLEAR:
         yield doubtful_at(scope, "rigUI:layout:viewDirection is that of none of its parts")
-    names = base_controls(scope)
+    names = layout.listed
     if len({*names}) < len(names):
         yield invalid_at(scope, "rigUI:layout:baseControls lists a control twice")
     for name in sorted(layout.controls - {*names}) if names else ():

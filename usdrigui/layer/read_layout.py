@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pxr import Sdf, Usd, UsdGeom
 
-from usdrigui.character import Floats, Glyph, Indices, LeftOff
+from usdrigui.character import Glyph, Indices, LeftOff
 from usdrigui.errors import RigUIError, listed, refuse
 from usdrigui.layer.properties import (
     applied,
@@ -51,6 +51,7 @@ from usdrigui.model import (
     in_order,
     main_part,
 )
+from usdrigui.reading.character import metres_per_unit
 from usdrigui.stages import schema
 from usdrigui.stages.opening import open_stage
 from usdrigui.stages.variant_paths import asset_selections, with_sets
@@ -69,7 +70,7 @@ def read_layout(
     """All layouts that a layer or stage holds, one per character, in stage order.
 
     What the layer leaves out takes the schema's fallback.  `Layout.base_values` are in the
-    order in which the layer names the controls (`base_controls`).  Of a layout to be `carried` to
+    order in which the layer names the controls (`Layout.listed`).  Of a layout to be `carried` to
     the rig of today, a point that a stronger layer chooses may be none of its mesh: it is lost.
 
     Raises RigUIError FILE_NOT_FOUND, FILE_NOT_USD, LAYER_MISSING, LAYER_UNREADABLE, LAYOUT_MISSING
@@ -193,18 +194,6 @@ def composed_layouts(stage: Usd.Stage) -> dict[str, str]:
     return found
 
 
-def base_controls(scope: Usd.Prim) -> tuple[str, ...]:
-    """Names of the controls of the layout at `scope`, in the order of its base values."""
-    return tuple(strings(value_of(scope, schema.LAYOUT, "baseControls")))
-
-
-def listed_controls(stage: Usd.Stage) -> dict[str, tuple[str, ...]]:
-    """The same of every layout of a stage, by SkelRoot."""
-    return {
-        str(scope.GetPath().GetParentPath()): base_controls(scope) for scope in layout_scopes(stage)
-    }
-
-
 def source_of(path: Path) -> str:
     """The asset that a layout layer sublayers; empty if it has none.
 
@@ -261,9 +250,11 @@ def layout_at(scope: Usd.Prim, *, carried: bool = False) -> Layout:
     widths = {part.name: part.handle_width for part in parts}
     elements = tuple(_element(prim, carried=carried) for prim in element_prims(scope))
     check_elements(scope, elements)
+    listed, base = tuple(strings(get("baseControls"))), array_of(get("baseValues"))
     return Layout(
         root=str(scope.GetPath().GetParentPath()),
-        base_values=_base_values(scope),
+        base_values=base if len(base) else np.zeros(len(listed)),
+        listed=listed,
         variant_path=_variant_path(scope),
         matches=matches,
         elements=elements,
@@ -276,7 +267,15 @@ def layout_at(scope: Usd.Prim, *, carried: bool = False) -> Layout:
             parts=parts,
         ),
         proof=proof,
+        metres_per_unit=_metres_per_unit(scope.GetStage()),
     )
+
+
+def _metres_per_unit(stage: Usd.Stage) -> float:
+    """Of the strongest layer that says it: a layer of opinions, which says none, means those of the
+    layout that it is about."""
+    layers = [each for each in stage.GetLayerStack() if each.pseudoRoot.HasInfo("metersPerUnit")]
+    return (layers and metres_per_unit(layers[0])) or 0.01
 
 
 def _variant_path(scope: Usd.Prim) -> str:
@@ -299,11 +298,6 @@ def _part(scope: Usd.Prim, instance: str, proof: Any) -> LayoutPart:
     refuse_broken(scope, schema.PART, instance)
     name = str(get("name")) or instance
     return LayoutPart(name, get("handleWidth"), array_of(get("viewDirection")), *proof)
-
-
-def _base_values(scope: Usd.Prim) -> Floats:
-    values = array_of(value_of(scope, schema.LAYOUT, "baseValues"))
-    return values if len(values) else np.zeros(len(base_controls(scope)))
 
 
 def _recorded(

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from usdrigui.character import Flags, Floats, Indices, Record, Rig
@@ -12,7 +10,7 @@ from usdrigui.character.rays import AROUND, Caster, blocked, hidden_share, make_
 from usdrigui.character.surface import mesh_triangles
 from usdrigui.layout.symmetry.front import front, seen_from, three_quarter
 from usdrigui.model import BaseSurface, MirrorPlane, Trajectories
-from usdrigui.settings import view_angles
+from usdrigui.settings import CandidateSettings, view_angles
 from usdrigui.ties import first_largest
 
 _ACROSS = 0.1
@@ -86,27 +84,15 @@ class Views(Record):
         return len(self.directions) == 1 and abs(float(self.directions[0] @ normal)) > _ACROSS
 
 
-@dataclass(frozen=True)
-class Viewpoint:
-    """From where a layout is to be judged."""
-
-    view: str = ""
-    """See `CandidateSettings.view`."""
-    occlusion: bool = True
-    """Without it every point of a visible mesh counts as seen."""
-    camera: Floats | None = None
-    """(3,) the direction to the viewer of the camera that `view` names by its prim path."""
-
-
 def find_views(
     rig: Rig,
     trajectories: Trajectories,
     plane: MirrorPlane,
-    viewpoint: Viewpoint,
+    settings: CandidateSettings,
     *,
     of_sides: bool = False,
 ) -> Views:
-    """The views that `viewpoint` names, and what they see.  Points of hidden meshes are seen from
+    """The views that `settings` name, and what they see.  Points of hidden meshes are seen from
     nowhere.  Raises CONFIG_VALUE for a view that cannot be understood.
 
     Without a name for it, a part `of_sides`, as hands are, is looked at from where the skin of its
@@ -114,21 +100,21 @@ def find_views(
     """
     up, surface = rig.up, trajectories.surface
     ahead = front(up, trajectories, plane.normal)
-    directions = _directions(viewpoint, ahead, up)
+    directions = _directions(rig, settings.view, ahead)
     drawn = rig.body.drawn
     frame = _frame(surface, plane, ahead, up)
-    if not viewpoint.occlusion:
+    if not settings.occlusion:
         return Views(ahead, up, directions, np.tile(drawn, (len(directions), 1)), None, frame)
     points = frame.points(surface.points)
     caster = make_caster(points[mesh_triangles(rig.body.meshes, visible_only=True)])
     around = _Around.of(trajectories, caster, frame, drawn)
     sides = [drawn] * len(directions)
-    if not viewpoint.view and of_sides and around.skins:
+    if not settings.view and of_sides and around.skins:
         left = plane.distance(surface.points) >= 0.0
         directions, sides = _mirrored(around.best(left), frame, plane), [left, ~left]
     seen = [around.seen(way) & side for way, side in zip(directions, sides, strict=False)]
     hidden = around.hidden(np.any(seen, axis=0))
-    if not viewpoint.view and hidden.any():
+    if not settings.view and hidden.any():
         more = _mirrored(around.best(hidden), frame, plane)
         directions = np.vstack([directions, more])
         seen += [around.seen(way) & hidden for way in more]
@@ -248,8 +234,8 @@ def screen(views: Views) -> Floats:
     return views.axes[:2]
 
 
-def _directions(viewpoint: Viewpoint, ahead: Floats, up: Floats) -> Floats:
-    view, camera = viewpoint.view, viewpoint.camera
+def _directions(rig: Rig, view: str, ahead: Floats) -> Floats:
+    up = rig.up
     if not view:
         return np.stack([ahead, *three_quarter(ahead, up)])
     if view == "front":
@@ -258,8 +244,8 @@ def _directions(viewpoint: Viewpoint, ahead: Floats, up: Floats) -> Floats:
     if view == "side":
         return left[None]
     if view.startswith("/"):
-        assert camera is not None
-        return unit(camera)[None]
+        assert rig.camera is not None
+        return rig.camera[None]
     azimuth, elevation = np.radians(view_angles(view))
     level = np.cos(azimuth) * ahead + np.sin(azimuth) * left
     return np.asarray(np.cos(elevation) * level + np.sin(elevation) * up)[None]

@@ -47,6 +47,12 @@ class Layout(Record):
     without."""
     matches: tuple[Match, ...] = ()
     """Controls that had another name in the layout that this one succeeds, or may have had."""
+    listed: tuple[str, ...] = field(default=(), compare=False)
+    """Names of the controls of the base pose as its layer lists them, with and without an element;
+    none where no layer does."""
+
+    metres_per_unit: float = field(default=0.0, compare=False)
+    """Of the stage that it was read from; 0 where it was not."""
 
     @property
     def path_in_variants(self) -> str:

@@ -41,7 +41,11 @@ def refuse_unsound(
     faults = Faults()
     faults.add(source.config_faults)
     if settings is not None:
-        _check(source, settings, like, faults)
+        with faults.collected():
+            check_terms(settings.objective.terms)
+        for rig in source.rigs:
+            _check_rig(rig, settings, like, faults)
+        _check_parts(source.rigs, settings.parts, faults)
     faults.raise_all()
 
 
@@ -96,36 +100,18 @@ def base_values_of(root: str, controls: tuple[Control, ...], pose: Mapping[str, 
     return values
 
 
-def camera_of(root: str, view: str, cameras: Mapping[str, Floats]) -> Floats | None:
-    """(3,) direction to the viewer of the camera that the view names, if it names one; raises
-    CONFIG_VALUE where there is no such camera."""
-    camera = cameras.get(root)
-    if view.startswith("/") and camera is None:
-        raise refuse("CONFIG_VALUE", "candidates.view", f"there is no camera {view}")
-    return camera
-
-
-def _check(
-    source: ReadResult, settings: Settings, like: tuple[tuple[Rig, Layout], ...], faults: Faults
-) -> None:
-    with faults.collected():
-        check_terms(settings.objective.terms)
-    for rig in source.rigs:
-        _check_rig(rig, settings, source.cameras, like, faults)
-    _check_parts(source.rigs, settings.parts, faults)
-
-
 def _check_rig(
     rig: Rig,
     settings: Settings,
-    cameras: Mapping[str, Floats],
     like: tuple[tuple[Rig, Layout], ...],
     faults: Faults,
 ) -> None:
     controls = settings.controls
     index = control_index(rig, controls)
+    view = settings.candidates.view
     with faults.collected():
-        camera_of(rig.path, settings.candidates.view, cameras)
+        if view.startswith("/") and rig.camera is None:
+            raise refuse("CONFIG_VALUE", "candidates.view", f"there is no camera {view}")
     with faults.collected():
         base_values_of(rig.path, rig.controls, settings.read.pose)
     for name in (each for each in controls if each in index):

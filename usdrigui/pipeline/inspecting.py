@@ -46,7 +46,7 @@ def inspect(
     issues: list[Issue] = []
     characters = []
     for rig in source.rigs:
-        task = Task(settings, references, source.cameras)
+        task = Task(settings, references)
         character = character_of(rig, task, clock)
         parts = [part_problem(character, part, (), clock) for part in character.parts]
         issues += issues_of(parts)

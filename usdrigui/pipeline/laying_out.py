@@ -271,7 +271,7 @@ def _laid_out(
             same = [report for _, report in reports if report.root == rig.path]
             if not any(report.rig.variant_path == rig.variant_path for report in same):
                 own = as_sibling(references, rig, same[0].layout) if same else references
-                laid = _lay_out(rig, Task(each.settings, own, each.source.cameras), clock, stop)
+                laid = _lay_out(rig, Task(each.settings, own), clock, stop)
                 reports.append((each, laid if own is references else _beside(laid, same[0].layout)))
     return reports
 

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import field
-
 from usdrigui.character import Floats, LeftOff, Record, Rig
 from usdrigui.errors import Issue, of_character
 from usdrigui.layout.face import Face
@@ -12,7 +9,6 @@ from usdrigui.layout.measured import Measured
 from usdrigui.layout.place.problem import PlacementProblem
 from usdrigui.layout.reuse.identity import matching_issues
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.layout.visibility import Viewpoint
 from usdrigui.model import Assignment, Candidates, Layout, Symmetry, Trajectories
 from usdrigui.pipeline.reference_layouts import OwnReferences, ReferenceLayouts
 from usdrigui.settings import Settings
@@ -23,8 +19,6 @@ class Task(Record):
 
     settings: Settings
     references: ReferenceLayouts = ReferenceLayouts()
-    cameras: Mapping[str, Floats] = field(default_factory=dict)
-    """By SkelRoot, the direction to the viewer of the camera that ``candidates.view`` names."""
 
 
 class CharacterPart(Record):
@@ -52,7 +46,6 @@ class Character(Record):
     """Of the character as a whole."""
     parts: tuple[CharacterPart, ...]
     """In the order in which they are laid out."""
-    viewpoint: Viewpoint
     references: OwnReferences
     requests: Requests
 

@@ -67,15 +67,6 @@ class ReferenceLayouts(Record):
     """Opinions in those layers that say nothing."""
     corrections: tuple[Correction, ...] = ()
     """Those of a person, one for each control."""
-    unit: float = 0.0
-    """Meters of a unit of the asset; 0 where unknown."""
-    units: Mapping[str, float] = field(default_factory=dict)
-    """The same of the layer of each layout to keep, by SkelRoot."""
-
-    def scale(self, root: str) -> float:
-        """Units of the asset in one of the layout to keep of a SkelRoot."""
-        then = self.units.get(root, 0.0)
-        return then / self.unit if then and self.unit else 1.0
 
     def existing(self, rig: Rig) -> Layout | None:
         """The existing layout of this character, with its paths; none where there is none."""
@@ -121,8 +112,6 @@ def read_references(
         sources=(*theirs, *(file for each in read for file in each.sources)),
         ignored=tuple(dict.fromkeys(told)),
         corrections=corrections,
-        unit=float(source.metadata.get("metersPerUnit", 0.0)),
-        units={root: each.unit for each in kept if each for root in _by_root(each)},
     )
 
 

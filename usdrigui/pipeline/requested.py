@@ -64,7 +64,7 @@ def own_references(
     matchings, here, then = dict[str, Matching](), dict[str, Layout](), dict[str, Layout]()
     for which, layouts in (("fixed", references.fixed), ("previous", references.previous)):
         if root in layouts:
-            then[which] = in_world(layouts[root], references.scale(root), rig.up)
+            then[which] = in_world(layouts[root], rig.metres_per_unit, rig.up)
             matchings[which] = match_layout(then[which], rig, trajectories)
             if not matchings[which].names:
                 what = f"shares no control with its {which} layout"
@@ -79,14 +79,14 @@ def own_references(
         like,
         references.existing(rig),
         references.clips,
-        _pins(references, here, (rig, trajectories, matchings), settings),
+        _pins(references.corrections, here, (rig, trajectories, matchings), settings),
         matchings,
         then.get("previous"),
     )
 
 
 def _pins(
-    references: ReferenceLayouts,
+    said: Sequence[Correction],
     here: Mapping[str, Layout],
     character: tuple[Rig, Trajectories, Mapping[str, Matching]],
     settings: Settings,
@@ -95,21 +95,21 @@ def _pins(
     this one succeeds; `here` are the layouts by the names of today."""
     rig, trajectories, matchings = character
     succeeded = here.get("previous") or here.get("fixed")
-    if not references.corrections and succeeded is None:
+    if not said and succeeded is None:
         return Pins()
     names: dict[str, str] = {}
     for each in here:
         names |= matchings[each].names
-    corrections, issues = by_names_of_today(references.corrections, rig, names)
+    corrections, issues = by_names_of_today(said, rig, names)
     today = Today(rig, posed(rig, None).points, trajectories)
     width = settings.objective.handle_size * trajectories.surface.face_size
     if succeeded is not None:
         width = succeeded.frame.handle_width
-    said = pins_of_corrections(corrections, today, width, references.unit)
+    asked = pins_of_corrections(corrections, today, width)
     recorded = Pins()
     if succeeded is not None and settings.objective.keep_penalty > 0.0:
         recorded = pins_of(succeeded, today, corrections)
-    return Pins((*said.pins, *recorded.pins), (*issues, *said.issues, *recorded.issues))
+    return Pins((*asked.pins, *recorded.pins), (*issues, *asked.issues, *recorded.issues))
 
 
 def by_names_of_today(

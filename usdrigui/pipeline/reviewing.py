@@ -6,13 +6,13 @@ from __future__ import annotations
 import functools
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from usdrigui.character import Floats, Rig
+from usdrigui.character import Rig
 from usdrigui.errors import NO_LAYOUT, Issue, RigUIError, issue, of_character, refuse
 from usdrigui.layout.reuse.other_world import in_world, other_up, up_of
 from usdrigui.layout.review import difference as difference_stage, review as review_stage
@@ -46,7 +46,6 @@ class Loaded:
     characters: tuple[tuple[Rig, Layout], ...]
     source: str
     """The asset that the layer sublayers; empty if it has none."""
-    cameras: Mapping[str, Floats]
     files: tuple[Path, ...]
     """Every file that was read."""
     without_layout: tuple[Issue, ...] = ()
@@ -54,8 +53,6 @@ class Loaded:
     for opinions that say nothing."""
     contradictions: tuple[Issue, ...] = ()
     """LAYOUT_INVALID of layouts that can be read all the same."""
-    listed: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    """By SkelRoot, the names of the controls that its layout knows, with and without an element."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,20 +151,18 @@ def _with_characters(layouts: Mapping[str, Layout], read: ReadResult, source: st
     """The layouts by SkelRoot with their characters, of what was read."""
     rigs = [rig for rig in read.rigs if rig.path in layouts]
     return Loaded(
-        tuple((rig, _with_base(rig, layouts[rig.path], read.listed)) for rig in rigs),
+        tuple((rig, _with_base(rig, layouts[rig.path])) for rig in rigs),
         source,
-        read.cameras,
         tuple(Path(each.path) for each in read.sources),
         read.without_layout,
         read.contradictions,
-        read.listed,
     )
 
 
-def _with_base(rig: Rig, layout: Layout, every: Mapping[str, Sequence[str]]) -> Layout:
+def _with_base(rig: Rig, layout: Layout) -> Layout:
     """The layout with a base pose in the order of the rig's controls, where its own is of just
-    these, listed in any order by SkelRoot; where it lists none, with that of the defaults."""
-    own, listed = layout.base_values, every.get(rig.path, ())
+    these, listed in any order; where it lists none, with that of the defaults."""
+    own, listed = layout.base_values, layout.listed
     if not len(own):
         values = {each.name: each.default for each in rig.controls}
     elif len(listed) != len(rig.controls) or not set(listed).issubset(rig.control_names):
@@ -237,8 +232,7 @@ def _review_of(
 ) -> LayerReview:
     reviews = []
     for rig, layout in loaded.characters:
-        listed = frozenset(loaded.listed.get(rig.path, ()))
-        found = _reviewed(rig, layout, listed, settings, clock, loaded.cameras)
+        found = _reviewed(rig, layout, settings, clock)
         known = {each.code for each in found.issues}
         wrong = [
             replace(e, character="")
@@ -254,26 +248,20 @@ def _review_of(
 def _reviewed(
     rig: Rig,
     layout: Layout,
-    listed: frozenset[str],
     settings: Settings,
     clock: Clock,
-    cameras: Mapping[str, Floats],
 ) -> review_stage.Review:
     """Every part of a layout rated by the problem of that part."""
     # Other views are named by the up of the stage.
     front = settings.candidates.view in ("", "front")
-    task = Task(settings, cameras=cameras)
+    task = Task(settings)
     character = character_of(_upright(rig, layout) if front else rig, task, clock)
     found = []
     for part in character.parts:
         inputs = part_problem(character, part, (), clock)
         with clock.stage("review"):
             own = layout if len(character.parts) == 1 else _of_part(layout, character, part)
-            found.append(
-                review_stage.review(
-                    inputs.measured, inputs.candidates, own, review_stage.Whole(layout, listed)
-                )
-            )
+            found.append(review_stage.review(inputs.measured, inputs.candidates, own, layout))
     return review_stage.joined(found)
 
 
@@ -344,11 +332,10 @@ def _difference(before: Path, after: Path, opening: ReadSettings) -> LayerDiffer
     layers = [read_layouts_isolated(layer, opening) for layer in (before, after)]
     old, new = ({each.root: each for each in read.layouts} for read in layers)
     issues = tuple(dict.fromkeys(told for read in layers for told in read.ignored))
-    scale = layers[0].unit / layers[1].unit
     found = []
     for root in (root for root in new if root in old):
         up = up_of(new[root])
-        first = in_world(old[root], scale, np.zeros(3) if up is None else up)
+        first = in_world(old[root], new[root].metres_per_unit, np.zeros(3) if up is None else up)
         change = difference_stage.difference(first, new[root])
         found.append(replace(change, root=new[root].path_in_variants))
     alone = tuple(sorted(old.keys() ^ new.keys()))

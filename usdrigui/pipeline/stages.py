@@ -36,9 +36,9 @@ from usdrigui.layout.reuse.existing_layout import drawn_width, of_new_controls
 from usdrigui.layout.review.layout_faults import refuse_stale
 from usdrigui.layout.review.layout_problem import layout_cost
 from usdrigui.layout.symmetry.base_pose import symmetry_at_pose, symmetry_of_part
-from usdrigui.layout.visibility import Viewpoint, find_views
+from usdrigui.layout.visibility import find_views
 from usdrigui.model import Assignment, Element, Layout, Symmetry, Trajectories
-from usdrigui.pipeline.configuration import base_values_of, camera_of
+from usdrigui.pipeline.configuration import base_values_of
 from usdrigui.pipeline.progress import Clock
 from usdrigui.pipeline.records import Character, CharacterPart, ProblemInputs, Task
 from usdrigui.pipeline.reference_layouts import OwnReferences
@@ -49,8 +49,6 @@ from usdrigui.settings import PartSettings, Settings
 def character_of(rig: Rig, task: Task, clock: Clock | None = None) -> Character:
     """What is found out about a character as a whole: its motions, its parts, and what is asked."""
     clock, settings, root = clock or Clock(), task.settings, rig.path
-    view = settings.candidates
-    viewpoint = Viewpoint(view.view, view.occlusion, camera_of(root, view.view, task.cameras))
     base_values = base_values_of(root, rig.controls, settings.read.pose)
     # Everything that knows an up direction begins again, once, by that of a face that lies down.
     for again in (False, True):
@@ -70,9 +68,7 @@ def character_of(rig: Rig, task: Task, clock: Clock | None = None) -> Character:
     if references.existing is not None:
         refuse_stale(rig, found, references.existing, settings.read)
     requests = requested(rig, parts, settings, references)
-    return Character(
-        rig, settings, base_values, found, whole, parts, viewpoint, references, requests
-    )
+    return Character(rig, settings, base_values, found, whole, parts, references, requests)
 
 
 def _parts(
@@ -122,7 +118,7 @@ def measured(
     requests = character.requests.of_part(rig.controls, part.controls, neighbours)
     with clock.stage("candidates"):
         views = find_views(
-            rig, found, symmetry.plane, character.viewpoint, of_sides=part.name in OF_SIDES
+            rig, found, symmetry.plane, settings.candidates, of_sides=part.name in OF_SIDES
         )
         names = rig.control_names
         read = meanings(names, numbers=True) if settings.candidates.conventions else ()

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 def read_open_rigs(source: Usd.Stage | Sdf.Layer, settings: Settings) -> ReadResult:
     """What an open stage or layer holds; raises as `usdrigui.reading.character.read_rigs`."""
     stage = _copy(source, settings.read.variants)
-    return read_result(stage, settings, read_characters(stage, settings))
+    return read_result(stage, read_characters(stage, settings))
 
 
 def read_open_layouts(

@@ -10,10 +10,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-from pxr import Ar, Gf, Sdf, Usd, UsdGeom
+from pxr import Ar, Sdf, Usd
 
-from usdrigui.character import Floats, Rig
 from usdrigui.errors import Issue, RigUIError, issue, raised_at, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_unchanged, hashed
 from usdrigui.layer.baking import bake
@@ -23,7 +21,6 @@ from usdrigui.layer.ignored_opinions import ignored_opinions
 from usdrigui.layer.read_layout import (
     composed_layouts,
     layout_paths,
-    listed_controls,
     own_layouts,
     read_layout,
     source_of,
@@ -42,7 +39,7 @@ from usdrigui.reader.reader_records import (
     Response,
     Task,
 )
-from usdrigui.reading.character import Characters, metres_per_unit, read_characters
+from usdrigui.reading.character import Characters, read_characters
 from usdrigui.reading.clips import read_performances
 from usdrigui.settings import Settings
 from usdrigui.stages.opening import check_archive, listening, open_layer, open_stage
@@ -78,7 +75,7 @@ def answer(request: Request) -> Response:
 def _rigs(path: Path, settings: Settings) -> Response:
     with _reading(path, settings) as asset:
         found = asset.with_diagnostics(read_characters(path, settings))
-        result = read_result(asset.stage, settings, found)
+        result = read_result(asset.stage, found)
         below = source_of(path) if result.layouts else ""
         return Response(rigs=replace(result, below=below, sources=asset.sources()))
 
@@ -105,15 +102,7 @@ def _layouts_in(asset: _Asset, *, carried: bool = False) -> LayoutsResult:
         composed_layouts(stage),
         _as_text(ignored_opinions(stage)),
         read_corrections(stage),
-        _unit(stage),
     )
-
-
-def _unit(stage: Usd.Stage) -> float:
-    """Meters of a unit of the strongest layer that says it: a layer of opinions, which says none,
-    means those of the layout that it is about."""
-    layers = [each for each in stage.GetLayerStack() if each.pseudoRoot.HasInfo("metersPerUnit")]
-    return (layers and metres_per_unit(layers[0])) or 0.01
 
 
 def _composed(path: Path, settings: Settings) -> Response:
@@ -197,10 +186,9 @@ def read_composed(
     if _plays_values(stage, settings):
         found = told(read_characters(stage, settings, laid_out))
     return replace(
-        read_result(stage, settings, found),
+        read_result(stage, found),
         without_layout=_as_text(without_layout(stage, laid_out, settings.read.skel_root)),
         contradictions=_as_text(against),
-        listed=listed_controls(stage),
     )
 
 
@@ -216,13 +204,12 @@ def _plays_values(stage: Usd.Stage, settings: Settings) -> bool:
     return True
 
 
-def read_result(stage: Usd.Stage, settings: Settings, found: Characters) -> ReadResult:
+def read_result(stage: Usd.Stage, found: Characters) -> ReadResult:
     """What a stage holds besides its characters `found`."""
     layer = stage.GetRootLayer()
     return ReadResult(
         found.rigs,
         {key: _as_json(value) for key, value in stage_metadata(layer).items()},
-        cameras_toward(stage, found.rigs, settings.candidates.view),
         (),
         own_layouts(stage),
         composed_from=composed_layouts(stage),
@@ -312,23 +299,6 @@ def _files(path: Path, stages: Iterable[Usd.Stage]) -> tuple[str, ...]:
     own = os.path.realpath(path)
     others = sorted({os.path.realpath(each) for each in files} - {own})
     return (own, *(each for each in others if os.path.isfile(each)))  # noqa: PTH113
-
-
-def cameras_toward(stage: Usd.Stage, rigs: Iterable[Rig], view: str) -> dict[str, Floats]:
-    """Direction to the viewer of the camera that `view` names, in the space of each SkelRoot."""
-    if not (view.startswith("/") and Sdf.Path.IsValidPathString(view)[0]):
-        return {}
-    camera = UsdGeom.Camera.Get(stage, view)
-    if not camera:
-        return {}
-    cache = UsdGeom.XformCache()
-    # A camera looks down its own -Z axis.
-    toward = cache.GetLocalToWorldTransform(camera.GetPrim()).TransformDir(Gf.Vec3d(0, 0, 1))
-    found = {}
-    for rig in rigs:
-        to_root = cache.GetLocalToWorldTransform(stage.GetPrimAtPath(rig.path)).GetInverse()
-        found[rig.path] = np.array(to_root.TransformDir(toward), dtype=np.float64)
-    return found
 
 
 def _as_json(value: Any) -> Any:

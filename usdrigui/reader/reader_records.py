@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import field
 from typing import Any, Literal
 
-from usdrigui.character import Floats, Performance, Record, Rig
+from usdrigui.character import Performance, Record, Rig
 from usdrigui.errors import Issue
 from usdrigui.isolation.foreign_file import SourceFile
 from usdrigui.model import Correction, ExistingPrim, Layout
@@ -23,9 +23,6 @@ class ReadResult(Record):
     metadata: Mapping[str, Any]
     """What a layer over the asset must repeat (`usdrigui.layer.write_layout.stage_metadata`),
     as JSON values."""
-    cameras: Mapping[str, Floats]
-    """Direction (3,) to the viewer of the camera that `candidates.view` names, in root space, by
-    SkelRoot."""
     sources: tuple[SourceFile, ...]
     """Every file that composed it, the asset first."""
     layouts: tuple[str, ...] = ()
@@ -45,8 +42,6 @@ class ReadResult(Record):
     """Why characters of a stage that are laid out have nothing to control any more."""
     contradictions: tuple[Issue, ...] = ()
     """Contradictions in the layouts of the stage."""
-    listed: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    """By SkelRoot, the names of the controls that its layout knows, with and without an element."""
     config_faults: tuple[Issue, ...] = ()
     """Errors of the configuration that only the asset shows."""
     corrections: tuple[Correction, ...] = ()
@@ -73,8 +68,6 @@ class LayoutsResult(Record):
     """Opinions of the layer and its sublayers that say nothing."""
     corrections: tuple[Correction, ...] = ()
     """Those that the stage has."""
-    unit: float = 0.0
-    """Meters of a unit of the stage; 0 where unknown."""
 
 
 class FaultsResult(Record):

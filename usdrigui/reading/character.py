@@ -181,6 +181,7 @@ def _read(root: Usd.Prim, settings: Settings, faults: Faults, *, instances: bool
         left_off=tuple(lost),
         issues=of_character(path or str(root.GetPath()), tuple(found.issues)),
         excluded=excluded,
+        camera=_camera(root, settings.candidates.view),
     )
     known = {draft.name for draft in drafts} | {dropped.control for dropped in lost}
     return Reading(rig, frozenset(known), scene.bound_in_vain, tuple(found.faults))
@@ -310,6 +311,17 @@ def _up(root: Usd.Prim) -> Floats:
     is_z = UsdGeom.GetStageUpAxis(root.GetStage()) == UsdGeom.Tokens.z
     vertical = Gf.Vec3d(0, 0, 1) if is_z else Gf.Vec3d(0, 1, 0)
     return Frames(root, Usd.TimeCode.Default()).direction(vertical)
+
+
+def _camera(root: Usd.Prim, view: str) -> Floats | None:
+    """(3,) unit direction to the viewer of the camera that `view` names, if it names one."""
+    is_path = view.startswith("/") and Sdf.Path.IsValidPathString(view)[0]
+    camera = UsdGeom.Camera.Get(root.GetStage(), view) if is_path else None
+    if not camera:
+        return None
+    to_world = UsdGeom.XformCache().GetLocalToWorldTransform(camera.GetPrim())
+    # A camera looks down its own -Z axis.
+    return Frames(root, Usd.TimeCode.Default()).direction(to_world.TransformDir(Gf.Vec3d(0, 0, 1)))
 
 
 def metres_per_unit(layer: Sdf.Layer) -> float | None:

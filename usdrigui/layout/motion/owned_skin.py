@@ -12,7 +12,7 @@ from collections import Counter
 import numpy as np
 
 from usdrigui.character import Body, Control, Flags, Floats, Joint, Record, Skeleton
-from usdrigui.character.joint_tree import Hanging
+from usdrigui.character.joint_tree import OWNS, Hanging
 from usdrigui.character.skinning import base_locals, in_skeleton_space, with_descendants
 
 _SPAN = (0.2, 0.7)
@@ -27,8 +27,6 @@ _LAST = 0.8
 """Length of the bone of a joint at the end of a chain, as a share of the bone before it."""
 _FAN = 6
 """Joints at the end of a chain that fan out from one joint, at least, have no bones: a face."""
-_NOTHING = 1e-3
-"""Weight below which a point does not count as skin of a joint."""
 
 
 def owned_skin(body: Body, hanging: Hanging, control: Control, points: Floats) -> Floats | None:
@@ -46,10 +44,10 @@ def owned_skin(body: Body, hanging: Hanging, control: Control, points: Floats) -
     has_bone = any(b.joint in joints and b.next in below for b in bones)
     for holders in (joints, *((joints | below,) if has_bone else ())):
         weights = _weights(body, holders)
-        if weights.max(initial=0.0) > _NOTHING:
+        if weights.max(initial=0.0) > OWNS:
             firm = np.minimum(weights / (_FIRM * weights.max()), 1.0)
             of = joints if has_bone else holders
-            return np.asarray(firm * _by_own_bone(body, bones, of, points, weights > _NOTHING))
+            return np.asarray(firm * _by_own_bone(body, bones, of, points, weights > OWNS))
     return None
 
 

@@ -21,9 +21,8 @@ _OTHER_ACTION = -2.5
 _SHARED_WORDS = 2.5
 """Of names all of whose words mean the same; in proportion where some do."""
 _OTHER_SIDE = 1.5
-"""What names lose that name two sides: rigs that mean the side of the viewer are not rare."""
-_ONE_SIDE = 0.5
-"""Share of that which is lost where only one of two names has a side."""
+"""What names lose of which one has another side than the other, or none: rigs that mean the side of
+the viewer are not rare."""
 
 
 def name_evidence(before: Sequence[str], after: Sequence[str]) -> Floats:
@@ -45,7 +44,7 @@ def name_evidence(before: Sequence[str], after: Sequence[str]) -> Floats:
                     * len(one.senses & two.senses)
                     / max(1, len(one.senses | two.senses))
                     + _by_meaning(*senses, *usual)
-                    - _OTHER_SIDE * _sides(*senses, one, two)
+                    - _OTHER_SIDE * _other_side(*senses, one, two)
                 )
     return found
 
@@ -74,11 +73,10 @@ def _by_meaning(
     return _SAME_ACTION - float(np.log(max(first[_sense(one)], second[_sense(two)])))
 
 
-def _sides(one: Meaning | None, two: Meaning | None, first: Spelling, second: Spelling) -> float:
-    """1 where names name two sides, less where one of them names none, 0 where they agree."""
-    sides = (
-        (one.side, two.side) if one is not None and two is not None else (first.side, second.side)
-    )
-    if sides[0] == sides[1]:
-        return 0.0
-    return 1.0 if all(sides) else _ONE_SIDE
+def _other_side(
+    one: Meaning | None, two: Meaning | None, first: Spelling, second: Spelling
+) -> bool:
+    """Whether one of two names has another side than the other, or none."""
+    if one is not None and two is not None:
+        return one.side != two.side
+    return first.side != second.side

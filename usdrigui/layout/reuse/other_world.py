@@ -46,10 +46,10 @@ def turn_between(before: Floats, after: Floats) -> Floats:
     return np.asarray(Rotation.align_vectors(after, before)[0].as_matrix())
 
 
-def in_world(layout: Layout, scale: float, up: Floats) -> Layout:
-    """The layout as it would be on a character whose units are `scale` to one of its own and whose
-    up direction is `up` (3,); itself where that is so."""
-    before = other_up(layout, up)
+def in_world(layout: Layout, metres: float, up: Floats) -> Layout:
+    """The layout as it would be on a character with a unit of `metres` and the up direction `up`
+    (3,); itself where that is so."""
+    before, scale = other_up(layout, up), (layout.metres_per_unit or metres) / metres
     if scale == 1.0 and before is None:
         return layout
     turn = np.eye(3) if before is None else turn_between(before, up)
@@ -60,6 +60,7 @@ def in_world(layout: Layout, scale: float, up: Floats) -> Layout:
     )
     return replace(
         layout,
+        metres_per_unit=metres,
         elements=tuple(_moved(each, scale, turn) for each in layout.elements),
         frame=replace(
             frame,

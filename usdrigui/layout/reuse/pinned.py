@@ -150,20 +150,17 @@ def pins_of_fixed(layout: Layout, rig: Rig) -> list[Pin]:
     return pins
 
 
-def pins_of_corrections(
-    corrections: Sequence[Correction], today: Today, width: float, unit: float
-) -> Pins:
-    """The pins of corrections of this character, by its names of today.
-
-    `width` is that of a handle, `unit` the meters of a unit, 0 where unknown.
-    """
+def pins_of_corrections(corrections: Sequence[Correction], today: Today, width: float) -> Pins:
+    """The pins of corrections of this character, by its names of today; `width` is that of a
+    handle."""
     pins, issues = [], []
     for each in corrections:
         pin = Pin(each.control, (each.control,), ("place",))
         if each.place == "board" or each.place == "face":
             pins.append(replace(pin, place=each.place))
         elif each.place == "point":
-            scale = each.unit / unit if each.unit and unit else 1.0
+            unit = today.rig.metres_per_unit
+            scale = (each.unit or unit) / unit
             turn = turn_between(np.array(each.up), today.rig.up)
             x, y, z = (scale * turn @ np.array(each.position)).tolist()
             pin = replace(pin, decisions=("anchor",), position=(x, y, z))

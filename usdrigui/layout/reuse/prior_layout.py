@@ -7,7 +7,7 @@ penalty and stays otherwise.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import cast
 
@@ -96,7 +96,10 @@ def prior_of_previous(layout: Layout, today: Today, penalty: float) -> PriorLayo
     the points of the base pose."""
     if penalty <= 0.0:
         return NO_PRIOR
-    return PriorLayout(kept_groups(layout.elements, today.rig), *_places(layout, today), penalty)
+    places = places_of(
+        layout.elements, today.rig.control_indices, lambda element: _place(element, today)
+    )
+    return PriorLayout(kept_groups(layout.elements, today.rig), *places, penalty)
 
 
 def joined(first: PriorLayout, second: PriorLayout) -> PriorLayout:
@@ -188,28 +191,29 @@ def _penalty_share(
     return np.where(here, 0.0, np.maximum(1.0, np.square(apart - apart[here].min())))
 
 
-def _places(layout: Layout, today: Today) -> tuple[dict[int, Place], dict[int, Place]]:
-    """The places of the controls, and those of the sliders that some have besides under a coarse
-    element."""
-    index = today.rig.control_indices
+def places_of(
+    elements: Sequence[Element], index: Mapping[str, int], place: Callable[[Element], Place]
+) -> tuple[dict[int, Place], dict[int, Place]]:
+    """The places of the controls of some elements, and those of the sliders that some have besides
+    under a coarse element; `index` finds controls by name."""
     places: dict[int, Place] = {}
     axis_places: dict[int, Place] = {}
-    inner = inner_names(layout.elements)
-    for element in outer_first(layout.elements):
-        controls = [m.control for m in element.members if m.control in index]
-        place = _place(element, controls, today)
-        for control in map(index.__getitem__, controls):
+    inner = inner_names(elements)
+    for element in outer_first(elements):
+        here = place(element)
+        for control in (index[m.control] for m in element.members if m.control in index):
             if control not in places:
-                places[control] = place
+                places[control] = here
             elif element.name in inner:
-                axis_places[control] = place
+                axis_places[control] = here
     return places, axis_places
 
 
-def _place(element: Element, controls: Sequence[str], today: Today) -> Place:
+def _place(element: Element, today: Today) -> Place:
     """Where an element was, at the point of today's rig that is nearest to there."""
-    anchor = element.anchor
+    anchor, known = element.anchor, today.rig.control_indices
     if not anchor.on_board:
+        controls = [m.control for m in element.members if m.control in known]
         point, _ = carried(anchor, anchor.position, controls, today)
         return Place(point, anchor.position, False)
     kept = element.category not in ("crowded", "requested")

@@ -15,10 +15,9 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from usdrigui.character import Floats, Rig
-from usdrigui.layout.reuse.prior_layout import Place, PriorLayout, kept_groups
+from usdrigui.layout.reuse.prior_layout import Place, PriorLayout, kept_groups, places_of
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.model import BaseSurface, Layout, Motion, Trajectories
-from usdrigui.model.levels import inner_names
 
 CUTOFF_DISTANCE = 4.0
 """Handle widths from the corresponding place at which the whole penalty is due."""
@@ -68,16 +67,12 @@ def of_another(
     renamed = with_names(layout, names)
     positions = np.array([element.anchor.position for element in layout.elements])
     places = face_map(theirs, ours, names).points(positions)
-    index = ours[0].control_indices
-    found: dict[int, Place] = {}
-    inner = inner_names(renamed.elements)
-    by_level = sorted(
-        zip(renamed.elements, places, strict=True), key=lambda pair: pair[0].name in inner
+    there = {e.name: place for e, place in zip(renamed.elements, places, strict=True)}
+    found, _ = places_of(
+        renamed.elements,
+        ours[0].control_indices,
+        lambda element: Place(-1, there[element.name], element.anchor.on_board),
     )
-    for element, position in by_level:
-        for member in element.members:
-            if member.control in index and index[member.control] not in found:
-                found[index[member.control]] = Place(-1, position, element.anchor.on_board)
     return PriorLayout(
         kept_groups(renamed.elements, ours[0]),
         found,

@@ -37,25 +37,16 @@ class Review(Record):
     """Of the first part that has any."""
 
 
-class Whole(Record):
-    """The layout of the character, of which a part is reviewed."""
-
-    layout: Layout
-    listed: frozenset[str] = frozenset()
-    """The names of the controls that its author knew, with and without an element; empty where
-    unknown."""
-
-
 def review(
-    known: Measured, candidates: Candidates, layout: Layout, whole: Whole | None = None
+    known: Measured, candidates: Candidates, layout: Layout, whole: Layout | None = None
 ) -> Review:
     """Rate `layout` on the rig that was measured; faults come first, and what is faulty is not
     rated.  `whole` where it is not the layout of all of the character."""
-    face, whole = known.face, whole or Whole(layout)
+    face, whole = known.face, whole or layout
     width = layout.frame.handle_width or face.handle_width
     faults = [
-        *stale(face.rig, face.trajectories, (layout, whole.layout), known.settings.read),
-        *unplaced(face, layout, known.requests, whole.listed),
+        *stale(face.rig, face.trajectories, (layout, whole), known.settings.read),
+        *unplaced(face, layout, known.requests, frozenset(whole.listed)),
         *crowded(layout.elements, width),
     ]
     sound = sound_elements(face, layout.elements)
@@ -75,7 +66,7 @@ def review(
     read = legibility_of(face, layout.elements)
     issues += [issue("LAYOUT_UNCLEAR", name, why) for name, why in read.unclear]
     cost = total_cost(answered[0], answered[2]) + board_cost(known, candidates, layout.elements)
-    listed = len(whole.layout.controls)
+    listed = len(whole.controls)
     times = posing_times(face, layout.elements, width, listed) if read.elements else {}
     return Review(tuple(issues), rated, cost, read, times)
 

@@ -92,8 +92,6 @@ def _same_controls(
 ) -> Trajectories:
     """Trajectories of the same controls at the defaults of all."""
     neutral = find_trajectories(rig, sampling)
-    if len(trajectories.motions) >= len(neutral.motions):
-        return neutral
     own, excluded = (
         frozenset(each.control for each in of)
         for of in (trajectories.motions, trajectories.excluded)
