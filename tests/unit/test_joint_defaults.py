@@ -41,17 +41,19 @@ def test_a_hand_gets_a_curl_and_a_spread_per_finger_and_a_wrist(made):
     assert kinds(made) == {"curl": 4, "spread": 4, "rx": 1, "ry": 1, "rz": 1}
 
 
-@pytest.mark.parametrize(("aside", "curled"), [(0.0, 4), (3.0, 3)], ids=["legs", "fingers"])
-def test_what_hangs_on_the_middle_curls_whole_and_fingers_without_their_metacarpals(aside, curled):
+@pytest.mark.parametrize(
+    ("aside", "long", "curled"), [(0, 4, 4), (0, 2, 2), (3, 4, 3)], ids=["legs", "short", "fingers"]
+)
+def test_what_hangs_on_the_middle_curls_whole_and_fingers_without_their_metacarpals(aside, long, curled):
     names, places = ["m"], [(0.0, 0.0, 0.0)]
     for side, start in ((1.0, "m/l"), (-1.0, "m/r")):
         names.append(start)
         places.append((side * aside, 0.0, 0.0))
         for strand in range(3):
-            chain = [f"{start[-1]}{strand}{k}" for k in range(4)]
+            chain = [f"{start[-1]}{strand}{k}" for k in range(long)]
             hanging_on = start if aside else "m"
-            names += ["/".join([hanging_on, *chain[: k + 1]]) for k in range(4)]
-            places += [(side * (aside + 0.3), -y, 0.3 * (strand - 1)) for y in (0.2, 0.7, 1.2, 1.6)]
+            names += ["/".join([hanging_on, *chain[: k + 1]]) for k in range(long)]
+            places += [(side * (aside + 0.3), -y, 0.3 * (strand - 1)) for y in (0.2, 0.7, 1.2, 1.6)[:long]]
     made = limbs.skeleton_rig(names, np.array(places), list(range(len(names))))
     assert {len(turn.joints) for turn in turns_of(made) if turn.name == "curl"} == {curled}
 
