@@ -17,6 +17,7 @@ import numpy as np
 from usdrigui.character import Flags, Floats, Record, Rig
 from usdrigui.character.joint_tree import level, unit
 from usdrigui.conventions import Action, Meaning, actions
+from usdrigui.layout.motion.coverage import NOTABLE
 from usdrigui.layout.symmetry.front import moving_normals
 from usdrigui.layout.symmetry.lobes import ASIDE
 from usdrigui.layout.symmetry.sides_of_joints import legs_point
@@ -38,8 +39,6 @@ _NEAR = 0.7
 _FAINT = 0.5
 """Share of the largest peak of an action below which another control of it does not fix its
 place."""
-_MOVES = 0.1
-"""Share of the largest motion from which a control moves a point."""
 _PART = 0.5
 """Share of the surface below which a control moves a part of it: jaws and mouths move a third at
 most, what moves a head .87 and more."""
@@ -49,7 +48,7 @@ _FALLS = 0.4
 six heads go down by .58 to .94 of it; what else is the largest motion of a part, by .32 or less."""
 _FACING = 0.2
 """Mean over the controls of how far what each moves faces one way, from which that is ahead."""
-_STANDING = 0.7
+STANDING = 0.7
 """Cosine to the up axis of the stage from which a face stands."""
 _TILTED = 0.005
 """Sine of the angle between its mirror plane and the up axis from which a face is tilted."""
@@ -88,7 +87,7 @@ def _up_of_face(up: Floats, plane: MirrorPlane, face: Trajectories) -> Floats:
 
 
 def _stands(upright: Floats, up: Floats) -> bool:
-    return abs(float(upright @ up)) > _STANDING
+    return abs(float(upright @ up)) > STANDING
 
 
 def _leveled(up: Floats, plane: MirrorPlane) -> Floats:
@@ -158,7 +157,7 @@ def believed(
             or (meaning.side and own_image)
         ):
             found[control] = None
-        far = motion.arc_length >= _MOVES * motion.arc_length.max()
+        far = motion.arc_length >= NOTABLE * motion.arc_length.max()
         if amount > most and areas @ far < _PART * surface.areas.sum():
             falls = -(areas @ motion.span @ views.up) > _FALLS * amount
             most, jaw = amount, control if falls and own_image and meaning is None else -1

@@ -11,7 +11,7 @@ import numpy as np
 
 from usdrigui.character import Floats
 from usdrigui.character.joint_tree import unit
-from usdrigui.layout.symmetry.front import first_level, seen_from
+from usdrigui.layout.symmetry.front import first_across, seen_from
 from usdrigui.model import Layout
 
 TURN = 35.0
@@ -39,7 +39,7 @@ def ahead_of(layout: Layout, up: Floats) -> Floats:
     With one the view does not show it: a layout made for the side has the profile there.
     """
     frame = layout.frame
-    return first_level(up, np.cross(frame.plane.normal, up), frame.view)
+    return first_across(up, np.cross(frame.plane.normal, up), frame.view)
 
 
 def camera_rows(layout: Layout, up: Floats, toward: Floats | None = None) -> Floats:

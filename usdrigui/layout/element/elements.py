@@ -18,6 +18,7 @@ from usdrigui.layout.motion.tracks import arc_lengths, paths
 from usdrigui.layout.names import common_label, element_name
 from usdrigui.layout.place.labels import drawn_magnification, own_mirror_image
 from usdrigui.layout.place.problem import PlacementProblem
+from usdrigui.layout.symmetry.lobes import MIDDLE
 from usdrigui.model import (
     Anchor,
     Assignment,
@@ -32,8 +33,6 @@ from usdrigui.model import (
 )
 
 _CROWDED = "too crowded; this control lost the least displacement"
-_ON_PLANE = 1e-3
-"""An anchor nearer to the mirror plane than this share of the face size lies in the middle."""
 
 
 def layout(
@@ -204,6 +203,6 @@ def _side(face: Face, point: int) -> Side:
     if not face.symmetry.plane.normal.any():
         return "none"
     apart = float(face.symmetry.plane.distance(face.surface.points[point]))
-    if abs(apart) <= _ON_PLANE * face.surface.face_size:
+    if abs(apart) <= MIDDLE * face.surface.face_size:
         return "middle"
     return "left" if apart > 0.0 else "right"

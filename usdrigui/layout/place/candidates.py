@@ -13,7 +13,7 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.tracks import polylines
 from usdrigui.layout.place.locality import kept_near, proxies
-from usdrigui.layout.place.terms import LinearTerms, linear_cost
+from usdrigui.layout.place.terms import THERE, LinearTerms, linear_cost
 from usdrigui.layout.reuse.carrying import MOVES
 from usdrigui.layout.reuse.partial_layout import fixed_anchor, moves
 from usdrigui.layout.symmetry.lobes import in_the_middle
@@ -31,8 +31,6 @@ _OWN_IN_THE_MIDDLE = 0.45
 is to stand there."""
 _BESIDE = 1.25
 """Distance from a joint's hidden skin, as a share of the least, within which its handle stands."""
-_THERE = 1e-3
-"""Handle widths within which a point is an earlier place."""
 _NOTABLE = 1.0 / 3.0
 """Share of its visible peak that a control must reach in the region where it is expected for that
 to hold."""
@@ -143,7 +141,7 @@ def _with_prior(
         return places
     apart = np.linalg.norm(face.surface.points[motion.points] - place.position, axis=1)
     here = motion.points == place.point
-    if float(apart[here][0]) > _THERE * face.handle_width:
+    if float(apart[here][0]) > THERE * face.handle_width:
         reach = float(apart[here][0]) + face.handle_width
         far = motion.arc_length >= MOVES * motion.peak
         here |= far & (apart <= reach) & face.views.anywhere[motion.points]

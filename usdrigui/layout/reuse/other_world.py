@@ -9,12 +9,11 @@ from scipy.spatial.transform import Rotation
 
 from usdrigui.character import Floats
 from usdrigui.character.joint_tree import unit
+from usdrigui.layout.canonical_face import STANDING
 from usdrigui.model import Element, Layout
 
 _SIDEWAYS = 0.5
 """Sine of the angle between the view and the left below which they do not determine up."""
-_LYING = 0.7
-"""Cosine of the angle to the up axis from which a character lies."""
 
 
 def up_of(layout: Layout) -> Floats | None:
@@ -27,7 +26,7 @@ def up_of(layout: Layout) -> Floats | None:
     up = np.cross(layout.frame.view, unit(left))
     length = float(np.linalg.norm(up))
     ahead = np.sum([each.anchor.normal for each in layout.elements], axis=0)
-    if layout.frame.view @ ahead <= _LYING * np.linalg.norm(ahead) or length < _SIDEWAYS:
+    if layout.frame.view @ ahead <= STANDING * np.linalg.norm(ahead) or length < _SIDEWAYS:
         return None
     axis = int(np.abs(up).argmax())
     return np.asarray(np.sign(up[axis]) * np.eye(3)[axis])
@@ -36,7 +35,7 @@ def up_of(layout: Layout) -> Floats | None:
 def other_up(layout: Layout, up: Floats) -> Floats | None:
     """(3,) the up direction that a layout was made for, where that is another than `up`."""
     before = up_of(layout)
-    return None if before is None or abs(float(before @ up)) > _LYING else before
+    return None if before is None or abs(float(before @ up)) > STANDING else before
 
 
 def turn_between(before: Floats, after: Floats) -> Floats:

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from usdrigui.character import Floats, Rig
+from usdrigui.character import Flags, Floats, Rig
 from usdrigui.layout.reuse.prior_layout import Place, PriorLayout, kept_groups, places_of
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.model import BaseSurface, Layout, Motion, Trajectories
@@ -32,9 +32,6 @@ _OUTLIER = 4.0
 _SMOOTHINGS = (1e-3, 1e-2, 1e-1, 1.0, 1e1, 1e2)
 """Of the warp, from one that passes through every landmark to hardly more than an affine map."""
 _FOLDS = 8
-_NO_WORSE = 1.1
-"""The smoothest warp is taken that predicts landmarks it has not seen no worse than this many times
-the best one."""
 _FLAT = 1e-3
 """Least share of the largest spread that landmarks have in their second direction: fewer lie on a
 line."""
@@ -110,8 +107,8 @@ def face_map(
     source, target = _landmarks(theirs, ours, names)
     if len(source) < _LEAST_FOR_SIMILARITY or not (_spans(source, 2) and _spans(target, 2)):
         return FaceMap(_by_size(theirs, ours), source[:0], target[:0])
-    similarity, weights = _robust(source, target)
-    return FaceMap(similarity, similarity(source[weights > 0.0]), target[weights > 0.0])
+    similarity, trusted = _robust(source, target)
+    return FaceMap(similarity, similarity(source[trusted]), target[trusted])
 
 
 # --- landmarks ------------------------------------------------------------------------------------
@@ -157,18 +154,16 @@ def _spans(points: Floats, directions: int) -> bool:
 # --- from one face to the other -------------------------------------------------------------------
 
 
-def _robust(source: Floats, target: Floats) -> tuple[_Similarity, Floats]:
-    """The similarity on which most landmarks agree, and (k,) weights: 0 for those that do not."""
-    weights = np.ones(len(source))
-    similarity = _fitted(source, target, weights)
+def _robust(source: Floats, target: Floats) -> tuple[_Similarity, Flags]:
+    """The similarity on which most landmarks agree, and (k,) which of them do."""
+    similarity = _fitted(source, target, np.ones(len(source)))
     for _ in range(_ROUNDS):
         off = np.linalg.norm(similarity(source) - target, axis=1)
         scale = max(
             float(np.median(off)), 1e-9 * float(np.linalg.norm(target - target[0], axis=1).max())
         )
-        weights = 1.0 / (1.0 + np.square(off / scale))
-        similarity = _fitted(source, target, weights)
-    return similarity, np.where(off <= _OUTLIER * scale, weights, 0.0)
+        similarity = _fitted(source, target, 1.0 / (1.0 + np.square(off / scale)))
+    return similarity, off <= _OUTLIER * scale
 
 
 def _fitted(source: Floats, target: Floats, weights: Floats) -> _Similarity:
@@ -188,8 +183,7 @@ def _warped(source: Floats, target: Floats, points: Floats) -> Floats:
 
     How far two characters' controls correspond differs from pair to pair: copies of one head agree
     to the point, two makers' rigs only on the whole.  So the landmarks themselves choose the
-    smoothness, each predicted from the others (cross-validation, and the smoothest of the models
-    that do about as well as the best).
+    smoothness, each predicted from the others (cross-validation).
     """
     fold = np.arange(len(source)) // len(_POWERS) % _FOLDS
     missed = np.zeros((len(_SMOOTHINGS), len(source)))
@@ -198,9 +192,8 @@ def _warped(source: Floats, target: Floats, points: Floats) -> Floats:
         for row, smoothing in enumerate(_SMOOTHINGS):
             found = _thin_plate(source[~out], target[~out], smoothing, source[out])
             missed[row, out] = np.linalg.norm(found - target[out], axis=1)
-    error = np.median(missed, axis=1)
-    chosen = int(np.flatnonzero(error <= _NO_WORSE * error.min()).max())
-    return _thin_plate(source, target, _SMOOTHINGS[chosen], points)
+    chosen = _SMOOTHINGS[int(np.median(missed, axis=1).argmin())]
+    return _thin_plate(source, target, chosen, points)
 
 
 def _thin_plate(source: Floats, target: Floats, smoothing: float, points: Floats) -> Floats:

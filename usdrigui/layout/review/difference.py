@@ -9,6 +9,7 @@ from typing import Literal, get_args
 import numpy as np
 
 from usdrigui.errors import listed
+from usdrigui.layout.place.terms import THERE
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.model import SURE, Anchor, Element, Layout
 from usdrigui.model.levels import inner_names, outer_first
@@ -17,8 +18,6 @@ ChangeKind = Literal["added", "removed", "renamed", "regrouped", "to the face", 
 _KINDS: tuple[ChangeKind, ...] = get_args(ChangeKind)
 """In the order in which changes are told."""
 
-_STILL = 1e-3
-"""Handles nearer to where they were than this many handle widths have not moved."""
 _RESHAPED = 0.02
 """Share of its peak by which a motion that was made anew differs at least."""
 
@@ -178,7 +177,7 @@ def _kind(pair: _Pair) -> ChangeKind | None:
         return "moved"
     if one.mesh == other.mesh and one.topology_hash == other.topology_hash:
         return None if one.point == other.point else "moved"
-    return "moved" if pair.distance > _STILL else None
+    return "moved" if pair.distance > THERE else None
 
 
 def _reasons(pair: _Pair, kind: ChangeKind) -> Iterator[str]:
@@ -244,6 +243,6 @@ def _crowd(pair: _Pair) -> Iterator[str]:
             continue
         apart = float(np.linalg.norm(element.anchor.position - then.anchor.position))
         others = pair.partners[0].isdisjoint(element.controls)
-        if others and apart < after.frame.handle_width * (1.0 - _STILL):
+        if others and apart < after.frame.handle_width * (1.0 - THERE):
             decided = ", whose anchor was decided by a person" * ("anchor" in element.pinned)
             yield f"its place is taken by {element.name}{decided}"

@@ -11,10 +11,8 @@ from usdrigui.model import Trajectories
 from usdrigui.ties import axis_across
 
 _THREE_QUARTER = np.radians(40.0)
-_LEVEL = 1e-3
-"""Sine below which a direction points straight up or down."""
-_LYING = 1e-6
-"""Length of a direction on the ground below which it is none."""
+_ALONG = 1e-3
+"""Length of what is across a direction below which a way runs along it."""
 
 
 def front(up: Floats, trajectories: Trajectories, plane_normal: Floats) -> Floats:
@@ -24,17 +22,15 @@ def front(up: Floats, trajectories: Trajectories, plane_normal: Floats) -> Float
     A face moves most where it looks, so the normals of the moving surface, averaged over what each
     control moves, sum up to the front.
     """
-    ahead = np.cross(plane_normal, up)
-    is_level = np.linalg.norm(ahead) > _LYING
-    return first_level(up, ahead if is_level else moving_normals(trajectories))
+    return first_across(up, np.cross(plane_normal, up), moving_normals(trajectories))
 
 
-def first_level(up: Floats, *ways: Floats) -> Floats:
-    """(3,) unit vector: the first of `ways` (3,) that does not lie along `up`, made level; any if
-    all do."""
-    for way in (*ways, axis_across(up)):
-        across = way - (way @ up) * up
-        if np.linalg.norm(across) > _LYING:
+def first_across(direction: Floats, *ways: Floats) -> Floats:
+    """(3,) unit vector: the first of `ways` (3,) that does not run along the unit vector
+    `direction`, made perpendicular to it; any if all do."""
+    for way in (*ways, axis_across(direction)):
+        across = way - (way @ direction) * direction
+        if np.linalg.norm(across) > _ALONG:
             break
     return unit(across)
 
@@ -47,7 +43,7 @@ def seen_from(toward: Floats, up: Floats, ahead: Floats) -> Floats:
     aside = np.cross(toward, axis_across(toward))
     for way in (up, -np.sign(up @ toward) * ahead, aside):
         right = np.cross(way, toward)
-        if np.linalg.norm(right) >= _LEVEL:
+        if np.linalg.norm(right) > _ALONG:
             break
     right = unit(right)
     return np.stack([right, np.cross(toward, right), toward])

@@ -16,7 +16,7 @@ from usdrigui.ties import first_largest
 
 ON_PLANE = 0.5
 """Distance from the plane, in handle widths, up to which a handle covers it."""
-_MIDDLE = 0.01
+MIDDLE = 0.01
 """Distance from the plane, in face sizes, up to which a point lies in the middle."""
 _KEPT = 0.8
 """A control has two lobes if it keeps less of its peak in the middle."""
@@ -53,7 +53,7 @@ def two_lobed(
     if not length.any():
         length = motion.arc_length
     apart = np.abs(plane.distance(surface.points[motion.points]))
-    middle = length[apart <= _MIDDLE * surface.face_size].max(initial=0.0)
+    middle = length[apart <= MIDDLE * surface.face_size].max(initial=0.0)
     if both_sides is None:
         both_sides = bool(apart[first_largest(length)] > ASIDE * surface.face_size)
     least = _KEPT if both_sides else _KEPT_IN_THE_MIDDLE

@@ -46,9 +46,8 @@ def test_the_other_views_look_from_40_degrees_to_either_side():
 
 
 def test_with_a_plane_of_known_sides_the_face_looks_where_its_left_is_on_the_left():
-    up = np.array([0.0, 1.0, 0.0])
-    assert front(up, None, np.array([3.0, 0, 0])) == pytest.approx([0, 0, 1])
-    assert front(up, None, np.array([-2.0, 0, 0])) == pytest.approx([0, 0, -1])
-    still = SimpleNamespace(motions=())
+    up, still = np.array([0.0, 1.0, 0.0]), SimpleNamespace(motions=())
+    assert front(up, still, np.array([3.0, 0, 0])) == pytest.approx([0, 0, 1])
+    assert front(up, still, np.array([-2.0, 0, 0])) == pytest.approx([0, 0, -1])
     assert front(up, still, up) == pytest.approx(front(up, still, np.zeros(3))), "a plane that lies says nothing"
     assert abs(front(up, still, up) @ up) < 1e-12
