@@ -38,7 +38,7 @@ from usdrigui.layout.place.problem import placement_problem
 from usdrigui.layout.review.legibility import legibility_of
 from usdrigui.model import Assignment, Candidates, Layout, LayoutProblem, Variable
 from usdrigui.overlap import total_cost
-from usdrigui.pipeline.records import ProblemInputs, Task
+from usdrigui.pipeline.records import ProblemInputs
 from usdrigui.pipeline.stages import build_problem, layout_of
 from usdrigui.reader.reader_process import read_rigs_isolated
 from usdrigui.settings import SolveSettings, load
@@ -83,7 +83,7 @@ def compare(asset: Path, words: list[str], seconds: float, folder: Path) -> None
     """Print the rows of one asset as they come, and keep them in the folder as csv, markdown and
     picture."""
     settings = load({"solve": {"time_limit": seconds}})
-    inputs = build_problem(read_rigs_isolated(asset, settings).rigs[0], Task(settings))
+    inputs = build_problem(read_rigs_isolated(asset, settings).rigs[0], settings)
     print(head(asset.stem), flush=True)
     rows: list[Row] = []
     for row in ablation(inputs, words):

@@ -174,11 +174,10 @@ def _wanted(name: str, words: list[str]) -> bool:
 def _part_problems(asset: Path, settings: Settings) -> Iterator[tuple[str, LayoutProblem]]:
     """Names and problems of a rig's parts as a layout of the rig has them: each among the elements
     of those before."""
-    from usdrigui.pipeline.records import Task
     from usdrigui.pipeline.stages import character_of, layout_of, part_problem
     from usdrigui.reader.reader_process import read_rigs_isolated
 
-    character = character_of(read_rigs_isolated(asset, settings).rigs[0], Task(settings))
+    character = character_of(read_rigs_isolated(asset, settings).rigs[0], settings)
     elements: tuple[Element, ...] = ()
     for part in character.parts:
         inputs = part_problem(character, part, elements)
@@ -190,12 +189,11 @@ def _part_problems(asset: Path, settings: Settings) -> Iterator[tuple[str, Layou
 
 def _finer_problem(asset: Path) -> LayoutProblem:
     from usdrigui.pipeline import build_problem
-    from usdrigui.pipeline.records import Task
     from usdrigui.reader.reader_process import read_rigs_isolated
 
     settings = load({"symmetry": {"fold": True}})
     rig = subdivided(read_rigs_isolated(asset, settings).rigs[0])
-    return build_problem(rig, Task(settings)).placement.problem
+    return build_problem(rig, settings).placement.problem
 
 
 def _saved(folder: Path, problem: LayoutProblem) -> Path:

@@ -36,7 +36,7 @@ from usdrigui.character import Rig
 from usdrigui.model import Assignment, Layout
 from usdrigui.pipeline import stages
 from usdrigui.pipeline.joining import joined
-from usdrigui.pipeline.records import LaidPart, Task
+from usdrigui.pipeline.records import LaidPart
 from usdrigui.pipeline.stages import character_of, layout_of, part_problem
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings, load
@@ -150,7 +150,7 @@ class Laid:
 
 def laid_out(rig: Rig, settings: Settings, solved: dict[str, Assignment]) -> Laid:
     """The layout of a character; `solved` are answers that are known already."""
-    character = character_of(rig, Task(settings))
+    character = character_of(rig, settings)
     parts: list[LaidPart] = []
     answers = {}
     for part in character.parts:

@@ -9,7 +9,7 @@ from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.reuse.carrying import Today
 from usdrigui.layout.reuse.prior_layout import NO_PRIOR, prior_of_previous
-from usdrigui.pipeline import Task, stages
+from usdrigui.pipeline import stages
 from usdrigui.pipeline.progress import Clock
 from usdrigui.pipeline.records import LaidPart
 from usdrigui.pipeline.reference_layouts import ReferenceLayouts
@@ -97,7 +97,7 @@ def _character(rig, settings, base_values, fixed=None):
     if base_values is not None:
         pose = {each.name: float(value) for each, value in zip(rig.controls, base_values, strict=True)}
         settings = replace(settings, read=replace(settings.read, pose=pose))
-    return stages.character_of(rig, Task(replace(settings, parts=PartSettings(divide=False)), references))
+    return stages.character_of(rig, replace(settings, parts=PartSettings(divide=False)), references)
 
 
 def lay_out(rig, settings=None, base_values=None, prior=NO_PRIOR, fixed=None):
@@ -114,7 +114,7 @@ def solved(line, settings):
 
 def laid_parts(rig):
     """Every part of a rig, laid out one after the other."""
-    character, laid = stages.character_of(rig, Task(Settings())), []
+    character, laid = stages.character_of(rig, Settings()), []
     for part in character.parts:
         inputs = stages.part_problem(character, part, [element for each in laid for element in each.layout.elements])
         found = solve(inputs.placement.problem, inputs.settings.solve)

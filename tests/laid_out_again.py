@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 
-from usdrigui.pipeline.records import Task
 from usdrigui.pipeline.reference_layouts import ReferenceLayouts
 from usdrigui.pipeline.stages import build_problem, layout_of
 from usdrigui.reader.reader_process import read_rigs_isolated
@@ -27,6 +26,6 @@ def read(name, settings=SETTINGS):
 
 def lay_out(rig, settings=SETTINGS, **references):
     """The problem, its solution and the layout; `references` as of `ReferenceLayouts`."""
-    inputs = build_problem(rig, Task(settings, ReferenceLayouts(**references)))
+    inputs = build_problem(rig, settings, ReferenceLayouts(**references))
     found = solve(inputs.placement.problem, settings.solve)
     return inputs, found, layout_of(inputs, found)

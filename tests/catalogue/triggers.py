@@ -406,7 +406,7 @@ def _no_animation(folder: Path, _: Any) -> Found:
 
 def _problem(folder: Path) -> Any:
     (found,) = rig.read_rigs(minimal_assets.character(folder), Settings())
-    return pipeline.build_problem(found, pipeline.Task(Settings())).placement.problem
+    return pipeline.build_problem(found, Settings()).placement.problem
 
 
 def _solved(method: str, **settings: Any) -> Trigger:

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 import rig_copies
 
-from usdrigui.pipeline import Task, stages
+from usdrigui.pipeline import stages
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
 from usdrigui.solve import solve
@@ -36,7 +36,7 @@ REACH = 0.12
 
 def placed(rig):
     """Points with the handles of the controls of the first part, the face, and its surface."""
-    character = stages.character_of(rig, Task(SETTINGS))
+    character = stages.character_of(rig, SETTINGS)
     inputs = stages.part_problem(character, character.parts[0])
     layout = stages.layout_of(inputs, solve(inputs.placement.problem, SETTINGS.solve))
     return namings.places(rig, layout), inputs.face.surface

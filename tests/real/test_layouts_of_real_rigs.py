@@ -8,7 +8,7 @@ import pytest
 import real_rigs
 from real_rigs import ASSETS, asset, homes, on_face, point_of
 
-from usdrigui.pipeline import Task, stages
+from usdrigui.pipeline import stages
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
 
@@ -43,7 +43,7 @@ def test_pairs_mirror_where_the_mesh_does(name):
 def test_titles_name_the_limbs_of_nine_in_ten_joints(name):
     """By the names of the joints, which no part is known by."""
     (rig,) = read_rigs(asset(name), load({}))
-    for part in stages.character_of(rig, Task(load({}))).parts:
+    for part in stages.character_of(rig, load({})).parts:
         joints = [rig.controls[i].source.rsplit("/", 1)[-1] for i in part.controls if rig.controls[i].kind == "joint"]
         found = (
             next((t for t, limb in LIMBS.items() if re.search(limb, each, re.IGNORECASE)), None) for each in joints

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import scripts
 
-from usdrigui.pipeline import Task, build_problem
+from usdrigui.pipeline import build_problem
 from usdrigui.settings import load
 
 SCRIPT = Path(__file__).resolve().parents[2] / "benchmarks" / "ablation.py"
@@ -24,7 +24,7 @@ def ablation():
 
 @pytest.fixture(scope="module")
 def ready():
-    return build_problem(makers.face(17, 21), Task(load({"objective": {"handle_size": 0.1}})))
+    return build_problem(makers.face(17, 21), load({"objective": {"handle_size": 0.1}}))
 
 
 @pytest.fixture(scope="module")

@@ -31,7 +31,6 @@ from usdrigui.pipeline.progress import (
 )
 from usdrigui.pipeline.records import (
     ProblemInputs as ProblemInputs,
-    Task as Task,
 )
 from usdrigui.pipeline.reviewing import (
     LayerDifference as LayerDifference,

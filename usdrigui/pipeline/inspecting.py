@@ -15,7 +15,7 @@ from usdrigui.pipeline import animation
 from usdrigui.pipeline.configuration import refuse_unsound
 from usdrigui.pipeline.joining import issues_of
 from usdrigui.pipeline.progress import Clock, ProgressCallback
-from usdrigui.pipeline.records import Character, ProblemInputs, Task
+from usdrigui.pipeline.records import Character, ProblemInputs
 from usdrigui.pipeline.reference_layouts import ReferenceLayers, read_references
 from usdrigui.pipeline.stages import build_problem, character_of, part_problem
 from usdrigui.reader.reader_process import read_rigs_isolated
@@ -46,13 +46,14 @@ def inspect(
     issues: list[Issue] = []
     characters = []
     for rig in source.rigs:
-        task = Task(settings, references)
-        character = character_of(rig, task, clock)
+        character = character_of(rig, settings, references, clock)
         parts = [part_problem(character, part, (), clock) for part in character.parts]
         issues += issues_of(parts)
         facts = _facts(character, parts)
         if clips:
-            whole = parts[0] if len(parts) == 1 else build_problem(rig, task, clock)
+            whole = parts[0]
+            if len(parts) > 1:
+                whole = build_problem(rig, settings, references, clock)
             weight = settings.animation.weight
             uses, odd = animation.animation_facts(whole.face, clips, weight)
             facts = replace(facts, animation=uses)

@@ -27,7 +27,7 @@ from usdrigui.pipeline import variants
 from usdrigui.pipeline.configuration import refuse_unsound, with_corrections
 from usdrigui.pipeline.joining import issues_of, joined, joined_assignment
 from usdrigui.pipeline.progress import Clock, ProgressCallback
-from usdrigui.pipeline.records import Character, LaidPart, Task
+from usdrigui.pipeline.records import Character, LaidPart
 from usdrigui.pipeline.reference_layouts import (
     ReferenceLayers,
     ReferenceLayouts,
@@ -271,7 +271,7 @@ def _laid_out(
             same = [report for _, report in reports if report.root == rig.path]
             if not any(report.rig.variant_path == rig.variant_path for report in same):
                 own = as_sibling(references, rig, same[0].layout) if same else references
-                laid = _lay_out(rig, Task(each.settings, own), clock, stop)
+                laid = _lay_out(rig, each.settings, own, clock, stop)
                 reports.append((each, laid if own is references else _beside(laid, same[0].layout)))
     return reports
 
@@ -360,18 +360,21 @@ def _check_base(reading: AssetReading, target: Path) -> None:
 
 
 def _lay_out(
-    rig: Rig, task: Task, clock: Clock, stop: Callable[[], bool] | None
+    rig: Rig,
+    settings: Settings,
+    references: ReferenceLayouts,
+    clock: Clock,
+    stop: Callable[[], bool] | None,
 ) -> CharacterReport:
     from usdrigui.solve import solve
 
-    character = character_of(rig, task, clock)
+    character = character_of(rig, settings, references, clock)
     laid: list[LaidPart] = []
     for part in character.parts:
         neighbours = tuple(element for each in laid for element in each.layout.elements)
         inputs = part_problem(character, part, neighbours, clock)
-        limits = task.settings.solve
         with clock.stage("solve", can_stop=True):
-            assignment = solve(inputs.placement.problem, limits, clock.solving, stop)
+            assignment = solve(inputs.placement.problem, settings.solve, clock.solving, stop)
         with clock.stage("layout"):
             made = layout_of(inputs, assignment)
             own = with_own_cost(inputs, part, made, assignment)

@@ -10,15 +10,8 @@ from usdrigui.layout.place.problem import PlacementProblem
 from usdrigui.layout.reuse.identity import matching_issues
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import Assignment, Candidates, Layout, Symmetry, Trajectories
-from usdrigui.pipeline.reference_layouts import OwnReferences, ReferenceLayouts
+from usdrigui.pipeline.reference_layouts import OwnReferences
 from usdrigui.settings import Settings
-
-
-class Task(Record):
-    """What is asked of the characters of a stage."""
-
-    settings: Settings
-    references: ReferenceLayouts = ReferenceLayouts()
 
 
 class CharacterPart(Record):

@@ -21,7 +21,7 @@ from usdrigui.model import Element, Layout
 from usdrigui.pipeline import variants
 from usdrigui.pipeline.configuration import refuse_unsound
 from usdrigui.pipeline.progress import Clock, ProgressCallback
-from usdrigui.pipeline.records import Character, CharacterPart, Task
+from usdrigui.pipeline.records import Character, CharacterPart
 from usdrigui.pipeline.requested import by_names_of_today
 from usdrigui.pipeline.stages import character_of, part_problem
 from usdrigui.pipeline.targets import default_output
@@ -254,8 +254,8 @@ def _reviewed(
     """Every part of a layout rated by the problem of that part."""
     # Other views are named by the up of the stage.
     front = settings.candidates.view in ("", "front")
-    task = Task(settings)
-    character = character_of(_upright(rig, layout) if front else rig, task, clock)
+    upright = _upright(rig, layout) if front else rig
+    character = character_of(upright, settings, clock=clock)
     found = []
     for part in character.parts:
         inputs = part_problem(character, part, (), clock)

@@ -40,15 +40,20 @@ from usdrigui.layout.visibility import find_views
 from usdrigui.model import Assignment, Element, Layout, Symmetry, Trajectories
 from usdrigui.pipeline.configuration import base_values_of
 from usdrigui.pipeline.progress import Clock
-from usdrigui.pipeline.records import Character, CharacterPart, ProblemInputs, Task
-from usdrigui.pipeline.reference_layouts import OwnReferences
+from usdrigui.pipeline.records import Character, CharacterPart, ProblemInputs
+from usdrigui.pipeline.reference_layouts import OwnReferences, ReferenceLayouts
 from usdrigui.pipeline.requested import own_references, requested
 from usdrigui.settings import PartSettings, Settings
 
 
-def character_of(rig: Rig, task: Task, clock: Clock | None = None) -> Character:
+def character_of(
+    rig: Rig,
+    settings: Settings,
+    references: ReferenceLayouts | None = None,
+    clock: Clock | None = None,
+) -> Character:
     """What is found out about a character as a whole: its motions, its parts, and what is asked."""
-    clock, settings, root = clock or Clock(), task.settings, rig.path
+    clock, root = clock or Clock(), rig.path
     base_values = base_values_of(root, rig.controls, settings.read.pose)
     # Everything that knows an up direction begins again, once, by that of a face that lies down.
     for again in (False, True):
@@ -64,11 +69,11 @@ def character_of(rig: Rig, task: Task, clock: Clock | None = None) -> Character:
         if again or (up == rig.up).all():
             break
         rig = replace(rig, up=up)
-    references = own_references(task.references, rig, found, settings)
-    if references.existing is not None:
-        refuse_stale(rig, found, references.existing, settings.read)
-    requests = requested(rig, parts, settings, references)
-    return Character(rig, settings, base_values, found, whole, parts, references, requests)
+    own = own_references(references or ReferenceLayouts(), rig, found, settings)
+    if own.existing is not None:
+        refuse_stale(rig, found, own.existing, settings.read)
+    requests = requested(rig, parts, settings, own)
+    return Character(rig, settings, base_values, found, whole, parts, own, requests)
 
 
 def _parts(
@@ -170,10 +175,15 @@ def _problem(
     return ProblemInputs(character, part.name, known, candidates, placement)
 
 
-def build_problem(rig: Rig, task: Task, clock: Clock | None = None) -> ProblemInputs:
+def build_problem(
+    rig: Rig,
+    settings: Settings,
+    references: ReferenceLayouts | None = None,
+    clock: Clock | None = None,
+) -> ProblemInputs:
     """The layout problem of all controls of a rig as one part."""
-    whole = replace(task.settings, parts=PartSettings(divide=False))
-    character = character_of(rig, replace(task, settings=whole), clock)
+    whole = replace(settings, parts=PartSettings(divide=False))
+    character = character_of(rig, whole, references, clock)
     return part_problem(character, character.parts[0], (), clock)
 
 

@@ -16,7 +16,6 @@ from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.parts.division import divide
 from usdrigui.model import LayoutPart
 from usdrigui.pipeline.joining import joined, joined_assignment
-from usdrigui.pipeline.records import Task
 from usdrigui.pipeline.stages import character_of, part_problem
 from usdrigui.settings import OutputSettings, Settings, load
 
@@ -62,7 +61,7 @@ def test_joints_of_a_face_that_shapes_move_are_a_part_of_their_own():
 
 
 def test_a_hand_is_as_large_as_it_is_long_however_flat_it_is_held():
-    hands = character_of(BODY, Task(Settings())).parts[1]
+    hands = character_of(BODY, Settings()).parts[1]
     assert hands.name == "hands"
     assert hands.trajectories.surface.face_size > 0.12
 
@@ -139,7 +138,7 @@ def test_a_head_without_a_body_keeps_its_eyes():
 def test_a_body_does_not_change_the_scale_of_its_face():
     facial = named(BODY)["face"]
     alone = replace(BODY, controls=tuple(control for control in BODY.controls if control.name in facial))
-    character = character_of(BODY, Task(Settings()))
+    character = character_of(BODY, Settings())
     face = part_problem(character, character.parts[0]).face
     sizes = [trajectories(rig, Settings().trajectories).surface.face_size for rig in (BODY, alone)]
     assert face.surface.face_size == sizes[1]

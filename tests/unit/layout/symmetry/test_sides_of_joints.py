@@ -13,7 +13,7 @@ from makers import changed
 from usdrigui.character.rotation import rotations
 from usdrigui.layout.symmetry.sides_of_joints import legs_point, mirrored_joints
 from usdrigui.model import MirrorPlane
-from usdrigui.pipeline import Task, stages
+from usdrigui.pipeline import stages
 from usdrigui.settings import Settings
 
 ACROSS = MirrorPlane(np.zeros(3), np.array([1.0, 0.0, 0.0]))
@@ -119,7 +119,7 @@ def test_controls_of_unpaired_joints_are_no_twins_however_alike_they_move():
 def test_a_body_that_lies_is_up_where_its_legs_are_not(world):
     body, rotation = limbs.whole_body(), rig_copies.WORLDS[world](np.random.default_rng(3))
     up = rotation @ body.up if world.startswith("on ") else body.up
-    assert np.allclose(stages.character_of(rig_copies.turned(body, rotation), Task(Settings())).rig.up, up)
+    assert np.allclose(stages.character_of(rig_copies.turned(body, rotation), Settings()).rig.up, up)
 
 
 def test_arms_that_are_spread_do_not_tell_which_way_is_up():
