@@ -28,7 +28,7 @@ from usdrigui.solve.reduced_problem import (
 CHEAPEST = 8
 """Labels of a variable that tell which triplets raise the bound: those of least cost."""
 AT_ONCE = 10
-"""Triplets taken at a time."""
+"""Triplets taken at a time, and variables of which each lets one be taken where that is more."""
 PASSES = 24
 """Passes over the triplets before others are looked for; a third where labels are many, for all
 that is done on the whole matrix in each."""
@@ -102,7 +102,7 @@ def _best_triplets(problem: ReducedProblem) -> list[Triplet]:
         for at in np.flatnonzero(np.fromiter(new, dtype=bool)).tolist():
             work = int(sizes[[a, b, third[at]]].prod())
             rank[a, b, int(third[at])] = -float(gains[at]) / work
-    return sorted(rank, key=lambda each: (rank[each], each))[:AT_ONCE]
+    return sorted(rank, key=rank.__getitem__)[: max(AT_ONCE, problem.count // AT_ONCE)]
 
 
 def _cheapest(problem: ReducedProblem) -> Floats:
