@@ -23,6 +23,7 @@ from usdrigui.character import (
     LeftOff,
     Rig,
 )
+from usdrigui.character.joint_tree import unit
 from usdrigui.errors import Faults, Issue, issue, listed, of_character, refuse
 from usdrigui.reading.blend_shape import Binding, Found, controls_of_tokens, left_off_tokens
 from usdrigui.reading.clips import Animated, read_clip, read_still, time_codes, weights_at
@@ -314,14 +315,14 @@ def _up(root: Usd.Prim) -> Floats:
 
 
 def _camera(root: Usd.Prim, view: str) -> Floats | None:
-    """(3,) unit direction to the viewer of the camera that `view` names, if it names one."""
+    """(3,) unit direction to the viewer of the camera that `view` names, if it names one; raises
+    NOT_FINITE."""
     is_path = view.startswith("/") and Sdf.Path.IsValidPathString(view)[0]
     camera = UsdGeom.Camera.Get(root.GetStage(), view) if is_path else None
     if not camera:
         return None
-    to_world = UsdGeom.XformCache().GetLocalToWorldTransform(camera.GetPrim())
     # A camera looks down its own -Z axis.
-    return Frames(root, Usd.TimeCode.Default()).direction(to_world.TransformDir(Gf.Vec3d(0, 0, 1)))
+    return unit(Frames(root, Usd.TimeCode.Default()).to_root(camera.GetPrim())[2, :3])
 
 
 def metres_per_unit(layer: Sdf.Layer) -> float | None:
