@@ -24,7 +24,6 @@ import makers
 from usdrigui.layer.read_layout import read_layout
 from usdrigui.layer.write_layout import layer_bytes, layer_for
 from usdrigui.replacing.transaction import commit
-from usdrigui.settings import OutputSettings
 
 CONTROLS, SHAPES = 142, 40
 
@@ -54,7 +53,7 @@ def best(action: Callable[[], Any]) -> tuple[float, Any]:
 
 def main() -> None:
     rig, layout = crowded_face()
-    seconds, layer = best(lambda: layer_for([(rig, layout)], "", OutputSettings(), {}))
+    seconds, layer = best(lambda: layer_for([(rig, layout)], "", {}))
     prims: list[Any] = []
     layer.Traverse("/", lambda path: prims.append(path) if path.IsPrimPath() else None)
     print(f"{len(layout.elements)} elements, {len(prims)} prims")

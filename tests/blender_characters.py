@@ -20,7 +20,7 @@ from usdrigui.model import (
     Member,
 )
 from usdrigui.reading.character import read_rigs
-from usdrigui.settings import OutputSettings, Settings
+from usdrigui.settings import Settings
 
 SAMPLE = Path(__file__).resolve().parents[1] / "sample_assets" / "char.usda"
 Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
@@ -32,7 +32,7 @@ def written(source, **options):
     (rig,) = read_rigs(source, Settings())
     layout = laid_out.layout_of(rig, **options)
     target = source.with_name(f"{source.stem}.rigui.usda")
-    write_layout([(rig, layout)], source, target, OutputSettings(), stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
+    write_layout([(rig, layout)], source, target, stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
     return target, rig, layout
 
 
@@ -95,7 +95,7 @@ def sample(folder):
         drawn=makers.frame(0.44, normal=(1.0, 0.0, 0.0)),
     )
     target = folder / "char.rigui.usda"
-    write_layout([(rig, layout)], source, target, OutputSettings(), stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
+    write_layout([(rig, layout)], source, target, stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
     return target, rig, source
 
 

@@ -24,7 +24,7 @@ from pxr import Sdf
 from usdrigui.character.deform import deform
 from usdrigui.layer.write_layout import stage_metadata, write_layout
 from usdrigui.reading.character import read_rigs
-from usdrigui.settings import OutputSettings, Settings
+from usdrigui.settings import Settings
 from usdrigui.stages.schema import schema_path
 
 CLOSE = 1e-5
@@ -76,7 +76,7 @@ def write_samples(folder: Path) -> dict[str, list[str]]:
         layout = laid_out.layout_of(rig)
         target = folder / f"{name}.rigui{suffix}"
         metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
-        write_layout([(rig, layout)], source, target, OutputSettings(), metadata)
+        write_layout([(rig, layout)], source, target, metadata)
         rng = np.random.default_rng(11)
         poses = [laid_out.defaults(rig), *(laid_out.random_values(rig, rng) for _ in range(2))]
         top = laid_out.keyed(str(target), rig, poses).GetRootLayer()

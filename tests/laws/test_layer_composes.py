@@ -12,7 +12,7 @@ from usdskel_oracle import deformed_points
 from usdrigui.layer.read_layout import element_prims, layout_scopes, points_by_role, read_layout
 from usdrigui.layer.write_layout import stage_metadata, write_layout
 from usdrigui.reading.character import read_rigs
-from usdrigui.settings import OutputSettings, Settings
+from usdrigui.settings import Settings
 
 CLOSE = 1e-5
 """Of the diagonal of the character's box."""
@@ -27,7 +27,7 @@ def posed(tmp_path_factory):
     (rig,) = read_rigs(source, Settings())
     metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
     target = folder / "char.rigui.usda"
-    write_layout([(rig, laid_out.layout_of(rig))], source, target, OutputSettings(), metadata)
+    write_layout([(rig, laid_out.layout_of(rig))], source, target, metadata)
     rng = np.random.default_rng(3)
     poses = [laid_out.random_values(rig, rng) for _ in range(POSES)]
     top = laid_out.keyed(str(target), rig, poses).GetRootLayer()

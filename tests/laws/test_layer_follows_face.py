@@ -11,7 +11,7 @@ from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel
 from usdrigui.character.deform import deform
 from usdrigui.layer.write_layout import layer_for, stage_metadata
 from usdrigui.reading.character import read_rigs
-from usdrigui.settings import OutputSettings, Settings, load
+from usdrigui.settings import Settings, load
 
 pytestmark = pytest.mark.usefixtures("every_point_drawn")
 CLOSE = 1e-5
@@ -41,11 +41,11 @@ KINDS = {
 }
 
 
-def written(folder, rig, layout, source, **settings):
+def written(folder, rig, layout, source):
     """The layer of one layout, saved over its source."""
     path = folder / "char.rigui.usda"
     metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
-    layer = layer_for([(rig, layout)], f"./{source.name}", OutputSettings(**settings), metadata)
+    layer = layer_for([(rig, layout)], f"./{source.name}", metadata)
     layer.Export(str(path))
     return Sdf.Layer.FindOrOpen(str(path))
 

@@ -16,7 +16,6 @@ from usdrigui.character import LeftOff
 from usdrigui.layer.read_layout import read_layout
 from usdrigui.layer.write_layout import layer_bytes, layer_for
 from usdrigui.model import LayoutPart, main_part
-from usdrigui.settings import OutputSettings
 
 FACE = makers.face(9, 11)
 PRINTED = st.text(st.characters(exclude_categories=("Cs", "Cc")), max_size=12)
@@ -114,10 +113,10 @@ def changed(draw, element):
 @given(layouts())
 def test_any_layout_comes_back(made):
     rig, layout = made
-    text = layer_bytes(layer_for([(rig, layout)], "", OutputSettings(), {}), ".usda").decode()
+    text = layer_bytes(layer_for([(rig, layout)], "", {}), ".usda").decode()
     layer = Sdf.Layer.CreateAnonymous(".usda")
     assert layer.ImportFromString(text)
     (back,) = read_layout(layer)
     laid_out.close(layout, back)
-    again = layer_bytes(layer_for([(rig, layout)], "", OutputSettings(), {}), ".usda").decode()
+    again = layer_bytes(layer_for([(rig, layout)], "", {}), ".usda").decode()
     assert again == text

@@ -25,7 +25,7 @@ from pxr import Sdf, Usd, UsdSkel
 from usdrigui.layer.write_layout import layer_for, stage_metadata
 from usdrigui.model.levels import states
 from usdrigui.reading.character import read_rigs
-from usdrigui.settings import OutputSettings, Settings
+from usdrigui.settings import Settings
 from usdrigui.view.clip import clip_values
 from usdrigui.view.web.packing import pack
 
@@ -123,7 +123,7 @@ def told(element, drives):
 
 def attached(folder, rig, layout, source):
     """The layer over its character, with UsdSkel's deformation baked into points."""
-    layer = layer_for([(rig, layout)], str(source), OutputSettings(), stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
+    layer = layer_for([(rig, layout)], str(source), stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
     layer.Export(str(folder / "layout.usda"))
     stage = Usd.Stage.Open(str(folder / "layout.usda"))
     assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.path)))

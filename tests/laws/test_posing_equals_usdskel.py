@@ -13,7 +13,7 @@ from pxr import Sdf
 from usdrigui.layer.write_layout import layer_for, stage_metadata
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.reading.character import read_rigs
-from usdrigui.settings import OutputSettings, Settings
+from usdrigui.settings import Settings
 
 pytestmark = pytest.mark.usefixtures("every_point_drawn")
 KINDS = {
@@ -36,7 +36,7 @@ def test_meshes_handles_and_tracks(tmp_path, kind):
     rng = np.random.default_rng(7)
     poses = [laid_out.random_values(rig, rng) for _ in range(3)]
     metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
-    layer = layer_for([(rig, layout)], f"./{source.name}", OutputSettings(), metadata)
+    layer = layer_for([(rig, layout)], f"./{source.name}", metadata)
     layer.Export(str(tmp_path / "layout.usda"))
     stage = laid_out.baked(Sdf.Layer.FindOrOpen(str(tmp_path / "layout.usda")), rig, poses)
     poser = prepare(rig, layout)
@@ -67,7 +67,7 @@ def test_static_elements_and_those_beside_the_face(tmp_path, kind):
     values = laid_out.random_values(rig, np.random.default_rng(8))
     for number, given in enumerate(({"adapt": "static"}, {"beside": shapes})):
         layout = laid_out.layout_of(rig, seed=2, only=shapes, **given)
-        layer = layer_for([(rig, layout)], f"./{source.name}", OutputSettings(), metadata)
+        layer = layer_for([(rig, layout)], f"./{source.name}", metadata)
         layer.Export(str(tmp_path / f"layout{number}.usda"))
         stage = laid_out.baked(Sdf.Layer.FindOrOpen(str(tmp_path / f"layout{number}.usda")), rig, [values])
         ours = evaluate(prepare(rig, layout), values)
@@ -84,9 +84,7 @@ def test_a_board_with_joint_controls_stays_in_one_piece_in_plain_usd(tmp_path):
     (rig,) = read_rigs(source, Settings())
     everything = [control.name for control in rig.controls]
     layout = on_one_board(laid_out.layout_of(rig, seed=2, beside=everything))
-    layer = layer_for(
-        [(rig, layout)], f"./{source.name}", OutputSettings(), stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
-    )
+    layer = layer_for([(rig, layout)], f"./{source.name}", stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
     layer.Export(str(tmp_path / "layout.usda"))
     poses = [layout.base_values, laid_out.random_values(rig, np.random.default_rng(8))]
     stage = laid_out.baked(Sdf.Layer.FindOrOpen(str(tmp_path / "layout.usda")), rig, poses)

@@ -15,7 +15,7 @@ from usdrigui.layer.read_layout import element_prims
 from usdrigui.layer.write_layout import layer_for, stage_metadata
 from usdrigui.reader.in_memory import read_open_layouts
 from usdrigui.reading.character import read_rigs
-from usdrigui.settings import OutputSettings, ReadSettings, Settings
+from usdrigui.settings import ReadSettings, Settings
 from usdrigui.view.clip import clip_values
 
 CLOSE = 1e-5
@@ -42,7 +42,7 @@ def shot(tmp_path_factory):
     (rig,) = read_rigs(source, Settings())
     layout = laid_out.layout_of(rig, groups=GROUPS)
     metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
-    layer = layer_for([(rig, layout)], str(source), OutputSettings(), metadata)
+    layer = layer_for([(rig, layout)], str(source), metadata)
     layer.Export(str(folder / "layout.usda"))
     return rig, folder / "layout.usda"
 

@@ -24,7 +24,7 @@ from usdrigui.layer.read_layout import read_layout
 from usdrigui.layer.write_layout import stage_metadata, write_layout
 from usdrigui.model import LayoutPart
 from usdrigui.reading.character import read_rigs
-from usdrigui.settings import OutputSettings, Settings
+from usdrigui.settings import Settings
 
 ROOMS = ("layout", "reading", "screen", "tracking", "joints", "posing")
 
@@ -55,7 +55,7 @@ def laid(tmp_path_factory):
         ),
     )
     target = source.with_name("char.rigui.usda")
-    write_layout([(rig, layout)], source, target, OutputSettings(), stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
+    write_layout([(rig, layout)], source, target, stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
     return rig, layout, target
 
 
@@ -219,7 +219,6 @@ def test_handles_are_as_wide_as_those_of_their_part(extension, laid):
         [(rig, replace(layout, elements=elements, frame=replace(layout.frame, parts=parts)))],
         source.with_name("char.usda"),
         target,
-        OutputSettings(),
         stage_metadata(Sdf.Layer.FindOrOpen(str(source.with_name("char.usda")))),
     )
     stage = Usd.Stage.Open(str(target))

@@ -21,7 +21,7 @@ from usdrigui.layer.write_layout import layer_for, stage_metadata
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare
 from usdrigui.reader.reader_process import read_layouts_isolated
 from usdrigui.reading.character import read_rigs
-from usdrigui.settings import OutputSettings, ReadSettings, load
+from usdrigui.settings import ReadSettings, load
 from usdrigui.view.body import shading
 from usdrigui.view.flat import marks
 from usdrigui.view.flat.pillow import painted
@@ -261,7 +261,7 @@ def with_glyphs(layout):
 def written(folder, rig, layout, source):
     path = folder / "char.rigui.usda"
     metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
-    layer_for([(rig, layout)], f"./{source.name}", OutputSettings(), metadata).Export(str(path))
+    layer_for([(rig, layout)], f"./{source.name}", metadata).Export(str(path))
     return path
 
 

@@ -18,9 +18,8 @@ from usdrigui.errors import Exit, RigUIError
 from usdrigui.layer.read_layout import element_prims, read_layout, source_of
 from usdrigui.layer.write_layout import layer_bytes, layer_for, relative_asset_path, stage_metadata, write_layout
 from usdrigui.reading.character import read_rigs
-from usdrigui.settings import OutputSettings, Settings
+from usdrigui.settings import Settings
 
-PLAIN = OutputSettings()
 GROUPS = [("smile_L", "sneer_L"), ("jawLeft", "jawRight"), ("half",), ("pucker", "chin", "brow_L"), ("Jaw:rx",)]
 
 
@@ -63,8 +62,8 @@ def metadata(source):
 def test_a_layout_comes_back_as_it_was(char, tmp_path, suffix):
     source, rig, layout = char
     target = tmp_path / f"char.rigui{suffix}"
-    assert write_layout([(rig, layout)], source, target, PLAIN, metadata(source)) == "written"
-    assert write_layout([(rig, layout)], source, target, PLAIN, metadata(source)) == "unchanged"
+    assert write_layout([(rig, layout)], source, target, metadata(source)) == "written"
+    assert write_layout([(rig, layout)], source, target, metadata(source)) == "unchanged"
     (back,) = read_layout(target)
     laid_out.close(layout, back)
     (again,) = read_layout(Sdf.Layer.FindOrOpen(str(target)))
@@ -76,7 +75,7 @@ def test_the_source_is_sublayered_by_a_relative_path(char, tmp_path):
     shelf = tmp_path / "layouts"
     shelf.mkdir()
     for target, path in ((tmp_path / "a.usda", "./char.usda"), (shelf / "a.usda", "../char.usda")):
-        write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
+        write_layout([(rig, layout)], source, target, metadata(source))
         assert list(Sdf.Layer.FindOrOpen(str(target)).subLayerPaths) == [path]
         assert Path(source_of(target)).resolve() == source.resolve()
 
@@ -97,7 +96,7 @@ def test_names_that_usd_cannot_refer_to_are_refused(tmp_path, name):
 def test_a_bare_layer_stands_alone_and_can_be_sublayered_by_the_asset(char, tmp_path):
     source, rig, layout = char
     target = tmp_path / "bare.usda"
-    write_layout([(rig, layout)], source, target, OutputSettings(bare=True), metadata(source))
+    write_layout([(rig, layout)], source, target, metadata(source), bare=True)
     assert source_of(target) == ""
     laid_out.close(layout, read_layout(target)[0])
     asset = Sdf.Layer.FindOrOpen(str(source))
@@ -129,11 +128,11 @@ def test_stage_metadata_is_repeated(tmp_path):
     assert (found["expressionVariables"], found["defaultPrim"]) == ({"SHOT": "a"}, "Char")
     assert "customLayerData" not in found
     assert found["metersPerUnit"] == 0.01
-    stage = Usd.Stage.Open(layer_for([], "./a.usda", PLAIN, found))
+    stage = Usd.Stage.Open(layer_for([], "./a.usda", found))
     assert UsdGeom.GetStageUpAxis(stage) == "Z"
     assert (stage.GetStartTimeCode(), stage.GetEndTimeCode()) == (1, 48)
     assert (stage.GetTimeCodesPerSecond(), stage.GetFramesPerSecond()) == (48, 24)
-    assert layer_for([], "", PLAIN, {"metersPerUnit": 1}).pseudoRoot.GetInfo("metersPerUnit") == 1.0
+    assert layer_for([], "", {"metersPerUnit": 1}).pseudoRoot.GetInfo("metersPerUnit") == 1.0
 
 
 def test_a_source_without_metadata_gets_a_layer_that_validates(tmp_path):
@@ -152,7 +151,7 @@ def test_a_source_without_metadata_gets_a_layer_that_validates(tmp_path):
 def staged(source, rig, layout, folder):
     """The stage of a layer with one layout."""
     target = folder / "a.usda"
-    write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
+    write_layout([(rig, layout)], source, target, metadata(source))
     return Usd.Stage.Open(str(target))
 
 
@@ -185,7 +184,7 @@ def test_few_prims_draw_all_elements(char, tmp_path):
 def test_the_default_prim_is_the_top_of_the_first_character_where_the_source_names_none(char):
     _, rig, layout = char
     other = replace(layout, elements=(), root="/Crowd/Second")
-    layer = layer_for([(rig, layout), (changed(rig, path=other.root), other)], "", PLAIN, {})
+    layer = layer_for([(rig, layout), (changed(rig, path=other.root), other)], "", {})
     assert layer.defaultPrim == "World"
 
 
@@ -193,7 +192,7 @@ def test_the_default_prim_is_the_top_of_the_first_character_where_the_source_nam
 def test_the_order_of_elements_is_written_where_their_prims_do_not_tell_it(char, parts, told):
     _, rig, layout = char
     elements = tuple(replace(each, part=part) for each, part in zip(layout.elements, parts, strict=True))
-    layer = layer_for([(rig, replace(layout, elements=elements))], "", PLAIN, {})
+    layer = layer_for([(rig, replace(layout, elements=elements))], "", {})
     assert ("rigUI:layout:elements" in layer.ExportToString()) == told
     assert [each.name for each in read_layout(layer)[0].elements] == [each.name for each in elements]
 
@@ -349,7 +348,7 @@ def test_a_missing_layer_and_a_wrong_suffix(tmp_path):
     with pytest.raises(RigUIError, match="FILE_TARGET"):
         layer_bytes(hand_made(), ".usdz")
     with pytest.raises(RigUIError) as caught:
-        write_layout([], tmp_path / "char.usda", tmp_path / "layout.txt", PLAIN, {})
+        write_layout([], tmp_path / "char.usda", tmp_path / "layout.txt", {})
     assert caught.value.issue.path == str(tmp_path / "layout.txt")
 
 

@@ -35,7 +35,6 @@ from usdrigui.layer.skin_binding import SkinBinding
 from usdrigui.model import Element, Layout, Member
 from usdrigui.model.levels import inner_names
 from usdrigui.replacing.transaction import State, commit, file_error
-from usdrigui.settings import OutputSettings
 from usdrigui.stages import schema
 from usdrigui.version import __version__
 
@@ -66,36 +65,33 @@ def write_layout(
     laid: Laid,
     source: Path,
     target: Path,
-    settings: OutputSettings,
     metadata: Mapping[str, Any],
     *,
+    bare: bool = False,
     write: Callable[..., State] = commit,
 ) -> State:
     """Write the layouts of one asset to `target`, atomically, over its `source`.
 
     `metadata` is `stage_metadata` of the source's root layer.  The source is sublayered by a
-    relative path unless `settings.bare`.  `write` is `commit`, or `stage` of a
+    relative path unless `bare`.  `write` is `commit`, or `stage` of a
     transaction with other files. Raises RigUIError with a FILE_ code or SOURCE_UNREFERABLE.
     """
-    reference = "" if settings.bare else relative_asset_path(source, target)
-    layer = layer_for(laid, reference, settings, metadata)
+    layer = layer_for(laid, "" if bare else relative_asset_path(source, target), metadata)
     content = layer_bytes(layer, target.suffix, str(target))
     roots = [layout.path_in_variants for _, layout in laid]
     return write(content, target, verify=functools.partial(holds_layouts, roots))
 
 
-def layer_for(
-    laid: Laid, source: str, settings: OutputSettings, metadata: Mapping[str, Any]
-) -> Sdf.Layer:
+def layer_for(laid: Laid, source: str, metadata: Mapping[str, Any]) -> Sdf.Layer:
     """An anonymous layer with the layouts of one asset.
 
-    `source` is the asset path to sublayer, taken as it is; empty, or ignored with `settings.bare`,
-    the layer stands alone for others to sublayer.  The same input gives the same bytes.
+    `source` is the asset path to sublayer, taken as it is; where it is empty the layer stands alone
+    for others to sublayer.  The same input gives the same bytes.
     """
     layer = Sdf.Layer.CreateAnonymous(".usda")
     with Sdf.ChangeBlock():
         author_metadata(layer, metadata, laid)
-        if source and not settings.bare:
+        if source:
             layer.subLayerPaths.append(source)
         for rig, layout in laid:
             _author_layout(layer, rig, layout)

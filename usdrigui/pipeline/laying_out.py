@@ -98,7 +98,7 @@ def process(
             with clock.stage("write", can_stop=True):
                 pairs = [(reading.references.base, report) for reading, report in laid]
                 outcome = stage_layer(
-                    files, asset, target, settings.output, readings[0].source, pairs
+                    files, asset, target, readings[0].source, pairs, bare=settings.output.bare
                 )
         sources = _sources(readings)
         report = _report(
@@ -148,9 +148,7 @@ def process_stage(
     reports = [report for _, report in _laid_out(readings, clock, stop)]
     laid = [(each.rig, each.layout) for each in reports]
     report = _report(Path(root.identifier), "", "in memory", reports, clock, settings, (), plain)
-    return replace(
-        report, layer=layer.layer_for(laid, "", settings.output, readings[0].source.metadata)
-    )
+    return replace(report, layer=layer.layer_for(laid, "", readings[0].source.metadata))
 
 
 # --- what is read ---------------------------------------------------------------------------------

@@ -13,16 +13,16 @@ from usdrigui.pipeline.targets import make_folder
 from usdrigui.reader.reader_records import LayoutsResult, ReadResult
 from usdrigui.replacing.transaction import Transaction, same_file
 from usdrigui.report.run_report import CharacterReport, Outcome
-from usdrigui.settings.parts import OutputSettings
 
 
 def stage_layer(
     files: Transaction,
     asset: Path,
     target: Path,
-    settings: OutputSettings,
     source: ReadResult,
     laid: Sequence[tuple[LayoutsResult | None, CharacterReport]],
+    *,
+    bare: bool,
 ) -> Outcome:
     """Stage the layer among the files of the run; each character comes with the layout that it adds
     to, if any.
@@ -34,9 +34,9 @@ def stage_layer(
     make_folder(target)
     over = [(base, character) for base, character in laid if base is not None]
     if over:
-        return _staged_over(files, over, asset, target, settings, source)
+        return _staged_over(files, over, asset, target, source, bare=bare)
     pairs = [(character.rig, character.layout) for _, character in laid]
-    return layer.write_layout(pairs, asset, target, settings, source.metadata, write=files.stage)
+    return layer.write_layout(pairs, asset, target, source.metadata, bare=bare, write=files.stage)
 
 
 def _staged_over(
@@ -44,8 +44,9 @@ def _staged_over(
     laid: Sequence[tuple[LayoutsResult, CharacterReport]],
     shot: Path,
     target: Path,
-    settings: OutputSettings,
     source: ReadResult,
+    *,
+    bare: bool,
 ) -> Outcome:
     """Stage what a shot adds to an existing layout."""
     from usdrigui.layer.shot_layout import ShotLayout, write_shot_layouts
@@ -64,7 +65,7 @@ def _staged_over(
         target,
         source.metadata,
         composed=composed,
-        bare=settings.bare,
+        bare=bare,
         write=files.stage,
     )
 

@@ -49,22 +49,24 @@ def integers(values: Any, path: object, name: str) -> Indices:
     return numbers.astype(np.int64)
 
 
-def floats(values: Any, path: object, name: str) -> NDArray[Any]:
-    """(n,) the numbers of an array in the precision they have, none for None; raises ARRAY_TYPE."""
-    return _floats(values, (), path, name)
+def floats(values: Any, path: object, name: str, *, item: tuple[int, ...] = ()) -> NDArray[Any]:
+    """(n, *item) the numbers of an array in the precision they have, none for None; raises
+    ARRAY_TYPE."""
+    numbers = _numbers(values, item, path, name)
+    return numbers if numbers.dtype.kind == "f" else numbers.astype(np.float64)
 
 
 def vectors(values: Any, path: object, name: str) -> NDArray[Any]:
     """(p, 3) finite numbers, without a copy where they are in single precision already; raises
     ARRAY_TYPE."""
-    found = _floats(values, (3,), path, name)
+    found = floats(values, path, name, item=(3,))
     check_finite(found, path, name)
     return found
 
 
 def vector_count(values: Any, path: object, name: str) -> int:
     """How many 3-vectors an array holds, finite or not; raises ARRAY_TYPE."""
-    return len(_floats(values, (3,), path, name))
+    return len(_numbers(values, (3,), path, name))
 
 
 def quaternions(values: Any, path: object, name: str) -> Floats:
@@ -75,11 +77,6 @@ def quaternions(values: Any, path: object, name: str) -> Floats:
         raise refuse("ARRAY_TYPE", path, f"{name} does not hold quaternions")
     # In memory the real part comes last.
     return np.asarray(np.roll(np.asarray(values), 1, axis=1), dtype=np.float64)
-
-
-def _floats(values: Any, item: tuple[int, ...], path: object, name: str) -> NDArray[Any]:
-    numbers = _numbers(values, item, path, name)
-    return numbers if numbers.dtype.kind == "f" else numbers.astype(np.float64)
 
 
 def _numbers(values: Any, item: tuple[int, ...], path: object, name: str) -> NDArray[Any]:

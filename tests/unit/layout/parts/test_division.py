@@ -17,7 +17,7 @@ from usdrigui.layout.parts.division import divide
 from usdrigui.model import LayoutPart
 from usdrigui.pipeline.joining import joined, joined_assignment
 from usdrigui.pipeline.stages import character_of, part_problem
-from usdrigui.settings import OutputSettings, Settings, load
+from usdrigui.settings import Settings, load
 
 BODY = limbs.whole_body()
 
@@ -248,5 +248,5 @@ def test_the_layer_draws_the_handles_of_each_part_at_its_own_width(monkeypatch):
         return handle, tracks
 
     monkeypatch.setattr(layer, "drawn_parts", seen)
-    layer.layer_for([(rig, layout)], "", OutputSettings(), {})
+    layer.layer_for([(rig, layout)], "", {})
     assert drawn == widths
