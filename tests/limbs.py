@@ -218,6 +218,23 @@ def whole_body(ahead=1.0, head="Head"):
     return with_default_controls(made)
 
 
+def resting(rig, turns):
+    """The same character, bound as before, with joints at rest turned by `turns` (rotation vectors) by their names."""
+    joints = []
+    turned = rotations(np.array([turns.get(joint.name, (0.0, 0.0, 0.0)) for joint in rig.body.joints]))
+    for joint, turn in zip(rig.body.joints, turned, strict=True):
+        local = joint.rest.copy()
+        local[:3, :3] = turn @ local[:3, :3]
+        joints.append(replace(joint, rest=local, base=local))
+    return makers.changed(rig, joints=tuple(joints))
+
+
+def anyhow(rig, seed):
+    """The same with every joint turned by up to half a radian."""
+    turns = np.random.default_rng(seed).uniform(-0.5, 0.5, (len(rig.body.joints), 3))
+    return resting(rig, {joint.name: turn for joint, turn in zip(rig.body.joints, turns, strict=True)})
+
+
 def _sizes(names, owners):
     """Half the edge of each owner's box: small on the face and the fingers."""
     return [0.008 if names[i].count("/") > 4 else 0.05 for i in owners]

@@ -149,6 +149,7 @@ def test_words_can_be_read_on_every_ground():
         (["a_x", "a_y", "a_z", "x"], ["a_x", "y", "z", "x"]),
         (["mouthLeft", "mouthRight", "mouthUp"], ["mouthLeft", "mouthRight", "mouthUp"]),
         (["a_b", "a_b", "a_b"], ["a_b", "a_b", "a_b"]),
+        (["arm_L:rx", "arm_R:rx", "arm_L: ry/rz"], ["arm_L:rx", "arm_R:rx", "arm_L: ry/rz"]),
     ],
 )
 def test_names_leave_out_what_their_family_shares(given, short):

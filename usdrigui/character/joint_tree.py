@@ -114,14 +114,18 @@ def _bound_skin(meshes: Sequence[RigMesh]) -> Iterator[tuple[int, Floats, Floats
 
 
 class Tree(Record):
-    """Joints as they hang together, at the base pose in the space of their Skeleton."""
+    """Joints as they hang together, at the base pose in the space of their Skeleton, or `bound`: in
+    a pose a fist no longer leads on from its arm."""
 
     joints: tuple[Joint, ...]
     meshes: tuple[RigMesh, ...]
+    bound: bool = False
 
     @cached_property
     def world(self) -> Floats:
         """(joints, 4, 4)"""
+        if self.bound:
+            return np.array([joint.bind for joint in self.joints])
         return in_skeleton_space(self.joints, base_locals(self.joints))
 
     @cached_property

@@ -29,7 +29,7 @@ from usdrigui.layout.parts.division import divide
 from usdrigui.layout.parts.joint_regions import FACE, FLAT, OF_SIDES
 from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.place.handle_width import handle_width, on_face
-from usdrigui.layout.place.problem import penalty_of, placement_problem
+from usdrigui.layout.place.problem import penalty_of, placement_problem, without_lone_pairs
 from usdrigui.layout.place.regions import crowded_regions
 from usdrigui.layout.reuse.decisions import with_decisions
 from usdrigui.layout.reuse.existing_layout import drawn_width, of_new_controls
@@ -167,7 +167,7 @@ def _problem(
         candidates = find_candidates(known)
         candidates = of_new_controls(face, requests, candidates)
     with clock.stage("problem"):
-        groups = find_groups(known, candidates)
+        groups = without_lone_pairs(known, candidates, find_groups(known, candidates))
         most = settings.objective.max_neighbours
         regions = crowded_regions(face, groups, most) if face.crowded else {}
         groups = with_levels(face.rig, groups, settings.levels, requests, regions)

@@ -49,7 +49,7 @@ class JointRegions:
 def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     """The regions of a rig's joints; None for a rig that is not skinned to several joints."""
     body = rig.body
-    tree = Tree(body.joints, body.meshes)
+    tree = Tree(body.joints, body.meshes, bound=True)
     if len(tree.owners) < 2:
         return None
     heads = _heads(rig, tree, found)

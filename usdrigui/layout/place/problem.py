@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from functools import reduce
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from usdrigui.character.surface import mean_edge_length, mesh_triangles
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.layout.face import Face
 from usdrigui.layout.measured import Measured
+from usdrigui.layout.names import element_name
 from usdrigui.layout.place.candidates import SHARED_LEAST, candidates_of_axis, loosened
 from usdrigui.layout.place.extensions import user_pairs
 from usdrigui.layout.place.labels import drawn_points, labels_of
@@ -93,6 +95,53 @@ def placement_problem(
     impossible = _impossible(problem, groups, tuple(choices), requests.overrides)
     extra = user_pairs(face, problem, tuple(choices), costs.terms.user)
     return PlacementProblem(groups, replace(problem, extra=extra), tuple(choices), impossible)
+
+
+def without_lone_pairs(
+    known: Measured, candidates: Candidates, groups: tuple[Group, ...]
+) -> tuple[Group, ...]:
+    """The groups, with the element of either side in place of a pair that has no two places which
+    mirror each other, as arms in a pose: it loses the mirror and not the character."""
+    face, prior = known.face, known.requests.prior
+    sets = {face.trajectories.motions[each.motion].control: each for each in candidates.sets}
+    found: list[Group] = []
+    for group in groups:
+        pair = bool(group.mirror) and not (group.doubled or group.category)
+        if not pair or prior.stood_on_face(group.controls) or _mirrors(face, sets, group):
+            found.append(group)
+            continue
+        loose = _loosened(known, sets, group, _looser(known, group)[-1])
+        found += [group] if _mirrors(face, loose, group) else _sides(face, group)
+    return tuple(sorted(found, key=lambda group: group.name))
+
+
+def _looser(known: Measured, group: Group) -> tuple[float, ...]:
+    """Shares of the peak that a handle may come down to, one after the other, for its element to
+    have a place at all."""
+    return (known.pruning.least_kept, SHARED_LEAST)[: 1 + (len(group.controls) > 1)]
+
+
+def _loosened(
+    known: Measured, sets: Mapping[int, CandidateSet], group: Group, least: float
+) -> Mapping[int, CandidateSet]:
+    return {control: loosened(known, sets[control], least) for control in group.all_controls}
+
+
+def _mirrors(face: Face, sets: Mapping[int, CandidateSet], group: Group) -> bool:
+    """Whether a place that all controls of one side share mirrors one of the other side."""
+    ours, theirs = (
+        reduce(np.intersect1d, [sets[control].points for control in copy]) for copy in group.copies
+    )
+    return bool(np.isin(face.symmetry.partner[ours], theirs).any())
+
+
+def _sides(face: Face, group: Group) -> list[Group]:
+    """The two elements of a pair, each by itself."""
+    names = [face.control_name(control) for control in group.mirror]
+    alone = replace(group, mirror=(), images=(), image_names=(), image_reason="")
+    other = group.image_names[0] or element_name(names, face.rig.control_names)
+    reason = group.reason_of(group.mirror)
+    return [alone, replace(alone, name=other, controls=group.mirror, reason=reason)]
 
 
 def penalties_of_leaving(face: Face, requests: Requests, choice: Choice) -> tuple[Floats, float]:
@@ -186,11 +235,8 @@ def _variable(
     roomy = _needed(face, group.controls) or all(
         face.trajectories.motion_of(control).of_joint for control in group.controls
     )
-    looser = (known.pruning.least_kept, SHARED_LEAST)[: 1 + (len(group.controls) > 1)]
-    for least in (None, *looser):
-        used = sets
-        if least is not None:
-            used = {c: loosened(known, sets[c], least) for c in group.all_controls}
+    for least in (None, *_looser(known, group)):
+        used = sets if least is None else _loosened(known, sets, group, least)
         choice, cost, displacement = labels_of(
             face,
             used,

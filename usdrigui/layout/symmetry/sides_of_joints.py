@@ -63,8 +63,9 @@ def _twins(joints: tuple[Joint, ...]) -> dict[int, int]:
         keys = [(joint.skeleton, name.lower()) for joint, name in zip(joints, spelt, strict=True)]
         counts = Counter(keys)
         alone = {key: i for i, key in enumerate(keys) if counts[key] == 1}
-        for (skeleton, name), i in alone.items():
-            other = alone.get((skeleton, mirrored(name)), i)
+        for (skeleton, _), i in alone.items():
+            # Capitals part the words of "LeftArm".
+            other = alone.get((skeleton, mirrored(spelt[i])), i)
             if other != i:
                 found.setdefault(i, other)
     return found

@@ -11,6 +11,8 @@ import numpy as np
 from scipy.optimize import isotonic_regression, linear_sum_assignment
 
 from usdrigui.character import Floats
+from usdrigui.conventions import words
+from usdrigui.conventions.sides import SIDES
 from usdrigui.view.flat.lettering import cut, width_of
 from usdrigui.view.flat.scene import Label
 
@@ -21,6 +23,8 @@ _MAX_WIDTH = 210.0
 _FAMILY = 3
 """Names that share a first word, at least, to leave it out; and they are most of all names, since
 a word of a few says which they are."""
+_BARE = frozenset({*SIDES, "rx", "ry", "rz"})
+"""Words that alone do not tell what a control is for."""
 _EDGE, _AIR = 6.0, 10.0
 """Between the edge of a panel and its names, and between them and where their lines turn."""
 
@@ -34,9 +38,10 @@ def shortened(names: Sequence[str]) -> list[str]:
     for word, count in families.items():
         members = [i for i, found in enumerate(first) if found and found[0] == word]
         texts = [names[i] for i in members]
-        if count >= _FAMILY and 2 * count > len(names) and len(set(texts)) == count:
-            start = _shared_words(texts)
-            rest = [text[start:] for text in texts]
+        start = _shared_words(texts)
+        rest = [text[start:] for text in texts]
+        tells = not any(_BARE.issuperset(words(text)) for text in rest)
+        if count >= _FAMILY and 2 * count > len(names) and len(set(texts)) == count and tells:
             end = _shared_words([text[::-1] for text in rest])
             for i, text in zip(members, rest, strict=True):
                 short[i] = text[: len(text) - end]

@@ -10,7 +10,6 @@ import pytest
 import rig_copies
 from makers import changed
 
-from usdrigui.character.rotation import rotations
 from usdrigui.layout.symmetry.sides_of_joints import legs_point, mirrored_joints
 from usdrigui.model import MirrorPlane
 from usdrigui.pipeline import stages
@@ -32,17 +31,6 @@ def robot(swapped=False):
     return limbs.with_default_controls(made)
 
 
-def resting(rig, seed=5):
-    """The same character, bound as before, with every joint at rest turned by up to half a radian."""
-    turns = rotations(np.random.default_rng(seed).uniform(-0.5, 0.5, (len(rig.body.joints), 3)))
-    joints = []
-    for joint, turn in zip(rig.body.joints, turns, strict=True):
-        local = joint.rest.copy()
-        local[:3, :3] = turn @ local[:3, :3]
-        joints.append(replace(joint, rest=local, base=local))
-    return changed(rig, joints=tuple(joints))
-
-
 def twins(face):
     names = [control.name for control in face.rig.controls]
     return {name: names[twin] for name, twin in zip(names, face.symmetry.twins.tolist(), strict=True) if twin >= 0}
@@ -55,10 +43,21 @@ def test_a_robot_is_mirrored_between_the_joints_named_left_and_right():
     assert twins(face)["arm0_L:rx"] == "arm0_R:rx"
 
 
-def test_numbers_with_which_an_exporter_counts_the_joints_hide_no_sides():
+@pytest.mark.parametrize(
+    "spelt",
+    [
+        lambda i, name: f"{name}_{i:02d}",
+        lambda _, name: re.sub(r"arm(\d)_(.)", r"rig_\2Arm\1", name).replace("_L", "_Left").replace("_R", "_Right"),
+    ],
+    ids=["counted by an exporter", "capitals part the words"],
+)
+def test_names_of_joints_tell_their_sides_however_they_are_spelt(spelt):
     made = robot()
-    counted = tuple(replace(joint, path=f"{joint.path}_{i:02d}") for i, joint in enumerate(made.body.joints))
-    face = chain.face_of(limbs.with_default_controls(changed(made, joints=counted)))
+    joints = tuple(
+        replace(joint, path="/".join(spelt(i, part) for part in joint.path.split("/")))
+        for i, joint in enumerate(made.body.joints)
+    )
+    face = chain.face_of(limbs.with_default_controls(changed(made, joints=joints)))
     assert face.symmetry.plane.normal == pytest.approx([1.0, 0.0, 0.0], abs=0.05)
 
 
@@ -66,20 +65,24 @@ def test_the_names_tell_which_side_is_left_where_nothing_else_does():
     assert chain.face_of(robot(swapped=True)).views.ahead == pytest.approx([0.0, 0.0, -1.0], abs=0.05)
 
 
-def test_names_of_joints_tell_the_front_before_hair_behind_the_head():
-    made = limbs.whole_body(ahead=-1.0)
+def with_sides(made):
+    """The body whose arms and legs have sides in their names, with the controls of its joints."""
     sides = {"/a": "/l_arm", "/b": "/r_arm"}
     joints = tuple(
         replace(joint, path="".join(sides.get(part, part) for part in re.split(r"(/[ab])", joint.path)))
         for joint in made.body.joints
     )
-    face = chain.face_of(limbs.with_default_controls(changed(made, joints=joints)))
+    return limbs.with_default_controls(changed(made, joints=joints))
+
+
+def test_names_of_joints_tell_the_front_before_hair_behind_the_head():
+    face = chain.face_of(with_sides(limbs.whole_body(ahead=-1.0)))
     assert face.views.ahead == pytest.approx([0.0, 0.0, 1.0], abs=0.05)
 
 
 def test_a_character_that_rests_in_a_pose_has_the_pairs_of_its_bind_pose():
     rig = limbs.whole_body()
-    plain, posed = chain.face_of(rig), chain.face_of(resting(rig))
+    plain, posed = chain.face_of(rig), chain.face_of(limbs.anyhow(rig, 5))
     assert twins(plain)["a0:rx"] == "b0:rx"
     assert len(twins(posed)) >= 0.9 * len(twins(plain))
 
@@ -124,3 +127,11 @@ def test_a_body_that_lies_is_up_where_its_legs_are_not(world):
 
 def test_arms_that_are_spread_do_not_tell_which_way_is_up():
     assert not legs_point(robot().body, ACROSS).any()
+
+
+@pytest.mark.parametrize("turn", [(0.0, 0.0, 0.2), (0.0, 0.6, 0.0)])
+def test_arms_in_a_pose_lose_their_mirror_and_no_handle(turn):
+    raised = limbs.resting(with_sides(limbs.whole_body()), {"l_arm0": turn})
+    elements = [each for part in chain.laid_parts(raised) for each in part.layout.elements]
+    assert {each.name for each in elements if each.anchor.on_board} == {"l_arm2:rx", "r_arm2:rx"}, "too crowded at rest"
+    assert {each.name for each in elements if not each.mirror and each.side != "middle"} >= {"l_arm0:rx", "r_arm0:rx"}
