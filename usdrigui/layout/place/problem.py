@@ -101,12 +101,13 @@ def without_lone_pairs(
     known: Measured, candidates: Candidates, groups: tuple[Group, ...]
 ) -> tuple[Group, ...]:
     """The groups, with the element of either side in place of a pair that has no two places which
-    mirror each other, as arms in a pose: it loses the mirror and not the character."""
+    mirror each other, as arms modelled in a pose, and one in place of a doubled element: they lose
+    the mirror and not the character."""
     face, prior = known.face, known.requests.prior
     sets = {face.trajectories.motions[each.motion].control: each for each in candidates.sets}
     found: list[Group] = []
     for group in groups:
-        pair = bool(group.mirror) and not (group.doubled or group.category)
+        pair = bool(group.mirror) and not group.category
         if not pair or prior.stood_on_face(group.controls) or _mirrors(face, sets, group):
             found.append(group)
             continue
@@ -129,16 +130,21 @@ def _loosened(
 
 def _mirrors(face: Face, sets: Mapping[int, CandidateSet], group: Group) -> bool:
     """Whether a place that all controls of one side share mirrors one of the other side."""
-    ours, theirs = (
-        reduce(np.intersect1d, [sets[control].points for control in copy]) for copy in group.copies
-    )
-    return bool(np.isin(face.symmetry.partner[ours], theirs).any())
+    ours = [sets[control].points for control in group.controls]
+    theirs = [
+        face.trajectories.motion_of(control).points if group.doubled else sets[control].points
+        for control in group.mirror
+    ]
+    images = face.symmetry.partner[reduce(np.intersect1d, ours)]
+    return bool(np.isin(images, reduce(np.intersect1d, theirs)).any())
 
 
 def _sides(face: Face, group: Group) -> list[Group]:
-    """The two elements of a pair, each by itself."""
-    names = [face.control_name(control) for control in group.mirror]
+    """The two elements of a pair, each by itself; the one of a doubled element."""
     alone = replace(group, mirror=(), images=(), image_names=(), image_reason="")
+    if group.doubled:
+        return [alone]
+    names = [face.control_name(control) for control in group.mirror]
     other = group.image_names[0] or element_name(names, face.rig.control_names)
     reason = group.reason_of(group.mirror)
     return [alone, replace(alone, name=other, controls=group.mirror, reason=reason)]

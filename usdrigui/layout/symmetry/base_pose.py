@@ -22,21 +22,30 @@ def symmetry_at_pose(
     rig: Rig, trajectories: Trajectories, fields: DisplacementFields, settings: Settings
 ) -> Symmetry:
     """`find_symmetry`, but for a base pose of its own with the partners and twins of the neutral
-    pose.
+    pose: that at the controls' defaults, and of a character that rests in a pose its bind pose.
 
-    A pose with one eye closed has no mirror image there: pairs would find no common candidate and
-    leave the face. `fields` are those of `trajectories`; at the controls' defaults nothing differs
-    from `find_symmetry`, nor where the neutral pose has no symmetry.
+    A pose with one eye closed or one arm raised has no mirror image there: pairs would find no
+    common candidate and leave the character. `fields` are those of `trajectories`. Where the
+    neutral pose mirrors less than half of the points, whichever mirrors more of them counts.
     """
     pose = settings.read.pose
-    if all(pose.get(each.name, each.default) == each.default for each in rig.controls):
-        found = find_symmetry(rig, trajectories, fields, settings)
-        return _or_at_bind_pose(rig, trajectories, found, settings)
-    neutral = _same_controls(rig, trajectories, settings.trajectories)
-    symmetry = find_symmetry(rig, neutral, displacement_fields(neutral), settings)
-    if not symmetry.plane.normal.any():
+    neutral = _bound(rig) if settings.symmetry.enabled else None
+    if any(pose.get(each.name, each.default) != each.default for each in rig.controls):
+        neutral = rig
+    if neutral is None:
         return find_symmetry(rig, trajectories, fields, settings)
-    return _at_pose(symmetry, neutral.surface, trajectories.surface.points)
+    at_rest = _same_controls(neutral, trajectories, settings.trajectories)
+    found = find_symmetry(neutral, at_rest, displacement_fields(at_rest), settings)
+    if _mirrored(found) < LEAST_SHARE:
+        own = find_symmetry(rig, trajectories, fields, settings)
+        if _mirrored(own) >= _mirrored(found):
+            return own
+    return _at_pose(found, at_rest.surface, trajectories.surface.points)
+
+
+def _mirrored(symmetry: Symmetry) -> float:
+    """Share of the points that have a mirror image."""
+    return float((symmetry.partner >= 0).mean())
 
 
 def symmetry_of_part(
@@ -50,21 +59,6 @@ def symmetry_of_part(
         if own.plane.normal.any():
             return own
     return paired(rig, trajectories.motions, (fields, whole.plane, whole.partner), settings)
-
-
-def _or_at_bind_pose(
-    rig: Rig, trajectories: Trajectories, found: Symmetry, settings: Settings
-) -> Symmetry:
-    """What was found, or what the skeleton's bind pose shows where the base pose mirrors few
-    points: a character may rest in a pose of its own."""
-    bound, enabled = _bound(rig), settings.symmetry.enabled
-    if bound is None or not enabled or float((found.partner >= 0).mean()) >= LEAST_SHARE:
-        return found
-    neutral = _same_controls(bound, trajectories, settings.trajectories)
-    symmetry = find_symmetry(bound, neutral, displacement_fields(neutral), settings)
-    if (symmetry.partner >= 0).sum() <= (found.partner >= 0).sum():
-        return found
-    return _at_pose(symmetry, neutral.surface, trajectories.surface.points)
 
 
 def _bound(rig: Rig) -> Rig | None:
