@@ -96,33 +96,6 @@ def twisted_body(twists):
     return skeleton_rig(names, np.array([at[name] for name in names], float), owners)
 
 
-def posed_body():
-    """A body in a pose: hips, a spine of three, a head with a jaw of three and an eye beside it, straight arms a and b,
-    straight legs c and d, none of them alike."""
-    at = {"h": (0, 0, 0), "h/s0": (0.1, 0.2, 0), "h/s0/s1": (0.2, 0.5, 0.1), "h/s0/s1/s2": (0.2, 0.9, 0.3)}
-    chains = {
-        "h/s0/s1/s2": {
-            "a": [(0.25, 0, 0), (0.6, -0.5, 0.2), (0.5, -0.5, 0.7)],
-            "b": [(-0.25, 0, 0), (-0.8, 0.3, 0), (-1.3, 0.5, 0)],
-        },
-        "h": {
-            "c": [(0.2, -0.1, 0), (0.3, -0.9, 0.3), (0.3, -1.7, 0.1)],
-            "d": [(-0.2, -0.1, 0), (-0.5, -0.8, -0.2), (-0.7, -1.5, 0)],
-        },
-        "h/s0/s1/s2/n/e": {
-            "j": [(0.02, -0.02, 0.02), (0.03, -0.04, 0.08), (0.03, -0.05, 0.12)],
-            "k": [(0.04, 0.05, 0.1), (0.04, 0.05, 0.13)],
-        },
-    }
-    at |= {"h/s0/s1/s2/n": (0.2, 1.1, 0.3), "h/s0/s1/s2/n/e": (0.2, 1.3, 0.3)}
-    for start, own in chains.items():
-        for name, places in own.items():
-            for k, place in enumerate(places):
-                at[f"{start}/" + "/".join(f"{name}{i}" for i in range(k + 1))] = tuple(np.add(at[start], place))
-    names = sorted(at, key=lambda path: (path.count("/"), path))
-    return skeleton_rig(names, np.array([at[name] for name in names], float), list(range(len(names))))
-
-
 def skeleton_rig(names, places, owners, own=None, size=None):
     """Joints at `places` with a small box of skin, of half an edge `size`, around each owner."""
     size = np.full(len(owners), 0.05) if size is None else np.array(size)

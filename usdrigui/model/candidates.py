@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from usdrigui.character.record import Floats, Indices, Record
@@ -90,6 +90,15 @@ class Group:
     def reason_of(self, controls: tuple[int, ...]) -> str:
         """The reason of the copy of these controls."""
         return self.image_reason if self.image_reason and controls == self.mirror else self.reason
+
+    def apart(self, other: str) -> list[Group]:
+        """The two elements of a pair, each by itself, that of the other side called `other` unless
+        it has a name; the one of a doubled element."""
+        alone = replace(self, mirror=(), images=(), image_names=(), image_reason="")
+        if self.doubled:
+            return [alone]
+        name, reason = self.image_names[0] or other, self.reason_of(self.mirror)
+        return [alone, replace(alone, name=name, controls=self.mirror, reason=reason)]
 
     @property
     def all_controls(self) -> frozenset[int]:

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import reduce
+from itertools import chain
 
 import numpy as np
 
@@ -107,47 +108,38 @@ def without_lone_pairs(
     sets = {face.trajectories.motions[each.motion].control: each for each in candidates.sets}
     found: list[Group] = []
     for group in groups:
-        pair = bool(group.mirror) and not group.category
-        if not pair or prior.stood_on_face(group.controls) or _mirrors(face, sets, group):
+        alone = group.category or not group.mirror or prior.stood_on_face(group.controls)
+        looser = chain([sets], _looser(known, sets, group.copies))
+        if alone or any(_mirrors(face, used, group.copies) for used in looser):
             found.append(group)
-            continue
-        loose = _loosened(known, sets, group, _looser(known, group)[-1])
-        found += [group] if _mirrors(face, loose, group) else _sides(face, group)
+        else:
+            names = [face.control_name(control) for control in group.mirror]
+            found += group.apart(element_name(names, face.rig.control_names))
     return tuple(sorted(found, key=lambda group: group.name))
 
 
-def _looser(known: Measured, group: Group) -> tuple[float, ...]:
-    """Shares of the peak that a handle may come down to, one after the other, for its element to
+def _looser(
+    known: Measured, sets: Mapping[int, CandidateSet], copies: tuple[tuple[int, ...], ...]
+) -> Iterator[Mapping[int, CandidateSet]]:
+    """The sets of an element's controls where handles keep less and less of the peak, for it to
     have a place at all."""
-    return (known.pruning.least_kept, SHARED_LEAST)[: 1 + (len(group.controls) > 1)]
+    shares = (known.pruning.least_kept, SHARED_LEAST)
+    for least in shares[: 1 + (len(copies[0]) > 1)]:
+        yield {
+            control: loosened(known, sets[control], least) for each in copies for control in each
+        }
 
 
-def _loosened(
-    known: Measured, sets: Mapping[int, CandidateSet], group: Group, least: float
-) -> Mapping[int, CandidateSet]:
-    return {control: loosened(known, sets[control], least) for control in group.all_controls}
-
-
-def _mirrors(face: Face, sets: Mapping[int, CandidateSet], group: Group) -> bool:
-    """Whether a place that all controls of one side share mirrors one of the other side."""
-    ours = [sets[control].points for control in group.controls]
-    theirs = [
-        face.trajectories.motion_of(control).points if group.doubled else sets[control].points
-        for control in group.mirror
-    ]
+def _mirrors(
+    face: Face, sets: Mapping[int, CandidateSet], copies: tuple[tuple[int, ...], ...]
+) -> bool:
+    """Whether a place that all controls of one side share mirrors one of the other side; of a
+    doubled element, one that they move."""
+    ours, theirs = ([sets[control].points for control in controls] for controls in copies)
+    if set(copies[0]) == set(copies[1]):
+        theirs = [face.trajectories.motion_of(control).points for control in copies[0]]
     images = face.symmetry.partner[reduce(np.intersect1d, ours)]
     return bool(np.isin(images, reduce(np.intersect1d, theirs)).any())
-
-
-def _sides(face: Face, group: Group) -> list[Group]:
-    """The two elements of a pair, each by itself; the one of a doubled element."""
-    alone = replace(group, mirror=(), images=(), image_names=(), image_reason="")
-    if group.doubled:
-        return [alone]
-    names = [face.control_name(control) for control in group.mirror]
-    other = group.image_names[0] or element_name(names, face.rig.control_names)
-    reason = group.reason_of(group.mirror)
-    return [alone, replace(alone, name=other, controls=group.mirror, reason=reason)]
 
 
 def penalties_of_leaving(face: Face, requests: Requests, choice: Choice) -> tuple[Floats, float]:
@@ -241,8 +233,7 @@ def _variable(
     roomy = _needed(face, group.controls) or all(
         face.trajectories.motion_of(control).of_joint for control in group.controls
     )
-    for least in (None, *_looser(known, group)):
-        used = sets if least is None else _loosened(known, sets, group, least)
+    for used in chain([sets], _looser(known, sets, group.copies)):
         choice, cost, displacement = labels_of(
             face,
             used,
