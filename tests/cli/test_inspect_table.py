@@ -86,6 +86,12 @@ def test_a_finding_is_one_line_of_two_sentences():
     assert line.endswith(f"very little. {found.repair}")
 
 
+def test_of_many_findings_of_one_code_the_first_are_told():
+    lines = [*issue_lines([errors.issue("CONTROL_TINY", f"/r{i}", "a") for i in range(6)])]
+    assert [line.split()[2] for line in lines[:-1]] == ["/r0:", "/r1:", "/r2:", "/r3:"]
+    assert lines[-1] == "  and 2 more CONTROL_TINY: --json tells all"
+
+
 @pytest.mark.parametrize(("parts", "said"), [(["face"], "face"), (["hands"], "hands"), (["face", "body"], "character")])
 def test_controls_stand_on_the_one_part_that_there_is_or_on_the_character(parts, said):
     assert on_what([SimpleNamespace(parts=[SimpleNamespace(name=name) for name in parts])]) == said

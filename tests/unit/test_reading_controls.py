@@ -395,7 +395,9 @@ def test_a_joint_without_axes_is_no_control(tmp_path):
 
 def test_joints_that_are_moved_or_scaled_are_mentioned(tmp_path):
     rig = read(posed(tmp_path / "p.usda", None))
-    assert [(each.code, each.message) for each in rig.issues] == [("JOINT_MOTION_IGNORED", "1 joints: a")]
+    assert [(each.code, each.message) for each in rig.issues] == [
+        ("JOINT_MOTION_IGNORED", "the animation moves or scales a, and controls of joints turn them")
+    ]
     rig = read(posed(tmp_path / "q.usda", None), {"read": {"joints": "none"}, "poses": {"p": {"frame": 2.0}}})
     assert rig.issues == ()
 

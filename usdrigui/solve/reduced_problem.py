@@ -81,6 +81,15 @@ class Solution(Record):
     """For the report."""
 
 
+class Row(NamedTuple):
+    """Of a linear program: ``low <= values x[columns] <= high``."""
+
+    columns: Indices
+    values: Floats
+    low: float
+    high: float
+
+
 class Strip(NamedTuple):
     """The tables of a variable with later ones, side by side, so that one pass goes over all."""
 

@@ -22,6 +22,9 @@ if TYPE_CHECKING:
 _WEAK, _WEAKEST = 0.9, 3
 """Displacement below which the weakest handles are named, and how many of them."""
 
+_ALIKE = 4
+"""Findings of one code that are told in full."""
+
 
 def report_lines(report: Report, written: Sequence[str], *, verbose: bool) -> Iterator[Printed]:
     """Of every character what is on it and what is not, and the findings; with `verbose` the place
@@ -48,10 +51,16 @@ def closing_line(report: Report) -> str:
 
 
 def issue_lines(issues: Iterable[Issue]) -> Iterator[str]:
-    """One line of two sentences for each finding."""
+    """One line of two sentences for each finding; of many with one code the first ones."""
+    told = Counter[str]()
     for found in issues:
+        told[found.code] += 1
         where = f" {found.where}:" if found.where else ""
-        yield f"{found.severity}: {found.code}{where} {sentences(found)}"
+        if told[found.code] <= _ALIKE:
+            yield f"{found.severity}: {found.code}{where} {sentences(found)}"
+    for code, count in told.items():
+        if count > _ALIKE:
+            yield f"  and {count - _ALIKE} more {code}: --json tells all"
 
 
 def matching_lines(which: str, found: Matching) -> Iterator[str]:
