@@ -274,8 +274,12 @@ def _paper(problem: LayoutProblem, method: str, seconds: float) -> dict[str, Any
 
 
 def _toulbar2(problem: LayoutProblem, method: str, seconds: float) -> dict[str, Any]:
+    from toulbar2 import in_the_turn_of_highs
+
     del method
-    return _by_us(problem, SolveSettings(method="toulbar2", time_limit=seconds, memory_limit=4096))
+    with in_the_turn_of_highs():
+        found = _by_us(problem, SolveSettings(time_limit=seconds, memory_limit=4096))
+    return found | {"note": found["note"].replace("highs", "toulbar2")}
 
 
 def _by_us(problem: LayoutProblem, settings: SolveSettings) -> dict[str, Any]:

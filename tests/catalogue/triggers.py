@@ -409,15 +409,6 @@ def _problem(folder: Path) -> Any:
     return pipeline.build_problem(found, Settings()).placement.problem
 
 
-def _solved(method: str, **settings: Any) -> Trigger:
-    from usdrigui.solve import solve
-
-    def trigger(folder: Path, _: Any) -> Found:
-        return refused(lambda: solve(_problem(folder), SolveSettings(method=method, **settings)))
-
-    return trigger
-
-
 def _infeasible(folder: Path, _: Any) -> Found:
     from usdrigui.solve import solve
 
@@ -705,7 +696,6 @@ TRIGGERS: Mapping[str, Trigger] = {
     "BATCH_SCHEDULER": _no_scheduler,
     "ANIMATION_MISSING": _no_animation,
     "NORMALS_INWARD": _trajectories("NORMALS_INWARD"),
-    "SOLVE_EXTRA": _without("pytoulbar2", _solved("toulbar2")),
     "SOLVE_INFEASIBLE": _infeasible,
     "TERM_INVALID": _bad_term,
     "POSE_CONTROL": _posed(_valued({"smirk": 1.0})),

@@ -13,6 +13,7 @@ import sys
 from collections.abc import Callable
 from dataclasses import replace
 
+import highspy
 import numpy as np
 import pytest
 from enumeration import best_of_all
@@ -289,6 +290,15 @@ def test_a_cutoff_just_above_the_best_cost_finds_that_layout_again(seed: int) ->
     assert all_labels(problem).candidate[found.chosen].tolist() == best.labels.tolist()
     none = solve_milp(plain, best.cost - 1e-5, budget, budget.work_left)
     assert (none.chosen, none.bound) == (None, best.cost - 1e-5)
+
+
+def test_highs_run_with_more_threads_elsewhere_in_the_process_is_not_in_the_way() -> None:
+    highspy.Highs.resetGlobalScheduler(True)
+    other = milp.QuietHighs()
+    other.setOptionValue("threads", 2)
+    other.addVar(0.0, 1.0)
+    other.run()
+    test_a_cutoff_just_above_the_best_cost_finds_that_layout_again(0)
 
 
 def _nothing(*_: object, **__: object) -> None:

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import time
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -21,8 +19,6 @@ from usdrigui.solve.budget import Budget
 from usdrigui.solve.exact import infeasible_penalty
 from usdrigui.solve.label_geometry import all_labels
 from usdrigui.solve.pair_costs import pair_costs
-from usdrigui.solve.reduced_problem import PlainProblem
-from usdrigui.solve.toulbar2 import _solved, solve_by_toulbar2
 
 FEW = 3_000_000
 """Work that is enough for a crowd of five."""
@@ -103,61 +99,6 @@ def test_paper_counts_explicit_costs_across_clusters() -> None:
         except RigUIError:
             continue
         assert found.cost == pytest.approx(total_cost(problem, found.labels))
-
-
-# --- toulbar2 ----------------------------------------------------------------------------------------
-
-
-def test_toulbar2_finds_what_costs_less_than_is_to_spare() -> None:
-    """Of labels that cost 0 and 30 with 0 and 40, those of 0 cost 60 in a pair."""
-    pytest.importorskip("pytoulbar2")
-    pairs = np.zeros((4, 4))
-    pairs[0, 2] = 60.0
-    bound, chosen, _ = _solved((np.array([0, 2, 4]), np.array([0.0, 30.0, 0.0, 40.0]), pairs, 50.0))
-    assert chosen is not None
-    assert chosen.tolist() == [1, 0]
-    assert bound == pytest.approx(30.0)
-
-
-def test_toulbar2_agrees_on_whole_problems() -> None:
-    pytest.importorskip("pytoulbar2")
-    for seed in range(2):
-        problem = crowd(seed, variables=5, candidates=20)
-        theirs = solve(problem, SolveSettings(method="toulbar2"))
-        ours = solve(problem, SolveSettings(work_limit=FEW))
-        assert theirs.status == ours.status == "optimal"
-        assert ours.cost == pytest.approx(theirs.cost, rel=1e-4)
-        assert ours.bound <= theirs.cost + 1e-6
-
-
-@pytest.mark.parametrize("seed", [1, 4, 6])
-def test_toulbar2_agrees_where_costs_are_huge(seed: int) -> None:
-    pytest.importorskip("pytoulbar2")
-    problem, factor = crowd(seed, variables=3, candidates=8), 1e10
-    huge = replace(
-        problem,
-        variables=tuple(
-            replace(v, cost=v.cost * factor, off_face_cost=v.off_face_cost * factor) for v in problem.variables
-        ),
-        overlap=replace(problem.overlap, weight=problem.overlap.weight * factor),
-    )
-    ours, theirs = best_of_all(huge), solve(huge, SolveSettings(method="toulbar2"))
-    assert theirs.bound <= ours.cost
-    assert theirs.cost == pytest.approx(ours.cost)
-    assert theirs.status == "optimal"
-
-
-def test_toulbar2_is_ended_when_the_run_is_to_stop() -> None:
-    """Sixty variables that all interact: it would take hours."""
-    pytest.importorskip("pytoulbar2")
-    owner = np.repeat(np.arange(60), 15)
-    pairs = np.where(owner[:, None] < owner, np.random.default_rng(0).uniform(0.0, 1.0, (900, 900)), 0.0)
-    began = time.monotonic()
-    budget = Budget(SolveSettings(), stop=lambda: time.monotonic() - began > 1.0)
-    problem = PlainProblem(np.arange(0, 901, 15), np.zeros(900), pairs + pairs.T)
-    found = solve_by_toulbar2(problem, 1e4, budget)
-    assert (found.chosen, found.bound, budget.limit) == (None, -np.inf, "interrupt")
-    assert time.monotonic() - began < 5.0
 
 
 # --- costs --------------------------------------------------------------------------------------------

@@ -170,7 +170,7 @@ class ObjectiveSettings:
 class SolveSettings:
     """How the layout problem is solved, and for how long."""
 
-    method: Literal["highs", "paper", "toulbar2"] = "highs"
+    method: Literal["highs", "paper"] = "highs"
     gap: float = 0.0001
     work_limit: int = 60_000_000
     time_limit: float = 0.0

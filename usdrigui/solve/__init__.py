@@ -24,8 +24,7 @@ def solve(
 
     `progress` receives every better layout or bound; `stop` is asked now and then, and when it
     says true the best layout so far comes back with its honest gap.  Raises RigUIError
-    SOLVE_INFEASIBLE when no layout is allowed, SOLVE_EXTRA when the method's package is not
-    installed.
+    SOLVE_INFEASIBLE when no layout is allowed.
     """
     budget = Budget(settings, progress, stop)
     if settings.method == "paper":

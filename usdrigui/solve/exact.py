@@ -13,7 +13,6 @@ from usdrigui.solve.cheap_labels import cheap_labels
 from usdrigui.solve.label_geometry import LabelSet, all_labels
 from usdrigui.solve.local_search import KnownRows, LazyRows, LocalSearch
 from usdrigui.solve.reduce import SLOW, Reduction
-from usdrigui.solve.toulbar2 import check_installed, solve_by_toulbar2
 
 TRAPS = 0.5
 """How much worse the first local search may get on its way: a crowd has many traps."""
@@ -25,8 +24,6 @@ def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
 
     Raises SOLVE_INFEASIBLE when no layout is allowed.
     """
-    if budget.settings.method == "toulbar2":
-        check_installed()
     labels = all_labels(problem)
     empty = [problem.variables[at].name for at in np.flatnonzero(np.diff(labels.start) == 0)]
     if empty:
@@ -120,13 +117,10 @@ def _solve_reduced(left: Reduction, incumbent: LocalSearch, budget: Budget) -> s
 
 def _search(left: Reduction, incumbent: LocalSearch, budget: Budget) -> None:
     """Search what is left with all the work that is."""
-    method, cutoff, rest = budget.settings.method, budget.cutoff, left.plain()
-    if method == "toulbar2":
-        found = solve_by_toulbar2(rest, cutoff, budget)
-    else:
-        from usdrigui.solve.milp import solve_milp
+    from usdrigui.solve.milp import solve_milp
 
-        found = solve_milp(rest, cutoff, budget, budget.settings.work_limit)
+    method, cutoff, rest = "highs", budget.cutoff, left.plain()
+    found = solve_milp(rest, cutoff, budget, budget.settings.work_limit)
     if found.chosen is not None:
         incumbent.improve_from(left.representatives(found.chosen))
     budget.found(method, bound=found.bound)

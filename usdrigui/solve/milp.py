@@ -152,6 +152,8 @@ def _lifted(problem: PlainProblem, one: slice, other: slice, column: int) -> Ite
 
 
 def _loaded(problem: PlainProblem, rows: list[Row], seed: int) -> highspy.Highs:
+    # Another user of this process may have run HiGHS with more threads; it refuses one then.
+    highspy.Highs.resetGlobalScheduler(True)
     highs = QuietHighs()  # type: ignore[no-untyped-call]
     for name, value in _OPTIONS.items():
         highs.setOptionValue(name, value)

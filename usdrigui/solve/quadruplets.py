@@ -51,6 +51,7 @@ def quadruplet_rows(
     paid = np.where(together < 0, 0.0, values[together])
     transport, found = QuietHighs(), []  # type: ignore[no-untyped-call]
     transport.setOptionValue("presolve", "off")
+    transport.setOptionValue("threads", 1)
     for four in _drawn(mixed > paid + EPSILON, generator):
         every = [
             each.start + np.flatnonzero(alive[each])
