@@ -87,9 +87,8 @@ def test_a_finding_is_one_line_of_two_sentences():
 
 
 def test_of_many_findings_of_one_code_the_first_are_told():
-    lines = [*issue_lines([errors.issue("CONTROL_TINY", f"/r{i}", "a") for i in range(6)])]
-    assert [line.split()[2] for line in lines[:-1]] == ["/r0:", "/r1:", "/r2:", "/r3:"]
-    assert lines[-1] == "  and 2 more CONTROL_TINY: --json tells all"
+    lines = [*issue_lines([errors.issue("CONTROL_TINY", "/r", "a")] * 6)]
+    assert (len(lines), lines[-1]) == (5, "  and 2 more CONTROL_TINY: --json tells all")
 
 
 @pytest.mark.parametrize(("parts", "said"), [(["face"], "face"), (["hands"], "hands"), (["face", "body"], "character")])

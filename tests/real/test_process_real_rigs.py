@@ -8,7 +8,7 @@ from pathlib import Path
 import laid_out
 import numpy as np
 import pytest
-from pxr import Sdf
+from pxr import Gf, Sdf, Usd, UsdSkel
 
 from usdrigui.cli import main
 from usdrigui.layer.read_layout import read_layout
@@ -87,3 +87,16 @@ def test_baked_handles_are_centred_on_their_anchors(run):
         ]
         assert misses
         assert max(misses) < 1e-5 * diagonal
+
+
+def test_check_doubts_no_pair_of_a_character_that_rests_in_a_pose(tmp_path):
+    stage, posed = Usd.Stage.Open(str(ASSETS / "rpm_xr.usdc")), str(tmp_path / "posed.usda")
+    skeleton = UsdSkel.Skeleton.Get(stage, "/RPM/Skel")
+    # The left arm's joint is number 9.
+    rest = skeleton.GetRestTransformsAttr().Get()
+    rest[9] = Gf.Matrix4d().SetRotate(Gf.Rotation((0, 0, 1), 40)) * rest[9]
+    skeleton.GetRestTransformsAttr().Set(rest)
+    stage.Export(posed)
+    assert (
+        main(["process", "--quiet", posed]) == main(["check", "--strict", posed.replace(".usda", ".rigui.usda")]) == 0
+    )

@@ -124,7 +124,7 @@ def test_a_trunk_and_small_bones_of_a_face_have_no_hinge_where_no_plane_mirrors_
     at = {joint.path.replace("h/s", "h/u/v/s"): joint.bind[3, :3] for joint in limbs.whole_body().body.joints}
     at |= {"h/u": (0.0, 0.1, 0.0), "h/u/v": (0.0, 0.15, 0.0)}
     names = sorted(at, key=lambda path: (path.count("/"), path))
-    rig = limbs.anyhow(limbs.skeleton_rig(names, np.array([at[name] for name in names]), [*range(len(names))]), 3)
+    rig = limbs.anyhow(limbs.skeleton_rig(names, np.array([at[name] for name in names]), list(range(len(names)))), 3)
     assert Tree(rig.body.joints, rig.body.meshes).mirror is None
     bends = {path.rpartition("/")[2] for path, kind in kinds_of(rig) if kind == "bend"}
     assert bends == {"a1", "al1", "b1", "bl1"}

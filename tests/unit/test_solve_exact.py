@@ -296,7 +296,6 @@ def test_highs_run_with_more_threads_elsewhere_in_the_process_is_not_in_the_way(
     highspy.Highs.resetGlobalScheduler(True)
     other = milp.QuietHighs()
     other.setOptionValue("threads", 2)
-    other.addVar(0.0, 1.0)
     other.run()
     test_a_cutoff_just_above_the_best_cost_finds_that_layout_again(0)
 

@@ -13,6 +13,7 @@ import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel
 
 from usdrigui.character import Floats, Rig
+from usdrigui.conventions.sides import hints_at_twin
 from usdrigui.errors import Issue, RigUIError, of_character
 from usdrigui.layer import author
 from usdrigui.layer.agreement import CLEAR, disagreements, drawings
@@ -259,13 +260,15 @@ def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue
 def _of_mirror(
     prim: Usd.Prim, element: Element, other_prim: Usd.Prim, other: Element, layout: Layout
 ) -> Iterator[Issue]:
-    """Whether the element on the other side is one.  Where it lies is a warning: a person may
-    call controls twins whose places on a lopsided character mirror nothing."""
+    """Whether the element on the other side is one.  Where it lies is a warning, for controls that
+    their names do not call twins: those of a character in a pose mirror each other there too."""
     where = f"rigUI:element:mirror {other_prim.GetPath()}"
     if other.mirror != element.name or len(other.members) != len(element.members):
         yield invalid_at(prim, f"{where} does not mirror it back, with as many controls")
         return
-    if _OPPOSITE.get(element.side) != other.side:
+    pairs = list(zip(element.members, other.members, strict=True))
+    named = all(hints_at_twin(one.control, twin.control) for one, twin in pairs)
+    if _OPPOSITE.get(element.side) != other.side and not named:
         yield doubtful_at(prim, f"{where} is on the side {other.side}")
     reflect = layout.frame.plane.reflected
     free = element.anchor.on_board or other.anchor.on_board or element.kind == "fan"
@@ -275,10 +278,10 @@ def _of_mirror(
     away = np.linalg.norm(reflect(element.anchor.position) - other.anchor.position)
     if away > 3.0 * width:
         # The plane is that of the main part: others may turn from it.
-        if layout.frame.mirrors(element.part):
+        if layout.frame.mirrors(element.part) and not named:
             yield doubtful_at(prim, f"{where} is {away:.3g} from its mirror image")
         return
-    for index, (one, twin) in enumerate(zip(element.members, other.members, strict=True)):
+    for index, (one, twin) in enumerate(pairs):
         mine, theirs = (track[-1] - track[0] for track in (reflect(one.track), twin.track))
         clear = CLEAR * np.linalg.norm(mine) * np.linalg.norm(theirs)
         reversed_ = index in element.reversed

@@ -11,7 +11,7 @@ from usdrigui.character import Floats, Rig
 from usdrigui.layout.motion.similarity import DisplacementFields, displacement_fields
 from usdrigui.layout.motion.trajectory import of_controls, trajectories as find_trajectories
 from usdrigui.layout.parts.joint_regions import FACE
-from usdrigui.layout.symmetry.mirror_plane import LEAST_SHARE, find_symmetry
+from usdrigui.layout.symmetry.mirror_plane import find_symmetry
 from usdrigui.layout.symmetry.sides_of_joints import plane_between
 from usdrigui.layout.symmetry.twins import paired
 from usdrigui.model import BaseSurface, Symmetry, Trajectories
@@ -22,30 +22,25 @@ def symmetry_at_pose(
     rig: Rig, trajectories: Trajectories, fields: DisplacementFields, settings: Settings
 ) -> Symmetry:
     """`find_symmetry`, but for a base pose of its own with the partners and twins of the neutral
-    pose: that at the controls' defaults, and of a character that rests in a pose its bind pose.
+    pose: that at the controls' defaults, and of a character that rests in a pose its bind pose,
+    if that mirrors more of what the controls move.
 
     A pose with one eye closed or one arm raised has no mirror image there: pairs would find no
-    common candidate and leave the character. `fields` are those of `trajectories`. Where the
-    neutral pose mirrors less than half of the points, whichever mirrors more of them counts.
+    common candidate and leave the character. `fields` are those of `trajectories`.
     """
     pose = settings.read.pose
-    neutral = _bound(rig) if settings.symmetry.enabled else None
-    if any(pose.get(each.name, each.default) != each.default for each in rig.controls):
-        neutral = rig
-    if neutral is None:
+    has_expression = any(pose.get(each.name, each.default) != each.default for each in rig.controls)
+    neutral = rig if has_expression else _bound(rig)
+    if neutral is None or not trajectories.motions:
         return find_symmetry(rig, trajectories, fields, settings)
     at_rest = _same_controls(neutral, trajectories, settings.trajectories)
     found = find_symmetry(neutral, at_rest, displacement_fields(at_rest), settings)
-    if _mirrored(found) < LEAST_SHARE:
+    if not (has_expression and found.plane.normal.any()):
         own = find_symmetry(rig, trajectories, fields, settings)
-        if _mirrored(own) >= _mirrored(found):
+        moved = np.concatenate([motion.points for motion in trajectories.motions])
+        if (own.partner[moved] >= 0).sum() >= (found.partner[moved] >= 0).sum():
             return own
     return _at_pose(found, at_rest.surface, trajectories.surface.points)
-
-
-def _mirrored(symmetry: Symmetry) -> float:
-    """Share of the points that have a mirror image."""
-    return float((symmetry.partner >= 0).mean())
 
 
 def symmetry_of_part(

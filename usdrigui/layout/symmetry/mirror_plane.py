@@ -43,7 +43,7 @@ _MOTION_WEIGHT = 1e-3
 nearly touch, as closed lips do."""
 _ACROSS_ALL = [way for way in AROUND if tuple(way) > (0.0, 0.0, 0.0)]
 """One of either direction along the axes and between them."""
-LEAST_SHARE = 0.5
+_LEAST_SHARE = 0.5
 """Least share of the points whose mirror image must meet the surface."""
 
 
@@ -153,7 +153,7 @@ class _Search(Record):
         met = [self._apart(plane)[0] <= self.tolerance for plane in found]
         shares = np.round([each.mean() for each in met], 3)
         best = np.argsort(-shares, kind="stable")
-        return [found[i] for i in best if shares[i] >= LEAST_SHARE]
+        return [found[i] for i in best if shares[i] >= _LEAST_SHARE]
 
     def ranked(self, planes: list[MirrorPlane]) -> tuple[list[MirrorPlane], int]:
         """The distinct planes, the best first: those that fit as well as the best, of which the

@@ -23,7 +23,7 @@ _MAX_WIDTH = 210.0
 _FAMILY = 3
 """Names that share a first word, at least, to leave it out; and they are most of all names, since
 a word of a few says which they are."""
-_BARE = frozenset({*SIDES, "rx", "ry", "rz"})
+_BARE = {*SIDES, "rx", "ry", "rz"}
 """Words that alone do not tell what a control is for."""
 _EDGE, _AIR = 6.0, 10.0
 """Between the edge of a panel and its names, and between them and where their lines turn."""
