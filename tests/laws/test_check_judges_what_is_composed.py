@@ -150,8 +150,8 @@ EDITS = {
     displace: {"LAYOUT_ANCHOR_MOVED"},
     turn_a_face: {"LAYOUT_TOPOLOGY"},
     regrab: {"LAYOUT_ANCHOR_MOVED", "LAYOUT_TRACK", "LAYOUT_DRAWN"},
-    # Its track and what is drawn stay, and its mirror.
-    collide: {"LAYOUT_HANDLES_COLLIDE", "LAYOUT_ANCHOR_MOVED", "LAYOUT_INVALID", "LAYOUT_TRACK", "LAYOUT_DRAWN"},
+    # Its track and what is drawn stay.
+    collide: {"LAYOUT_HANDLES_COLLIDE", "LAYOUT_ANCHOR_MOVED", "LAYOUT_TRACK", "LAYOUT_DRAWN"},
     take_shape: {"LAYOUT_CONTROL_GONE", "LAYOUT_CONTROL_NEW"},
     deactivate_element: {"LAYOUT_CONTROL_NEW"},
     deactivate_twin: {"LAYOUT_CONTROL_NEW"},
