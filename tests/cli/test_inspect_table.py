@@ -86,9 +86,9 @@ def test_a_finding_is_one_line_of_two_sentences():
     assert line.endswith(f"very little. {found.repair}")
 
 
-def test_of_many_findings_of_one_code_the_first_are_told():
-    lines = [*issue_lines([errors.issue("CONTROL_TINY", "/r", "a")] * 6)]
-    assert (len(lines), lines[-1]) == (5, "  and 2 more CONTROL_TINY: --json tells all")
+def test_a_finding_that_many_elements_share_is_one_line():
+    (line,) = issue_lines(errors.issue("LAYOUT_TOPOLOGY", f"/r{i}", "a") for i in range(6))
+    assert line.startswith("error: LAYOUT_TOPOLOGY /r0, /r1, /r2 and 3 more: a.")
 
 
 @pytest.mark.parametrize(("parts", "said"), [(["face"], "face"), (["hands"], "hands"), (["face", "body"], "character")])

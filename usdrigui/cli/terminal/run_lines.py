@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from usdrigui.cli.terminal.table import Table
-from usdrigui.errors import sentences
+from usdrigui.errors import by_cause, sentences
 
 if TYPE_CHECKING:
     from usdrigui.cli.terminal.screen import Printed
@@ -21,9 +21,6 @@ if TYPE_CHECKING:
 
 _WEAK, _WEAKEST = 0.9, 3
 """Displacement below which the weakest handles are named, and how many of them."""
-
-_ALIKE = 4
-"""Findings of one code that are told in full."""
 
 
 def report_lines(report: Report, written: Sequence[str], *, verbose: bool) -> Iterator[Printed]:
@@ -51,16 +48,10 @@ def closing_line(report: Report) -> str:
 
 
 def issue_lines(issues: Iterable[Issue]) -> Iterator[str]:
-    """One line of two sentences for each finding; of many with one code the first ones."""
-    told = Counter[str]()
-    for found in issues:
-        told[found.code] += 1
+    """One line of two sentences for each cause."""
+    for found in by_cause(issues):
         where = f" {found.where}:" if found.where else ""
-        if told[found.code] <= _ALIKE:
-            yield f"{found.severity}: {found.code}{where} {sentences(found)}"
-    for code, count in told.items():
-        if count > _ALIKE:
-            yield f"  and {count - _ALIKE} more {code}: --json tells all"
+        yield f"{found.severity}: {found.code}{where} {sentences(found)}"
 
 
 def matching_lines(which: str, found: Matching) -> Iterator[str]:
