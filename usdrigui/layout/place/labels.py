@@ -15,6 +15,7 @@ import numpy as np
 
 from usdrigui.character import Floats, Indices
 from usdrigui.layout.face import Face
+from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.tracks import (
     arc_lengths,
     lengths,
@@ -24,22 +25,17 @@ from usdrigui.layout.motion.tracks import (
 )
 from usdrigui.layout.place.terms import LinearTerms, displacement_unit, linear_cost, off_plane
 from usdrigui.layout.reuse.prior_layout import PriorLayout
-from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.orbits import orbit_points
 from usdrigui.model import CandidateSet, Choice, Group, Motion
-from usdrigui.settings import SymmetrySettings
 from usdrigui.ties import first_smallest
 
 
 def labels_of(
-    face: Face,
+    known: Measured,
     sets: Mapping[int, CandidateSet],
     groups: tuple[Group, ...],
     index: int,
-    requests: Requests,
-    mirror: SymmetrySettings,
     terms: LinearTerms,
-    displacement_weight: float,
 ) -> tuple[Choice, Floats, Floats]:
     """Candidates that all members and all copies of group `index` share, their costs (R,) without
     the overlap, and displacements (R,).
@@ -47,7 +43,8 @@ def labels_of(
     Displacement and linear costs are those of the worst member (paper section 3.3), summed over
     copies. `sets` are the candidates by control.
     """
-    group = groups[index]
+    group, face, requests = groups[index], known.face, known.requests
+    mirror = known.settings.symmetry
     if group.doubled:
         sets = {control: _on_both_sides(face, sets[control], terms) for control in group.controls}
     choice = _with_copies(face, group, index, sets[group.controls[0]], mirror.tolerance)
@@ -59,7 +56,7 @@ def labels_of(
         importance = max(
             _importance(requests.overrides[control].importance) for control in controls
         )
-        worth = displacement_weight * importance
+        worth = known.settings.objective.displacement_weight * importance
         for control in controls:
             motion = face.trajectories.motions[sets[control].motion]
             unit = displacement_unit(motion.peak, face.trajectories.typical_length, terms)

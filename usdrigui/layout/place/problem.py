@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from functools import reduce
 from itertools import chain
 
 import numpy as np
@@ -68,7 +67,7 @@ def placement_problem(
     another package."""
     face, requests, objective = known.face, known.requests, known.settings.objective
     overlap, separation = _constants(face, objective)
-    sets = {face.trajectories.motions[each.motion].control: each for each in candidates.sets}
+    sets = _by_control(known, candidates)
     existing = existing_variables(
         requests.fixed_elements,
         face.rig.body,
@@ -104,18 +103,23 @@ def without_lone_pairs(
     """The groups, with the element of either side in place of a pair that has no two places which
     mirror each other, as arms modelled in a pose, and one in place of a doubled element: they lose
     the mirror and not the character."""
-    face, prior = known.face, known.requests.prior
-    sets = {face.trajectories.motions[each.motion].control: each for each in candidates.sets}
+    face, terms, sets = known.face, LinearTerms.of(known.settings), _by_control(known, candidates)
     found: list[Group] = []
-    for group in groups:
-        alone = group.category or not group.mirror or prior.stood_on_face(group.controls)
+    for index, group in enumerate(groups):
+        is_pair = bool(group.mirror) and not group.category
         looser = chain([sets], _looser(known, sets, group.copies))
-        if alone or any(_mirrors(face, used, group.copies) for used in looser):
-            found.append(group)
-        else:
+        costs = (labels_of(known, used, groups, index, terms)[1] for used in looser)
+        if is_pair and not any(np.isfinite(each).any() for each in costs):
             names = [face.control_name(control) for control in group.mirror]
             found += group.apart(element_name(names, face.rig.control_names))
+        else:
+            found.append(group)
     return tuple(sorted(found, key=lambda group: group.name))
+
+
+def _by_control(known: Measured, candidates: Candidates) -> Mapping[int, CandidateSet]:
+    motions = known.face.trajectories.motions
+    return {motions[each.motion].control: each for each in candidates.sets}
 
 
 def _looser(
@@ -128,18 +132,6 @@ def _looser(
         yield {
             control: loosened(known, sets[control], least) for each in copies for control in each
         }
-
-
-def _mirrors(
-    face: Face, sets: Mapping[int, CandidateSet], copies: tuple[tuple[int, ...], ...]
-) -> bool:
-    """Whether a place that all controls of one side share mirrors one of the other side; of a
-    doubled element, one that they move."""
-    ours, theirs = ([sets[control].points for control in controls] for controls in copies)
-    if set(copies[0]) == set(copies[1]):
-        theirs = [face.trajectories.motion_of(control).points for control in copies[0]]
-    images = face.symmetry.partner[reduce(np.intersect1d, ours)]
-    return bool(np.isin(images, reduce(np.intersect1d, theirs)).any())
 
 
 def penalties_of_leaving(face: Face, requests: Requests, choice: Choice) -> tuple[Floats, float]:
@@ -234,16 +226,7 @@ def _variable(
         face.trajectories.motion_of(control).of_joint for control in group.controls
     )
     for used in chain([sets], _looser(known, sets, group.copies)):
-        choice, cost, displacement = labels_of(
-            face,
-            used,
-            groups,
-            index,
-            requests,
-            known.settings.symmetry,
-            costs.terms,
-            objective.displacement_weight,
-        )
+        choice, cost, displacement = labels_of(known, used, groups, index, costs.terms)
         samples, handles = drawn_points(
             face, choice, objective.samples, known.settings.output.min_track
         )
