@@ -29,18 +29,14 @@ def symmetry_at_pose(
     common candidate and leave the character. `fields` are those of `trajectories`.
     """
     pose = settings.read.pose
-    has_expression = any(pose.get(each.name, each.default) != each.default for each in rig.controls)
-    neutral = rig if has_expression else _bound(rig)
-    if neutral is None or not trajectories.motions:
+    if all(pose.get(each.name, each.default) == each.default for each in rig.controls):
+        found = find_symmetry(rig, trajectories, fields, settings)
+        return _or_at_bind_pose(rig, trajectories, found, settings)
+    neutral = _same_controls(rig, trajectories, settings.trajectories)
+    symmetry = find_symmetry(rig, neutral, displacement_fields(neutral), settings)
+    if not symmetry.plane.normal.any():
         return find_symmetry(rig, trajectories, fields, settings)
-    at_rest = _same_controls(neutral, trajectories, settings.trajectories)
-    found = find_symmetry(neutral, at_rest, displacement_fields(at_rest), settings)
-    if not (has_expression and found.plane.normal.any()):
-        own = find_symmetry(rig, trajectories, fields, settings)
-        moved = np.concatenate([motion.points for motion in trajectories.motions])
-        if (own.partner[moved] >= 0).sum() >= (found.partner[moved] >= 0).sum():
-            return own
-    return _at_pose(found, at_rest.surface, trajectories.surface.points)
+    return _at_pose(symmetry, neutral.surface, trajectories.surface.points)
 
 
 def symmetry_of_part(
@@ -54,6 +50,22 @@ def symmetry_of_part(
         if own.plane.normal.any():
             return own
     return paired(rig, trajectories.motions, (fields, whole.plane, whole.partner), settings)
+
+
+def _or_at_bind_pose(
+    rig: Rig, trajectories: Trajectories, found: Symmetry, settings: Settings
+) -> Symmetry:
+    """What was found, or what the skeleton's bind pose shows where that mirrors more of what the
+    controls move: a character may rest in a pose of its own."""
+    moved = np.concatenate([each.points for each in trajectories.motions] or [np.zeros(0, int)])
+    bound = _bound(rig) if settings.symmetry.enabled else None
+    if bound is None or (found.partner[moved] >= 0).all():
+        return found
+    neutral = _same_controls(bound, trajectories, settings.trajectories)
+    symmetry = find_symmetry(bound, neutral, displacement_fields(neutral), settings)
+    if (symmetry.partner[moved] >= 0).sum() <= (found.partner[moved] >= 0).sum():
+        return found
+    return _at_pose(symmetry, neutral.surface, trajectories.surface.points)
 
 
 def _bound(rig: Rig) -> Rig | None:
