@@ -260,8 +260,8 @@ def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue
 def _of_mirror(
     prim: Usd.Prim, element: Element, other_prim: Usd.Prim, other: Element, layout: Layout
 ) -> Iterator[Issue]:
-    """Whether the element on the other side is one.  Where it lies is a warning, for controls that
-    their names do not call twins: those of a character in a pose mirror each other there too."""
+    """Whether the element on the other side is one.  Where it lies is a warning, unless the names
+    of the controls call them twins: on a character in a pose these mirror each other anywhere."""
     where = f"rigUI:element:mirror {other_prim.GetPath()}"
     if other.mirror != element.name or len(other.members) != len(element.members):
         yield invalid_at(prim, f"{where} does not mirror it back, with as many controls")

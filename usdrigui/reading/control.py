@@ -138,13 +138,8 @@ def ignored_motion(root: str, joints: tuple[Joint, ...], clip: Clip | None) -> t
     names = [joints[i].name for i in np.flatnonzero(moved)]
     if not names:
         return ()
-    return (
-        issue(
-            "JOINT_MOTION_IGNORED",
-            root,
-            f"the animation moves or scales {listed(names)}, and controls of joints turn them",
-        ),
-    )
+    what = f"the animation moves or scales {listed(names)}, and controls of joints turn them"
+    return (issue("JOINT_MOTION_IGNORED", root, what),)
 
 
 def pose_drafts(

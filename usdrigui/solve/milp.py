@@ -214,7 +214,6 @@ def _clique(label: int, apart: Flags, open_: Flags, excess: Floats) -> Indices:
 
 
 _OPTIONS: dict[str, bool | int | float | str] = {
-    "threads": 1,
     "parallel": "off",
     "mip_rel_gap": 0.0,
     "mip_abs_gap": 1e-9,

@@ -23,10 +23,11 @@ from usdrigui.solve.triplets import CHEAPEST
 
 
 class QuietHighs(highspy.Highs):
-    """Without the banner that subscribing to callbacks prints."""
+    """On one thread, and without the banner that subscribing to callbacks prints."""
 
     def enableCallbacks(self) -> None:  # noqa: N802, D102
         self.setOptionValue("output_flag", False)
+        self.setOptionValue("threads", 1)
         super().enableCallbacks()  # type: ignore[no-untyped-call]
 
 
@@ -51,7 +52,6 @@ def quadruplet_rows(
     paid = np.where(together < 0, 0.0, values[together])
     transport, found = QuietHighs(), []  # type: ignore[no-untyped-call]
     transport.setOptionValue("presolve", "off")
-    transport.setOptionValue("threads", 1)
     for four in _drawn(mixed > paid + EPSILON, generator):
         every = [
             each.start + np.flatnonzero(alive[each])
