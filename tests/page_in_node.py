@@ -1,26 +1,31 @@
-"""The page's own sources in Node.js, without a browser."""
+"""The page's own sources in Node.js and its server, without a browser."""
 
 from __future__ import annotations
 
 import json
 import shutil
 import subprocess
+import threading
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 
+from usdrigui.view.web.serve import page_server
+
 
 def placed_by_the_page(cases):
     """What the page makes of cases {scene, times}, as placed.mjs says; one process for all."""
-    return json.loads(_answer("placed.mjs", cases))
+    return json.loads(answer("placed.mjs", cases))
 
 
 def corrections_of_the_page(scene, control, mesh, point):
     """The layer that the page saves when the element of a control was moved to a point, as rearranged.mjs says."""
-    return _answer("rearranged.mjs", {"scene": scene, "control": control, "mesh": mesh, "point": point})
+    return answer("rearranged.mjs", {"scene": scene, "control": control, "mesh": mesh, "point": point})
 
 
-def _answer(script, asked):
+def answer(script, asked):
+    """What a script of tests/clients prints that is given a question as JSON."""
     if shutil.which("node") is None:
         pytest.skip("Node.js is not installed")
     path = Path(__file__).with_name("clients") / script
@@ -29,3 +34,14 @@ def _answer(script, asked):
     )
     assert done.returncode == 0, done.stderr
     return done.stdout
+
+
+@contextmanager
+def serving(page, live=None):
+    """A server of the page that answers meanwhile."""
+    with page_server(page, live=live) as server:
+        thread = threading.Thread(target=server.serve_forever, args=(0.02,), daemon=True)
+        thread.start()
+        yield server
+        server.shutdown()
+        thread.join()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import subprocess
+import sys
 import time
 from pathlib import Path
 
@@ -22,6 +23,15 @@ def children_of(*processes):
     parents = ",".join(map(str, processes))
     found = subprocess.run(["ps", "-o", "pid=", "--ppid", parents], capture_output=True, text=True, check=False)
     return [int(each) for each in found.stdout.split()]
+
+
+def impostor(folder, monkeypatch, script):
+    """Have a shell script run instead of Python; its file."""
+    path = folder / "python"
+    path.write_text(f"#!/bin/sh\n{script}\n")
+    path.chmod(0o755)
+    monkeypatch.setattr(sys, "executable", str(path))
+    return path
 
 
 def gone(*processes):

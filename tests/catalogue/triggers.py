@@ -24,6 +24,7 @@ from typing import Any
 import minimal_assets
 import numpy as np
 from layout_problems import at_one_spot
+from processes import impostor
 
 import usdrigui
 from usdrigui import pipeline, stages
@@ -87,18 +88,10 @@ def _impostor(script: str, *arguments: object) -> Trigger:
     """A reading process of another kind."""
 
     def trigger(folder: Path, patch: Any) -> Found:
-        _impersonated(folder, patch, sys, script)
+        impostor(folder, patch, script)
         return process(folder, "", *arguments)
 
     return trigger
-
-
-def _impersonated(folder: Path, patch: Any, system: Any, script: str) -> None:
-    """Have another program run instead of Python."""
-    path = folder / "python"
-    path.write_text(f"#!/bin/sh\n{script}\n")
-    path.chmod(0o755)
-    patch.setattr(system, "executable", str(path))
 
 
 def _changed(folder: Path, _: Any) -> Found:
@@ -369,7 +362,7 @@ def _job(script: str, timeout: float = 0.0) -> Trigger:
     from usdrigui.clients.batch.job import Job
 
     def trigger(folder: Path, patch: Any) -> Found:
-        _impersonated(folder, patch, sys, script)
+        impostor(folder, patch, script)
         row = jobs.run_job(Job(str(folder / "char.usda"), str(folder / "out.usda"), "", timeout=timeout))
         return row.exit, [asdict(issue(row.code, row.asset, row.message))]
 
@@ -504,7 +497,7 @@ def _supervised(script: str) -> Trigger:
     """The command itself, its worker being another program."""
 
     def trigger(folder: Path, patch: Any) -> Found:
-        _impersonated(folder, patch, sys, script)
+        impostor(folder, patch, script)
         out = io.StringIO()
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(io.StringIO()):
             code = supervised.run(["process", str(folder / "char.usda"), "--json"], SimpleQueue())
@@ -534,7 +527,7 @@ def _no_working_directory(folder: Path, patch: Any) -> Found:
 
 def _full_output(folder: Path, patch: Any) -> Found:
     """Only standard error can tell it."""
-    _impersonated(folder, patch, sys, _told("end", code=0, out="laid out", err=""))
+    impostor(folder, patch, _told("end", code=0, out="laid out", err=""))
     err = io.StringIO()
     with Path("/dev/full").open("w") as full, contextlib.redirect_stdout(full), contextlib.redirect_stderr(err):
         code = supervised.run(["process", "char.usda"], SimpleQueue())

@@ -2,7 +2,6 @@
 
 import json
 import os
-import sys
 import threading
 from dataclasses import replace
 from pathlib import Path
@@ -11,7 +10,7 @@ import batch_assets
 import minimal_assets
 import pytest
 from PIL import Image
-from processes import gone, until
+from processes import gone, impostor, until
 from pxr import Sdf
 
 from usdrigui.cli import main
@@ -128,10 +127,7 @@ def test_what_a_pattern_matches_and_is_no_file_has_a_row(tmp_path, capsys):
 
 def fake(monkeypatch, tmp_path, text):
     """Processes of the batch run a script instead of usdrigui."""
-    script = tmp_path / "fake.sh"
-    script.write_text(f"#!/bin/sh\n{text}\n")
-    script.chmod(0o755)
-    monkeypatch.setattr(sys, "executable", str(script))
+    impostor(tmp_path, monkeypatch, text)
     return Job(str(tmp_path / "char.usda"), str(tmp_path / "char.rigui.usda"), "")
 
 

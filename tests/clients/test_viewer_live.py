@@ -8,17 +8,13 @@ from __future__ import annotations
 
 import base64
 import json
-import shutil
-import subprocess
-import threading
-from contextlib import contextmanager
-from pathlib import Path
 
 import laid_out
 import makers
 import numpy as np
 import pytest
 from browser_pages import Viewer
+from page_in_node import answer, serving
 from pxr import Sdf
 from random_characters import composed, off, random_character
 from viewer_layouts import MIRRORS, peak_layout
@@ -29,27 +25,17 @@ from usdrigui.settings import load
 from usdrigui.view.web.live import LiveFile
 from usdrigui.view.web.packing import pack
 from usdrigui.view.web.page import page_html
-from usdrigui.view.web.serve import page_server
 
-PAGES = Path(__file__).with_name("live_pages.mjs")
 FRAMES = range(1, 13)
 TOLERANCE = 2e-5 + 2.0**-10
 """A SkelAnimation holds scales that change in time as halves."""
 
 
-@contextmanager
 def served(path, read=(), page="page"):
-    with page_server(page, live=LiveFile(path, read)) as server:
-        thread = threading.Thread(target=server.serve_forever, args=(0.02,), daemon=True)
-        thread.start()
-        yield server
-        server.shutdown()
-        thread.join()
+    return serving(page, LiveFile(path, read))
 
 
 def pages(server, rig, rounds, times=(), more=()):
-    if shutil.which("node") is None:
-        pytest.skip("Node.js is not installed")
     asked = {
         "scene": base64.b64encode(pack([(each, laid_out.layout_of(each)) for each in (rig, *more)], "live")).decode(),
         "address": f"{server.address}edit",
@@ -57,11 +43,7 @@ def pages(server, rig, rounds, times=(), more=()):
         "rounds": rounds,
         "times": list(times),
     }
-    done = subprocess.run(
-        ["node", str(PAGES)], input=json.dumps(asked), capture_output=True, text=True, timeout=60, check=False
-    )
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
+    return json.loads(answer("live_pages.mjs", asked))
 
 
 def character(folder, seed):

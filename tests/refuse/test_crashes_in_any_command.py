@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import json
-import sys
 
 import minimal_assets
 import pytest
+from processes import impostor
 from pxr import Sdf, Usd
 
 from usdrigui.cli import main
@@ -34,14 +34,11 @@ COMMANDS = (
 def test_a_crash_in_any_command(line, tmp_path, monkeypatch, capfd):
     minimal_assets.character(tmp_path)
     (tmp_path / "layer.usda").write_text("#usda 1.0\n")
-    impostor = tmp_path / "python"
-    impostor.write_text("#!/bin/sh\nkill -SEGV $$\n")
-    impostor.chmod(0o755)
+    impostor(tmp_path, monkeypatch, "kill -SEGV $$")
     before = {each.name: each.read_bytes() for each in tmp_path.iterdir()}
     opened = []
     for owner, name in ((Usd.Stage, "Open"), (Sdf.Layer, "FindOrOpen"), (Sdf.Layer, "OpenAsAnonymous")):
         monkeypatch.setattr(owner, name, lambda *named: opened.append(named))
-    monkeypatch.setattr(sys, "executable", str(impostor))
     monkeypatch.chdir(tmp_path)
     code = main([*line.split(), "--json"])
     monkeypatch.undo()

@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from mutations import package
-from processes import children_of, gone, until
+from processes import children_of, gone, impostor, until
 from pxr import Sdf
 from skel_stages import character, head
 
@@ -119,10 +119,7 @@ DEATHS = {
 @pytest.mark.parametrize("how", DEATHS)
 def test_every_death_has_its_code(how, tmp_path, monkeypatch, capfd):
     script, code, leaves = DEATHS[how]
-    impostor = tmp_path / "python"
-    impostor.write_text(f"#!/bin/sh\n{script}\n")
-    impostor.chmod(0o755)
-    monkeypatch.setattr(sys, "executable", str(impostor))
+    impostor(tmp_path, monkeypatch, script)
     error = refused(head(tmp_path / "char.usda"), {"time_limit": 0.5})
     assert (error.issue.code, error.exit_code) == (code, leaves)
     assert capfd.readouterr() == ("", "")
@@ -149,10 +146,7 @@ def test_an_answer_that_the_system_does_not_hand_over(tmp_path, monkeypatch):
 
 
 def test_grandchildren_die_with_the_reader(tmp_path, monkeypatch):
-    impostor = tmp_path / "python"
-    impostor.write_text(f"#!/bin/sh\nsleep 60 &\necho $! > {tmp_path}/grandchild\nwait\n")
-    impostor.chmod(0o755)
-    monkeypatch.setattr(sys, "executable", str(impostor))
+    impostor(tmp_path, monkeypatch, f"sleep 60 &\necho $! > {tmp_path}/grandchild\nwait")
     assert refused(head(tmp_path / "char.usda"), {"time_limit": 0.5}).issue.code == "SOURCE_TIME_LIMIT"
     until(lambda: gone(int((tmp_path / "grandchild").read_text())))
 

@@ -13,6 +13,7 @@ from queue import SimpleQueue
 
 import minimal_assets
 import pytest
+from processes import impostor
 
 from usdrigui.errors import Exit, refuse
 from usdrigui.isolation.supervising import KILL, STOP, supervise
@@ -46,10 +47,7 @@ def run(tmp_path, monkeypatch):
     """Supervise a shell script in a worker's place."""
 
     def supervised(script, *events, **options):
-        impostor = tmp_path / "python"
-        impostor.write_text(f"#!/bin/sh\necho $$ > {tmp_path}/pid\n{script}\n")
-        impostor.chmod(0o755)
-        monkeypatch.setattr(sys, "executable", str(impostor))
+        impostor(tmp_path, monkeypatch, f"echo $$ > {tmp_path}/pid\n{script}")
         waiting, printed = SimpleQueue(), []
         for each in events:
             waiting.put(each)

@@ -10,6 +10,7 @@ import urllib.parse
 from pathlib import Path
 
 import pytest
+from page_in_node import serving
 
 from usdrigui.view.web.live import LiveFile, animation
 from usdrigui.view.web.serve import page_server, serve
@@ -19,12 +20,8 @@ PAGE = "<!DOCTYPE html><title>ä</title>"
 
 @pytest.fixture
 def server():
-    with page_server(PAGE) as made:
-        thread = threading.Thread(target=made.serve_forever, args=(0.02,), daemon=True)
-        thread.start()
+    with serving(PAGE) as made:
         yield made
-        made.shutdown()
-        thread.join()
 
 
 def answer(server, path, method="GET", host=None):
@@ -155,12 +152,8 @@ over "Char"
 
 @pytest.fixture
 def live(tmp_path):
-    with page_server(PAGE, live=LiveFile(tmp_path / "edit.usda", ())) as made:
-        thread = threading.Thread(target=made.serve_forever, args=(0.02,), daemon=True)
-        thread.start()
+    with serving(PAGE, LiveFile(tmp_path / "edit.usda", ())) as made:
         yield made
-        made.shutdown()
-        thread.join()
 
 
 def ask(server, method, body=None, path=None, **headers):
