@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 import tomllib
 import traceback
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
 from difflib import get_close_matches
@@ -212,6 +212,16 @@ def meant(name: str, known: Iterable[str]) -> str:
     near = get_close_matches(name.lower(), folded, n=1)
     like = slip or same_name(name, tuple(folded.values())) or next(iter(near), "")
     return f"; did you mean {folded.get(like, like)!r}?" if like else ""
+
+
+def check_known(
+    name: str, known: Collection[str], where: str, lacking: str = "there is no control"
+) -> None:
+    """Raise CONFIG_UNKNOWN_CONTROL for a name that is not `known`, with the one that may be meant;
+    `lacking` says who has no control of it."""
+    if name not in known:
+        what = f"{lacking} {name!r}{meant(name, known)}"
+        raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
 
 
 def visible(text: str) -> str:

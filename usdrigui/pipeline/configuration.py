@@ -11,7 +11,7 @@ import numpy as np
 
 from usdrigui.character import Control, Floats, Rig
 from usdrigui.conventions import same_name
-from usdrigui.errors import Faults, RigUIError, meant, refuse
+from usdrigui.errors import Faults, RigUIError, check_known, refuse
 from usdrigui.layout.control_overrides import control_index, control_overrides
 from usdrigui.layout.group.grouping import check_groups
 from usdrigui.layout.place.extensions import check_terms
@@ -92,9 +92,7 @@ def base_values_of(root: str, controls: tuple[Control, ...], pose: Mapping[str, 
     faults = Faults()
     for name, value in pose.items():
         with faults.collected():
-            if name not in index:
-                what = f"{root} has no control of this name{meant(name, index)}"
-                raise refuse("CONFIG_UNKNOWN_CONTROL", f'read.pose."{name}"', what)
+            check_known(name, index, f'read.pose."{name}"', f"{root} has no control")
             values[index[name]] = value
     faults.raise_all()
     return values
@@ -146,6 +144,6 @@ def _check_parts(rigs: Sequence[Rig], settings: PartSettings, faults: Faults) ->
     known |= {left.control for rig in rigs for left in rig.left_off}
     for name in settings.controls:
         with faults.collected():
-            if name not in known:
-                what = f"no rig of the asset has this control{meant(name, known)}"
-                raise refuse("CONFIG_UNKNOWN_CONTROL", f'parts.controls."{name}"', what)
+            check_known(
+                name, known, f'parts.controls."{name}"', "no rig of the asset has a control"
+            )

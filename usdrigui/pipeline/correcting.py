@@ -12,7 +12,7 @@ import numpy as np
 
 from usdrigui.character import Rig
 from usdrigui.character.deform import posed
-from usdrigui.errors import meant, refuse
+from usdrigui.errors import check_known, meant, refuse
 from usdrigui.isolation.foreign_file import whole_content
 from usdrigui.layout.reuse.partial_layout import anchored_point
 from usdrigui.model import CorrectedPlace, Correction, Element, Layout
@@ -23,7 +23,7 @@ from usdrigui.reader.reader_process import (
     read_layer_isolated,
     read_layouts_isolated,
 )
-from usdrigui.replacing.transaction import State, Transaction, same_file
+from usdrigui.replacing.transaction import State, commit, same_file
 from usdrigui.settings import ControlSettings, ReadSettings, Settings, literal, load
 
 
@@ -82,10 +82,7 @@ def bake(shot: Path, settings: Settings, output: Path | None = None) -> tuple[St
         raise refuse("FILE_TARGET", target, "exists and is not what `usdrigui bake` wrote")
     content = read_baked_isolated(shot, settings.read)
     make_folder(target)
-    with Transaction([shot]) as files:
-        state = files.stage(content.encode(), target)
-        files.commit()
-    return state, target
+    return commit(content, target, read=[shot]), target
 
 
 def _recorded(layout: Layout) -> list[Correction]:
@@ -140,9 +137,7 @@ def _decided(known: Correction, said: tuple[str, str], rig: Rig, layout: Layout)
         return _placed(known, value, rig, layout)
     names = value.split(",") if what == "group" else [value] * (what == "twin")
     for name in names:
-        if name not in rig.control_names:
-            where, hint = f"{known.control}.{what}", meant(name, rig.control_names)
-            raise refuse("CONFIG_UNKNOWN_CONTROL", where, f"there is no control {name!r}{hint}")
+        check_known(name, rig.control_names, f"{known.control}.{what}")
     if what == "group":
         return replace(known, group=tuple(dict.fromkeys((known.control, *names))))
     settings = {**known.settings, what: literal(value)}
@@ -184,7 +179,4 @@ def _written(
 
     make_folder(output)
     content = corrections_text(corrections, relative_asset_path(layer, output), metadata)
-    with Transaction([layer]) as files:
-        state = files.stage(content, output)
-        files.commit()
-    return state
+    return commit(content, output, read=[layer])

@@ -13,7 +13,16 @@ from pathlib import Path
 import numpy as np
 
 from usdrigui.character import Performance, Record, Rig
-from usdrigui.errors import Faults, Issue, RigUIError, issue, meant, of_character, refuse
+from usdrigui.errors import (
+    Faults,
+    Issue,
+    RigUIError,
+    check_known,
+    issue,
+    meant,
+    of_character,
+    refuse,
+)
 from usdrigui.isolation.foreign_file import SourceFile
 from usdrigui.layout.reuse.existing_layout import layout_of, moved_path
 from usdrigui.layout.reuse.identity import Matching
@@ -254,10 +263,9 @@ def check_like(like: tuple[tuple[Rig, Layout], ...], rig: Rig, names: Mapping[st
     for theirs, ours in names.items():
         for whose, name in ((other, theirs), (rig, ours)):
             with faults.collected():
-                if name and name not in whose.control_names:
-                    root, near = whose.path, meant(name, whose.control_names)
-                    what = f"{root} has no control {name!r}{near}"
-                    raise refuse("CONFIG_UNKNOWN_CONTROL", f'like.names."{theirs}"', what)
+                if name:
+                    known, lacking = whose.control_names, f"{whose.path} has no control"
+                    check_known(name, known, f'like.names."{theirs}"', lacking)
     faults.raise_all()
 
 

@@ -9,7 +9,14 @@ from pathlib import Path
 
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.reader.reader_process import read_layer_isolated
-from usdrigui.replacing.transaction import State, Transaction, check_not_read, file_error, same_file
+from usdrigui.replacing.transaction import (
+    State,
+    Transaction,
+    check_not_read,
+    commit,
+    file_error,
+    same_file,
+)
 from usdrigui.settings import ReadSettings
 
 _LAYER_SUFFIXES = (".usd", ".usda", ".usdc")
@@ -30,10 +37,9 @@ def write_file(content: bytes, target: Path, read: Iterable[Path | str]) -> Stat
     Raises FILE_TARGET for one of those and for a USD file, so that no slip of the hand replaces a
     character.
     """
-    with Transaction(read) as files:
-        state = stage_file(files, content, target)
-        files.commit()
-    return state
+    check_outputs([target])
+    make_folder(target)
+    return commit(content, target, read=read)
 
 
 def stage_file(files: Transaction, content: bytes, target: Path) -> State:

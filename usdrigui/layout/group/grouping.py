@@ -17,7 +17,7 @@ import numpy as np
 
 from usdrigui.character import Flags
 from usdrigui.conventions.sides import has_side
-from usdrigui.errors import Faults, meant, refuse
+from usdrigui.errors import Faults, check_known, refuse
 from usdrigui.layout.control_overrides import control_index
 from usdrigui.layout.group.evidence import Evidence
 from usdrigui.layout.group.own_places import has_own_place
@@ -88,9 +88,7 @@ def check_groups(groups: Mapping[str, Sequence[str]], known: Collection[str]) ->
         where = f'groups.groups."{name}"'
         for member in members:
             with faults.collected():
-                if member not in known:
-                    what = f"no control is called {member!r}{meant(member, known)}"
-                    raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
+                check_known(member, known, where)
                 if member in taken:
                     what = f"{member} is listed twice: a control can be in one group only"
                     raise refuse("CONFIG_VALUE", where, what)

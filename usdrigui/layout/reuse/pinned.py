@@ -15,7 +15,7 @@ import numpy as np
 
 from usdrigui.character import Rig
 from usdrigui.character.deform import posed
-from usdrigui.errors import Issue, RigUIError, issue, refuse
+from usdrigui.errors import Issue, RigUIError, check_known, issue, refuse
 from usdrigui.layout.motion.coverage import NOTABLE
 from usdrigui.layout.reuse.carrying import MOVES, Today, carried, point_named
 from usdrigui.layout.reuse.other_world import turn_between
@@ -135,10 +135,9 @@ def pins_of_fixed(layout: Layout, rig: Rig) -> list[Pin]:
     pins = []
     for element, inner in with_levels(layout.elements):
         names, anchor = tuple(m.control for m in element.members), element.anchor
-        if unknown := [name for name in names if name not in rig.control_names]:
+        for name in names:
             where = f"{layout.root} element {element.name}"
-            what = f"{rig.path} has no control {unknown[0]!r}"
-            raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
+            check_known(name, rig.control_names, where, f"{rig.path} has no control")
         if anchor.on_board:
             pins.append(Pin(element.name, names, (), place="board", inner=inner))
             continue

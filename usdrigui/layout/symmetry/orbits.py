@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from usdrigui.character import Control, Floats, Indices
 from usdrigui.character.joint_tree import unit
-from usdrigui.errors import Faults, meant, refuse
+from usdrigui.errors import Faults, check_known, refuse
 from usdrigui.model import BaseSurface, Motion, Trajectories
 from usdrigui.settings import ControlSettings
 
@@ -54,10 +54,7 @@ def check_orbits(
     for control, override in zip(controls, overrides, strict=True):
         for member in override.orbit:
             with faults.collected():
-                if member not in index:
-                    where = f'controls."{control.name}".orbit'
-                    what = f"no control is called {member!r}{meant(member, index)}"
-                    raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
+                check_known(member, index, f'controls."{control.name}".orbit')
     faults.raise_all()
 
 

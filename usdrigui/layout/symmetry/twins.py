@@ -16,7 +16,7 @@ import numpy as np
 
 from usdrigui.character import Flags, Floats, Indices, Rig, Singles
 from usdrigui.conventions.sides import has_side, hints_at_twin
-from usdrigui.errors import Faults, meant, refuse
+from usdrigui.errors import Faults, check_known
 from usdrigui.layout.control_overrides import control_index, control_overrides
 from usdrigui.layout.motion.similarity import DisplacementFields, bidirectional, rows_of
 from usdrigui.layout.symmetry.sides_of_joints import mirrored_joints
@@ -143,9 +143,7 @@ def configured_twins(rig: Rig, controls: Mapping[str, ControlSettings]) -> dict[
 def _named_twin(own: int, name: str, twin: str, index: dict[str, int]) -> int:
     if twin in ("self", "none"):
         return own if twin == "self" else -1
-    if twin not in index:
-        what = f"no control is called {twin!r}{meant(twin, index)}"
-        raise refuse("CONFIG_UNKNOWN_CONTROL", f'controls."{name}".twin', what)
+    check_known(twin, index, f'controls."{name}".twin')
     return index[twin]
 
 
