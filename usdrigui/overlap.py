@@ -268,7 +268,7 @@ def overlap_cost(distance: ArrayLike, overlap: MeanOverlap) -> Floats:
     if np.isfinite(overlap.cutoff_distance):
         value = value - overlap.maximum * float(_fall(np.array(overlap.cutoff_distance), overlap))
         value = np.where(z < overlap.cutoff_distance, np.maximum(value, 0.0), 0.0)
-    return np.asarray(value, dtype=np.float64)
+    return np.asarray(value)
 
 
 def element_distance(first: Floats, second: Floats) -> Floats:
@@ -278,11 +278,9 @@ def element_distance(first: Floats, second: Floats) -> Floats:
     """
     square = np.square(first[:, None] - second[None]).sum(axis=2)
     nearest = np.sqrt(square.min(axis=0)).sum(axis=0) + np.sqrt(square.min(axis=1)).sum(axis=0)
-    return np.asarray(nearest / (len(first) + len(second)), dtype=np.float64)
+    return np.asarray(nearest / (len(first) + len(second)))
 
 
 def _fall(z: Floats, overlap: MeanOverlap) -> Floats:
     """1 / (1 + exp(sharpness (z - radius))), without overflow."""
-    return np.asarray(
-        0.5 * (1.0 - np.tanh(0.5 * overlap.sharpness * (z - overlap.radius))), dtype=np.float64
-    )
+    return np.asarray(0.5 * (1.0 - np.tanh(0.5 * overlap.sharpness * (z - overlap.radius))))

@@ -158,7 +158,7 @@ def keyed(keys: Floats, rows: Floats, at: Floats) -> Floats:
     them."""
     i = keys[1:-1].searchsorted(at, side="right")
     share = ((at - keys[i]) / (keys[i + 1] - keys[i])).reshape(-1, *(1,) * (rows.ndim - 1))
-    return np.asarray((1.0 - share) * rows[i] + share * rows[i + 1], dtype=np.float64)
+    return np.asarray((1.0 - share) * rows[i] + share * rows[i + 1])
 
 
 def moved_locals(joints: tuple[Joint, ...], moves: Floats) -> Floats:

@@ -20,7 +20,7 @@ def rotations(vectors: ArrayLike) -> Floats:
     zero = np.zeros_like(x)
     cross = np.stack([zero, z, -y, -z, zero, x, y, -x, zero], axis=-1).reshape(*v.shape[:-1], 3, 3)
     first, second = np.sinc(angle / np.pi), 0.5 * np.sinc(angle / (2.0 * np.pi)) ** 2
-    return np.asarray(np.eye(3) + first * cross + second * (cross @ cross), dtype=np.float64)
+    return np.asarray(np.eye(3) + first * cross + second * (cross @ cross))
 
 
 def rotation_vectors(frames: ArrayLike) -> Floats:
@@ -74,7 +74,7 @@ def quaternions(frames: Floats) -> Floats:
         outer[:, 0, i + 1] = outer[:, i + 1, 0] = m[:, k, j] - m[:, j, k]
         outer[:, j + 1, k + 1] = outer[:, k + 1, j + 1] = m[:, j, k] + m[:, k, j]
     best = outer[np.arange(len(m)), diagonal.argmax(axis=1)]
-    return np.asarray(best / np.linalg.norm(best, axis=1, keepdims=True), dtype=np.float64)
+    return np.asarray(best / np.linalg.norm(best, axis=1, keepdims=True))
 
 
 def quaternion_matrices(q: Floats) -> Floats:

@@ -117,8 +117,8 @@ def skeleton_to_root(
 def applied(points: Floats, maps: Floats) -> Floats:
     """Points (p, 3) under affine maps (1 or p, 4, 3)."""
     if len(maps) == 1:
-        return np.asarray(points @ maps[0, :3] + maps[0, 3], dtype=np.float64)
-    return np.asarray(np.einsum("pi,pij->pj", points, maps[:, :3]) + maps[:, 3], dtype=np.float64)
+        return np.asarray(points @ maps[0, :3] + maps[0, 3])
+    return np.asarray(np.einsum("pi,pij->pj", points, maps[:, :3]) + maps[:, 3])
 
 
 def _shared_or_own_maps(skin: Skin, rows: Indices | slice, skinning: Floats, size: float) -> Floats:

@@ -66,7 +66,7 @@ def mesh_triangles(meshes: Sequence[RigMesh], visible_only: bool = False) -> Ind
 def triangle_areas(points: Floats, corners: Indices) -> Floats:
     """``(t,)`` areas of the triangles, in squared units of `points`."""
     doubled = _doubled_normals(points, corners)
-    return np.asarray(0.5 * np.linalg.norm(doubled, axis=1), dtype=np.float64)
+    return np.asarray(0.5 * np.linalg.norm(doubled, axis=1))
 
 
 def vertex_normals(points: Floats, corners: Indices, places: Indices) -> Floats:
@@ -80,7 +80,7 @@ def vertex_normals(points: Floats, corners: Indices, places: Indices) -> Floats:
     normals = np.stack(columns, axis=1)
     length = np.linalg.norm(normals, axis=1, keepdims=True)
     unit = np.divide(normals, length, out=np.zeros(normals.shape), where=length > 0.0)
-    return np.asarray(unit[places], dtype=np.float64)
+    return np.asarray(unit[places])
 
 
 def faces_inward(points: Floats, corners: Indices) -> bool:
@@ -98,7 +98,7 @@ def point_areas(points: Floats, corners: Indices, places: Indices) -> Floats:
     falls to its first point and the others get zero."""
     area = np.repeat(triangle_areas(points, corners) / 3.0, 3)
     summed = np.bincount(places[corners].ravel(), weights=area, minlength=len(points))
-    return np.asarray(summed, dtype=np.float64)
+    return np.asarray(summed)
 
 
 def weld(points: Floats, extra: Floats | None = None) -> Indices:
@@ -166,7 +166,7 @@ def surface_distances(
     lengths = np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1)
     graph = _graph(pairs, len(points), lengths)
     found = dijkstra(graph, directed=False, indices=np.unique(places[sources]), min_only=True)
-    return np.asarray(found[places], dtype=np.float64)
+    return np.asarray(found[places])
 
 
 def _left_by_fan(points: Floats, corners: Indices, faces: Indices, count: int) -> Indices:

@@ -46,8 +46,10 @@ def _check_apart(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.
 
     files = []
     for job in jobs:
-        files += [(Path(job.output), f"the layer of {job.asset}")]
-        files += [(state.state_path(job.output), f"the batch record of {job.asset}")]
+        files += [
+            (Path(job.output), f"the layer of {job.asset}"),
+            (state.state_path(job.output), f"the batch record of {job.asset}"),
+        ]
         files += [(Path(job.picture), f"the picture of {job.asset}")] if job.picture else []
     files += [(arguments.sheet, "the contact sheet")] if arguments.sheet is not None else []
     files += [(arguments.summary, "the summary")] if arguments.summary is not None else []
@@ -77,15 +79,12 @@ def _all_of(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.Names
     summary = run.Summary(
         ordered, time.perf_counter() - start, address or "local", 0 if address else processes
     )
-    written = []
+    files = {}
     if arguments.sheet is not None:
-        written.append(
-            f"{pipeline.write_file(contact_sheet.sheet_png(ordered), arguments.sheet, read)}"
-            f" {arguments.sheet}"
-        )
+        files[arguments.sheet] = contact_sheet.sheet_png(ordered)
     if arguments.summary is not None:
-        state = pipeline.write_file(run.to_json(summary).encode(), arguments.summary, read)
-        written.append(f"{state} {arguments.summary}")
+        files[arguments.summary] = run.to_json(summary).encode()
+    written = [f"{pipeline.write_file(files[path], path, read)} {path}" for path in files]
     screen.show(lambda: run.to_json(summary), *review_lines.of_batch(summary, written))
     warned = arguments.strict and any(row.warnings for row in ordered)
     return max(summary.exit_code, Exit.REFUSED if warned else Exit.OK)

@@ -54,13 +54,13 @@ class JointBinding(Record):
 
     def unposed(self, positions: Floats) -> Floats:
         """Where points must rest to be at `positions` (q, 3) of root space in the base pose."""
-        return np.asarray((positions - self.base[3]) @ self.inverse, dtype=np.float64)
+        return np.asarray((positions - self.base[3]) @ self.inverse)
 
     @property
     def inverse(self) -> Floats:
         """(3, 3) inverse of the linear part; of what is left of it where the base pose collapses
         it."""
-        return np.asarray(np.linalg.pinv(self.base[:3], rcond=1e-9), dtype=np.float64)
+        return np.asarray(np.linalg.pinv(self.base[:3], rcond=1e-9))
 
 
 class PointShape(Record):
@@ -229,7 +229,7 @@ def _to_rest(body: Body, mesh: RigMesh) -> Floats:
     skeleton = body.skeletons[_skeleton_of(body, mesh)]
     if abs(np.linalg.det(skeleton.to_root[:3, :3])) < 1e-30:
         raise refuse("SKELETON_INVALID", skeleton.path, "its transform collapses space")
-    return np.asarray((skin.geom_bind @ skeleton.to_root)[:, :3], dtype=np.float64)
+    return np.asarray((skin.geom_bind @ skeleton.to_root)[:, :3])
 
 
 def _skeleton_of(body: Body, mesh: RigMesh) -> int:

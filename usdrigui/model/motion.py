@@ -164,7 +164,7 @@ class MirrorPlane(Record):
     def distance(self, points: Floats) -> Floats:
         """(...) signed distance of `points` (..., 3) from the plane, positive on the character's
         left."""
-        return np.asarray((points - self.origin) @ self.normal, dtype=np.float64)
+        return np.asarray((points - self.origin) @ self.normal)
 
     def reflected(self, points: Floats) -> Floats:
         """(..., 3) mirror images of `points`."""

@@ -348,7 +348,7 @@ def _animated_turns(joints: tuple[Joint, ...], clip: Clip | None) -> Floats:
         return np.zeros((1, len(joints), 3))
     base = rotation_part(base_locals(joints))
     turns = unwrapped(rotation_vectors(rotation_part(clip.locals) @ np.swapaxes(base, -1, -2)))
-    return np.asarray(np.round(np.degrees(turns), 3) + 0.0, dtype=np.float64)
+    return np.asarray(np.round(np.degrees(turns), 3) + 0.0)
 
 
 def _joint_range(

@@ -131,7 +131,7 @@ def _fitted(points: Floats, up: str, path: object) -> Floats:
         raise refuse("NOT_FINITE", path, what)
     if radius <= 1e-12 * float(np.abs(seen).max()):
         raise refuse("GLYPH_EMPTY", path, "all its points are at one place")
-    return np.asarray(centred / radius, dtype=np.float64)
+    return np.asarray(centred / radius)
 
 
 # --- curves ---------------------------------------------------------------------------------------

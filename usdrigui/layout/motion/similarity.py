@@ -47,7 +47,7 @@ class DisplacementFields(Record):
     def sizes(self) -> Floats:
         """(motions,) weighted squared norms of the vectors."""
         squared = np.einsum("cmi,cmi,m->c", self.vectors, self.vectors, self.weights)
-        return np.asarray(squared, dtype=np.float64)
+        return np.asarray(squared)
 
 
 class Similarity(Record):

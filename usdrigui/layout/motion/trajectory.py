@@ -211,7 +211,7 @@ def _arc_lengths(offsets: Singles) -> Floats:
     """(p,) lengths of polylines (k, p, 3)."""
     steps = offsets[1:] - offsets[:-1]
     lengths = np.sqrt(np.einsum("kpi,kpi->kp", steps, steps))
-    return np.asarray(lengths.sum(axis=0, dtype=np.float64), dtype=np.float64)
+    return np.asarray(lengths.sum(axis=0, dtype=np.float64))
 
 
 def _apart(body: Body, motion: Floats) -> Floats:

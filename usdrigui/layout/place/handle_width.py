@@ -91,7 +91,7 @@ def around(points: Floats, weights: Floats, radii: Floats) -> Floats:
     """
     tree = cKDTree(points)
     pairs = tree.count_neighbors(tree, np.outer(radii, _BLUR).ravel(), weights=(weights, weights))
-    return np.asarray(pairs.reshape(len(radii), -1).mean(axis=1) / weights.sum(), dtype=np.float64)
+    return np.asarray(pairs.reshape(len(radii), -1).mean(axis=1) / weights.sum())
 
 
 def _gathered(points: Floats, weights: Floats, size: float) -> tuple[Floats, Floats]:

@@ -85,7 +85,7 @@ def occlusion(normals: Floats, motion: Motion, points: Indices, weight: float) -
             step = motion.offsets[neighbour, rows].astype(np.float64)
             length = np.maximum(np.linalg.norm(step, axis=1), 1e-30)
             cosines.append(np.einsum("pi,pi->p", step, normals[points]) / length)
-    return np.asarray(weight * 0.5 * (1.0 - np.mean(cosines, axis=0)), dtype=np.float64)
+    return np.asarray(weight * 0.5 * (1.0 - np.mean(cosines, axis=0)))
 
 
 def common(face: Face, motion: Motion, points: Indices, terms: LinearTerms) -> Floats:

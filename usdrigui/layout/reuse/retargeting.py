@@ -213,7 +213,7 @@ def _thin_plate(source: Floats, target: Floats, smoothing: float, points: Floats
         smoothing=smoothing,
         degree=1,
     )
-    return np.asarray(points + moved((points - middle) / unit), dtype=np.float64)
+    return np.asarray(points + moved((points - middle) / unit))
 
 
 def _by_size(theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories]) -> _Similarity:
