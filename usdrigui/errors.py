@@ -58,16 +58,15 @@ class Code:
     """What the user can do about it."""
     exit: Exit
     """Exit code when the issue ends the run."""
+    covers: Sequence[str] = ()
+    """Codes of what follows from it on the same character: told with it, not by themselves."""
 
 
 @cache
 def catalogue() -> Mapping[str, Code]:
     """Every issue code with what is known of it, in the order of codes.toml."""
     entries = tomllib.loads((files(__package__) / "codes.toml").read_text("utf-8"))
-    return {
-        code: Code(entry["severity"], entry["meaning"], entry["repair"], Exit[entry["exit"]])
-        for code, entry in entries.items()
-    }
+    return {code: Code(**entry | {"exit": Exit[entry["exit"]]}) for code, entry in entries.items()}
 
 
 @dataclass(frozen=True, slots=True)
@@ -181,10 +180,13 @@ def sentences(found: Issue) -> str:
 
 def by_cause(found: Iterable[Issue]) -> tuple[Issue, ...]:
     """One issue for each cause, in the order given: the paths of those of one character, code and
-    message are one issue."""
+    message are one issue, and what another one of the character covers is left out."""
+    found = tuple(found)
+    covered = {(each.character, code) for each in found for code in catalogue()[each.code].covers}
     causes: dict[tuple[str, str, str], list[Issue]] = {}
     for each in found:
-        causes.setdefault((each.character, each.code, each.message), []).append(each)
+        if (each.character, each.code) not in covered:
+            causes.setdefault((each.character, each.code, each.message), []).append(each)
     return tuple(
         replace(same[0], path=listed([each.path for each in same])) for same in causes.values()
     )

@@ -650,6 +650,7 @@ TRIGGERS: Mapping[str, Trigger] = {
     "LAYOUT_MESH_GONE": _checked(_edited(("rigUI:anchor:prim = </Char/Face>", "rigUI:anchor:prim = </Char/Nose>"))),
     "LAYOUT_TOPOLOGY": _checked(_edited(("1, 4, 5, 2]", "1, 4, 5, 3]"), of="char.usda")),
     "LAYOUT_ANCHOR_MOVED": _checked(_edited((r"anchor:position = \([^)]*\)", "anchor:position = (9, 9, 9)"))),
+    "LAYOUT_RESHAPED": _checked(_edited((r"\(0,0,0\), (.*)\(4,3,0\)\]", r"(1,0,0), \1(4,4,0)]"), of="char.usda")),
     "LAYOUT_CONTROL_GONE": _checked(_edited(_OTHER_NAMES, of="char.usda")),
     "LAYOUT_CONTROL_NEW": _checked(_edited(_OTHER_NAMES, of="char.usda")),
     "LAYOUT_NOT_ANIMATED": _checked(_edited((r"rel skel:animationSource = [^\n]*\n", ""), of="char.usda")),

@@ -33,6 +33,22 @@ def test_rates_every_element_on_the_face(layer, capsys):
     assert all(0.0 < each["kept"] <= 1.0 + 1e-6 for each in rated)
 
 
+def test_a_sculpt_after_the_layout_was_made_is_one_finding(layer, capsys):
+    source = str(layer.with_name("char.usda"))
+    stage = Usd.Stage.Open(source)
+    for prim in stage.Traverse():
+        for array in filter(None, map(prim.GetAttribute, ("points", "offsets"))):
+            array.Set([(0.85 * x, 1.1 * y, 1.2 * z) for x, y, z in array.Get()])
+    stage.GetRootLayer().Save()
+    assert {"LAYOUT_RESHAPED", "LAYOUT_TRACK", "LAYOUT_DRAWN"} <= codes(layer, capsys, expected_exit=1)
+    assert main(["check", str(layer)]) == 1
+    told = [line for line in capsys.readouterr().out.splitlines() if "LAYOUT_" in line]
+    assert len(told) == 1
+    assert told[0].startswith("error: LAYOUT_RESHAPED")
+    assert main(["process", source, "--previous", str(layer)]) == 0
+    assert codes(layer, capsys) == set()
+
+
 @pytest.mark.parametrize("variant", ["none", "slip"])
 def test_a_character_whose_layout_is_not_composed_is_no_layout_that_fits(layer, variant, capsys):
     shot = Usd.Stage.CreateNew(str(layer.with_name("shot.usda")))

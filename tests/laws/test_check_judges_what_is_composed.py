@@ -147,7 +147,7 @@ EDITS = {
     hide: {"LAYOUT_ANCHOR_HIDDEN"},
     deactivate: {"LAYOUT_MESH_GONE"},
     deactivate_all: {"LAYOUT_MESH_GONE"},
-    displace: {"LAYOUT_ANCHOR_MOVED"},
+    displace: {"LAYOUT_ANCHOR_MOVED", "LAYOUT_RESHAPED"},
     turn_a_face: {"LAYOUT_TOPOLOGY"},
     regrab: {"LAYOUT_ANCHOR_MOVED", "LAYOUT_TRACK", "LAYOUT_DRAWN"},
     # Its track and what is drawn stay.

@@ -16,7 +16,7 @@ from usdrigui.character import Rig
 from usdrigui.errors import NO_LAYOUT, Issue, RigUIError, issue, of_character, refuse
 from usdrigui.layout.reuse.other_world import in_world, other_up, up_of
 from usdrigui.layout.review import difference as difference_stage, review as review_stage
-from usdrigui.layout.review.layout_faults import not_animated
+from usdrigui.layout.review.layout_faults import not_animated, reshaped
 from usdrigui.model import Element, Layout
 from usdrigui.pipeline import variants
 from usdrigui.pipeline.configuration import refuse_unsound
@@ -240,7 +240,8 @@ def _review_of(
             if e.character == rig.path and e.code not in known
         ]
         wrong += [*found.issues, *not_animated(rig, layout)]
-        own = replace(found, issues=of_character(rig.path_in_variants, wrong))
+        told = of_character(rig.path_in_variants, reshaped(rig, layout, wrong))
+        own = replace(found, issues=told)
         reviews.append((rig.path_in_variants, own))
     return LayerReview(name, tuple(reviews), clock.seconds, (*stale, *loaded.without_layout))
 

@@ -14,7 +14,9 @@ from usdrigui.cli.terminal.run_lines import (
     percent,
 )
 from usdrigui.cli.terminal.table import Table, Verbatim
+from usdrigui.clients.batch.run import OUTCOMES
 from usdrigui.clients.study import INTERFACES
+from usdrigui.errors import by_cause
 
 if TYPE_CHECKING:
     from usdrigui.cli.terminal.screen import Printed
@@ -28,8 +30,6 @@ if TYPE_CHECKING:
         ControlFacts,
         Inspection,
     )
-
-_OUTCOMES = ("written", "unchanged", "skipped", "refused", "failed")
 
 
 def of_inspection(found: Inspection) -> tuple[Iterator[Printed], str]:
@@ -97,7 +97,7 @@ def facts_table(controls: Sequence[ControlFacts], *, several: bool = False) -> T
 
 def of_batch(summary: Summary, written: Sequence[str]) -> tuple[Iterator[Printed], str]:
     """One line an asset in the order given, and what was written besides."""
-    counted = ((summary.count(outcome), outcome) for outcome in _OUTCOMES)
+    counted = ((summary.count(outcome), outcome) for outcome in OUTCOMES[:-1])
     counts = ", ".join(f"{count} {outcome}" for count, outcome in counted if count)
     sound = sum(row.sound for row in summary.rows)
     count = len(summary.rows) - summary.count("part")
@@ -124,13 +124,13 @@ def _batch_table(rows: Sequence[Row]) -> Table:
 
 def of_review(found: LayerReview) -> tuple[Iterator[Printed], str]:
     """Every element by the objective, then the findings."""
-    counts = {
-        severity: sum(each.severity == severity for each in found.issues)
-        for severity in ("error", "warning")
-    }
-    off = any(each.code == "LAYOUT_OFF" for each in found.issues)
-    bare = "has its layouts switched off" if off else "has no layout"
+    causes = [each.severity for each in by_cause(found.issues)]
+    counts = {severity: causes.count(severity) for severity in ("error", "warning")}
+    codes = {each.code for each in found.issues}
+    bare = "has its layouts switched off" if "LAYOUT_OFF" in codes else "has no layout"
     sound, unsound = "fits its rig", "does not fit its rig"
+    if "LAYOUT_RESHAPED" in codes:
+        sound = "is of an earlier shape of its rig"
     if found.of_asset:
         sound, unsound = f"{bare}; the asset is valid", f"{bare}; the asset has errors"
     state = unsound if counts["error"] else sound

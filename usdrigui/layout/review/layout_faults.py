@@ -3,7 +3,8 @@ or are hidden."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -11,7 +12,6 @@ from usdrigui.character import Body, Drive, Rig, RigMesh
 from usdrigui.errors import (
     Faults,
     Issue,
-    RigUIError,
     by_cause,
     catalogue,
     issue,
@@ -33,6 +33,8 @@ from usdrigui.settings import ReadSettings
 
 _MOVED = 1e-4
 """An anchor is out of place when it is further off than this share of the face size."""
+_SEVERAL = 2
+"""Elements out of place that tell of the character; a single one may have been edited by hand."""
 TOUCHING = 1e-6
 """Handles may be nearer than the separation by this share of it: layers hold single precision."""
 
@@ -43,10 +45,8 @@ def refuse_stale(
     """Raise every error for which a layout does not fit the rig any more (LAYOUT_...), by cause."""
     faults = Faults()
     reasons = stale(rig, trajectories, (layout, layout), settings)
-    for found in by_cause(of_character(rig.path_in_variants, reasons)):
-        with faults.collected():
-            if found.severity == "error":
-                raise RigUIError(found, catalogue()[found.code].exit)
+    told = by_cause(of_character(rig.path_in_variants, reasons))
+    faults.add(found for found in told if found.severity == "error")
     faults.raise_all()
 
 
@@ -86,6 +86,26 @@ def stale(
                     element.name,
                     f"{rig.path} has no control {member.control!r}{now}",
                 )
+
+
+def reshaped(rig: Rig, layout: Layout, found: Sequence[Issue]) -> tuple[Issue, ...]:
+    """`found`, behind LAYOUT_RESHAPED if most of several elements lie or move elsewhere than in the
+    layout: then the character has another shape now, and what the code covers follows from that."""
+    off = max(
+        len({each.path for each in found if each.code == code})
+        for code in ("LAYOUT_ANCHOR_MOVED", "LAYOUT_TRACK")
+    )
+    placed = sum(not element.anchor.on_board for element in layout.elements)
+    if off < _SEVERAL or 2 * off <= placed:
+        return tuple(found)
+    covered = [e.severity for e in found if e.code in catalogue()["LAYOUT_RESHAPED"].covers]
+    what = (
+        f"{off} of {placed} elements lie or move elsewhere on it than in the layout, which is of an"
+        f" earlier shape of it; {len(covered)} findings follow from that"
+    )
+    whole = issue("LAYOUT_RESHAPED", rig.path, what)
+    worst = "error" if "error" in covered else whole.severity
+    return (replace(whole, severity=worst), *found)
 
 
 def _anchor_faults(
