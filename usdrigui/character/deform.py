@@ -99,7 +99,7 @@ def sweep_start(
     default = rig.controls[control].default
     if base_values is None or base_values[control] == default:
         return base, default
-    others = np.array(base_values, dtype=np.float64)
+    others = base_values.copy()
     others[control] = default
     return posed(rig, others), float(base_values[control])
 

@@ -30,7 +30,7 @@ _FACE_SHARE = 0.9
 def skinning_matrices(joints: tuple[Joint, ...], local: Floats) -> Floats:
     """(..., joints, 4, 4) inverse bind times pose, in skeleton space, for local transforms of that
     shape."""
-    bind = np.array([joint.bind for joint in joints], dtype=np.float64).reshape(-1, 4, 4)
+    bind = np.array([joint.bind for joint in joints]).reshape(-1, 4, 4)
     return np.linalg.inv(bind) @ in_skeleton_space(joints, local)
 
 
@@ -48,7 +48,7 @@ def in_skeleton_space(joints: Sequence[Joint], local: Floats) -> Floats:
 
 def base_locals(joints: Sequence[Joint]) -> Floats:
     """(joints, 4, 4) local transforms in the base pose."""
-    return np.array([joint.base for joint in joints], dtype=np.float64).reshape(-1, 4, 4)
+    return np.array([joint.base for joint in joints]).reshape(-1, 4, 4)
 
 
 def with_descendants(joints: Sequence[Joint], chosen: Indices) -> Flags:

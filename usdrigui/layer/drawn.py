@@ -216,7 +216,7 @@ def together(forms: Sequence[Form]) -> Form:
 def _values_along(base: Floats, position: int, member: Member) -> Floats:
     """(q, members) value of each control with which the handle is at each point of a member's
     spike."""
-    along = np.repeat(np.asarray(member.values, dtype=np.float64), 2)[:-1]
+    along = np.repeat(member.values, 2)[:-1]
     rows = np.tile(base, (len(along), 1))
     rows[:, position] = along
     return rows
@@ -336,9 +336,7 @@ def _ends(element: Element) -> tuple[list[int], Floats]:
     normal = element.anchor.normal
     first = np.cross(axis_across(normal), normal)
     along = np.array([away[end] for end in ends])
-    return ends, np.asarray(
-        np.arctan2(along @ np.cross(normal, first), along @ first), dtype=np.float64
-    )
+    return ends, np.arctan2(along @ np.cross(normal, first), along @ first)
 
 
 def _neighbours(element: Element) -> list[tuple[int, int]]:

@@ -133,8 +133,8 @@ def _geometries(
         mine = [(problem.variables[at], candidate[owner[variable[owner] == at]]) for at in members]
         samples = np.concatenate([each.samples[labels, copy] for each, labels in mine])
         handles = np.concatenate([each.handles[labels, copy] for each, labels in mine])
-        positions = np.ascontiguousarray(np.moveaxis(samples, 0, -1), dtype=np.float64)
-        handle = np.ascontiguousarray(handles.T, dtype=np.float64)
+        positions = np.ascontiguousarray(np.moveaxis(samples, 0, -1))
+        handle = np.ascontiguousarray(handles.T)
         found.append(LabelGeometry(owner, positions, handle))
     return tuple(found)
 

@@ -156,8 +156,7 @@ def _character(arrays: _Arrays, rig: Rig, layout: Layout) -> Json:
         "root": rig.path,
         "identity": _identity(rig),
         "layoutDigest": hashlib.sha256(json.dumps(packed).encode()).hexdigest()[:32],
-        "up": _list(rig.up),
-        "metresPerUnit": rig.metres_per_unit,
+        **_fields(rig, "up metres_per_unit time_codes"),
         "meshes": _meshes(arrays, body.meshes, body.starts, complexion(rig, layout)),
         "eye": {
             **{name: _list(encoded(np.array(colour))) for name, colour in EYE.items()},
@@ -165,12 +164,13 @@ def _character(arrays: _Arrays, rig: Rig, layout: Layout) -> Json:
         },
         "skeletons": [_fields(each, "path animation to_root") for each in body.skeletons],
         "joints": [_fields(each, "path skeleton parent") for each in joints],
-        "bind": arrays.numbers(np.array([each.bind for each in joints]).reshape(-1, 4, 4), "f8"),
-        "base": arrays.numbers(np.array([each.base for each in joints]).reshape(-1, 4, 4), "f8"),
+        **{
+            name: arrays.numbers(np.reshape([getattr(e, name) for e in joints], (-1, 4, 4)), "f8")
+            for name in ("bind", "base")
+        },
         "channels": [_fields(each, "token animation index") for each in body.channels],
-        "baseWeights": _list(body.base_weights),
+        **_fields(body, "base_weights"),
         "controls": _controls(rig.controls, layout),
-        "timeCodes": rig.time_codes,
         "clip": _clip(arrays, rig.clip, rig.issues),
         "layout": packed,
     }
@@ -210,13 +210,11 @@ def _mesh(arrays: _Arrays, mesh: RigMesh, seen: Complexion) -> Json:
         colours[corners[painted]] = shade[corners[painted]]
     on_eye = (np.abs(seen.gaze) < 3.0).any()
     return {
-        "path": mesh.path,
-        "visible": mesh.visible,
+        **_fields(mesh, "path visible to_root"),
         "low": _list(low),
         "step": _list(step),
         "points": arrays.numbers(grid, "u2"),
         "triangles": arrays.wandering(corners),
-        "toRoot": _list(mesh.to_root),
         "skin": None if mesh.skin is None else _skin(arrays, mesh.skin),
         "shapes": [_shape(arrays, shape) for shape in mesh.shapes],
         "texture": texture,
@@ -259,8 +257,7 @@ def _shape(arrays: _Arrays, shape: Shape) -> Json:
     grid = np.rint(shape.offsets.astype(np.float64) / step).astype(np.int64)
     kept = np.flatnonzero(grid.any(axis=(0, 2)))
     return {
-        "channel": shape.channel,
-        "weights": _list(shape.weights),
+        **_fields(shape, "channel weights"),
         "step": step,
         "points": arrays.ascending(shape.points[kept]),
         "offsets": arrays.numbers(grid[:, kept], "i2"),
@@ -278,7 +275,7 @@ def _skin(arrays: _Arrays, skin: Skin) -> Json:
         "joints": arrays.numbers(joints[:, used], "u2"),
         "weights": arrays.numbers(np.rint(weights[:, used] * _WEIGHT_STEPS), "u2"),
         "dualQuaternion": skin.method == "dualQuaternion",
-        "geomBind": _list(skin.geom_bind),
+        **_fields(skin, "geom_bind"),
     }
 
 
@@ -314,8 +311,7 @@ def _clip(arrays: _Arrays, clip: Clip | None, issues: tuple[Issue, ...]) -> Json
     if clip is None or not len(clip.times):
         return None
     return {
-        "times": _list(clip.times),
-        "framesPerSecond": clip.frames_per_second,
+        **_fields(clip, "times frames_per_second"),
         "thinned": any(each.code == "CLIP_THINNED" for each in issues),
         "weights": arrays.numbers(clip.weights),
         "locals": arrays.numbers(clip.locals),
@@ -332,7 +328,7 @@ def _layout(rig: Rig, layout: Layout) -> Json:
     return {
         "planeOrigin": _list(layout.frame.plane.origin),
         "planeNormal": _list(layout.frame.plane.normal),
-        "baseValues": _list(layout.base_values),
+        **_fields(layout, "base_values"),
         "leastTrack": OutputSettings().min_track,
         "colours": {side: f"#{bytes(colour).hex()}" for side, colour in SIDES.items()},
         "elements": _elements(rig, meshes, controls, layout),
