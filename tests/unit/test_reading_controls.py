@@ -96,14 +96,15 @@ def test_a_token_without_shape_is_left_off(tmp_path):
     ]
 
 
-def test_an_empty_shape_is_left_off(tmp_path):
+def test_an_empty_shape_is_left_off_and_so_its_twin_has_none(tmp_path):
     def edit(stage):
-        UsdSkel.BlendShape(stage.GetPrimAtPath("/Char/Face/s_frown")).GetOffsetsAttr().Set(Vt.Vec3fArray())
+        UsdSkel.BlendShape(stage.GetPrimAtPath("/Char/Face/s_wink_L")).GetOffsetsAttr().Set(Vt.Vec3fArray())
 
-    rig = edited(tmp_path, edit)
-    assert [control.name for control in rig.controls] == ["smile"]
-    assert rig.left_off[0].control == "frown"
-    assert "no offsets" in rig.left_off[0].reason
+    rig = read(head(tmp_path / "char.usda", ("wink_L", "wink_R", "frown"), edit))
+    assert [control.name for control in rig.controls] == ["wink_R", "frown"]
+    (lost,) = rig.left_off
+    assert lost.control == "wink_L"
+    assert lost.reason == "its shape /Char/Face/s_wink_L has no offsets; wink_R has no twin then"
 
 
 def test_a_dangling_target_is_left_off_with_a_warning(tmp_path):

@@ -306,8 +306,10 @@ def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tupl
         issues = tuple(each for rig in source.rigs for each in rig.issues)
     except RigUIError as error:
         issues = error.issues
-    known = {(each.code, each.path) for each in found.issues}
-    return (*off, *found.issues, *(each for each in issues if (each.code, each.path) not in known))
+    # What was left off for a fault says it too.
+    known = {(e.path, said) for e in found.issues for said in (e.code, f"{e.code}: {e.message}")}
+    more = (e for e in issues if not known & {(e.path, e.code), (e.path, e.message)})
+    return (*off, *found.issues, *more)
 
 
 def diff(before: Path, after: Path, settings: Settings) -> LayerDifference:

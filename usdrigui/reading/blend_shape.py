@@ -12,6 +12,7 @@ import numpy as np
 from pxr import Sdf, Usd, UsdSkel
 
 from usdrigui.character import Body, Indices, LeftOff, Shape, Singles, Skeleton
+from usdrigui.conventions.sides import hints_at_twin
 from usdrigui.errors import Issue, RigUIError, issue, refuse
 from usdrigui.reading.skeleton import Armature, repeated, why_unbound
 from usdrigui.stages.arrays import check_range, integers, tokens, vectors
@@ -243,8 +244,15 @@ def left_off_tokens(found: Found, body: Body) -> tuple[LeftOff, ...]:
     used = {shape.channel for mesh in body.meshes for shape in mesh.shapes}
     shaped = {names[token] for (token, _), channel in found.tokens.items() if channel in used}
     reasons = {names[token]: reason for token, reason in found.shapeless.items()}
+
+    def why(name: str) -> str:
+        twins = (
+            f"; {each} has no twin then" for each in sorted(shaped) if hints_at_twin(name, each)
+        )
+        return "".join([reasons.get(name, "no mesh has a shape for it"), *twins])
+
     return tuple(
-        LeftOff(name, "read", reasons.get(name, "no mesh has a shape for it"))
+        LeftOff(name, "read", why(name))
         for name in dict.fromkeys(names.values())
         if name not in shaped
     )

@@ -62,7 +62,8 @@ def composites(face: Face, similarity: Similarity, coverage: Floats) -> dict[int
     names = [face.control_name(motion.control) for motion in motions]
     meaning = [face.meanings[motion.control] for motion in motions]
     twins = face.twins
-    families = find_families(names, meaning, similarity.cosine)
+    lost = [left.control for left in face.rig.left_off]
+    families = find_families(names, meaning, similarity.cosine, lost)
     basis = choose_basis(similarity.cosine, _costs(meaning, coverage, families, twins), twins)
     found = {
         i: Composite("composite", _amounts(i, explained, similarity.norm))

@@ -48,15 +48,19 @@ class Family:
 
 
 def find_families(
-    names: Sequence[str], meanings: Sequence[Meaning | None], cosine: Floats
+    names: Sequence[str],
+    meanings: Sequence[Meaning | None],
+    cosine: Floats,
+    lost: Sequence[str] = (),
 ) -> tuple[Family, ...]:
     """The families of a rig; a motion is in one at most.
 
     `names` and `meanings` (m,) of the controls of the motions, `cosine` (m, m) of the motions as
-    vectors over the surface.
+    vectors over the surface; `lost` are names of controls that were left off: what corrects a
+    combination with one of them is none of its own.
     """
     found: dict[tuple[FamilyKind, str], list[int]] = {}
-    products = _combinations(names)
+    products = _combinations([*names, *lost])
     for index, meaning in enumerate(meanings):
         kind = meaning.action.category if meaning is not None else "atom"
         if meaning is not None and kind in ("viseme", "emotion", "identity", "interior"):
