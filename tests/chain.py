@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
+from scipy.spatial.distance import pdist
+
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.reuse.carrying import Today
@@ -125,6 +127,11 @@ def laid_parts(rig):
 def settings(**sections):
     """Settings from nested keyword arguments, one per section."""
     return load(sections)
+
+
+def least_apart(elements):
+    """The least distance of two anchors."""
+    return pdist([element.anchor.position for element in elements]).min()
 
 
 def by_name(line):

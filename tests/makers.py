@@ -214,6 +214,11 @@ def face_with_teeth(skin_moves=0.0, visible=True, name="teeth", at=TEETH):
     return rig_of_meshes([mesh(points, faces, skin_shapes), teeth], [*shapes, name])
 
 
+def rotation(seed):
+    turn = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0]
+    return turn * np.sign(np.linalg.det(turn))
+
+
 def moved(made, matrix, offset=(0.0, 0.0, 0.0)):
     """A copy of a skinless one-mesh rig under a linear map and an offset (winding flips with a mirror)."""
     linear = np.asarray(matrix, dtype=np.float64)

@@ -7,8 +7,7 @@ import makers
 import numpy as np
 import pytest
 
-ROTATION = np.linalg.qr(np.random.default_rng(3).normal(size=(3, 3)))[0]
-ROTATION *= np.sign(np.linalg.det(ROTATION))
+ROTATION = makers.rotation(3)
 Y_TO_Z = np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]])
 MIRROR = np.diag([-1.0, 1.0, 1.0])
 
@@ -139,9 +138,7 @@ def test_pairs_mirror_exactly_where_the_mesh_does(plain):
 
 
 def test_no_two_handles_are_nearer_than_a_handle(plain):
-    handles = np.array([e.anchor.position for e in plain.layout.elements])
-    apart = np.linalg.norm(handles[:, None] - handles[None], axis=2) + 9e9 * np.eye(len(handles))
-    assert apart.min() >= plain.layout.frame.handle_width
+    assert chain.least_apart(plain.layout.elements) >= plain.layout.frame.handle_width
 
 
 def test_more_weight_on_overlap_never_brings_handles_nearer():
@@ -156,8 +153,6 @@ def test_more_weight_on_overlap_never_brings_handles_nearer():
                 "overlap_sharpness": 2.0,
             }
         )
-        handles = np.array([e.anchor.position for e in chain.lay_out(makers.face(), free).layout.elements])
-        gaps = np.linalg.norm(handles[:, None] - handles[None], axis=2) + 9e9 * np.eye(len(handles))
-        apart.append(gaps.min())
+        apart.append(chain.least_apart(chain.lay_out(makers.face(), free).layout.elements))
     assert np.all(np.diff(apart) >= -1e-9)
     assert apart[-1] > 1.1 * apart[0]

@@ -46,6 +46,14 @@ def span(control):
     return control.minimum, control.default, control.maximum, control.range_source
 
 
+def spans(rig):
+    """Of the smile and of the frown."""
+    return [span(controls(rig)[name]) for name in ("smile", "frown")]
+
+
+PLAIN = (0.0, 0.0, 1.0, "default")
+
+
 def edited(tmp_path, edit, config=None):
     return read(head(tmp_path / "char.usda", edit=edit), config)
 
@@ -60,7 +68,7 @@ def _animation(stage):
 def test_tokens_become_controls_over_zero_to_one(tmp_path):
     rig = read(head(tmp_path / "char.usda"))
     assert [control.name for control in rig.controls] == ["smile", "frown"]
-    assert span(rig.controls[0]) == (0.0, 0.0, 1.0, "default")
+    assert span(rig.controls[0]) == PLAIN
     assert (rig.left_off, rig.issues) == ((), ())
 
 
@@ -248,7 +256,7 @@ def test_inbetweens_widen_the_range(tmp_path):
             between.SetWeight(weight)
             between.SetOffsets(Vt.Vec3fArray(SIDE**2))
 
-    assert span(controls(edited(tmp_path, edit))["smile"]) == (-0.5, 0.0, 1.5, "inbetweens")
+    assert spans(edited(tmp_path, edit))[0] == (-0.5, 0.0, 1.5, "inbetweens")
 
 
 def test_an_animation_widens_the_range_but_never_narrows_it(tmp_path):
@@ -258,8 +266,7 @@ def test_an_animation_widens_the_range_but_never_narrows_it(tmp_path):
             weights.Set(values, time)
 
     rig = edited(tmp_path, edit)
-    assert span(controls(rig)["smile"]) == (-0.75, 0.0, 2.5, "animation")
-    assert span(controls(rig)["frown"]) == (0.0, 0.0, 1.0, "default")
+    assert spans(rig) == [(-0.75, 0.0, 2.5, "animation"), PLAIN]
     assert rig.clip.times.tolist() == [1.0, 2.0, 3.0]
     assert np.allclose(rig.clip.weights[:, 0], [0.0, -0.75, 2.5])
 
@@ -272,8 +279,7 @@ def test_ranges_in_custom_data(tmp_path, as_text):
         stage.GetRootLayer().customLayerData = {"ranges": table}
 
     rig = edited(tmp_path, edit)
-    assert span(controls(rig)["smile"]) == (-1.0, 0.0, 1.0, "metadata")
-    assert span(controls(rig)["frown"]) == (0.0, 0.0, 1.0, "default")
+    assert spans(rig) == [(-1.0, 0.0, 1.0, "metadata"), PLAIN]
 
 
 def test_a_custom_range_that_is_none_is_reported(tmp_path):
@@ -282,7 +288,7 @@ def test_a_custom_range_that_is_none_is_reported(tmp_path):
 
     rig = edited(tmp_path, edit)
     assert [each.code for each in rig.issues] == ["RANGE_INVALID", "RANGE_INVALID"]
-    assert span(controls(rig)["smile"]) == (0.0, 0.0, 1.0, "default")
+    assert spans(rig)[0] == PLAIN
 
 
 def _with_limits(tmp_path, kind, minimum, maximum):
@@ -299,14 +305,13 @@ def _with_limits(tmp_path, kind, minimum, maximum):
 @pytest.mark.parametrize("kind", ["soft", "hard"])
 def test_limits_win_over_the_rest(tmp_path, kind):
     rig = read(_with_limits(tmp_path, kind, [-0.25, 0], [0.5, 3]))
-    assert span(controls(rig)["smile"]) == (-0.25, 0.0, 0.5, "limits")
-    assert span(controls(rig)["frown"]) == (0.0, 0.0, 3.0, "limits")
+    assert spans(rig) == [(-0.25, 0.0, 0.5, "limits"), (0.0, 0.0, 3.0, "limits")]
 
 
 def test_limits_of_another_length_are_reported(tmp_path):
     rig = read(_with_limits(tmp_path, "soft", [-0.25, 0, 0], [0.5, 3, 1]))
     assert [each.code for each in rig.issues] == ["RANGE_INVALID"]
-    assert span(controls(rig)["smile"]) == (0.0, 0.0, 1.0, "default")
+    assert spans(rig)[0] == PLAIN
 
 
 def test_limits_stay_those_of_their_shapes_where_a_shot_adds_others(tmp_path):
@@ -319,8 +324,7 @@ def test_limits_stay_those_of_their_shapes_where_a_shot_adds_others(tmp_path):
     stage.GetRootLayer().Save()
     rig = read(tmp_path / "shot.usda")
     assert "RANGE_INVALID" not in {each.code for each in rig.issues}
-    assert span(controls(rig)["smile"]) == (-0.25, 0.0, 0.5, "limits")
-    assert span(controls(rig)["frown"]) == (0.0, 0.0, 3.0, "limits")
+    assert spans(rig) == [(-0.25, 0.0, 0.5, "limits"), (0.0, 0.0, 3.0, "limits")]
 
 
 def test_the_configuration_wins(tmp_path):

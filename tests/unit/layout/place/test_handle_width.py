@@ -10,8 +10,7 @@ from usdrigui.layout.place.handle_width import around
 POINTS, QUADS = makers.mask()
 STEP = 0.04 / 32
 """Between the widths that are tried, in face sizes."""
-ROTATION = np.linalg.qr(np.random.default_rng(8).normal(size=(3, 3)))[0]
-ROTATION *= np.sign(np.linalg.det(ROTATION))
+ROTATION = makers.rotation(8)
 
 
 def crowd(count, points=POINTS, quads=QUADS):

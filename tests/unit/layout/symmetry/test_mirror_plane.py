@@ -13,8 +13,7 @@ from usdrigui.layout.symmetry.mirror_plane import find_symmetry
 from usdrigui.layout.symmetry.twins import configured_twins
 from usdrigui.settings import ControlSettings, Settings
 
-ROTATION = np.linalg.qr(np.random.default_rng(11).normal(size=(3, 3)))[0]
-ROTATION *= np.sign(np.linalg.det(ROTATION))
+ROTATION = makers.rotation(11)
 
 
 def symmetry_of(rig, settings=None):
