@@ -55,6 +55,12 @@ class Posed(Record):
     points: Floats
     """(n, 3) points in root space."""
 
+    def map_of(self, body: Body, point: int) -> Floats:
+        """(4, 3) the map of one of the points of the `body`."""
+        mesh, local = body.mesh_of(point)
+        maps = self.maps[mesh]
+        return np.asarray(maps[local if len(maps) > 1 else 0])
+
 
 def deform(rig: Rig, values: ArrayLike | None = None) -> Floats:
     """Points of all meshes in root space, (n, 3), at control `values` (controls,); None for the

@@ -50,6 +50,11 @@ class Rig(Record):
         call the character."""
         return self.variant_path or self.path
 
+    @property
+    def defaults(self) -> Floats:
+        """(controls,) the default value of each."""
+        return np.array([control.default for control in self.controls])
+
     @cached_property
     def control_names(self) -> tuple[str, ...]:
         """The names of all controls, in their order."""

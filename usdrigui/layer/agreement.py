@@ -123,12 +123,6 @@ class _Scene(Record):
     def base(self) -> Posed:
         return posed(self.rig, self.base_values)
 
-    def carrying(self, at: Posed, point: int) -> Floats:
-        """(4, 3) map of a point from its mesh to the space of the SkelRoot."""
-        mesh, local = self.rig.body.mesh_of(point)
-        maps = at.maps[mesh]
-        return np.asarray(maps[local if len(maps) > 1 else 0])
-
     def with_ignored(self, controls: Collection[int], anchors: Iterable[int]) -> list[int]:
         """Some controls, and all that what ignores these cannot follow: those that move joints
         which they carry, as it hangs on the joints above, or joints above some influences of the
@@ -367,7 +361,7 @@ def _departures(
 def _off(scene: _Scene, drawn: _Drawn, at: Posed, rows: Indices) -> float:
     """How far points are from where the skin at the anchor takes them; on the board, its joints
     alone."""
-    before, now = (scene.carrying(each, drawn.anchor) for each in (scene.base, at))
+    before, now = (each.map_of(scene.rig.body, drawn.anchor) for each in (scene.base, at))
     carry, points = np.linalg.pinv(before[:3]) @ now[:3], scene.base.points
     start, end = points[drawn.anchor], at.points[drawn.anchor]
     if drawn.element.anchor.on_board:

@@ -127,7 +127,7 @@ class Valued(Record):
 
     def _state(self, now: State, authored: Mapping[int, float], along: Floats) -> _State:
         """Of the animation at a time, `along` being the directions of the `authored` controls."""
-        values = np.array([control.default for control in self.rig.controls])
+        values = self.rig.defaults
         for index, value in authored.items():
             values[index] = value
         given, moved = driven(self.rig, values)

@@ -7,9 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
-
-from usdrigui.character import Control, Floats, Rig
+from usdrigui.character import Floats, Rig
 from usdrigui.conventions import same_name
 from usdrigui.errors import Faults, RigUIError, check_known, refuse
 from usdrigui.layout.control_overrides import control_index, control_overrides
@@ -84,15 +82,14 @@ def with_corrections(
     return replace(settings, controls=controls, groups=changed_groups)
 
 
-def base_values_of(root: str, controls: tuple[Control, ...], pose: Mapping[str, float]) -> Floats:
+def base_values_of(rig: Rig, pose: Mapping[str, float]) -> Floats:
     """(controls,) the base pose (paper: P).  Raises CONFIG_UNKNOWN_CONTROL for what ``read.pose``
     names and the rig lacks."""
-    index = {control.name: i for i, control in enumerate(controls)}
-    values = np.array([control.default for control in controls], dtype=np.float64)
+    index, values = rig.control_indices, rig.defaults
     faults = Faults()
     for name, value in pose.items():
         with faults.collected():
-            check_known(name, index, f'read.pose."{name}"', f"{root} has no control")
+            check_known(name, index, f'read.pose."{name}"', f"{rig.path} has no control")
             values[index[name]] = value
     faults.raise_all()
     return values
@@ -111,7 +108,7 @@ def _check_rig(
         if view.startswith("/") and rig.camera is None:
             raise refuse("CONFIG_VALUE", "candidates.view", f"there is no camera {view}")
     with faults.collected():
-        base_values_of(rig.path, rig.controls, settings.read.pose)
+        base_values_of(rig, settings.read.pose)
     for name in (each for each in controls if each in index):
         _check_places(rig, settings.controls, name, faults)
     with faults.collected():

@@ -54,7 +54,7 @@ def character_of(
 ) -> Character:
     """What is found out about a character as a whole: its motions, its parts, and what is asked."""
     clock, root = clock or Clock(), rig.path
-    base_values = base_values_of(root, rig.controls, settings.read.pose)
+    base_values = base_values_of(rig, settings.read.pose)
     # Everything that knows an up direction begins again, once, by that of a face that lies down.
     for again in (False, True):
         with clock.stage("trajectories"):

@@ -139,9 +139,7 @@ def values_of(rig: Rig, pose: Mapping[str, float], base: ArrayLike | None = None
     Raises RigUIError POSE_CONTROL for a name that the rig lacks, POSE_VALUE for what is not a
     number.
     """
-    values = np.array(
-        [control.default for control in rig.controls] if base is None else base, dtype=np.float64
-    )
+    values = np.array(rig.defaults if base is None else base, dtype=np.float64)
     names = rig.control_indices
     for name, value in pose.items():
         if name not in names:
@@ -191,7 +189,7 @@ def _element(
     if key not in known:
         known[key] = _without(poser, skin, follows.held, at, values)
     others, base = known[key], before.points[row]
-    anchor, carry = _carried(_map(skin.body, before, row), _map(skin.body, others, row), base)
+    anchor, carry = _carried(before.map_of(skin.body, row), others.map_of(skin.body, row), base)
     if follows.deforms:
         anchor = others.points[row]
     tracks = tuple(carried(member.track, base, anchor, carry) for member in element.members)
@@ -207,7 +205,7 @@ def _element(
     glyph = np.zeros((0, 3))
     if element.glyph is not None:
         held = (
-            _carried(_map(skin.body, before, row), _map(skin.body, whole, row), base)[1]
+            _carried(before.map_of(skin.body, row), whole.map_of(skin.body, row), base)[1]
             if follows.deforms
             else carry
         )
@@ -243,7 +241,7 @@ def _taken_back(
 ) -> tuple[Indices, Singles]:
     """Points that one control moves by shapes (p,), and their way (p, 3) as it goes from its value
     to base."""
-    alone = np.array([each.default for each in rig.controls])
+    alone = rig.defaults
     alone[control] = value
     without = replace(
         held, weights=held.weights - (channel_state(rig, alone)[0] - rig.body.base_weights)
@@ -257,13 +255,6 @@ def _carried(before: Floats, now: Floats, position: Floats) -> tuple[Floats, Flo
     vectors)."""
     carry = np.linalg.pinv(before[:3]) @ now[:3]
     return (position - before[3]) @ carry + now[3], carry
-
-
-def _map(body: Body, at: Posed, row: int) -> Floats:
-    """(4, 3) affine map of one point from mesh space to root space."""
-    mesh, local = body.mesh_of(row)
-    maps = at.maps[mesh]
-    return np.asarray(maps[local if len(maps) > 1 else 0])
 
 
 # --- matching -------------------------------------------------------------------------------------

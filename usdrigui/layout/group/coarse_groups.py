@@ -13,7 +13,7 @@ from dataclasses import replace
 from itertools import chain
 
 from usdrigui.character import Control, Rig
-from usdrigui.errors import Faults, meant, refuse
+from usdrigui.errors import Faults, check_known, refuse
 from usdrigui.layout.names import element_name
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import Element, Group
@@ -169,12 +169,8 @@ def _named(rig: Rig, groups: tuple[Group, ...], name: str, where: str) -> Group 
     if index < 0:
         if name in {left.control for left in rig.left_off}:
             return None
-        known = (
-            *(group.name for group in groups if group.name),
-            *(each.name for each in rig.controls),
-        )
-        what = f"{rig.path} has no control or element {name!r}{meant(name, known)}"
-        raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
+        known = (*(group.name for group in groups if group.name), *rig.control_names)
+        check_known(name, known, where, f"{rig.path} has no control or element")
     return next((group for group in groups if index in group.all_controls), None)
 
 

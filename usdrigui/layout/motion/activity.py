@@ -46,7 +46,7 @@ def activity(rig: Rig, performances: Iterable[Performance]) -> Activity:
     Raises CLIP_FOREIGN where they move nothing that the rig has a control for.
     """
     clips = tuple(performances)
-    rest = np.array([control.default for control in rig.controls])
+    rest = rig.defaults
     values = np.concatenate([_values(rig.body.joints, rig.controls, clip, rest) for clip in clips])
     extent = np.array([max(c.maximum - c.default, c.default - c.minimum) for c in rig.controls])
     amounts = np.nan_to_num(np.clip(np.abs(values - rest) / extent, 0.0, 1.0))
