@@ -78,7 +78,10 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
         of_joint[joint] = of_skin[joint] = EYES
     in_limbs = {i for i, name in enumerate(of_skin) if name == BODY} - set(spine)
     if max(tree.depth_among(in_limbs)) < LIMB:
-        rest = FACE if heads else next((of_skin[fan.joint] for fan in ends), BODY)
+        # A hand by itself may have an arm; what hangs on no arm is more than hands.
+        arms = {joint for fan in ends for joint in (fan.joint, *tree.above(fan.joint))}
+        only = arms >= {i for i in tree.owners if of_skin[i] == BODY}
+        rest = FACE if heads else of_skin[ends[0].joint] if ends and only else BODY
         of_joint, of_skin = (
             [rest if name in (BODY, EYES) else name for name in each]
             for each in (of_joint, of_skin)

@@ -76,6 +76,16 @@ def test_joints_are_told_apart_into_face_hands_and_body(rig):
     assert len(found["hands"]) == 16
 
 
+def test_what_hangs_on_no_arm_is_no_hand():
+    hand = limbs.hand_rig().body
+    names = [*(joint.path for joint in hand.joints), "stand"]
+    places = np.array([*(joint.bind[3, :3] for joint in hand.joints), (0.5, -0.5, 0.0)])
+    owners = [*np.unique(hand.meshes[0].skin.joints), len(hand.joints)]
+    found = named(limbs.with_default_controls(limbs.skeleton_rig(names, places, owners)))
+    assert list(found) == ["hands", "body"]
+    assert {name.partition(":")[0] for name in found["body"]} == {"w", "stand"}
+
+
 RING = np.array([[np.cos(a), np.sin(a)] for a in np.arange(6) * np.pi / 3.0])
 
 
