@@ -23,37 +23,42 @@ _MAX_WIDTH = 210.0
 _FAMILY = 3
 """Names that share a first word, at least, to leave it out; and they are most of all names, since
 a word of a few says which they are."""
-_BARE = {*SIDES, "rx", "ry", "rz"}
-"""Words that alone do not tell what a control is for."""
+_BARE = {*SIDES, "rx", "ry", "rz", "bend", "curl", "spread", "twist"}
+"""Words that alone, or with a number, do not tell what a control is for."""
 _EDGE, _AIR = 6.0, 10.0
 """Between the edge of a panel and its names, and between them and where their lines turn."""
 
 
 def shortened(names: Sequence[str]) -> list[str]:
     """The names without the words that those of one family, which have the first word in common,
-    all begin and end with; a family is as it was where that would leave two alike."""
+    all begin and end with, as far as what is left of each tells what it is; a family is as it was
+    where that would leave two alike."""
     short = list(names)
     first = [re.match(r"[^_.:| -]+[_.:| -]+", name) for name in names]
     families = Counter(word[0] for word in first if word)
     for word, count in families.items():
         members = [i for i, found in enumerate(first) if found and found[0] == word]
         texts = [names[i] for i in members]
-        start = _shared_words(texts)
-        rest = [text[start:] for text in texts]
-        tells = not any(_BARE.issuperset(words(text)) for text in rest)
-        if count >= _FAMILY and 2 * count > len(names) and len(set(texts)) == count and tells:
-            end = _shared_words([text[::-1] for text in rest])
+        if count >= _FAMILY and 2 * count > len(names) and len(set(texts)) == count:
+            starts = (at for at in _shared_words(texts) if all(_tells(text[at:]) for text in texts))
+            start = max(starts, default=0)
+            rest = [text[start:] for text in texts]
+            end = _shared_words([text[::-1] for text in rest])[-1]
             for i, text in zip(members, rest, strict=True):
                 short[i] = text[: len(text) - end]
     ambiguous = Counter(short)
     return [a if a and ambiguous[a] == 1 else b for a, b in zip(short, names, strict=True)]
 
 
-def _shared_words(texts: Sequence[str]) -> int:
-    """Length of the whole words that the texts begin with."""
+def _tells(text: str) -> bool:
+    return not all(word in _BARE or word.isdigit() for word in words(text))
+
+
+def _shared_words(texts: Sequence[str]) -> list[int]:
+    """Lengths of the whole words that the texts begin with: of none, of one and so on."""
     columns = takewhile(lambda letters: len(set(letters)) == 1, zip(*texts, strict=False))
     shared = "".join(letters[0] for letters in columns)
-    return max((found.end() for found in re.finditer(r"[_.:| -]+", shared)), default=0)
+    return [0, *(found.end() for found in re.finditer(r"[_.:| -]+", shared))]
 
 
 def column_width(names: Sequence[str]) -> int:
