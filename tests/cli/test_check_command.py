@@ -7,6 +7,8 @@ from pxr import Usd, UsdGeom, UsdSkel
 
 from usdrigui.cli import main
 from usdrigui.layer.read_layout import element_prims
+from usdrigui.pipeline import load_layer
+from usdrigui.settings import Settings
 
 
 def codes(layer, capsys, expected_exit=0, *options):
@@ -82,6 +84,8 @@ def test_a_character_that_lies_down_in_a_shot_is_judged_as_it_stands(layer, turn
     place.AddRotateXYZOp().Set(turn)
     shot.Save()
     assert codes(layer.with_name("shot.usda"), capsys) == set()
+    ((rig, _),) = load_layer(layer.with_name("shot.usda"), Settings()).characters
+    assert rig.up.tolist() == [0, 1, 0], "pictures, too"
 
 
 def test_what_only_reads_does_not_say_that_it_wrote_nothing(capsys):

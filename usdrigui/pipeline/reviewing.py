@@ -122,7 +122,14 @@ def load_layer(layer: Path, settings: Settings) -> Loaded:
         raise
     refuse_unsound(source)
     _refuse_lost(stale)
-    return loaded
+    return _standing(loaded)
+
+
+def _standing(loaded: Loaded) -> Loaded:
+    """The characters with the up directions of their layouts: a shot that says nothing of its up
+    axis, or has a character that lies down, is looked at as the layout is."""
+    pairs = ((_upright(rig, layout), layout) for rig, layout in loaded.characters)
+    return replace(loaded, characters=tuple(pairs))
 
 
 def _refuse_lost(lost: Sequence[Issue]) -> None:
@@ -217,7 +224,7 @@ def open_layouts(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Loaded:
     layouts, read = read_open_layouts(stage, settings)
     refuse_unsound(read)
     _refuse_lost(read.lost)
-    return _with_characters({each.root: each for each in layouts}, read, "")
+    return _standing(_with_characters({each.root: each for each in layouts}, read, ""))
 
 
 def review(
