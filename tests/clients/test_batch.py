@@ -52,8 +52,8 @@ def test_one_bad_file_never_stops_the_rest_and_what_is_done_is_skipped(folder, t
     second = batch(folder, capsys, "--sheet", str(tmp_path / "sheet.png"), expected_exit=1)
     assert second["counts"] == {"written": 0, "unchanged": 0, "skipped": 2, "refused": 1, "failed": 0, "part": 0}
     assert {path: path.stat().st_mtime_ns for path in layers} == layers
-    same = [(row["face"], row["board"], row["gap"]) for row in first["assets"]]
-    assert [(row["face"], row["board"], row["gap"]) for row in second["assets"]] == same
+    before, after = ([(row["face"], row["board"], row["gap"]) for row in each["assets"]] for each in (first, second))
+    assert before == after
 
     changed = folder / "a1" / "char.usda"
     changed.write_text(changed.read_text() + "\n# touched\n")

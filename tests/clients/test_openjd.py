@@ -34,12 +34,16 @@ def test_a_job_is_checked_and_run(tmp_path, capsys):
     assert "2 tasks" in capsys.readouterr().out
     checked = openjd_command("check", str(job))
     assert checked.returncode == 0, checked.stdout + checked.stderr
-    usdrigui = str(Path(sys.executable).with_name("usdrigui"))
-    ran = openjd_command("run", str(job), "--step", "Layout", "-p", f"Command={usdrigui}")
+    ran = laid_out_by(job)
     assert ran.returncode == 0, ran.stdout + ran.stderr
     assert "openjd_progress: 99" in ran.stdout
     layers = sorted((tmp_path / "out").rglob("*.rigui.usda"))
     assert [each.parent.name for each in layers] == ["a0", "a1"]
+
+
+def laid_out_by(job):
+    usdrigui = Path(sys.executable).with_name("usdrigui")
+    return openjd_command("run", str(job), "--step", "Layout", "-p", f"Command={usdrigui}")
 
 
 @needs_openjd
@@ -47,8 +51,7 @@ def test_a_refused_asset_fails_its_task_and_says_why(tmp_path):
     (tmp_path / "broken.usda").write_text("#usda 1.0\n(\n")
     job = tmp_path / "job.json"
     assert main(["openjd", str(tmp_path / "broken.usda"), "-o", str(job)]) == 0
-    usdrigui = str(Path(sys.executable).with_name("usdrigui"))
-    ran = openjd_command("run", str(job), "--step", "Layout", "-p", f"Command={usdrigui}")
+    ran = laid_out_by(job)
     assert ran.returncode != 0
     assert "openjd_fail: FILE_NOT_USD" in ran.stdout
 

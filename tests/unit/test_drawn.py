@@ -11,7 +11,7 @@ from makers import frame, layout
 
 from usdrigui.layer.drawn import drawn_parts
 from usdrigui.layer.skin_binding import SkinBinding
-from usdrigui.model import Anchor, Element, Member
+from usdrigui.model import Anchor, Element, LayoutPart, Member
 
 NAMES = ["brow_L", "chin", "smile_L", "pucker", "jawLeft"]
 ORIGIN = np.array([0.1, 0.2, 0.5])
@@ -33,6 +33,14 @@ def element(members, kind="fan", beside=False, normal=(0.0, 0.0, 1.0), opposed=(
         label="e",
         side="none",
     )
+
+
+FACE, SEEN = makers.face(9, 11), frame(0.1)
+
+
+def drawn(each, seen=SEEN, rig=FACE):
+    """The handle, and the tracks with the areas, of an element on a face."""
+    return drawn_parts(SkinBinding(rig, layout(rig, each)), each, seen)
 
 
 def around(*degrees):
@@ -58,9 +66,8 @@ def around(*degrees):
     ],
 )
 def test_areas_face_along_the_normal_between_the_ends_of_tracks(degrees, areas):
-    rig = makers.face(9, 11)
     fan = element(around(*degrees))
-    _, tracks = drawn_parts(SkinBinding(rig, layout(rig, fan)), fan, frame(0.1))
+    _, tracks = drawn(fan)
     assert tracks.faces.counts[len(degrees) :].tolist() == areas
     assert tracks.areas == len(areas)
     ends = np.array([ORIGIN, *(each.track[-1] for each in fan.members)])
@@ -73,10 +80,9 @@ def test_areas_face_along_the_normal_between_the_ends_of_tracks(degrees, areas):
 
 
 def test_two_tracks_through_the_handle_span_an_area_between_their_four_ends():
-    rig = makers.face(9, 11)
     ways = [member(name, way, (-1.0, 0.0, 1.0)) for name, way in (("chin", (1, 0, 0)), ("pucker", (0, 1, 0)))]
     stick = element(ways, "patch")
-    _, tracks = drawn_parts(SkinBinding(rig, layout(rig, stick)), stick, frame(0.1))
+    _, tracks = drawn(stick)
     assert tracks.faces.counts[-1] == 4
 
 
@@ -88,9 +94,8 @@ def arc(name, turn, count=33):
 
 
 def test_a_track_is_a_ribbon_that_ends_in_a_point():
-    rig = makers.face(9, 11)
     slider = element([arc("chin", 90.0)], "slider")
-    _, tracks = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, frame(0.1))
+    _, tracks = drawn(slider)
     assert tracks.areas == 0
     assert tracks.faces.counts.tolist() == [4, 3]
     middle = 0.5 * (tracks.points[:-1:2] + tracks.points[1::2])
@@ -104,18 +109,16 @@ def test_a_track_is_a_ribbon_that_ends_in_a_point():
 @pytest.mark.parametrize(("turn", "width", "pieces"), [(0.1, 0.1, 1), (90, 2.0, 1), (90, 0.1, 2), (360, 0.1, 4)])
 def test_a_drawn_track_has_as_many_points_as_its_bends_need(turn, width, pieces):
     """For a handle of that width, or for the length of the track: a wide handle covers a short arc."""
-    rig = makers.face(9, 11)
     slider = element([arc("chin", turn)], "slider")
-    _, tracks = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, frame(width))
+    _, tracks = drawn(slider, frame(width))
     assert len(tracks.faces.counts) == pieces
 
 
 @pytest.mark.parametrize("turn", [30.0, 60.0])
 def test_a_drawn_track_of_a_short_turn_is_straight_and_runs_in_the_middle_of_it(turn):
     """As far from the ends of the arch as from its crown, so that a handle is nowhere far beside it."""
-    rig = makers.face(9, 11)
     slider = element([arc("chin", turn)], "slider")
-    _, tracks = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, frame(0.01))
+    _, tracks = drawn(slider, frame(0.01))
     track, radius = slider.members[0].track, 1.0
     assert tracks.faces.counts.tolist() == [3]
     begin, end = 0.5 * (tracks.points[0] + tracks.points[1]), tracks.points[2]
@@ -127,10 +130,9 @@ def test_a_drawn_track_of_a_short_turn_is_straight_and_runs_in_the_middle_of_it(
 
 @pytest.mark.parametrize(("out", "lifted"), [((1, -1, 0), True), ((-1, 1, 0), False)])
 def test_a_track_that_bulges_out_of_the_skin_does_not_cut_into_it(out, lifted):
-    rig = makers.face(9, 11)
     normal = np.array(out) / np.sqrt(2.0)
     slider = element([arc("chin", 90.0)], "slider", normal=normal)
-    _, tracks = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, frame(0.1))
+    _, tracks = drawn(slider)
     lift = tracks.points[-1] - slider.members[0].track[-1]
     assert np.allclose(lift, (lift @ normal) * normal, atol=1e-6)
     assert (lift @ normal > 0.05) == lifted
@@ -139,9 +141,8 @@ def test_a_track_that_bulges_out_of_the_skin_does_not_cut_into_it(out, lifted):
 
 @pytest.mark.parametrize("direction", [(0, 0, 1), (0, 0, 0)])
 def test_a_track_that_leaves_the_skin_or_stands_still_is_drawn_all_the_same(direction):
-    rig = makers.face(9, 11)
     slider = element([member("chin", direction)], "slider")
-    _, tracks = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, frame(0.1))
+    _, tracks = drawn(slider)
     assert np.isfinite(tracks.points).all()
     assert np.linalg.norm(tracks.points[0] - tracks.points[1]) == pytest.approx(0.22 * 0.1)
 
@@ -152,7 +153,7 @@ def test_a_handle_on_the_board_slides_where_several_weights_are_alike(second, mo
     mixed = replace(rig.controls[0], name="mix", drive=makers.drive((0, 1), weights=[[0, 0], [1, second]]))
     rig = replace(rig, controls=(*rig.controls, mixed))
     slider = element([member("mix", (1, 0, 0))], "slider", beside=True)
-    handle = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, frame(0.1))[0]
+    handle = drawn(slider, rig=rig)[0]
     assert [shape.channel for shape in handle.shapes] == moved
     assert np.allclose(handle.points[0], ORIGIN)
 
@@ -163,5 +164,15 @@ def test_a_handle_is_written_as_finely_as_it_is_small():
     far = replace(rig.body.meshes[0], path="/Root/far", points=1e4 * rig.body.meshes[0].points)
     rig = replace(rig, body=replace(rig.body, meshes=(*rig.body.meshes, far)))
     slider = element([member("chin", (0.3, 0.1, 0))], "slider")
-    handle, _ = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, frame(0.1))
+    handle, _ = drawn(slider, rig=rig)
     assert np.abs(handle.points[0] - rig.body.meshes[0].points[50]).max() < 1e-4 * 0.1
+
+
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+def test_a_handle_of_either_hand_is_turned_to_where_its_own_side_is_seen_from(side):
+    normal = np.array([0.6 * side, 0.0, 0.8])
+    slider = element([member("chin", (0, 0.1, 0))], "slider", normal=normal)
+    hands = LayoutPart("", 0.1, np.array([1.0, 0.0, 0.0]), "optimal", 0.0, 0.0)
+    handle, _ = drawn(slider, replace(frame(0.1, normal=(1, 0, 0)), parts=(hands,)))
+    leant = handle.points[1] - handle.points[0]
+    assert side * leant[0] > 0.5 * np.linalg.norm(leant)

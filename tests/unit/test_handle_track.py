@@ -29,12 +29,11 @@ def test_a_point_goes_along_its_track_and_straight_on_beyond_both_ends(value, pl
 
 def test_a_handle_adds_its_members_moves_to_where_the_first_stands():
     """The first from 0 to 1 (two to the right), the second from 1 to 2 (two up)."""
-    base, now = slid([KNOTS, KNOTS], [CORNER, CORNER], [0.0, 1.0], [1.0, 2.0])
-    assert base == pytest.approx((0, 0, 0))
-    assert now == pytest.approx((2, 2, 0))
-    base, now = slid([KNOTS, KNOTS], [CORNER, CORNER], [1.0, 0.0], [1.0, 0.5])
-    assert base == pytest.approx((2, 0, 0))
-    assert now == pytest.approx((3, 0, 0))
+    for values, places in (
+        (([0.0, 1.0], [1.0, 2.0]), [(0, 0, 0), (2, 2, 0)]),
+        (([1.0, 0.0], [1.0, 0.5]), [(2, 0, 0), (3, 0, 0)]),
+    ):
+        assert np.array(slid([KNOTS, KNOTS], [CORNER, CORNER], *values)) == pytest.approx(np.array(places))
 
 
 def test_a_normal_stays_across_its_skin_when_that_is_stretched():

@@ -279,6 +279,11 @@ def test_each_handle_is_as_wide_as_those_of_its_part(rig, layout):
     assert inked[1] > 3 * inked[0]
 
 
+def test_a_fan_has_the_handle_of_four_corners():
+    ((outline,), _) = marks.handle_outlines(flat.Mark("fan", flat.INK, np.zeros(2), 1.0))
+    assert len(outline) == 4
+
+
 def crossed(at, ends):
     """A posed element whose two straight tracks run to the right and up, from the first to the second of `ends`."""
     axes = np.eye(3)[:2]

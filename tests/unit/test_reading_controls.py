@@ -586,12 +586,12 @@ def test_a_nested_skelroot_is_a_character_of_its_own(tmp_path):
         UsdSkel.Root.Define(stage, "/Char/Pet")
         add_skeleton(stage, "/Char/Pet/Skel")
         add_shape(add_mesh(stage, "/Char/Pet/Face", "/Char/Pet/Skel"), "bark", np.ones((SIDE**2, 3)))
-        add_animation(stage, "/Char/Pet/Anim", "/Char/Pet/Skel", ("bark",))
+        add_animation(stage, "/Char/Pet/Anim", "/Char/Pet/Skel", ())
 
     rigs = read_rigs(head(tmp_path / "char.usda", edit=edit), Settings())
-    assert [(rig.path, list(controls(rig)), rig.left_off) for rig in rigs] == [
-        ("/Char", ["smile", "frown"], ()),
-        ("/Char/Pet", ["bark"], ()),
+    assert [(rig.path, list(controls(rig)), rig.left_off, [each.code for each in rig.issues]) for rig in rigs] == [
+        ("/Char", ["smile", "frown"], (), []),
+        ("/Char/Pet", ["bark"], (), ["TOKEN_NOT_ANIMATED"]),
     ]
 
 

@@ -16,7 +16,9 @@ import pytest
 from viewer_layouts import peak_layout
 
 from usdrigui.layout.board.board import CATEGORIES
+from usdrigui.view.body.complexion import complexion
 from usdrigui.view.flat.columns import heading
+from usdrigui.view.web import packing
 from usdrigui.view.web.packing import pack
 from usdrigui.view.web.page import page_html
 
@@ -59,6 +61,13 @@ def test_positions_and_offsets_survive_to_half_a_step(face):
         true = np.zeros_like(dense)
         true[:, shape.points] = shape.offsets
         assert np.abs(dense - true).max() <= 0.51 * np.abs(true).max() / 32767
+
+
+def test_gazes_survive(face, monkeypatch):
+    gaze = np.linspace([-2.0, 0.0], [0.3, 2.9], len(face[0].body.meshes[0].points))
+    monkeypatch.setattr(packing, "complexion", lambda *given: replace(complexion(*given), gaze=gaze))
+    header, array = unpacked(packing.pack([face], "face"))
+    assert np.allclose(array(header["characters"][0]["meshes"][0]["gaze"]) * 3 / 8192, gaze, atol=2e-4)
 
 
 def test_triangles_survive(face):

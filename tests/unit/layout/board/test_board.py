@@ -7,6 +7,8 @@ import makers
 import numpy as np
 import pytest
 
+from usdrigui.layout.board.board import _right_end
+
 POINTS, QUADS = makers.mask()
 
 
@@ -29,6 +31,8 @@ def test_the_board_is_tidy_and_outside_the_silhouette():
         for member in element.members:
             drawn = np.linalg.norm(np.diff(member.track, axis=0), axis=1).sum()
             assert drawn == pytest.approx(member.magnification * member.arc_length, rel=1e-6)
+    ends = [_right_end(makers.changed(board[0], label=text), np.eye(3), width) for text in ("a", "a longer one")]
+    assert ends[0] < ends[1], "the next column begins beyond the label"
     pairs = [element for element in board if element.mirror]
     for element in pairs:
         other = next(each for each in board if each.name == element.mirror)
