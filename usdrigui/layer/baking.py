@@ -77,7 +77,7 @@ def apart(found: Valued | None) -> Iterator[Issue]:
                 del left[index]
                 when = f" at time {time:g}" if found.moving else ""
                 what = f"is {value:g}{when}, the SkelAnimation has another"
-                path = found.values[found.rig.controls[index].name].GetPath()
+                path = found.values[found.rig.control_names[index]].GetPath()
                 yield issue("LAYOUT_VALUE", path, what)
 
 
@@ -119,7 +119,7 @@ class Valued(Record):
         """What the values make of the animation at each of the times; raises NOT_FINITE."""
         known, along = list[int](), self.along([])
         for time in self.times:
-            read = {i: _read(self.values[self.rig.controls[i].name], time) for i in self.reached}
+            read = {i: _read(self.values[self.rig.control_names[i]], time) for i in self.reached}
             authored = {i: value for i, value in read.items() if value is not None}
             if list(authored) != known:
                 known, along = list(authored), self.along([*authored])

@@ -101,7 +101,7 @@ def _author(layer: Sdf.Layer, shot: ShotLayout) -> None:
     author_limits(root, rig)
     scope = Sdf.PrimSpec(root, schema.SCOPE, Sdf.SpecifierOver)
     author.apply(scope, [schema.LAYOUT])
-    author.declare(scope, schema.LAYOUT, account(rig.controls, layout.base_values), fallbacks=True)
+    author.declare(scope, schema.LAYOUT, account(rig, layout), fallbacks=True)
     author.note(scope, record(layout))
     taken = {name for prim in shot.prims for name in (*prim.names, prim.path.rpartition("/")[2])}
     added = [element for element in layout.elements if element.name in shot.added]

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, Tf, UsdGeom
 
-from usdrigui.character import Body, Control, Floats, Rig
+from usdrigui.character import Body, Control, Rig
 from usdrigui.errors import refuse
 from usdrigui.layer import author
 from usdrigui.layer.control_api import author_control_api, author_limits
@@ -244,7 +244,7 @@ def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
         "planeNormal": frame.plane.normal,
         "handleWidth": min([frame.handle_width, *(part.handle_width for part in frame.parts)]),
     }
-    author.declare(scope, schema.LAYOUT, whole | account(rig.controls, layout.base_values))
+    author.declare(scope, schema.LAYOUT, whole | account(rig, layout))
     for instance, part in parts.items():
         name = "" if part.name == instance else part.name
         own = {"name": name, "handleWidth": part.handle_width, "viewDirection": part.view}
@@ -260,11 +260,11 @@ def _plain(path: Sdf.Path) -> Sdf.Path:
     return path.StripAllVariantSelections()
 
 
-def account(controls: tuple[Control, ...], base_values: Floats) -> dict[str, Any]:
+def account(rig: Rig, layout: Layout) -> dict[str, Any]:
     """RigUILayoutAPI: every control of the character, and the base pose."""
     return {
-        "baseControls": [control.name for control in controls],
-        "baseValues": base_values if np.any(base_values) else (),
+        "baseControls": list(rig.control_names),
+        "baseValues": layout.base_values if np.any(layout.base_values) else (),
     }
 
 

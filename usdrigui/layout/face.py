@@ -73,4 +73,4 @@ class Face(Record):
 
     def control_name(self, control: int) -> str:
         """Name of a control by its index."""
-        return self.rig.controls[control].name
+        return self.rig.control_names[control]

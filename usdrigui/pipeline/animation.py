@@ -10,7 +10,7 @@ import json
 from collections.abc import Sequence
 from pathlib import Path
 
-from usdrigui.character import Control, Indices, Performance, Rig
+from usdrigui.character import Indices, Performance, Rig
 from usdrigui.errors import Issue
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.activity import (
@@ -45,7 +45,7 @@ def weighted(
     is of this character.
     """
     overrides, clips = used
-    found = importances(activity(rig, clips), _twins(rig.controls, twins), weight)
+    found = importances(activity(rig, clips), _twins(rig.control_names, twins), weight)
     return with_importances(rig.controls, overrides, found)
 
 
@@ -53,7 +53,7 @@ def animation_facts(
     face: Face, clips: tuple[Performance, ...], weight: float
 ) -> tuple[AnimationFacts, tuple[Issue, ...]]:
     """The use of a character's controls by the animations, with warnings; raises as `weighted`."""
-    done, twins = activity(face.rig, clips), _twins(face.rig.controls, face.symmetry.twins)
+    done, twins = activity(face.rig, clips), _twins(face.rig.control_names, face.symmetry.twins)
     worth = importances(done, twins, weight)
     active = (done.amounts >= _ACTIVE).mean(axis=0)
     uses = [
@@ -71,6 +71,5 @@ def animation_facts(
     return facts, done.issues
 
 
-def _twins(controls: tuple[Control, ...], twins: Indices) -> dict[str, str]:
-    names = [control.name for control in controls]
+def _twins(names: Sequence[str], twins: Indices) -> dict[str, str]:
     return {names[i]: names[twin] for i, twin in enumerate(twins.tolist()) if twin >= 0}

@@ -390,7 +390,7 @@ def _account(character: Character, laid: Sequence[LaidPart], layout: Layout) -> 
     parts, rig, references = [each.inputs for each in laid], character.rig, character.references
     existing, previous = references.existing, references.earlier
     peaks = {
-        rig.controls[each.control].name: float(each.arc_length.max())
+        rig.control_names[each.control]: float(each.arc_length.max())
         for inputs in parts
         for each in inputs.face.trajectories.motions
     }
@@ -429,7 +429,7 @@ def _account(character: Character, laid: Sequence[LaidPart], layout: Layout) -> 
 def _part_row(laid: LaidPart) -> PartRow:
     elements = [element for element in laid.layout.elements if not element.anchor.on_board]
     controls = [motion.control for motion in laid.inputs.face.trajectories.motions]
-    names = tuple(laid.inputs.face.rig.controls[control].name for control in controls)
+    names = tuple(laid.inputs.face.rig.control_names[control] for control in controls)
     on_it = frozenset().union(*(element.controls for element in elements))
     return PartRow(
         laid.inputs.part,

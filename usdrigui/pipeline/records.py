@@ -97,12 +97,8 @@ class ProblemInputs(Record):
     @property
     def twin_names(self) -> dict[str, str]:
         """Names of the controls that have a twin other than themselves, to its name."""
-        controls, twins = self.face.rig.controls, self.face.symmetry.twins
-        return {
-            control.name: controls[twin].name
-            for control, twin in zip(controls, twins, strict=True)
-            if twin >= 0 and controls[twin] is not control
-        }
+        names, twins = self.face.rig.control_names, self.face.symmetry.twins.tolist()
+        return {names[i]: names[twin] for i, twin in enumerate(twins) if twin not in (-1, i)}
 
 
 class LaidPart(Record):

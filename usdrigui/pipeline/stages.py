@@ -153,7 +153,7 @@ def _without_pin(
     """The character without the weakest decision of a person that an error about the anchors of
     some groups of controls is about; raises it where it is about none."""
     references, rig = character.references, character.rig
-    names = [frozenset(rig.controls[control].name for control in group) for group in groups]
+    names = [frozenset(rig.control_names[control] for control in group) for group in groups]
     fewer = replace(references, pins=references.pins.without(error, names))
     asked = requested(rig, character.parts, character.settings, fewer)
     return replace(character, references=fewer, requests=asked)

@@ -166,7 +166,7 @@ def checked_values(rig: Rig, values: ArrayLike) -> Floats:
             f"a pose has {len(rig.controls)} values, not {at.shape}",
         )
     if not np.isfinite(at).all():
-        name = rig.controls[int(np.flatnonzero(~np.isfinite(at))[0])].name
+        name = rig.control_names[int(np.flatnonzero(~np.isfinite(at))[0])]
         raise refuse("POSE_VALUE", name, "the value is not finite")
     return at
 

@@ -136,12 +136,11 @@ def _rows(controls: tuple[Control, ...], board: list[BoardEntry]) -> list[tuple[
             CATEGORIES.index(each.category),
             each.group.name.lower(),
             each.group.name,
+            controls[each.controls[0]].name,
         ),
     )
-    rows = []
-    for _, members in groupby(ranked, key=lambda each: (each.category, each.group.name)):
-        rows.append(tuple(sorted(members, key=lambda each: controls[each.controls[0]].name)))
-    return rows
+    rows = groupby(ranked, key=lambda each: (each.category, each.group.name))
+    return [tuple(members) for _, members in rows]
 
 
 def _columns(

@@ -70,7 +70,7 @@ def layout(
         variant_path=face.rig.variant_path,
         elements=tuple(
             replace(each, part=part)
-            for each in with_inner(elements, placement.groups, face.rig.controls)
+            for each in with_inner(elements, placement.groups, face.rig.control_names)
         ),
         left_off=(),
         frame=LayoutFrame(
@@ -109,7 +109,7 @@ def names_of_copies(rig: Rig, group: Group, choice: Choice) -> list[str]:
     """Names of the element and of its images, each unique."""
     given = [group.name, *group.image_names]
     own = [
-        element_name([rig.controls[each].name for each in copy], rig.control_names)
+        element_name([rig.control_names[each] for each in copy], rig.control_names)
         for copy in choice.controls
     ]
     names = [chosen or name for chosen, name in zip(given, own, strict=False)]

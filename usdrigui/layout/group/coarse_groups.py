@@ -8,7 +8,7 @@ A level configured for one side of the character holds for the other, since a gr
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import chain
 
@@ -53,11 +53,10 @@ def with_levels(
 
 
 def with_inner(
-    elements: Iterable[Element], groups: tuple[Group, ...], controls: tuple[Control, ...]
+    elements: Iterable[Element], groups: tuple[Group, ...], names: Sequence[str]
 ) -> tuple[Element, ...]:
     """The elements of all groups, the coarse ones with the names of their members on their own
-    side."""
-    names = [control.name for control in controls]
+    side; `names` are those of all controls."""
     made = tuple(elements)
     by_controls: dict[frozenset[str], list[str]] = {}
     for element in made:
@@ -77,7 +76,7 @@ def with_inner(
 
 def _elements_of(
     copies: tuple[tuple[int, ...], ...],
-    names: list[str],
+    names: Sequence[str],
     by_controls: dict[frozenset[str], list[str]],
 ) -> list[str]:
     """Names of the elements of a group, one per copy."""
@@ -97,7 +96,7 @@ def _parts(rig: Rig, group: Group) -> Iterator[Group]:
         images = tuple(tuple(copy[i] for i in axis) for copy in group.images)
         yield Group(
             name=element_name(
-                [rig.controls[group.controls[i]].name for i in axis], rig.control_names
+                [rig.control_names[group.controls[i]] for i in axis], rig.control_names
             ),
             kind="slider",
             controls=tuple(group.controls[i] for i in axis),

@@ -44,7 +44,7 @@ def _fixed_in_mirror(face: Face, requests: Requests, control: int) -> bool:
     twin = int(symmetry.twins[control])
     if twin < 0 or not overrides[twin].anchor:
         return False
-    pair = [fixed_anchor(rig, rig.controls[c].name, overrides[c].anchor) for c in (control, twin)]
+    pair = [fixed_anchor(rig, rig.control_names[c], overrides[c].anchor) for c in (control, twin)]
     points = np.array([point for point in pair if point is not None])
     apart = symmetry.plane.distance(face.surface.points[points])
     left, right = points if apart[0] >= apart[1] else points[::-1]

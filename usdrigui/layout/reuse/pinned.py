@@ -219,7 +219,7 @@ def with_twins(
             near, within = MIRROR + override.near, override.within
             found[twin] = replace(own, near=near, within=within)
         if override.anchor:
-            point = fixed_anchor(rig, rig.controls[control].name, override.anchor)
+            point = fixed_anchor(rig, rig.control_names[control], override.anchor)
             image = -1 if point is None else _image(trajectories, symmetry, twin, point)
             if image >= 0:
                 found[twin] = replace(own, anchor=place_of(rig.body, image))

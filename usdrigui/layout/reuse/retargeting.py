@@ -128,7 +128,7 @@ def _landmarks(
 def _marks(rig: Rig, trajectories: Trajectories) -> dict[str, Floats]:
     """By control name, (2, 3) the middle of what it moves and the middle of what it moves most."""
     return {
-        rig.controls[motion.control].name: np.stack(
+        rig.control_names[motion.control]: np.stack(
             [_middle(trajectories.surface, motion, power) for power in _POWERS]
         )
         for motion in trajectories.motions

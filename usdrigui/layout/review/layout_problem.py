@@ -59,7 +59,7 @@ def sound_elements(face: Face, elements: tuple[Element, ...]) -> tuple[Element, 
     """The elements on the face that can be rated: mesh, point and controls exist and the controls
     move it."""
     rig = face.rig
-    moving = {rig.controls[motion.control].name for motion in face.trajectories.motions}
+    moving = {rig.control_names[motion.control] for motion in face.trajectories.motions}
     return tuple(
         element
         for element in elements

@@ -52,7 +52,7 @@ def paired(
         raw = agreements(fields, partner, plane.normal)
         raw = 0.5 * (raw + raw.T)
         free = [i for i, motion in enumerate(motions) if motion.control not in configured]
-        names = [rig.controls[motion.control].name for motion in motions]
+        names = [rig.control_names[motion.control] for motion in motions]
         agreed, mirrored = pairable(raw, motions), _mirrored_by(rig, motions, plane)
         possible = {}
         for i, j in combinations_with_replacement(free, 2):
@@ -133,7 +133,7 @@ def configured_twins(rig: Rig, controls: Mapping[str, ControlSettings]) -> dict[
     for own, override in enumerate(control_overrides(rig, controls)):
         if override.twin:
             with faults.collected():
-                found[own] = other = _named_twin(own, rig.controls[own].name, override.twin, index)
+                found[own] = other = _named_twin(own, rig.control_names[own], override.twin, index)
                 if other >= 0:
                     found[other] = own
     faults.raise_all()
