@@ -91,6 +91,7 @@ def test_what_cannot_be_held_is_told_with_what_is_meant(folder, capsys):
         (["chin.maximum=much"], "CONFIG_VALUE"),
         (["chin.twin=nose"], "CONFIG_UNKNOWN_CONTROL"),
         (["chin"], "CONFIG_VALUE"),
+        (["chin=/World/Char/face0#0"], "FIXED_IMPOSSIBLE"),
     ],
 )
 def test_a_decision_that_means_nothing_is_refused(folder, capsys, words, code):

@@ -11,7 +11,7 @@ from typing import Any, cast
 import numpy as np
 
 from usdrigui.character import Rig
-from usdrigui.character.deform import posed
+from usdrigui.character.deform import knots, posed, sweep
 from usdrigui.errors import check_known, meant, refuse
 from usdrigui.isolation.foreign_file import whole_content
 from usdrigui.layout.reuse.partial_layout import anchored_point
@@ -38,7 +38,8 @@ def pin(
     ``free`` to take back what is decided, there and on record in the layout; its ``group``
     (``NAME,NAME``), and every other key of its configuration.
 
-    Raises CONFIG_UNKNOWN_CONTROL and CONFIG_VALUE, FILE_TARGET for an `output` that is something
+    Raises CONFIG_UNKNOWN_CONTROL and CONFIG_VALUE, FIXED_IMPOSSIBLE for a point that the control
+    does not move, FILE_TARGET for an `output` that is something
     else, and as `read_composed_isolated`.
     """
     found, read = read_composed_isolated(layer, settings)
@@ -146,7 +147,8 @@ def _decided(known: Correction, said: tuple[str, str], rig: Rig, layout: Layout)
 
 
 def _placed(known: Correction, value: str, rig: Rig, layout: Layout) -> Correction:
-    """The correction at a place."""
+    """The correction at a place; a point that is named is one that its control moves."""
+    asked, start = value, posed(rig, None)
     if value == "here":
         anchors = [e.anchor for e in layout.elements if known.control in e.controls]
         if not anchors:
@@ -154,9 +156,13 @@ def _placed(known: Correction, value: str, rig: Rig, layout: Layout) -> Correcti
         value = anchors[0].place
     if value in ("board", "face"):
         return replace(known, place=cast(CorrectedPlace, value), mesh="", point=-1)
-    rest = posed(rig, None).points
+    rest = start.points
     if "#" in value:
         point = anchored_point(rig, known.control, value)
+        subject = rig.control_indices[known.control]
+        moved, ways = sweep(rig, start, subject, knots(rig, subject))
+        if asked == value and point not in moved[np.ptp(ways, axis=0).any(axis=1)]:
+            raise refuse("FIXED_IMPOSSIBLE", known.control, f"does not move the point {value}")
         position = rest[point].reshape(3)
     else:
         try:
