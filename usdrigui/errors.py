@@ -222,8 +222,7 @@ def check_known(
     """Raise CONFIG_UNKNOWN_CONTROL for a name that is not `known`, with the one that may be meant;
     `lacking` says who has no control of it."""
     if name not in known:
-        what = f"{lacking} {name!r}{meant(name, known)}"
-        raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
+        raise refuse("CONFIG_UNKNOWN_CONTROL", where, f"{lacking} {name!r}{meant(name, known)}")
 
 
 def visible(text: str) -> str:

@@ -270,8 +270,7 @@ class OpenLayout:
         if len(found) != 1:
             known = ", ".join(rig.path for rig, _ in self.characters)
             hint = meant(root, [rig.path for rig, _ in self.characters]) if root else ""
-            message = f"name one of the characters: {known}{hint}"
-            raise refuse("SKELROOT_UNKNOWN", root, message)
+            raise refuse("SKELROOT_UNKNOWN", root, f"name one of the characters: {known}{hint}")
         return found[0]
 
     def __repr__(self) -> str:

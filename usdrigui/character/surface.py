@@ -97,8 +97,7 @@ def point_areas(points: Floats, corners: Indices, places: Indices) -> Floats:
     """``(n,)`` a third of the area of the triangles around each point; the whole of a place's area
     falls to its first point and the others get zero."""
     area = np.repeat(triangle_areas(points, corners) / 3.0, 3)
-    summed = np.bincount(places[corners].ravel(), weights=area, minlength=len(points))
-    return np.asarray(summed)
+    return np.asarray(np.bincount(places[corners].ravel(), weights=area, minlength=len(points)))
 
 
 def weld(points: Floats, extra: Floats | None = None) -> Indices:
@@ -140,8 +139,7 @@ def mean_edge_length(points: Floats, corners: Indices, places: Indices) -> float
 def components(corners: Indices, places: Indices) -> Indices:
     """``(n,)`` number of the connected piece of surface that each point belongs to, over welded
     points."""
-    graph = _graph(edges(places[corners]), len(places))
-    _, labels = connected_components(graph, directed=False)
+    _, labels = connected_components(_graph(edges(places[corners]), len(places)), directed=False)
     return np.asarray(labels[places], dtype=np.int64)
 
 

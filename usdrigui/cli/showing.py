@@ -130,8 +130,7 @@ def picker(arguments: argparse.Namespace) -> Exit:
     loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
     behind = arguments.dwpicker and arguments.dwpicker.with_suffix(".background.png")
     read = _spared((arguments.svg, arguments.dwpicker, behind), loaded, arguments)
-    characters = _visible(loaded.characters, arguments)
-    made = picker.picker(characters, labels=arguments.labels)
+    made = picker.picker(_visible(loaded.characters, arguments), labels=arguments.labels)
     files = {}
     if arguments.svg is not None:
         files[arguments.svg] = svg(made).encode()

@@ -452,8 +452,7 @@ def _facing(scene: _Scene) -> Iterator[Issue]:
     what is seen may be either side."""
     # The first point of a handle is where the skin's is.
     places = weld(scene.base.points, scene.uses[:, None])
-    triangles = mesh_triangles(scene.rig.body.meshes)
-    normals = vertex_normals(scene.base.points, triangles, places)
+    normals = vertex_normals(scene.base.points, mesh_triangles(scene.rig.body.meshes), places)
     for each in scene.drawn:
         normal, there = each.element.anchor.normal, normals[each.anchor]
         along = abs(there @ normal) >= CLEAR * (there.any() and normal.any())

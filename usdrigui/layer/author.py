@@ -138,8 +138,7 @@ def usd_value(type_name: str, value: Any) -> Any:
     """A Python or numpy value as the type that USD stores for `type_name`."""
     example, found = _type(type_name).defaultValue, settled(value, type_name)
     if hasattr(example, "FromNumpy"):
-        kept = np.ascontiguousarray(found, dtype=np.asarray(example).dtype)
-        return type(example).FromNumpy(kept)
+        return type(example).FromNumpy(np.ascontiguousarray(found, dtype=np.asarray(example).dtype))
     return type(example)(np.asarray(found).tolist())
 
 

@@ -140,8 +140,7 @@ def _author_faces(mesh: Sdf.PrimSpec, drawing: Drawing, elements: Sequence[Drawn
     _author_per_face(mesh, f"primvars:{schema.ROLE}", "token[]", names, role_indices)
     areas = roles == schema.ROLES.index("area")
     if areas.any():
-        opacities = [1.0, _AREA_OPACITY]
-        _author_per_face(mesh, "primvars:displayOpacity", "float[]", opacities, areas)
+        _author_per_face(mesh, "primvars:displayOpacity", "float[]", [1.0, _AREA_OPACITY], areas)
 
 
 def _roles(part: Drawn) -> Indices:

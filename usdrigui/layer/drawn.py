@@ -430,8 +430,7 @@ def _slider(
 
 def _along_track(skin: SkinBinding, binding: AnchorBinding, member: Member) -> PointShape | None:
     """A shape that puts the handle on its track at every weight; None where it does not slide."""
-    control = skin.control(member.control)
-    drive = control.drive
+    drive = skin.control(member.control).drive
     if not slides(skin.rig.body, drive):
         return None
     channel = int(drive.channels[0])

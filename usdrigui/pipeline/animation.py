@@ -67,8 +67,7 @@ def animation_facts(
         for each in uses
         if each.importance != 1.0
     )
-    facts = AnimationFacts(done.clips, len(done.values), tuple(uses), "\n".join(lines))
-    return facts, done.issues
+    return AnimationFacts(done.clips, len(done.values), tuple(uses), "\n".join(lines)), done.issues
 
 
 def _twins(names: Sequence[str], twins: Indices) -> dict[str, str]:

@@ -78,8 +78,7 @@ def with_corrections(
         members = tuple(member for member in each.group if member in names)
         if len(members) > 1 and not {*members} & {*itertools.chain(*groups.values())}:
             groups["_".join(members)] = members
-    changed_groups = replace(settings.groups, groups=groups)
-    return replace(settings, controls=controls, groups=changed_groups)
+    return replace(settings, controls=controls, groups=replace(settings.groups, groups=groups))
 
 
 def base_values_of(rig: Rig, pose: Mapping[str, float]) -> Floats:

@@ -54,8 +54,7 @@ def inspect(
             whole = parts[0]
             if len(parts) > 1:
                 whole = build_problem(rig, settings, references, clock)
-            weight = settings.animation.weight
-            uses, odd = animation.animation_facts(whole.face, clips, weight)
+            uses, odd = animation.animation_facts(whole.face, clips, settings.animation.weight)
             facts = replace(facts, animation=uses)
             issues += of_character(rig.path_in_variants, odd)
         characters.append(facts)

@@ -158,8 +158,7 @@ def requested(
         own = list(part.controls)
         twins[own] = part.symmetry.twins[own]
     if references.clips:
-        weight = settings.animation.weight
-        overrides = weighted(rig, twins, (overrides, references.clips), weight)
+        overrides = weighted(rig, twins, (overrides, references.clips), settings.animation.weight)
     existing = references.existing
     known = existing.controls if existing is not None else frozenset[str]()
     return Requests(

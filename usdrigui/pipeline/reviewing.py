@@ -150,8 +150,7 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...],
         for root in lacking
     )
     loaded = _with_characters(layouts, read, found.source)
-    told = (*loaded.without_layout, *found.ignored)
-    return replace(loaded, without_layout=told), stale, read
+    return replace(loaded, without_layout=(*loaded.without_layout, *found.ignored)), stale, read
 
 
 def _with_characters(layouts: Mapping[str, Layout], read: ReadResult, source: str) -> Loaded:
@@ -248,8 +247,7 @@ def _review_of(
         ]
         wrong += [*found.issues, *not_animated(rig, layout)]
         told = of_character(rig.path_in_variants, reshaped(rig, layout, wrong))
-        own = replace(found, issues=told)
-        reviews.append((rig.path_in_variants, own))
+        reviews.append((rig.path_in_variants, replace(found, issues=told)))
     return LayerReview(name, tuple(reviews), clock.seconds, (*stale, *loaded.without_layout))
 
 

@@ -99,8 +99,7 @@ def _pair_faults(
     for name, target in zip(names, targets, strict=True):
         shape = prim.GetStage().GetPrimAtPath(target)
         if not is_shape(shape):
-            what = f"is the target of {name!r} of {path}"
-            faults.append(issue("TARGET_INVALID", target, what))
+            faults.append(issue("TARGET_INVALID", target, f"is the target of {name!r} of {path}"))
             continue
         with _collecting(faults):
             shape_arrays(shape, count, faults, partial(_collecting, faults))

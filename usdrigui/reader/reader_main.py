@@ -266,8 +266,7 @@ class _Asset:
         first, *others = found.rigs
         issues = dict.fromkeys(first.issues)
         issues |= {issue("USD_DIAGNOSTIC", self.path, each): None for each in self.diagnostics}
-        told = replace(first, issues=tuple(issues))
-        return replace(found, rigs=(told, *others))
+        return replace(found, rigs=(replace(first, issues=tuple(issues)), *others))
 
 
 @contextlib.contextmanager

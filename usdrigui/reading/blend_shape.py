@@ -102,8 +102,7 @@ def read_shapes(
         with found.leaving_off(str(target), (token,)):
             blend_shape = prim.GetStage().GetPrimAtPath(target)
             if not is_shape(blend_shape):
-                what = f"is the target of {token!r}"
-                found.issues.append(issue("TARGET_INVALID", target, what))
+                found.issues.append(issue("TARGET_INVALID", target, f"is the target of {token!r}"))
                 found.shapeless[token] = f"its target {target} is not an active BlendShape"
                 continue
             shape = _shape(blend_shape, token, binding.armature.record, count, found)
@@ -209,8 +208,7 @@ def _inbetweens(prim: Usd.Prim, issues: list[Issue]) -> list[tuple[float, str, A
             or not np.isfinite(weight)
             or np.abs(np.array(taken) - weight).min() < 1e-6
         ):
-            what = f"{name} has weight {weight}"
-            issues.append(issue("INBETWEEN_INVALID", prim.GetPath(), what))
+            issues.append(issue("INBETWEEN_INVALID", prim.GetPath(), f"{name} has weight {weight}"))
         else:
             taken.append(float(weight))
             between.append((float(weight), name, shape.GetOffsets()))

@@ -127,8 +127,7 @@ def read_characters(
     if not rigs:
         return Characters((), faults, lost)
     spoken = tuple(issue("USD_DIAGNOSTIC", path, text) for text in messages)
-    of_stage = (*issues, *_unit_issues(stage), *spoken, *rigs[0].issues)
-    first = replace(rigs[0], issues=of_stage)
+    first = replace(rigs[0], issues=(*issues, *_unit_issues(stage), *spoken, *rigs[0].issues))
     return Characters((first, *rigs[1:]), faults, lost)
 
 

@@ -186,8 +186,7 @@ def _turns(tree: Tree, joint: int, hinges: dict[int, Turn]) -> list[Turn]:
     if joint in hinges:
         return [hinges[joint]]
     if joint in tree.twists:
-        start = tree.twists[joint]
-        return [_single("twist", tree, joint, tree.direction([start]), BALL)]
+        return [_single("twist", tree, joint, tree.direction([tree.twists[joint]]), BALL)]
     is_inner = any(tree.depth[child] for child in tree.children[joint])
     axes = range(3) if is_inner or _ends_trunk(tree, joint) else _levers(tree, joint)
     return [Turn(f"r{'xyz'[axis]}", joint, (joint,), np.eye(3)[[axis]], BALL) for axis in axes]

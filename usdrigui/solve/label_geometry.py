@@ -134,8 +134,7 @@ def _geometries(
         samples = np.concatenate([each.samples[labels, copy] for each, labels in mine])
         handles = np.concatenate([each.handles[labels, copy] for each, labels in mine])
         positions = np.ascontiguousarray(np.moveaxis(samples, 0, -1))
-        handle = np.ascontiguousarray(handles.T)
-        found.append(LabelGeometry(owner, positions, handle))
+        found.append(LabelGeometry(owner, positions, np.ascontiguousarray(handles.T)))
     return tuple(found)
 
 

@@ -183,8 +183,7 @@ def of_difference(found: LayerDifference) -> tuple[Iterator[Printed], str]:
     else:
         what = "control" if found.characters else "character"
         summary = f"they have no {what} in common"
-    closing = f"usdrigui: compared {found.before} and {found.after}: {summary}"
-    return _difference(found), closing
+    return _difference(found), f"usdrigui: compared {found.before} and {found.after}: {summary}"
 
 
 def _difference(found: LayerDifference) -> Iterator[Printed]:

@@ -82,8 +82,7 @@ def change_lines(found: Difference) -> Iterator[Printed]:
         by = f"{change.distance:.1f} w" if math.isfinite(change.distance) else ""
         element = change.element if change.element != change.control else ""
         why = "; ".join(((f"was {change.was}",) if change.was else ()) + change.why)
-        places = (change.before, change.after)
-        rows.append((change.control, change.kind, by, element, *places, why))
+        rows.append((change.control, change.kind, by, element, change.before, change.after, why))
     if rows:
         yield Table("control | change | by | element | before | now | why", rows, below="why")
 

@@ -214,8 +214,7 @@ def _held(elements: tuple[Element, ...]) -> dict[str, _Held]:
     for element in outer_first(elements):
         for member in element.members if not element.anchor.on_board else ():
             moved = (member.track[-1] - member.track[0]) / (member.magnification or 1.0)
-            held = _Held(element.anchor.position, moved)
-            found.setdefault(member.control, held)
+            found.setdefault(member.control, _Held(element.anchor.position, moved))
     return found
 
 

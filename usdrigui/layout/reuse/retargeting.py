@@ -192,8 +192,7 @@ def _warped(source: Floats, target: Floats, points: Floats) -> Floats:
         for row, smoothing in enumerate(_SMOOTHINGS):
             found = _thin_plate(source[~out], target[~out], smoothing, source[out])
             missed[row, out] = np.linalg.norm(found - target[out], axis=1)
-    chosen = _SMOOTHINGS[int(np.median(missed, axis=1).argmin())]
-    return _thin_plate(source, target, chosen, points)
+    return _thin_plate(source, target, _SMOOTHINGS[int(np.median(missed, axis=1).argmin())], points)
 
 
 def _thin_plate(source: Floats, target: Floats, smoothing: float, points: Floats) -> Floats:

@@ -22,8 +22,7 @@ def shortfalls(known: Measured, elements: tuple[Element, ...]) -> tuple[Issue, .
 
 def _still_places(known: Measured, elements: tuple[Element, ...]) -> Iterator[Issue]:
     face, least = known.face, known.settings.candidates.least_kept
-    names = face.rig.control_names
-    asked = dict(zip(names, known.requests.configured, strict=True))
+    asked = dict(zip(face.rig.control_names, known.requests.configured, strict=True))
     peaks = {face.control_name(each.control): each.peak for each in face.trajectories.motions}
     for element in elements:
         for member in element.members if not element.anchor.on_board else ():

@@ -68,5 +68,4 @@ def in_the_middle(
     own = motion.of_joint and int(symmetry.twins[motion.control]) == motion.control
     if not (own and symmetry.plane.normal.any()):
         return np.zeros(len(motion.points), dtype=bool)
-    apart = np.abs(symmetry.plane.distance(surface.points[motion.points]))
-    return apart <= ON_PLANE * handle_width
+    return np.abs(symmetry.plane.distance(surface.points[motion.points])) <= ON_PLANE * handle_width

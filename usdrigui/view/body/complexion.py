@@ -132,8 +132,7 @@ def complexion(rig: Rig, layout: Layout) -> Complexion:
     """Colours of a character in the base pose of its layout, and the shade there."""
     start = posed(rig, layout.base_values)
     coloured = _coloured(rig, layout, start)
-    subject = subject_of(rig.body.meshes, start.points, coloured)
-    return replace(coloured, open=openness(subject))
+    return replace(coloured, open=openness(subject_of(rig.body.meshes, start.points, coloured)))
 
 
 def _coloured(rig: Rig, layout: Layout, start: Posed) -> Complexion:

@@ -163,6 +163,5 @@ def _fields(element: Element, posed: PosedElement, camera: Camera) -> tuple[Floa
         span = (angle[j] - angle[i]) % (2.0 * np.pi)
         (one, a), (other, b) = arms[i], arms[j]
         if one != other and 1e-3 < span < np.pi - 1e-3:
-            corners = posed.rest + np.array([0.0 * a, a, a + b, b])
-            found.append(camera.project(corners)[:, :2])
+            found.append(camera.project(posed.rest + np.array([0.0 * a, a, a + b, b]))[:, :2])
     return tuple(found)

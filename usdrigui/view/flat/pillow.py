@@ -31,8 +31,7 @@ def painted(page: Page) -> Image.Image:
 def _panel(panel: Panel) -> Image.Image:
     picture = Image.new("RGB", panel.size, GROUND if panel.grounded else PAPER)
     if panel.body is not None:
-        left = (panel.size[0] - panel.body.width) // 2
-        picture.paste(panel.body, (left, 0), panel.body)
+        picture.paste(panel.body, ((panel.size[0] - panel.body.width) // 2, 0), panel.body)
     if panel.marks:
         fine = Image.new("RGBA", (panel.size[0] * _FINE, panel.size[1] * _FINE), (255, 255, 255, 0))
         _draw(ImageDraw.Draw(fine), panel)

@@ -237,8 +237,7 @@ def _texture(
     uv = texturing.uv[at] - np.floor(texturing.uv[at].min(axis=1, keepdims=True))
     steps = np.rint(_UV_STEPS * uv.clip(0.0, 1.0)).astype(np.int64)
     images = np.where(own < 0, -1, numbers[own])
-    packed = {"uv": arrays.wandering(steps.T), "images": arrays.numbers(images, "i2")}
-    return packed, images >= 0
+    return {"uv": arrays.wandering(steps.T), "images": arrays.numbers(images, "i2")}, images >= 0
 
 
 def _quantised_positions(points: Floats) -> tuple[Floats, Floats, NDArray[np.int64]]:
