@@ -36,8 +36,7 @@ def test_every_visible_control_covers_something(tmp_path, capsys):
     assert min(shares.values()) > 0.0
     assert shares["brow_L"] == pytest.approx(shares["brow_R"], rel=0.2)
     assert main(["inspect", str(character)]) == 0
-    table = capsys.readouterr().out
-    assert f"{100 * shares['brow_L']:.0f} %" in table
+    assert f"{100 * shares['brow_L']:.0f} %" in capsys.readouterr().out
 
 
 def test_what_the_configuration_sends_beside_is_reported(tmp_path, capsys):

@@ -65,8 +65,7 @@ def test_a_file_name_that_is_no_text(tmp_path):
 
 
 def test_no_name_breaks_out_of_the_page(tmp_path):
-    path = traps.trapped(tmp_path, "a name with markup")
-    assert run("process", path).returncode == 0
+    assert run("process", traps.trapped(tmp_path, "a name with markup")).returncode == 0
     page = tmp_path / "page.html"
     assert run("view", tmp_path / "char.rigui.usda", "--html", page).returncode == 0
     assert "<b>&" not in page.read_text(encoding="utf-8")

@@ -62,8 +62,7 @@ def test_a_time_is_the_base_pose_and_elements_rest_where_it_puts_them(character,
 
 def test_without_a_time_they_rest_in_the_neutral_pose(character, tmp_path):
     layout, _ = processed(character, tmp_path)
-    values = dict(zip(layout.listed, layout.base_values.tolist(), strict=True))
-    assert values["chin"] == 0.0
+    assert dict(zip(layout.listed, layout.base_values.tolist(), strict=True))["chin"] == 0.0
 
 
 @pytest.mark.parametrize(

@@ -306,8 +306,7 @@ def test_any_shot_and_its_flattened_copy_are_judged_alike(seed, folder):
     for above in ("/Shot/A", "/Shot/B"):
         for edit in chance.sample(list(EDITS)[:-1], 2):
             edit(stage, above)
-    path = saved(stage)
-    assert judged(path) == judged(flattened(stage, folder))
+    assert judged(saved(stage)) == judged(flattened(stage, folder))
 
 
 def judged_open(stage):

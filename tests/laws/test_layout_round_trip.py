@@ -118,5 +118,4 @@ def test_any_layout_comes_back(made):
     assert layer.ImportFromString(text)
     (back,) = read_layout(layer)
     laid_out.close(layout, back)
-    again = layer_bytes(layer_for([(rig, layout)], "", {}), ".usda").decode()
-    assert again == text
+    assert layer_bytes(layer_for([(rig, layout)], "", {}), ".usda").decode() == text

@@ -129,8 +129,7 @@ def test_names_are_read_as_their_convention_means_them(rig):
 
 
 def test_a_number_is_an_action_unit_only_among_action_units():
-    alone = meanings(["12", "smile", "jawOpen", "browUp"], numbers=True)[0]
-    assert alone is None
+    assert meanings(["12", "smile", "jawOpen", "browUp"], numbers=True)[0] is None
     assert not any(meanings(["12", "15", "26", "4"]))
 
 

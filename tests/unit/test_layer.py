@@ -273,8 +273,7 @@ def test_a_layer_written_by_hand_takes_the_fallbacks():
     assert member.values.tolist() == [0.0, 1.0]
     assert member.track.tolist() == [[0, 0, 0], [0, 1, 0]]
     assert (element.anchor.mesh, element.anchor.point, element.anchor.on_board) == ("/Char/face", 7, False)
-    stage = Usd.Stage.Open(hand_made())
-    assert read_layout(stage)[0].listed == ()
+    assert read_layout(Usd.Stage.Open(hand_made()))[0].listed == ()
 
 
 ELEMENT = "int rigUI:anchor"

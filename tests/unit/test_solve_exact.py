@@ -145,8 +145,7 @@ def test_agrees_with_enumeration_on_random_problems(way: Way, monkeypatch: pytes
 def test_proves_crowds_optimal(seed: int, way: Way, monkeypatch: pytest.MonkeyPatch) -> None:
     way(monkeypatch)
     problem = crowd(seed, variables=4, candidates=14 if way in (by_program, by_quadruplets) else 30)
-    best = best_of_all(problem)
-    assert faults(problem, solve(problem, HIGHS), best) == []
+    assert faults(problem, solve(problem, HIGHS), best_of_all(problem)) == []
 
 
 @pytest.mark.parametrize("seed", [0, 3, 5])
@@ -589,8 +588,7 @@ def test_memory_is_planned_before_it_is_spent() -> None:
     found = solve(problem, SolveSettings(memory_limit=1))
     assert (found.status, found.closed_by) == ("stopped", "memory limit")
     assert found.bound <= found.cost
-    free = solve(problem, SolveSettings(work_limit=400_000))
-    assert free.closed_by != "memory limit"
+    assert solve(problem, SolveSettings(work_limit=400_000)).closed_by != "memory limit"
 
 
 def crowds_apart(count: int) -> LayoutProblem:
@@ -712,5 +710,4 @@ def test_what_is_forbidden_costs_more_than_the_dearest_allowed_layout() -> None:
 
 @pytest.mark.parametrize(("cost", "allowed"), [(-50.0, 5.0), (0.0, 0.1 * GAP_FLOOR), (3.0, 0.3)])
 def test_a_gap_is_a_share_of_the_cost_or_of_its_floor(cost: float, allowed: float) -> None:
-    budget = Budget(SolveSettings(gap=0.1))
-    assert budget.allowed(cost) == pytest.approx(allowed)
+    assert Budget(SolveSettings(gap=0.1)).allowed(cost) == pytest.approx(allowed)

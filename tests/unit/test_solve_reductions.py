@@ -135,8 +135,7 @@ def test_earlier_elements_act_as_fixed_costs() -> None:
     wants = element("b", [2.0, 8.0, 9.0, 9.1, 9.2], [1.0, 0.9, 0.4, 0.4, 0.4])
     far = element("c", [11.0], [1.0])
     problem = problem_of(*first, wants, far, radius=0.5)
-    parts = clusters(problem, 2)
-    assert parts == [[0, 1, 2], [3, 4]]
+    assert clusters(problem, 2) == [[0, 1, 2], [3, 4]]
     alone = solve(replace(problem, variables=(wants, far)), SolveSettings())
     assert list(alone.labels) == [0, 0], "left to itself it takes the place of a2"
     found = solve(problem, SolveSettings(method="paper", clusters=2))
@@ -258,8 +257,7 @@ def test_of_an_element_that_the_sample_passed_over_the_candidate_that_moves_is_k
 def test_a_sample_keeps_one_of_each_and_follows_the_seed() -> None:
     weights = [np.full(400, 1e-3), np.full(400, 1.0)]
     allowed = [np.ones(400, dtype=bool)] * 2
-    few = sample(weights, 1e-6, np.random.default_rng(0), allowed)
-    assert [*map(len, few)] == [1, 1]
+    assert [*map(len, sample(weights, 1e-6, np.random.default_rng(0), allowed))] == [1, 1]
     one, again, other = (sample(weights, 0.1, np.random.default_rng(seed), allowed) for seed in (1, 1, 2))
     assert all(map(np.array_equal, one, again))
     assert not all(map(np.array_equal, one, other))

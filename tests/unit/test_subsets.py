@@ -51,5 +51,4 @@ def test_a_control_can_be_kept_near_a_subset(asset):
     (rig,) = read_rigs(asset, Settings())
     near = {"near": "/Root/mesh/end", "within": 0.01}
     said = load({"controls": {"up": near}, "candidates": {"occlusion": False, "board_global": False}})
-    line = chain.problem_of(rig, said)
-    assert line.candidates.sets[0].points.tolist() == [3, 4, 8, 9]
+    assert chain.problem_of(rig, said).candidates.sets[0].points.tolist() == [3, 4, 8, 9]

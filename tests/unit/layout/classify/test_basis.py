@@ -51,8 +51,7 @@ def test_a_sum_that_explains_a_dear_one_is_no_atom_where_its_own_parts_explain_t
 
 @pytest.mark.parametrize("cost", [1.0, -1.0])
 def test_two_are_one_only_where_they_hardly_differ(cost):
-    smiles = np.stack([E[0], E[0] + 0.15 * E[1]])
-    assert chosen(smiles, [cost, cost]).atoms.sum() == 2
+    assert chosen(np.stack([E[0], E[0] + 0.15 * E[1]]), [cost, cost]).atoms.sum() == 2
     assert chosen(np.stack([E[0], E[0] + 0.05 * E[1]]), [cost, cost]).atoms.sum() == 1
 
 

@@ -21,5 +21,4 @@ def test_fans_are_ordered_by_angle():
     normal = np.array([0.0, 0.0, 1.0])
     angles = np.radians([200.0, 10.0, 100.0, 60.0])
     tangents = np.stack([np.cos(angles), np.sin(angles), np.full(4, 0.7)], axis=1)
-    order = fan_order(tangents, normal)
-    assert order == (1, 3, 2, 0)
+    assert fan_order(tangents, normal) == (1, 3, 2, 0)

@@ -129,8 +129,7 @@ def test_joysticks_are_opened_into_their_axes():
     assert elements["mouth"].kind == "patch"
     assert {elements[name].kind for name in ("chin", "pucker")} == {"slider"}
     # Each axis has its own best place, which the two together do not.
-    alone = by_name(lay_out(FACE))
-    assert elements["pucker"].anchor.point == alone["pucker"].anchor.point
+    assert elements["pucker"].anchor.point == by_name(lay_out(FACE))["pucker"].anchor.point
 
 
 def test_what_is_shown_when_something_is_opened():
@@ -176,8 +175,7 @@ def test_two_handles_on_one_spot_are_a_fault_only_where_both_are_visible():
 
 def test_a_layout_with_levels_can_be_fixed_and_kept():
     first = lay_out(FACE, joystick()).layout
-    again = lay_out(FACE, joystick(), fixed=first).layout
-    assert anchors(again) == anchors(first)
+    assert anchors(lay_out(FACE, joystick(), fixed=first).layout) == anchors(first)
     kept = lay_out(FACE, joystick(), prior=chain.prior(first, FACE, 0.2)).layout
     assert anchors(kept) == anchors(first)
     assert not difference(first, kept).changes
