@@ -208,6 +208,7 @@ CONFIGURED: Mapping[str, str] = {
     "CONFIG_VALUE": 'solve.gap="small"',
     "CONFIG_UNKNOWN_CONTROL": 'read.pose={"smirk"=1.0}',
     "SOURCE_TOO_LARGE": "read.size_limit=0",
+    "GROUP_APART": 'groups.groups.both=["smile", "frown"]',
     "PLACE_KEEPS_LITTLE": 'controls.frown.anchor="/Char/Face#4"',
 }
 """Code to the setting (``--set``) with which the sound character calls for it."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from usdrigui.errors import Issue, issue
+from usdrigui.errors import Issue, issue, listed
 from usdrigui.layout.face import Face
 from usdrigui.layout.measured import Measured
 from usdrigui.model import Element
@@ -13,9 +13,11 @@ from usdrigui.settings import ObjectiveSettings
 
 def shortfalls(known: Measured, elements: tuple[Element, ...]) -> tuple[Issue, ...]:
     """PLACE_KEEPS_LITTLE where a control is where it was asked to be and hardly moves there,
+    GROUP_APART where no place on the character is one of all controls of a group,
     HANDLES_NARROWER where handles that were asked to be wider than usual are not."""
     return (
         *_still_places(known, elements),
+        *_groups_apart(known, elements),
         *_narrow_handles(known.face, known.settings.objective),
     )
 
@@ -31,6 +33,14 @@ def _still_places(known: Measured, elements: tuple[Element, ...]) -> Iterator[Is
                 key = f'controls."{member.control}".{"anchor" if override.anchor else "near"}'
                 kept = f"keeps {member.arc_length / peak:.0%} of its peak displacement there"
                 yield issue("PLACE_KEEPS_LITTLE", key, f"{member.control} {kept}")
+
+
+def _groups_apart(known: Measured, elements: tuple[Element, ...]) -> Iterator[Issue]:
+    for name, members in known.requests.groups.items():
+        for element in elements:
+            if element.category == "crowded" and element.controls <= {*members}:
+                what = f"{listed(members)} are on the board: {element.reason}"
+                yield issue("GROUP_APART", f'groups.groups."{name}"', what)
 
 
 def _narrow_handles(face: Face, asked: ObjectiveSettings) -> Iterator[Issue]:
