@@ -51,8 +51,7 @@ def drawn_costs(one: Drawn, other: Drawn, overlap: AnyOverlap, separation: float
     between = np.sqrt(np.square(one.handle - other.handle).sum(axis=0))
     allowed = between >= separation
     if isinstance(overlap, MeanOverlap):
-        distance = element_distance(one.samples, other.samples)
-        costs = overlap.weight * overlap_cost(distance, overlap)
+        costs = overlap.weight * overlap_cost(element_distance(one.samples, other.samples), overlap)
     else:
         costs = _seen_costs(one, other, between, allowed, overlap)
     costs[~allowed] = np.inf

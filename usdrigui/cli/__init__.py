@@ -31,8 +31,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         tell(f"warning: {found.code} {sentences(found)}", sys.stderr)
     try:
         module, _, function = arguments.run.partition(":")
-        run = getattr(importlib.import_module(f"{__name__}.{module}"), function)
-        return int(run(arguments))
+        return int(getattr(importlib.import_module(f"{__name__}.{module}"), function)(arguments))
     except KeyboardInterrupt:
         return _interrupted(arguments)
     except Exception as error:

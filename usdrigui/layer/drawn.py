@@ -268,8 +268,7 @@ def _ribbon(line: Floats, normal: Floats, width: float) -> tuple[Floats, Indices
     between them."""
     along = np.gradient(line, axis=0)
     sides = np.cross(normal, along)
-    lengths = np.linalg.norm(sides, axis=1)
-    flat = lengths <= 1e-6 * np.linalg.norm(along, axis=1).max(initial=1e-30)
+    flat = np.linalg.norm(sides, axis=1) <= 1e-6 * np.linalg.norm(along, axis=1).max(initial=1e-30)
     for i in np.flatnonzero(flat):  # the line leaves the skin, or stands still
         away = along[i] if along[i].any() else normal
         sides[i] = np.cross(axis_across(away), away)

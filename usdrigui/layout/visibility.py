@@ -168,8 +168,7 @@ class _Around(Record):
         for i, way in enumerate(AROUND):
             faced = self.seen(way @ self.frame.axes) * np.maximum(self.normals @ way, 0.0) * among
             worth[i] = sum(np.sqrt(weight @ faced[points]) for points, weight in self.skins)
-        away = self.moved[among].sum(axis=0)
-        back = np.stack(AROUND) @ unit(away)
+        back = np.stack(AROUND) @ unit(self.moved[among].sum(axis=0))
         return np.asarray(AROUND[first_largest(worth - _BACK * worth.max() * back)])
 
     def hidden(self, seen: Flags) -> Flags:

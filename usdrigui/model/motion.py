@@ -129,8 +129,7 @@ class Motion(Record):
         if self.owned is None or not len(points):
             return np.zeros(len(points))
         owned = self.owned[np.searchsorted(self.points, points)]
-        should = max(_STANDS * float(owned.max()), 1e-300)
-        return 1.0 - np.minimum(owned / should, 1.0)
+        return 1.0 - np.minimum(owned / max(_STANDS * float(owned.max()), 1e-300), 1.0)
 
     def on_own_skin(self) -> Motion:
         """The motion of the skin that the joint of the control owns, by how much it owns of each

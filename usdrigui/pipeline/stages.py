@@ -107,8 +107,7 @@ def part_problem(
     """
     clock = clock or Clock()
     while True:
-        known = measured(character, part, neighbours, clock)
-        inputs = _problem(known, character, part, clock)
+        inputs = _problem(measured(character, part, neighbours, clock), character, part, clock)
         if inputs.placement.impossible is None:
             return inputs
         character = _without_pin(character, *inputs.placement.impossible)

@@ -177,18 +177,12 @@ def topology_hash(points: int, counts: Indices, indices: Indices) -> str:
     return digest.hexdigest()
 
 
-def read_faces(mesh: UsdGeom.Mesh, time: Usd.TimeCode) -> tuple[Indices, Indices]:
-    """Counts and indices of the faces of a mesh as authored; raises ARRAY_TYPE."""
-    path = mesh.GetPath()
-    return (
-        integers(value_at(mesh.GetFaceVertexCountsAttr(), time), path, "faceVertexCounts"),
-        integers(value_at(mesh.GetFaceVertexIndicesAttr(), time), path, "faceVertexIndices"),
-    )
-
-
 def checked_faces(mesh: UsdGeom.Mesh, time: Usd.TimeCode, count: int) -> tuple[Indices, Indices]:
-    """As `read_faces`, of a mesh of `count` points; raises TOPOLOGY_INVALID and INDEX_RANGE too."""
-    path, (counts, indices) = mesh.GetPath(), read_faces(mesh, time)
+    """Counts and indices of the faces of a mesh of `count` points; raises ARRAY_TYPE,
+    TOPOLOGY_INVALID and INDEX_RANGE."""
+    path = mesh.GetPath()
+    counts = integers(value_at(mesh.GetFaceVertexCountsAttr(), time), path, "faceVertexCounts")
+    indices = integers(value_at(mesh.GetFaceVertexIndicesAttr(), time), path, "faceVertexIndices")
     if (counts < 0).any() or counts.sum() != len(indices):
         what = f"faceVertexCounts add up to {counts.sum()}, faceVertexIndices has {len(indices)}"
         raise refuse("TOPOLOGY_INVALID", path, what)

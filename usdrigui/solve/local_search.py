@@ -120,8 +120,7 @@ class LocalSearch:
     def _moves(self) -> None:
         """Of single variables, the one that gains most first, until rounding feigns gains."""
         for _ in range(len(self._costs)):
-            least = np.minimum.reduceat(self._costs, self._start[:-1])
-            gains = self._costs[self._now] - least
+            gains = self._costs[self._now] - np.minimum.reduceat(self._costs, self._start[:-1])
             at = int(gains.argmax())
             if gains[at] < SAME:
                 return

@@ -161,8 +161,7 @@ def _loaded(problem: PlainProblem, rows: list[Row], seed: int) -> highspy.Highs:
     labels = len(problem.linear)
     count = max(labels, 1 + max(int(row.columns[-1]) for row in rows))
     costs = np.append(problem.excess, np.ones(count - labels))
-    most = np.where(np.arange(count) < labels, 1.0, np.inf)
-    highs.addVars(count, np.zeros(count), most)
+    highs.addVars(count, np.zeros(count), np.where(np.arange(count) < labels, 1.0, np.inf))
     highs.changeColsCost(count, np.arange(count, dtype=np.int32), costs)
     _integral(highs, np.arange(labels), True)
     for row in rows:

@@ -90,8 +90,7 @@ def _transported(
     sizes = [*map(len, labels)]
     costs = np.zeros(sizes)
     for (a, one), (b, other) in itertools.combinations(enumerate(labels), 2):
-        of_two = pairs[np.ix_(one, other)]
-        costs += np.expand_dims(of_two, tuple({0, 1, 2, 3} - {a, b}))
+        costs += np.expand_dims(pairs[np.ix_(one, other)], tuple({0, 1, 2, 3} - {a, b}))
     first = np.cumsum([0, *sizes])
     model = highspy.HighsLp()
     model.num_col_, model.num_row_ = costs.size, int(first[-1])

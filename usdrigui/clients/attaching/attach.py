@@ -126,8 +126,7 @@ def _attached(
     if in_variant:
         edit = _references(asset, layer, layouts)
         opening = replace(opening, variants={**opening.variants, schema.VARIANTS: schema.WITH})
-    verify = functools.partial(_holds_layouts, roots, opening)
-    return _replaced(asset, source, before, verify, edit)
+    return _replaced(asset, source, before, functools.partial(_holds_layouts, roots, opening), edit)
 
 
 def _sublayer(asset: Path, layer: Path) -> _Edit:

@@ -68,8 +68,7 @@ def add(asset: Sdf.Layer, references: Sequence[ReferenceOf]) -> None:
     for reference in references:
         variant = author_variant(asset, reference.root)
         variant.referenceList.Prepend(Sdf.Reference(reference.path, reference.root))
-        selections = asset.GetPrimAtPath(reference.root).variantSelections
-        selections[schema.VARIANTS] = schema.WITHOUT
+        asset.GetPrimAtPath(reference.root).variantSelections[schema.VARIANTS] = schema.WITHOUT
 
 
 def remove(asset: Sdf.Layer, references: Sequence[ReferenceOf]) -> None:

@@ -57,8 +57,7 @@ def pieces_of(body: Body, tree: Tree, places: Indices) -> Pieces:
 
 def is_eye(pieces: Pieces, joint: int) -> bool:
     """Whether a joint that hangs on a head is that of an eyeball."""
-    points = pieces.whole(joint)
-    ways = points - pieces.tree.joints[joint].bind[3, :3]
+    ways = pieces.whole(joint) - pieces.tree.joints[joint].bind[3, :3]
     if len(ways) < _BALL:
         return False
     distances = np.linalg.norm(ways, axis=1)

@@ -61,15 +61,14 @@ def find_candidates(known: Measured) -> Candidates:
     for index, (motion, found) in enumerate(
         zip(face.trajectories.motions, known.classification, strict=True)
     ):
+        name = face.control_name(motion.control)
         if known.requests.overrides[motion.control].exclude:
-            left_off.append(
-                LeftOff(face.control_name(motion.control), STAGE, "excluded by the configuration")
-            )
+            left_off.append(LeftOff(name, STAGE, "excluded by the configuration"))
             continue
         points, sources = _places(known, motion, found.category)
         if not len(points):
             reason = "moves only points that coincide with points it leaves at rest"
-            left_off.append(LeftOff(face.control_name(motion.control), STAGE, reason))
+            left_off.append(LeftOff(name, STAGE, reason))
             continue
         sets.append(
             CandidateSet(

@@ -196,8 +196,7 @@ def _constants(face: Face, settings: ObjectiveSettings) -> tuple[AnyOverlap, flo
         sharpness = settings.overlap_sharpness / radius
     cutoff_distance = settings.overlap_cutoff * radius or np.inf
     weight = 1.0 - settings.displacement_weight
-    mean = MeanOverlap(settings.overlap_max, radius, sharpness, cutoff_distance, weight)
-    return mean, separation
+    return MeanOverlap(settings.overlap_max, radius, sharpness, cutoff_distance, weight), separation
 
 
 class _Costs(Record):

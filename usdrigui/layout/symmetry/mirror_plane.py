@@ -75,8 +75,7 @@ def find_symmetry(
         partner = np.full(count, -1, dtype=np.int64)
     else:
         plane = _towards_left(plane, named, rig, trajectories)
-        middle = trajectories.surface.points.mean(axis=0)
-        plane = replace(plane, origin=plane.projected(middle))
+        plane = replace(plane, origin=plane.projected(trajectories.surface.points.mean(axis=0)))
         partner = _partners(plane, trajectories, tolerance)
     return paired(rig, trajectories.motions, (fields, plane, partner), settings)
 

@@ -97,8 +97,7 @@ def agreements(fields: DisplacementFields, partner: Indices, normal: Floats) -> 
         for vectors in (mirrored, fields.vectors)
     )
     both = one[:, None] + other[None, :]
-    ratio = np.divide(2.0 * product, both, out=np.zeros_like(product), where=both > 0.0)
-    return steady(ratio)
+    return steady(np.divide(2.0 * product, both, out=np.zeros_like(product), where=both > 0.0))
 
 
 def pairable(raw: Floats, motions: tuple[Motion, ...]) -> Floats:

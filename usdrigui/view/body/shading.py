@@ -83,8 +83,7 @@ class Complexion(Record):
     def shaded(self) -> Floats:
         """(n, 3) linear colours darkened where little light comes: red goes last, as in flesh, and
         eyes shine."""
-        on_eye = np.abs(self.gaze[:, 0]) < 3.0
-        light = np.where(on_eye, 0.5 * self.open + 0.5, self.open)
+        light = np.where(np.abs(self.gaze[:, 0]) < 3.0, 0.5 * self.open + 0.5, self.open)
         return np.asarray(self.colours * light[:, None] ** _FADING)
 
 
