@@ -39,6 +39,13 @@ def test_every_visible_control_covers_something(tmp_path, capsys):
     assert f"{100 * shares['brow_L']:.0f} %" in capsys.readouterr().out
 
 
+def test_joints_that_are_no_controls_are_told_with_the_reason(tmp_path, capsys):
+    character = skinned_stages.character(tmp_path / "char.usda", animated_joints=("Hips/Head/Jaw",), hinged=True)
+    assert [*inspected(character, capsys)["without"].values()] == [["Head"], ["Hips", "Eye"]]
+    assert main(["inspect", str(character)]) == 0
+    assert "no controls: Hips, Eye: no skin hangs on it" in capsys.readouterr().out
+
+
 def test_what_the_configuration_sends_beside_is_reported(tmp_path, capsys):
     character = skinned_stages.character(tmp_path / "char.usda")
     character.with_suffix(".rigui.toml").write_text('[controls.chin]\nplace = "board"\n')

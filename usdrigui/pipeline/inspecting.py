@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from usdrigui.character import Control, Record
+from usdrigui.character import Control, Record, Rig
+from usdrigui.character.joint_tree import Tree
 from usdrigui.errors import Issue, of_character
 from usdrigui.layout.group.grouping import suggested_groups
 from usdrigui.layout.reuse.identity import names_draft
@@ -99,12 +100,24 @@ def _facts(character: Character, parts: Sequence[ProblemInputs]) -> CharacterFac
             for index, control in enumerate(rig.controls)
         ),
         groups=tuple(line for inputs in parts for line in _group_lines(inputs)),
+        without=_without_controls(rig),
         likeness=_likeness(parts[0]),
         parts=tuple(
             PartFacts(each.part.part, len(each.motions), each.part.face.handle_width)
             for each in found
         ),
     )
+
+
+def _without_controls(rig: Rig) -> dict[str, list[str]]:
+    """Names of the joints that are no controls, by the reason."""
+    tree = Tree(rig.body.joints, rig.body.meshes)
+    still = set(range(len(tree.joints))).difference(*(each.drive.joints for each in rig.controls))
+    reasons = {
+        "goes along with others; [joints.NAME] makes it a control": still & tree.bearers,
+        "no skin hangs on it": still - tree.bearers,
+    }
+    return {why: [tree.joints[i].name for i in sorted(of)] for why, of in reasons.items() if of}
 
 
 def _control(

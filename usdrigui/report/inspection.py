@@ -3,6 +3,7 @@ solving."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -94,6 +95,8 @@ class CharacterFacts:
     controls: tuple[ControlFacts, ...]
     groups: tuple[str, ...]
     """Elements that would carry several controls, and suggestions, one line each."""
+    without: Mapping[str, Sequence[str]]
+    """Joints that are no controls, by the reason."""
     animation: AnimationFacts | None = None
     """Where animations were given."""
     likeness: Likeness | None = None

@@ -16,7 +16,7 @@ from usdrigui.cli.terminal.run_lines import (
 from usdrigui.cli.terminal.table import Table, Verbatim
 from usdrigui.clients.batch.run import OUTCOMES
 from usdrigui.clients.study import INTERFACES
-from usdrigui.errors import by_cause
+from usdrigui.errors import by_cause, listed
 
 if TYPE_CHECKING:
     from usdrigui.cli.terminal.screen import Printed
@@ -55,6 +55,8 @@ def _facts(character: CharacterFacts) -> Iterator[Printed]:
     yield facts_table(character.controls, several=len(character.parts) > 1)
     for line in character.groups:
         yield f"  {line}"
+    for reason, names in character.without.items():
+        yield f"  no controls: {listed(names)}: {reason}"
     if character.likeness is not None:
         yield from matching_lines("like", character.likeness.matching)
         yield "as a configuration:"
