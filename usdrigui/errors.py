@@ -198,6 +198,11 @@ def listed(names: Sequence[str]) -> str:
     return ", ".join(names[:3]) + more
 
 
+def counted(number: int, noun: str) -> str:
+    """``1 control``, ``2 controls``."""
+    return f"{number} {noun}{'s' * (number != 1)}"
+
+
 def meant(name: str, known: Iterable[str]) -> str:
     """A clause for a message about an unknown name: ``; did you mean 'smile_L'?``, empty where
     nothing is like it.

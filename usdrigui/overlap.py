@@ -167,8 +167,7 @@ def _boxes_meet(one: Drawn, other: Drawn, margin: float) -> Flags:
         )
         for each in (one, other)
     )
-    apart = np.maximum(low - other_high, other_low - high)
-    return np.asarray((apart <= margin).all(axis=0))
+    return np.asarray((np.maximum(low - other_high, other_low - high) <= margin).all(axis=0))
 
 
 def _track_costs(first: Drawn, second: Drawn, overlap: Overlap) -> Floats:

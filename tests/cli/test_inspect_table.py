@@ -22,6 +22,10 @@ def test_small_shares_are_not_nothing(share, text):
     assert percent(share) == text
 
 
+def test_one_is_not_several():
+    assert [errors.counted(number, "part") for number in (0, 1)] == ["0 parts", "1 part"]
+
+
 def inspected(path, capsys):
     """What the only character of a file is found to be."""
     assert main(["inspect", str(path), "--json"]) == 0

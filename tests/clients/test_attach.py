@@ -176,8 +176,7 @@ def test_a_crate_stays_a_crate(folder, suffix):
     before = Sdf.Layer.OpenAsAnonymous(str(asset)).ExportToString()
     assert attach(asset, folder / "ui" / "bare.usda", Settings()) == "written"
     assert asset.read_bytes().startswith(b"PXR-USDC")
-    attached = Sdf.Layer.OpenAsAnonymous(str(asset))
-    assert list(attached.subLayerPaths) == ["./ui/bare.usda"]
+    assert list(Sdf.Layer.OpenAsAnonymous(str(asset)).subLayerPaths) == ["./ui/bare.usda"]
     assert detach(asset, folder / "ui" / "bare.usda", Settings()) == "written"
     assert Sdf.Layer.OpenAsAnonymous(str(asset)).ExportToString() == before
 

@@ -64,8 +64,7 @@ def test_a_good_layout_is_published_as_a_bare_representation(asset, tmp_path):
     (representation,) = instance.data["representations"]
     assert (representation["name"], representation["ext"]) == ("usd", "usd")
     staged = tmp_path / "staging" / representation["files"]
-    layer = Sdf.Layer.OpenAsAnonymous(str(staged))
-    assert list(layer.subLayerPaths) == []
+    assert list(Sdf.Layer.OpenAsAnonymous(str(staged)).subLayerPaths) == []
     over = Sdf.Layer.CreateAnonymous(".usda")
     over.subLayerPaths = [str(staged), str(asset)]
     assert Usd.Stage.Open(over).GetPrimAtPath("/World/Char/RigUI").GetChildren()

@@ -7,7 +7,7 @@ import argparse
 
 from usdrigui.cli.options import settings_of
 from usdrigui.cli.outcomes import screen_of, wrote
-from usdrigui.errors import Exit, refuse
+from usdrigui.errors import Exit, counted, refuse
 
 
 def pin(arguments: argparse.Namespace) -> Exit:
@@ -60,6 +60,6 @@ def pins(arguments: argparse.Namespace) -> Exit:
     screen_of(arguments).show(
         lambda: document("pins", layer=str(arguments.layer), pins=found),
         [Table("control | place | more | why", rows, below="why")] if rows else (),
-        f"usdrigui: {arguments.layer}: {len(found)} decisions",
+        f"usdrigui: {arguments.layer}: {counted(len(found), 'decision')}",
     )
     return Exit.OK

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from usdrigui.cli.options import files_read, passed_on, settings_digest, settings_quietly
 from usdrigui.cli.outcomes import check_ending, screen_of, wrote
-from usdrigui.errors import Exit, RigUIError, refuse
+from usdrigui.errors import Exit, RigUIError, counted, refuse
 from usdrigui.isolation import worker
 
 if TYPE_CHECKING:
@@ -115,7 +115,7 @@ def openjd(arguments: argparse.Namespace) -> Exit:
     state = pipeline.write_file(
         template.encode(), arguments.output, (*assets, *files_read(arguments))
     )
-    return wrote(arguments, {arguments.output: state}, more=f": {len(assets)} tasks")
+    return wrote(arguments, {arguments.output: state}, more=f": {counted(len(assets), 'task')}")
 
 
 def _jobs(arguments: argparse.Namespace) -> tuple[list[Job], list[Path]]:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from usdrigui.cli.options import files_read, settings_of
 from usdrigui.cli.outcomes import check_ending, screen_of, wrote
-from usdrigui.errors import Exit, refuse
+from usdrigui.errors import Exit, counted, refuse
 from usdrigui.isolation import worker
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ def study(arguments: argparse.Namespace) -> Exit:
     from usdrigui.clients import study
 
     found = study.summed(arguments.results)
-    closing = f"usdrigui: summed {len(found.participants)} participants"
+    closing = f"usdrigui: summed {counted(len(found.participants), 'participant')}"
     screen_of(arguments).show(
         lambda: study.as_json(found), [Verbatim(study.as_text(found))], closing
     )

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from statistics import fmean, stdev
 
-from usdrigui.errors import refuse
+from usdrigui.errors import counted, refuse
 from usdrigui.isolation.foreign_file import whole_content
 from usdrigui.report.documents import document, plain
 
@@ -103,7 +103,7 @@ def as_text(study: Study) -> str:
     people, width = len(study.participants), max(len(each.measure) for each in study.measures)
     lines = [
         (
-            f"{people} participant{'s' if people > 1 else ''}: mean ± standard deviation between"
+            f"{counted(people, 'participant')}: mean ± standard deviation between"
             " them, in brackets that"
         ),
         (

@@ -233,8 +233,7 @@ def _times(
         return (0.0,)
     if stage.HasAuthoredTimeCodeRange():
         known = known | {stage.GetStartTimeCode(), stage.GetEndTimeCode()}
-    frames = range(math.floor(min(known)), math.ceil(max(known)) + 1)
-    times = sorted({*known, *map(float, frames)})
+    times = sorted({*known, *map(float, range(math.floor(min(known)), math.ceil(max(known)) + 1))})
     found = set(times)
     for control in rig.controls:
         keys = control.drive.values[1:-1].tolist()

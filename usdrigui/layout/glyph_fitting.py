@@ -37,8 +37,7 @@ def fitted_glyph(
     points = glyph.points * [-1.0 if reflected else 1.0, 1.0, 1.0]
     toward = face.views.directions[0]
     out = anchor.normal if anchor.normal.any() else toward
-    frame = seen_from(out, face.rig.up, toward)
-    placed = 0.5 * width * points @ frame
+    placed = 0.5 * width * points @ seen_from(out, face.rig.up, toward)
     # A mirror image is seen from the same side.
     turned = reflected and glyph.form == "mesh"
     return replace(glyph, points=placed, indices=glyph.turned_round if turned else glyph.indices)

@@ -11,7 +11,7 @@ import numpy as np
 
 from usdrigui.character.record import Floats, Indices, Record
 from usdrigui.character.rig import Glyph, LeftOff
-from usdrigui.errors import Issue, issue
+from usdrigui.errors import Issue, counted, issue
 from usdrigui.model.assignment import Status
 from usdrigui.model.candidates import ElementKind, axes_of
 from usdrigui.model.motion import MirrorPlane
@@ -82,8 +82,8 @@ class Layout(Record):
         """LAYOUT_MESH_GONE of a mesh that is not there, with the number of its elements;
         `controls` of the layout are gone too."""
         elements = sum(element.anchor.mesh == mesh for element in self.elements)
-        message = f"is gone, and {elements} element{'s' * (elements != 1)} of the layout with it"
-        more = f"; {controls} control{'s' * (controls != 1)} of the layout went too"
+        message = f"is gone, and {counted(elements, 'element')} of the layout with it"
+        more = f"; {counted(controls, 'control')} of the layout went too"
         return issue("LAYOUT_MESH_GONE", mesh, f"{message}{more * bool(controls)}", self.root)
 
 

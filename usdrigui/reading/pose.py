@@ -213,5 +213,4 @@ def unwrapped(vectors: Floats) -> Floats:
 
 def _log_scales(local: Floats, frame: Floats) -> Floats:
     stretch = local[..., :3, :3] @ np.swapaxes(frame, -1, -2)
-    diagonal = np.abs(np.diagonal(stretch, axis1=-2, axis2=-1))
-    return np.asarray(np.log(np.maximum(diagonal, 1e-9)))
+    return np.asarray(np.log(np.maximum(np.abs(np.diagonal(stretch, axis1=-2, axis2=-1)), 1e-9)))

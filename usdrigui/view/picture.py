@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from PIL import Image, ImageDraw
 
 from usdrigui.character import Floats, Rig, palette
+from usdrigui.errors import counted
 from usdrigui.model import Element, Layout, gap_of, proven
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.view import directions
@@ -295,8 +296,8 @@ def _numbers(controls: int, layout: Layout, width: float) -> str:
     """What the layout of so many controls holds, in a line of so many pixels."""
     placed, proof = len(on_character(layout)), layout.proof
     board = len(layout.elements) - placed
-    parts = [f"{controls} control{'s' * (controls != 1)}"]
-    parts += [f"{placed} elements on the character"] if placed or not board else []
+    parts = [counted(controls, "control")]
+    parts += [f"{counted(placed, 'element')} on the character"] if placed or not board else []
     parts += [f"{board} on the board"] if board else []
     parts += [f"{len(layout.left_off)} left off"] if layout.left_off else []
     if np.isfinite(proof.bound) and np.isfinite(proof.cost):

@@ -16,7 +16,7 @@ from usdrigui.cli.terminal.run_lines import (
 from usdrigui.cli.terminal.table import Table, Verbatim
 from usdrigui.clients.batch.run import OUTCOMES
 from usdrigui.clients.study import INTERFACES
-from usdrigui.errors import by_cause, listed
+from usdrigui.errors import by_cause, counted, listed
 
 if TYPE_CHECKING:
     from usdrigui.cli.terminal.screen import Printed
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 def of_inspection(found: Inspection) -> tuple[Iterator[Printed], str]:
     """One table a character."""
     count = sum(len(character.controls) for character in found.characters)
-    return _inspection(found), f"usdrigui: inspected {found.asset}: {count} controls"
+    return _inspection(found), f"usdrigui: inspected {found.asset}: {counted(count, 'control')}"
 
 
 def _inspection(found: Inspection) -> Iterator[Printed]:
@@ -50,8 +50,8 @@ def _facts(character: CharacterFacts) -> Iterator[Printed]:
         f" {character.joints} joints, {character.symmetric:.0%} of the points have a mirror"
         " partner"
     )
-    parts = ", ".join(f"{part.name} ({part.controls} controls)" for part in character.parts)
-    yield f"  parts: {parts}"
+    parts = (f"{part.name} ({counted(part.controls, 'control')})" for part in character.parts)
+    yield f"  parts: {', '.join(parts)}"
     yield facts_table(character.controls, several=len(character.parts) > 1)
     for line in character.groups:
         yield f"  {line}"
@@ -136,15 +136,14 @@ def of_review(found: LayerReview) -> tuple[Iterator[Printed], str]:
     if found.of_asset:
         sound, unsound = f"{bare}; the asset is valid", f"{bare}; the asset has errors"
     state = unsound if counts["error"] else sound
-    findings = ", ".join(
-        f"{number} {severity}{'s' * (number != 1)}" for severity, number in counts.items()
-    )
+    findings = ", ".join(counted(number, severity) for severity, number in counts.items())
     return _review(found), f"usdrigui: checked {found.layer}: {state}; {findings}"
 
 
 def _review(found: LayerReview) -> Iterator[Printed]:
     for root, review in found.characters:
-        yield f"{root}: {len(review.elements)} elements on the character, cost {review.cost:.4f}"
+        placed = counted(len(review.elements), "element")
+        yield f"{root}: {placed} on the character, cost {review.cost:.4f}"
         yield from clear_lines(review.legibility)
         times = (
             f"{INTERFACES[name]} {usual:.0f} s ({least:.0f} to {most:.0f})"

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from usdrigui.cli.terminal.table import Table
-from usdrigui.errors import by_cause, sentences
+from usdrigui.errors import by_cause, counted, sentences
 
 if TYPE_CHECKING:
     from usdrigui.cli.terminal.screen import Printed
@@ -104,7 +104,7 @@ def _character(character: CharacterReport, verbose: bool) -> Iterator[Printed]:
     elements = character.layout.elements
     existing = len(elements) - len(character.added)
     more = f", {existing} of which are in another layer" if existing else ""
-    yield f"{character.layout.path_in_variants}: {len(elements)} elements{more}"
+    yield f"{character.layout.path_in_variants}: {counted(len(elements), 'element')}{more}"
     placed = [row for row in character.rows if not existing or row.element in character.added]
     if placed and (verbose or existing):
         places = {each.name: each.anchor.place for each in elements if not each.anchor.on_board}

@@ -63,8 +63,7 @@ def _beyond_the_best(share: Floats, length: Floats, visible: Flags) -> Floats:
     the control's allowed places; 1 where all is common."""
     seen = length * (visible if visible.any() else 1.0)
     own = np.where(seen >= _NOTABLE * seen.max(initial=0.0), seen * (1.0 - share), -1.0)
-    least = max(float(share[first_largest(own)]), _HALF)
-    return np.maximum(share - least, 0.0) / (1.0 - _HALF)
+    return np.maximum(share - max(float(share[first_largest(own)]), _HALF), 0.0) / (1.0 - _HALF)
 
 
 def _shares(similarity: Similarity, index: int, on_face: Flags, at: Indices) -> Floats:

@@ -8,7 +8,7 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from usdrigui.errors import listed
+from usdrigui.errors import counted, listed
 from usdrigui.layout.place.terms import THERE
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.model import SURE, Anchor, Element, Layout
@@ -204,8 +204,7 @@ def _reasons(pair: _Pair, kind: ChangeKind) -> Iterator[str]:
     if "anchor" in set(was) - set(pinned):
         yield "its anchor is no longer the one that a person had decided"
     if pair.handles[0] != pair.handles[1]:
-        plural = "s" * (pair.handles[1] != 1)
-        yield f"has {pair.handles[1]} handle{plural} now, {pair.handles[0]} before"
+        yield f"has {counted(pair.handles[1], 'handle')} now, {pair.handles[0]} before"
     then, today = (
         next(m for m in each.members if m.control == pair.control) for each in pair.elements
     )

@@ -327,8 +327,7 @@ def _on_eye(face: _Face, eye: _Eye) -> tuple[Flags, Flags]:
 
 def _is_about(face: _Face, piece: int, eye: _Eye) -> bool:
     """Whether a piece is as large as an eye, and no lid."""
-    spans = np.ptp(face.at[face.pieces == piece], axis=0)
-    return bool((spans[:2] > 1.5 * eye.radius).all())
+    return bool((np.ptp(face.at[face.pieces == piece], axis=0)[:2] > 1.5 * eye.radius).all())
 
 
 def _whole(labels: Indices, flags: Flags) -> list[int]:
