@@ -1,6 +1,6 @@
 // The bar over the view: what is always in sight, and groups, those of most worth first, that go into a menu where they do not fit.
 
-import { make, segmented, toggle } from './dom.js';
+import { button, make, segmented, toggle } from './dom.js';
 
 /** @type {[string, number, number][]} */
 const LOOKS = [['Front', 0, 0], ['¾', 0.7, 0.05], ['Side', Math.PI / 2, 0], ['Back', Math.PI, 0]];
@@ -17,7 +17,7 @@ export class Bar {
     this.title = make('h1', {}, app.scene.title);
     this.node = make('header', { class: 'bar' }, this.title, this.row, this.menu, this.always());
     new ResizeObserver(() => this.fit()).observe(this.node);
-    app.session.on('options', () => this.pressed.forEach((button) => button.update()));
+    app.session.on('options', () => this.pressed.forEach((each) => each.update()));
   }
 
   /** Show each group for which those before it leave room; the others go into the menu. */
@@ -34,7 +34,7 @@ export class Bar {
   }
 
   act(label, title, onclick, name = label) {
-    return make('button', { type: 'button', title, 'aria-label': name, onclick }, label);
+    return button(label, title, onclick, { 'aria-label': name });
   }
 
   updating(node) {

@@ -30,22 +30,23 @@ export function longName(text) {
   return make('span', { class: 'long-name' }, make('span', { class: 'start' }, start), make('span', {}, end));
 }
 
+/** A button with a text that does something, and more properties. */
+export const button = (label, title, onclick, more = {}) => make('button', { type: 'button', title, onclick, ...more }, label);
+
 /** A button that is pressed or not; `icon` is short text. */
 export function toggle(label, title, isOn, press) {
-  const button = make('button', { class: 'toggle', title, type: 'button', onclick: press }, label);
-  button.update = () => button.setAttribute('aria-pressed', String(isOn()));
-  button.update();
-  return button;
+  const node = button(label, title, press, { class: 'toggle' });
+  node.update = () => node.setAttribute('aria-pressed', String(isOn()));
+  node.update();
+  return node;
 }
 
 /** A group of buttons of which one is pressed: `choices` are [value, label, title]. */
 export function segmented(name, choices, current, choose) {
-  const buttons = choices.map(([value, label, title]) =>
-    make('button', { type: 'button', title, onclick: () => choose(value) }, label),
-  );
+  const buttons = choices.map(([value, label, title]) => button(label, title, () => choose(value)));
   const group = make('div', { class: 'segmented', role: 'group', 'aria-label': name }, ...buttons);
   group.update = () => {
-    buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(choices[i][0] === current())));
+    buttons.forEach((each, i) => each.setAttribute('aria-pressed', String(choices[i][0] === current())));
   };
   group.update();
   return group;

@@ -2,7 +2,7 @@
 // copied, pasted, taken away, and told how to go on to the next.
 
 import { Curves, REACH } from './curves.js';
-import { counted, make, segmented } from './dom.js';
+import { button, counted, make, segmented } from './dom.js';
 import { WAYS, wayOf } from './interpolation.js';
 import { changedKeys, copiedKeys, keysGoing, keysWithin, movedKeys, pastedKeys, removedKeys } from './keying.js';
 
@@ -46,16 +46,15 @@ export class DopeSheet {
   // --- head ------------------------------------------------------------------------------------------
 
   makeHead() {
-    const act = (label, title, onclick) => make('button', { type: 'button', title, onclick }, label);
     const shows = segmented('Keys as', [['rows', 'Rows', 'All keys in rows'], ['curves', 'Curves', 'The curves of the selected controls, or of all that have keys']],
       () => this.shows, (value) => this.show(value));
     const ways = segmented('How keys go to the next', WAYS.map((way) => [way, named(way), `${named(way)}: the picked keys, or all, and the first key of a control from now on`]),
       () => this.way, (way) => this.go(way));
     const count = make('output', { class: 'hint' });
     this.head = make('div', { class: 'dope-head' }, shows, ways,
-      act('Copy', 'Copy the picked keys (Ctrl+C)', () => this.copy()),
-      act('Paste', 'Paste the copied keys from this frame on (Ctrl+V)', () => this.paste()),
-      act('Delete', 'Delete the picked keys (Delete)', () => this.remove()),
+      button('Copy', 'Copy the picked keys (Ctrl+C)', () => this.copy()),
+      button('Paste', 'Paste the copied keys from this frame on (Ctrl+V)', () => this.paste()),
+      button('Delete', 'Delete the picked keys (Delete)', () => this.remove()),
       count);
     this.head.update = () => {
       shows.update();

@@ -1,7 +1,7 @@
 // The evaluation of the paper's section 5: match target poses with the slider list, the controls on the
 // face and the controls beside it, then answer questions; time, errors and answers as CSV (`usdrigui study` sums them).
 
-import { download, make } from './dom.js';
+import { button, download, make } from './dom.js';
 import { Hand } from './hand.js';
 import { posesFromLayer } from './pose_library.js';
 import { History } from './history.js';
@@ -182,12 +182,11 @@ export class Evaluation {
     };
     number.addEventListener('input', describe);
     describe();
-    const button = (label, act, title = '') => make('button', { type: 'button', title, onclick: act }, label);
     const agreed = make('input', { type: 'checkbox' });
     const level = make('select', { 'aria-label': 'Experience' }, ...['', ...LEVELS].map((each) => make('option', { value: each }, each || 'choose')));
     const sets = this.sets();
     const chosen = make('select', { 'aria-label': 'Target faces' }, ...[...sets.keys()].map((each) => make('option', { value: each }, each)));
-    const first = button('Start', () => {
+    const first = button('Start', '', () => {
       this.setting = { level: level.value, targets: chosen.value };
       this.start(Math.max(1, Math.floor(Number(number.value)) || 1));
     });
@@ -208,11 +207,11 @@ export class Evaluation {
         'div',
         { class: 'actions' },
         first,
-        kept && button(`Go on with participant ${kept.participant}`, () => {
+        kept && button(`Go on with participant ${kept.participant}`, `${kept.results.length} of 15 faces are done`, () => {
           this.setting = kept.setting;
           this.start(kept.participant, kept.results);
-        }, `${kept.results.length} of 15 faces are done`),
-        button('Cancel', () => this.close()),
+        }),
+        button('Cancel', '', () => this.close()),
       ),
     );
   }
@@ -290,21 +289,21 @@ export class Evaluation {
     this.show(
       make('span', { class: 'strip-title' }, INTERFACES[trial.name]),
       make('span', { class: 'hint' }, progress),
-      make('button', { type: 'button', class: 'primary', onclick: () => this.done() }, 'Done'),
-      make('button', { type: 'button', onclick: (event) => this.pause(event.target) }, 'Pause'),
-      make('button', { type: 'button', onclick: () => this.finish() }, 'Stop'),
+      button('Done', '', () => this.done(), { class: 'primary' }),
+      button('Pause', '', (event) => this.pause(event.target)),
+      button('Stop', '', () => this.finish()),
     );
     this.panel.classList.add('strip');
   }
 
   /** Hide the faces, and count no time until the next press. */
-  pause(button) {
+  pause(pressed) {
     const { running } = this;
     const now = performance.now();
     if (running.since) running.paused += now - running.since;
     running.since = running.since ? 0 : now;
     this.app.node.classList.toggle('paused', Boolean(running.since));
-    button.textContent = running.since ? 'Go on' : 'Pause';
+    pressed.textContent = running.since ? 'Go on' : 'Pause';
   }
 
   done() {
@@ -375,9 +374,9 @@ export class Evaluation {
       make(
         'div',
         { class: 'actions' },
-        make('button', { type: 'button', class: 'primary', onclick: save }, 'Save CSV'),
-        make('button', { type: 'button', onclick: () => download(`evaluation-${this.participant}-events.csv`, eventsCsv(this.participant, this.results), 'text/csv') }, 'Save events'),
-        make('button', { type: 'button', onclick: () => this.close() }, 'Close'),
+        button('Save CSV', '', save, { class: 'primary' }),
+        button('Save events', '', () => download(`evaluation-${this.participant}-events.csv`, eventsCsv(this.participant, this.results), 'text/csv')),
+        button('Close', '', () => this.close()),
       ),
     );
   }

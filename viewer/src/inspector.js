@@ -3,7 +3,7 @@
 
 import { keysFromLayer, poseLayer } from './animation_layer.js';
 import { headingOf } from './dock.js';
-import { askForFile, download, longName, make, segmented, shownValue, toggle } from './dom.js';
+import { askForFile, button, download, longName, make, segmented, shownValue, toggle } from './dom.js';
 import { poseFromJson, poseToJson } from './pose_io.js';
 import { Shelf } from './shelf.js';
 import { sideName } from './view.js';
@@ -68,17 +68,16 @@ export class Inspector {
       );
       return;
     }
-    const act = (label, title, onclick) => make('button', { type: 'button', title, onclick }, label);
     this.chosen.replaceChildren(
       ...elements.slice(0, 8).map((element) => this.elementCard(element)),
       ...(elements.length > 8 ? [make('p', { class: 'hint' }, `and ${elements.length - 8} more`)] : []),
       make(
         'div',
         { class: 'actions' },
-        act('Zero', 'Selected controls to their defaults (0)', () => session.zero(session.chosenControls)),
-        act('Reset', 'Selected controls to the base pose (R)', () => session.reset(session.chosenControls)),
-        act('Hide', 'Hide the selected elements', () => session.hide(session.selectedElements)),
-        act('Key', 'Key the selected controls and all that changed, at this frame (K)', () => this.timeline.key()),
+        button('Zero', 'Selected controls to their defaults (0)', () => session.zero(session.chosenControls)),
+        button('Reset', 'Selected controls to the base pose (R)', () => session.reset(session.chosenControls)),
+        button('Hide', 'Hide the selected elements', () => session.hide(session.selectedElements)),
+        button('Key', 'Key the selected controls and all that changed, at this frame (K)', () => this.timeline.key()),
       ),
     );
     this.updateNumbers();
@@ -104,7 +103,7 @@ export class Inspector {
     const [label, title] = element.inner.length
       ? [`Open: ${element.inner.length} members`, 'Show its members in its place (M)']
       : [`Close ${coarse.map((each) => each.label).join(', ')}`, 'Show it again in place of its members (M)'];
-    return make('button', { type: 'button', class: 'level', title, onclick: () => this.session.openOrClose([element]) }, label);
+    return button(label, title, () => this.session.openOrClose([element]), { class: 'level' });
   }
 
   numberRow(index) {
@@ -207,7 +206,7 @@ export class Inspector {
 
   display() {
     const { session } = this;
-    const showAll = make('button', { type: 'button', onclick: () => session.showAll() }, 'Show hidden elements');
+    const showAll = button('Show hidden elements', '', () => session.showAll());
     showAll.update = () => (showAll.hidden = !session.hidden.size);
     return make(
       'div',
@@ -242,13 +241,10 @@ export class Inspector {
     const { session } = this;
     const pins = make('div', { class: 'field' });
     pins.update = () => {
-      const clear = make('button', {
-        type: 'button',
-        onclick: () => {
-          session.pins = [];
-          session.emit('options');
-        },
-      }, 'Remove all');
+      const clear = button('Remove all', '', () => {
+        session.pins = [];
+        session.emit('options');
+      });
       pins.replaceChildren(make('span', {}, `Pins: ${session.pins.length}`), session.pins.length ? clear : '');
     };
     return make(
@@ -265,29 +261,28 @@ export class Inspector {
 
   poses() {
     const { session, say } = this;
-    const act = (label, title, onclick) => make('button', { type: 'button', title, onclick }, label);
     return make(
       'div',
       { class: 'actions' },
-      act('Zero all', 'Every control to its default', () => session.zero()),
-      act('Reset all', 'Every control to the pose of the layout', () => session.reset()),
-      act('Copy', 'Keep the values of the selection, or of all controls', () => (this.kept = session.copy())),
-      act('Paste', 'Give the controls the values that were kept', () => this.kept && session.paste(this.kept)),
-      act('Flip', 'The pose seen in a mirror', () => session.flip()),
-      act('Left to right', 'The pose of the character’s left on its right, too', () => session.mirror('left')),
-      act('Right to left', 'The pose of the character’s right on its left, too', () => session.mirror('right')),
-      act('Copy JSON', 'The pose to the clipboard', () => this.copy()),
-      act('Save JSON', 'Download the pose', () => {
+      button('Zero all', 'Every control to its default', () => session.zero()),
+      button('Reset all', 'Every control to the pose of the layout', () => session.reset()),
+      button('Copy', 'Keep the values of the selection, or of all controls', () => (this.kept = session.copy())),
+      button('Paste', 'Give the controls the values that were kept', () => this.kept && session.paste(this.kept)),
+      button('Flip', 'The pose seen in a mirror', () => session.flip()),
+      button('Left to right', 'The pose of the character’s left on its right, too', () => session.mirror('left')),
+      button('Right to left', 'The pose of the character’s right on its left, too', () => session.mirror('right')),
+      button('Copy JSON', 'The pose to the clipboard', () => this.copy()),
+      button('Save JSON', 'Download the pose', () => {
         download(session.fileNamed('pose.json'), poseToJson(session), 'application/json');
         session.emit('saved');
       }),
-      act('Save pose layer', 'Download the pose as a USD layer', () => {
+      button('Save pose layer', 'Download the pose as a USD layer', () => {
         const { text, unwritten } = poseLayer(session);
         if (text) download(session.fileNamed('pose.usda'), text, 'text/plain');
         session.emit('saved');
         if (unwritten.length) say(`No animation drives ${unwritten.join(', ')}`);
       }),
-      act('Load…', 'A pose or layer saved before', async () => {
+      button('Load…', 'A pose or layer saved before', async () => {
         const file = await askForFile('.json,.usda,.usd');
         if (file) this.load(file.text);
       }),
@@ -332,14 +327,12 @@ export class Inspector {
       moved.textContent = count ? `${count} element${count > 1 ? 's' : ''} moved` : 'Drag an element to another point of the face, or off it.';
       save.disabled = !count;
     };
-    const button = toggle('Rearrange', 'Drag elements to other points of the face', () => session.options.rearrange, () =>
+    const rearrange = toggle('Rearrange', 'Drag elements to other points of the face', () => session.options.rearrange, () =>
       session.setOption('rearrange', !session.options.rearrange),
     );
-    const save = make('button', {
-      type: 'button',
-      title: 'Download the changes for `usdrigui process --corrections`: they hold for every later version',
-      onclick: () => download(session.fileNamed('corrections.usda'), view.rearranging.corrections(), 'text/plain'),
-    }, 'Save corrections');
+    const save = button('Save corrections', 'Download the changes for `usdrigui process --corrections`: they hold for every later version', () =>
+      download(session.fileNamed('corrections.usda'), view.rearranging.corrections(), 'text/plain'),
+    );
     const facts = [
       `${layout.elements.length} elements, ${session.controls.length} controls`,
       layout.leftOff.length ? `${layout.leftOff.length} left off` : null,
@@ -348,7 +341,7 @@ export class Inspector {
     return make(
       'div',
       {},
-      make('div', { class: 'actions' }, this.updating(button), save),
+      make('div', { class: 'actions' }, this.updating(rearrange), save),
       this.updating(moved),
       make('p', { class: 'hint' }, facts.join(' · ')),
       left.length ? make('details', { class: 'left-off' }, make('summary', {}, 'Left off'), make('ul', {}, ...left)) : null,

@@ -3,7 +3,7 @@
 // before they replace it; changes of both sides are merged per control and frame (merging.js).
 
 import { animationLayerOf, saidKeys, worksOf } from './animation_layer.js';
-import { make } from './dom.js';
+import { button, make } from './dom.js';
 import { NOTHING, differing, merged } from './merging.js';
 import { keysFrom, sayKeys } from './by_name.js';
 import { sameContent } from './usda.js';
@@ -43,7 +43,7 @@ export class Live {
   /** What the bar shows of the link. */
   makeNode() {
     this.words = make('output', { class: 'link', role: 'status' });
-    this.button = make('button', { type: 'button', hidden: true, title: 'Write the keys of this page over it', onclick: () => this.replace() }, 'Replace');
+    this.button = button('Replace', 'Write the keys of this page over it', () => this.replace(), { hidden: true });
     this.tell(this.state);
     return make('div', { class: 'group live' }, this.words, this.button);
   }

@@ -1,7 +1,7 @@
 // The review: notes at frames, each with a pose, a view, words and strokes over the face; sent and opened as a small USD layer
 // (notes.js, docs/decisions/142).
 
-import { askForFile, counted, download, make, toggle } from './dom.js';
+import { askForFile, button, counted, download, make, toggle } from './dom.js';
 import { dot, minus } from './camera.js';
 import { isSeenFrom, joined, lookOf, notesIn, notesOf, pairOf, placeOf, posed, reviewLayer, saidPose, thinned, titleOf } from './notes.js';
 
@@ -21,14 +21,13 @@ export class Review {
     this.line = null; // the stroke being drawn, as pairs
     this.shown = null; // the notes and the chosen one that the list is made of
     this.list = make('div', { class: 'notes' });
-    const act = (label, title, onclick) => make('button', { type: 'button', title, onclick }, label);
     this.pen = toggle('Draw', 'Draw on the view: two fingers, the wheel and other buttons still move it', () => session.options.draw, () => this.setPen());
-    this.back = act('Take back', 'Take away the last stroke of this note', () => this.takeBack());
-    this.saving = act('Save review', 'Download the notes as a small USD layer, to send', () => this.save());
+    this.back = button('Take back', 'Take away the last stroke of this note', () => this.takeBack());
+    this.saving = button('Save review', 'Download the notes as a small USD layer, to send', () => this.save());
     this.node = make('aside', { class: 'review', 'aria-label': 'Review' },
       make('div', { class: 'actions' },
-        act('Add note', 'A note on the frame, the pose and the view shown now', () => this.write()),
-        this.pen, this.back, this.saving, act('Open…', 'Add the notes of a review that somebody sent', () => this.open())),
+        button('Add note', 'A note on the frame, the pose and the view shown now', () => this.write()),
+        this.pen, this.back, this.saving, button('Open…', 'Add the notes of a review that somebody sent', () => this.open())),
       this.list);
     for (const event of ['time', 'options', 'editing']) session.on(event, () => this.update());
     this.update();
@@ -172,9 +171,9 @@ export class Review {
     });
     return make('div', { class: `note${isChosen ? ' chosen' : ''}${note.done ? ' done' : ''}`, 'data-note': note.id },
       make('div', { class: 'note-head' },
-        make('button', { type: 'button', class: 'note-go', title: 'Go to its frame, view and pose', onclick: () => this.show(note) }, `${index + 1} · ${titleOf(note)}${strokes}`),
+        button(`${index + 1} · ${titleOf(note)}${strokes}`, 'Go to its frame, view and pose', () => this.show(note), { class: 'note-go' }),
         done,
-        make('button', { type: 'button', class: 'note-away', title: 'Take this note away', 'aria-label': `Take note ${index + 1} away`, onclick: () => this.remove(note) }, '×')),
+        button('×', 'Take this note away', () => this.remove(note), { class: 'note-away', 'aria-label': `Take note ${index + 1} away` })),
       text,
       isChosen ? this.poseActions(note) : null);
   }
@@ -188,11 +187,10 @@ export class Review {
   /** What the pose of the chosen note and one's own give each other. */
   poseActions(note) {
     const { session } = this;
-    const act = (label, title, onclick) => make('button', { type: 'button', title, onclick }, label);
-    if (session.looks) return make('div', { class: 'actions' }, act('Take this pose', 'Set the controls to the pose of the note', () => session.adopt()));
+    if (session.looks) return make('div', { class: 'actions' }, button('Take this pose', 'Set the controls to the pose of the note', () => session.adopt()));
     if (!this.isHere(note)) return null;
     const give = () => this.change('Give a note the pose', note, { values: saidPose(session, session.values) });
-    return make('div', { class: 'actions' }, act('Set pose', 'Give the note the pose shown now', give));
+    return make('div', { class: 'actions' }, button('Set pose', 'Give the note the pose shown now', give));
   }
 
   // --- files -----------------------------------------------------------------------------------------

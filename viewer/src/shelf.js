@@ -2,7 +2,7 @@
 // and goes out and in as a USD layer of SkelAnimations, one Scope for each pose (docs/decisions/141).
 
 import { posesLayer, posesFromLayer } from './pose_library.js';
-import { askForFile, counted, download, make } from './dom.js';
+import { askForFile, button, counted, download, make } from './dom.js';
 import { portrait } from './portrait.js';
 
 export class Shelf {
@@ -12,13 +12,12 @@ export class Shelf {
     this.say = say;
     this.share = 1; // of the way to a pose that a click goes
     this.grid = make('div', { class: 'shelf' });
-    const act = (label, title, onclick) => make('button', { type: 'button', title, onclick }, label);
-    this.saving = act('Save shelf', 'Download the poses as a USD layer', () => this.save());
+    this.saving = button('Save shelf', 'Download the poses as a USD layer', () => this.save());
     this.node = make('div', {}, this.grid, this.amount(),
       make('div', { class: 'actions' },
-        act('Keep pose', 'Put the pose of the selection, or of all controls, on the shelf', () => this.keep()),
+        button('Keep pose', 'Put the pose of the selection, or of all controls, on the shelf', () => this.keep()),
         this.saving,
-        act('Open…', 'Add the poses of a layer saved before', () => this.open())));
+        button('Open…', 'Add the poses of a layer saved before', () => this.open())));
     session.on('time', () => this.update());
     this.update();
   }
@@ -51,11 +50,11 @@ export class Shelf {
     });
     const words = `${pose.name}: ${counted(pose.values.size, 'control')}`;
     return make('div', { class: 'pose' },
-      make('button', { type: 'button', class: 'pose-picture', title: words, 'aria-label': `Take the pose ${pose.name}`, onclick: () => this.take(pose) },
-        pose.picture ? make('img', { src: pose.picture, alt: '' }) : null),
+      button(pose.picture ? make('img', { src: pose.picture, alt: '' }) : null, words, () => this.take(pose),
+        { class: 'pose-picture', 'aria-label': `Take the pose ${pose.name}` }),
       name,
-      make('button', { type: 'button', class: 'pose-away', title: 'Take it off the shelf', 'aria-label': `Take ${pose.name} off the shelf`,
-        onclick: () => this.session.reshelve('Take a pose off the shelf', this.session.shelf.filter((each) => each !== pose)) }, '×'));
+      button('×', 'Take it off the shelf', () => this.session.reshelve('Take a pose off the shelf', this.session.shelf.filter((each) => each !== pose)),
+        { class: 'pose-away', 'aria-label': `Take ${pose.name} off the shelf` }));
   }
 
   keep() {

@@ -2,7 +2,7 @@
 
 import { animationLayer } from './animation_layer.js';
 import { DopeSheet } from './dope_sheet.js';
-import { askForFile, counted, download, make, toggle } from './dom.js';
+import { askForFile, button, counted, download, make, toggle } from './dom.js';
 import { Sound } from './sound.js';
 
 export class Timeline {
@@ -27,7 +27,6 @@ export class Timeline {
   }
 
   build() {
-    const button = (label, title, onclick) => make('button', { type: 'button', title, onclick }, label);
     this.playButton = button('▶', 'Play or stop (Space)', () => this.toggle());
     this.playButton.classList.add('play');
     this.autoButton = button('Auto-key', 'Every drag sets keys at this frame', () =>
