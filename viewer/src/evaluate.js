@@ -28,6 +28,8 @@ const COMPLEX = [6, 8]; // and in the two complex ones that only this block has
 const COMMON = 13; // controls in the face that every block repeats
 const FACES = SIMPLE.length + COMPLEX.length + 1; // of a block
 const NEEDED = 3 * (FACES - 1) + 1; // faces that differ
+const LEAST = 0.02; // of its range: a clip that moves a control by less leaves it at rest
+const UNLIKE = 0.1; // of a control's range between poses of the clip
 const PRACTICE = 2; // controls in the face before each block, which is not counted
 
 /** What is asked at the end, after the paper's figure 14: one answer from 1 to 5 each. */
@@ -73,6 +75,26 @@ export function dealt(poses, session) {
   if (faces.length < NEEDED) throw new Error(`${faces.length} of these poses move a control of this character; the evaluation needs ${NEEDED}.`);
   const blocks = ORDERS[0].map((_, block) => [0, 1, 2, 3].map((k) => faces[block + 3 * k]));
   return [faces[faces.length - 1], blocks];
+}
+
+/**
+ * As many poses (control -> value) of the clip as are needed, in the order of their frames, each as unlike the others and rest as any frame
+ * is; fewer where frames repeat.
+ */
+export function posesOfClip({ animation, controls, rest }) {
+  const apart = (one, other) => controls.map(({ minimum, maximum }, i) => Math.abs(one[i] - other[i]) / (maximum - minimum || 1));
+  const poses = animation.times(new Map()).map((time) => {
+    const { values } = animation.clipAt(time);
+    return apart(values, rest).map((share, i) => (share > LEAST ? values[i] : rest[i]));
+  });
+  const chosen = new Set();
+  let away = poses.map((pose) => Math.max(...apart(pose, rest)));
+  while (chosen.size < NEEDED && Math.max(...away) > UNLIKE) {
+    const next = away.indexOf(Math.max(...away));
+    chosen.add(next);
+    away = away.map((before, i) => Math.min(before, Math.max(...apart(poses[i], poses[next]))));
+  }
+  return poses.filter((_, i) => chosen.has(i)).map((pose) => new Map(pose.entries()));
 }
 
 /** The faces of a participant's session in their order: before each block one to practise on. */
@@ -223,7 +245,9 @@ export class Evaluation {
     const sets = new Map();
     if (targets.length) sets.set('the poses given', of(targets.flatMap((layer) => posesFromLayer(layer, session))));
     if (session.shelf.length >= NEEDED) sets.set('the shelf', of(session.shelf));
-    return sets.set('drawn from the controls', null);
+    sets.set('drawn from the controls', null);
+    const found = posesOfClip(session);
+    return found.length < NEEDED ? sets : sets.set('the clip', found);
   }
 
   // --- what is done so far, in the browser's storage ---------------------------------------------------

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { QUESTIONS, dealt, eventsCsv, relativeError, sessionFor, toCsv, trialsFor } from '../src/evaluate.js';
+import { QUESTIONS, dealt, eventsCsv, posesOfClip, relativeError, sessionFor, toCsv, trialsFor } from '../src/evaluate.js';
 
 /** Twenty elements of one control each; some controls go to 45, as degrees do. */
 function character() {
@@ -50,6 +50,28 @@ test('an artist\'s poses are dealt by the number of their controls, the fullest 
   assert.deepEqual(blocks.map((block) => block.map(count)), [[1, 4, 7, 10], [2, 5, 8, 11], [3, 6, 9, 12]]);
   assert.equal(trialsFor(2, session, poses).length, 15);
   assert.throws(() => dealt(poses.slice(0, 12), session), /needs 13/);
+});
+
+/** The same with a clip that goes through the `peaks` of its controls, each of four frames. */
+function animated(peaks) {
+  const session = character();
+  const clipAt = (frame) => {
+    const values = new Float64Array(20).fill(1e-4);
+    const { maximum } = session.controls[Math.floor(frame / 4) % 20];
+    values[Math.floor(frame / 4) % 20] = maximum * [0.25, 0.9, 0.5, 0][frame % 4];
+    return { values };
+  };
+  return { ...session, animation: { times: () => Array.from({ length: 4 * peaks }, (_, i) => i), clipAt } };
+}
+
+test('poses of the clip are its extremes, none like another; where it has too few there are fewer', () => {
+  const session = animated(13);
+  const found = posesOfClip(session);
+  const moved = found.map((pose) => [...pose].filter(([, value]) => value));
+  assert.deepEqual(moved, Array.from({ length: 13 }, (_, i) => [[i, 0.9 * session.controls[i].maximum]]));
+  assert.equal(trialsFor(1, session, found).length, 15);
+  assert.equal(posesOfClip(animated(3)).length, 9, 'three controls at three values each; rest is none');
+  assert.deepEqual(posesOfClip(animated(0)), []);
 });
 
 test('what the hand did is a file of its own', () => {
