@@ -90,6 +90,12 @@ def test_places_are_those_of_the_view(characters, page):
     assert np.abs(found - scale * given).max() < 2.4 * picker._RADIUS
 
 
+def test_a_track_that_its_handle_would_hide_is_drawn_longer(page):
+    (made,) = picker._apart([page.panels[0].marks[0].placed(0.1, np.zeros(2))], np.zeros(2))
+    ways = np.concatenate(made.tracks) - made.handle
+    assert np.hypot(*ways.T).max() == pytest.approx(2.0 * picker._RADIUS)
+
+
 def test_a_dwpicker_file_has_a_button_for_every_element(characters):
     document = json.loads(picker.to_dwpicker(picker.picker(characters), "char"))
     _, layout = characters[0]

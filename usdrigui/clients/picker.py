@@ -31,6 +31,8 @@ from usdrigui.view.sections import Section, sections
 
 _RADIUS = 11.0
 """Of a handle, in picture units."""
+_LEAST = 22.0
+"""Way from a handle to the end of its longest track, at least, in picture units."""
 _APART = 1.1
 """Least distance of handles, in their diameters."""
 _MAX_EXTENT = 900.0
@@ -152,13 +154,20 @@ def _panel(section: Section, subject: Subject, rows: Floats, labels: bool) -> Pa
 
 
 def _apart(marks: Sequence[Mark], shift: Floats) -> list[Mark]:
-    """The marks with handles of one size, none on another; tracks go with their handles."""
+    """The marks with handles of one size, none on another; tracks go with their handles, and none
+    is so short that its handle hides it, but for those that point straight at the viewer."""
     handles = np.array([mark.handle for mark in marks])
     moves = spread(handles, np.full(handles.shape, 2.0 * _APART * _RADIUS)) - handles + shift
     return [
-        replace(mark, radius=_RADIUS).placed(1.0, move)
-        for mark, move in zip(marks, moves, strict=True)
+        replace(mark, radius=_RADIUS).placed(scale, move + (1.0 - scale) * mark.handle)
+        for mark, move, scale in zip(marks, moves, map(_enlarged, marks), strict=True)
     ]
+
+
+def _enlarged(mark: Mark) -> float:
+    """How much longer the tracks of a mark are drawn than they are seen."""
+    ways = np.linalg.norm(np.concatenate(mark.tracks) - mark.handle, axis=1)
+    return max(1.0, _LEAST / float(ways.max(initial=1.0)))
 
 
 def _beside(pages: Sequence[Page]) -> Page:
