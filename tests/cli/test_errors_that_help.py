@@ -160,8 +160,7 @@ def test_of_several_configurations_a_later_one_wins_over_an_earlier(layer, capsy
         ["process", str(layer.with_name("char.usda")), *files, "--set", "read.skel_root=/A"]
     )
     found = settings_of(arguments)
-    asked = found.solve.gap, found.solve.work_limit, found.read.skel_root
-    assert asked == (0.3, 1234, "/A")
+    assert (found.solve.gap, found.solve.work_limit, found.read.skel_root) == (0.3, 1234, "/A")
     assert {Path(each) for each in files[1::2]} <= set(files_read(arguments))
     passed = [each.removeprefix("--config=") for each in passed_on(arguments)]
     assert [each for each in passed if each.endswith(".toml")] == files[1::2]

@@ -20,8 +20,7 @@ def test_every_field_is_documented(tmp_path):
     character = document["characters"][0]
     fields = {*document, *character, *character["controls"][0], *character["elements"][0], *character["solution"]}
     fields |= set(character["solution"]["steps"][0])
-    words = set(re.findall(r"[a-z_0-9]+", PAGE.read_text(encoding="utf-8")))
-    assert fields - words == set()
+    assert fields - set(re.findall(r"[a-z_0-9]+", PAGE.read_text(encoding="utf-8"))) == set()
 
 
 def test_a_control_says_the_part_on_which_it_stands(tmp_path):

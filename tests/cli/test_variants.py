@@ -105,8 +105,7 @@ def test_check_looks_at_each(folder):
     points.default = [(x, y + 0.3, z) for x, y, z in points.default]
     edited.Save()
     del stage
-    settings = load({"read": {"each_variant": ["LOD"]}})
-    found = check(folder / LAYER, settings)
+    found = check(folder / LAYER, load({"read": {"each_variant": ["LOD"]}}))
     assert dict(found.characters).keys() == {"/Char{LOD=high}", "/Char{LOD=mid}", "/Char{LOD=low}"}
     assert {each.code for each in check(folder / LAYER, load()).issues} <= {"LAYOUT_UNCLEAR"}
     low = dict(found.characters)["/Char{LOD=low}"]

@@ -184,8 +184,7 @@ def test_few_prims_draw_all_elements(char, tmp_path):
 def test_the_default_prim_is_the_top_of_the_first_character_where_the_source_names_none(char):
     _, rig, layout = char
     other = replace(layout, elements=(), root="/Crowd/Second")
-    layer = layer_for([(rig, layout), (changed(rig, path=other.root), other)], "", {})
-    assert layer.defaultPrim == "World"
+    assert layer_for([(rig, layout), (changed(rig, path=other.root), other)], "", {}).defaultPrim == "World"
 
 
 @pytest.mark.parametrize(("parts", "told"), [(("face",) * 5, False), (("face", "body", "face", "body", "face"), True)])

@@ -157,8 +157,7 @@ def test_what_earlier_elements_forbid_is_not_sampled() -> None:
     later = element("b", [0.5, *np.linspace(20, 30, 9)], [1e6, *np.full(9, 0.1)])
     problem = problem_of(*first, later)
     assert clusters(problem, 2) == [[0, 1], [2]]
-    found = solve(problem, SolveSettings(method="paper", clusters=2, sample=0.1))
-    assert found.labels[2] > 0
+    assert solve(problem, SolveSettings(method="paper", clusters=2, sample=0.1)).labels[2] > 0
     with pytest.raises(RigUIError, match="SOLVE_INFEASIBLE"):
         solve(problem_of(*first, element("b", [0.5], [1.0])), SolveSettings(method="paper", clusters=2))
 
@@ -189,8 +188,7 @@ def test_parts_share_what_is_left_of_the_limits() -> None:
 
 
 def test_parts_share_the_time_and_the_request_to_stop() -> None:
-    timed = Budget(SolveSettings(time_limit=1000.0)).part(0.25)
-    assert 200.0 < timed.settings.time_limit <= 250.0
+    assert 200.0 < Budget(SolveSettings(time_limit=1000.0)).part(0.25).settings.time_limit <= 250.0
     assert Budget(SolveSettings(time_limit=1e-9)).part(1.0).stopped()
     asked = []
     budget = Budget(SolveSettings(), stop=lambda: bool(asked))
@@ -239,8 +237,7 @@ def test_a_problem_is_sampled_by_displacement_not_by_cost() -> None:
     gains = np.r_[np.full(50, 1.0), np.full(50, 1e-6)]
     wide = element("a", np.arange(100.0), gains)
     dearer = replace(wide, cost=wide.cost + np.r_[np.full(50, 5.0), np.zeros(50)])
-    found = solve(problem_of(dearer), SolveSettings(method="paper", sample=0.2))
-    assert found.labels[0] < 50
+    assert solve(problem_of(dearer), SolveSettings(method="paper", sample=0.2)).labels[0] < 50
 
 
 @pytest.mark.parametrize(("share", "count"), [(0.6, 2), (0.7, 3)])

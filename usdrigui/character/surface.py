@@ -65,8 +65,7 @@ def mesh_triangles(meshes: Sequence[RigMesh], visible_only: bool = False) -> Ind
 
 def triangle_areas(points: Floats, corners: Indices) -> Floats:
     """``(t,)`` areas of the triangles, in squared units of `points`."""
-    doubled = _doubled_normals(points, corners)
-    return np.asarray(0.5 * np.linalg.norm(doubled, axis=1))
+    return np.asarray(0.5 * np.linalg.norm(_doubled_normals(points, corners), axis=1))
 
 
 def vertex_normals(points: Floats, corners: Indices, places: Indices) -> Floats:

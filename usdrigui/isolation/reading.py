@@ -81,8 +81,7 @@ def answered(question: Question, program: str, kind: type[_Answer]) -> _Answer:
         if answer.failure is not None:
             message = f"its answer was not received: {answer.failure.strerror}"
             raise refuse("SOURCE_READER_LOST", question.path, message) from None
-        end = ProcessEnd(code, peak, bytes(printed.content))
-        raise _failure(end, late, question) from None
+        raise _failure(ProcessEnd(code, peak, bytes(printed.content)), late, question) from None
 
 
 def answer_invalid(path: str) -> RigUIError:

@@ -299,8 +299,7 @@ def _unpaired(by_name: Mapping[str, tuple[Usd.Prim, Element]], layout: Layout) -
             alone.append((prim, element, np.stack([element.anchor.position, *chain(*ends)])))
     for (prim, one, mine), (twin, other, theirs) in combinations(alone, 2):
         # Far from the origin single precision does not tell such places apart.
-        width = frame.handle_width_of(one.part)
-        near = _MIRRORED * width - author.TOLD * np.abs(mine[0]).sum()
+        near = _MIRRORED * frame.handle_width_of(one.part) - author.TOLD * np.abs(mine[0]).sum()
         if _OPPOSITE.get(one.side) == other.side and mine.shape == theirs.shape:
             images = frame.plane.reflected(mine) - theirs
             if np.linalg.norm(images, axis=1).max() < near:

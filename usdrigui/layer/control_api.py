@@ -45,8 +45,7 @@ def author_control_api(
 
 def _driven_weights(body: Body, drive: Drive) -> dict[str, Any]:
     plain = is_plain(body.base_weights, drive)
-    still = np.isclose(drive.weights, 0.0, atol=NOISE).all(axis=0)
-    driven = np.flatnonzero(plain | ~still)
+    driven = np.flatnonzero(plain | ~np.isclose(drive.weights, 0.0, atol=NOISE).all(axis=0))
     channels = [body.channels[channel] for channel in drive.channels[driven]]
     animations = list(dict.fromkeys(channel.animation for channel in channels if channel.animation))
     which = [

@@ -255,8 +255,7 @@ def _turned(tree: Tree, turn: Turn, degrees: float) -> list[Floats]:
         before, after = (tree.world[parent], world[parent]) if parent >= 0 else (np.eye(4),) * 2
         spin = np.eye(4)
         if joint in turn.joints:
-            axis = turn.axes[turn.joints.index(joint)]
-            spin[:3, :3] = rotations(np.radians(degrees) * axis)
+            spin[:3, :3] = rotations(np.radians(degrees) * turn.axes[turn.joints.index(joint)])
         world[joint] = spin @ tree.world[joint] @ np.linalg.inv(before) @ after
     above = [joint.parent for joint in tree.joints]
     return [world[i] @ np.linalg.inv(world[p]) if p >= 0 else world[i] for i, p in enumerate(above)]

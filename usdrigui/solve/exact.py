@@ -71,8 +71,7 @@ def infeasible_penalty(problem: LayoutProblem, labels: LabelSet) -> float:
     linear costs."""
     spread = np.maximum.reduceat(labels.cost, labels.start[:-1]) - labels.best
     copies = np.array([each.samples.shape[1] for each in problem.variables], dtype=np.float64)
-    together = (copies.sum() ** 2 - np.square(copies).sum()) / 2
-    overlaps = problem.overlap.most * together
+    overlaps = problem.overlap.most * ((copies.sum() ** 2 - np.square(copies).sum()) / 2)
     allowed = [each.costs[np.isfinite(each.costs)] for each in problem.extra]
     explicit = sum(each.max(initial=0.0) for each in allowed)
     return float(1.0 + spread.sum() + overlaps + explicit)

@@ -307,8 +307,7 @@ class ReducedProblem:
         alone = np.minimum(alone, DEAREST)  # (labels, variables)
         for variable, mine in enumerate(self.slices[:-1]):
             later = slice(mine.stop, None)
-            total = self._pair_lower_bounds(variable, excess, pairs, alone)
-            bad = total >= gap + EPSILON
+            bad = self._pair_lower_bounds(variable, excess, pairs, alone) >= gap + EPSILON
             pairs[mine, later][bad] = np.inf
             pairs[later, mine][bad.T] = np.inf
         self.tables = tables_of(self.owner, pairs)

@@ -19,8 +19,7 @@ def fan_order(tangents: Floats, normal: Floats) -> tuple[int, ...]:
     angles = _angles(tangents, normal)
     order = np.argsort(angles, kind="stable")
     gaps = np.diff(np.append(angles[order], angles[order[0]] + 2.0 * np.pi))
-    start = (int(np.argmax(np.round(gaps, 9))) + 1) % len(order)
-    return tuple(np.roll(order, -start).tolist())
+    return tuple(np.roll(order, -(int(np.argmax(np.round(gaps, 9))) + 1)).tolist())
 
 
 def _angles(tangents: Floats, normal: Floats) -> Floats:

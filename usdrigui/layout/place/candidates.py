@@ -216,8 +216,7 @@ def _off_strands(face: Face, motion: Motion, seen: Flags) -> Flags:
     """(p,) those `seen` but for whiskers and hair: pieces of surface with little of what the
     control moves; all of them where the rest moves too little."""
     pieces = face.pieces[motion.points]
-    moved = face.surface.areas[motion.points] * motion.arc_length * seen
-    by_piece = np.bincount(pieces, moved)
+    by_piece = np.bincount(pieces, face.surface.areas[motion.points] * motion.arc_length * seen)
     return _kept_in(motion, seen, (by_piece >= _STRAND * by_piece.max())[pieces], _NOTABLE)
 
 

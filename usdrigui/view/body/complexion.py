@@ -111,8 +111,7 @@ class _Face(Record):
         """Pieces that the line of sight through a place (3,) meets not far behind it."""
         depth = self.at[self.corners, 2].mean(axis=1)
         near = self.corners[(depth < at[2]) & (depth > at[2] - _BEFORE * self.extent)]
-        met = _crossed(self.at[near, :2] - at[:2])
-        return set(self.pieces[near[met, 0]].tolist())
+        return set(self.pieces[near[_crossed(self.at[near, :2] - at[:2]), 0]].tolist())
 
     def eye(self, piece: int) -> _Eye:
         """The ball that fits a piece in the least-squares sense; of a flat one its middle, and a
@@ -315,8 +314,7 @@ def _eyes_by_region(face: _Face, main: int) -> list[_Eye]:
 def _on_eye(face: _Face, eye: _Eye) -> tuple[Flags, Flags]:
     """(n,) points of the eyeball and of other balls about its centre, and of the shells that lie
     over its pupil."""
-    away = np.linalg.norm(face.at - eye.centre, axis=1) / eye.radius
-    within = face.free & (away < _SHELL)
+    within = face.free & (np.linalg.norm(face.at - eye.centre, axis=1) / eye.radius < _SHELL)
     balls = [piece for piece in _whole(face.pieces, within) if _is_about(face, piece, eye)]
     on = np.isin(face.pieces, [*balls, eye.piece])
     crossed = _crossed(face.at[face.corners, :2] - eye.centre[:2])

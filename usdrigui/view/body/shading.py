@@ -239,8 +239,7 @@ def _barycentric(corners: Floats, at: Floats) -> Floats:
 def _lit(normals: Singles) -> Singles:
     """Linear light (n, 3) on surfaces with ``normals`` (n, 3) in the camera's frame, seen from
     either side."""
-    length = np.linalg.norm(normals, axis=1, keepdims=True)
-    n = normals / np.maximum(length, np.float32(1e-30))
+    n = normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), np.float32(1e-30))
     n *= np.where(n[:, 2:] < 0.0, np.float32(-1.0), np.float32(1.0))
     height = 0.5 + 0.5 * n[:, 1:2]
     sky, ground = np.array(_SKY, dtype=np.float32), np.array(_GROUND, dtype=np.float32)

@@ -134,8 +134,7 @@ def row(
 def trimmed(views: Sequence[View]) -> tuple[View, ...]:
     """Views of a row without what is empty above and below their frames and the rows of names."""
     extent = max(float(view.frame.high[1] - view.frame.low[1]) for view in views)
-    names = [names_height(view.frame) for view in views]
-    tall = max(views[0].camera.scale * extent, *names)
+    tall = max(views[0].camera.scale * extent, *(names_height(view.frame) for view in views))
     height = min(views[0].camera.height, max(round(tall), 1))
     return tuple(replace(view, camera=replace(view.camera, height=height)) for view in views)
 

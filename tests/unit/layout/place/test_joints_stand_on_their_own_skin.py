@@ -32,8 +32,7 @@ def test_skin_by_another_bone_counts_less_than_how_firmly_it_is_held(late):
     middle = (1, 2) if late > 0.0 else (1, 2, 3)  # before the first bone there is none
     for joint in middle:
         for axis in "xyz":
-            points = found[f"j{joint}:r{axis}"]
-            assert np.ptp([joint, joint + 1, *points[:, 1]]) <= 1.05, (joint, axis)
+            assert np.ptp([joint, joint + 1, *found[f"j{joint}:r{axis}"][:, 1]]) <= 1.05, (joint, axis)
 
 
 def test_a_joint_whose_skin_hangs_on_a_twist_joint_stands_along_its_own_bone():

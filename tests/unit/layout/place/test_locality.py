@@ -18,8 +18,7 @@ def test_a_hidden_control_may_stand_at_a_visible_proxy():
     assert found.category != "hidden"
     assert (found.points < len(POINTS)).all()
     assert (found.sources >= len(POINTS)).all()
-    near = np.linalg.norm(POINTS[found.points] - makers.TEETH.mean(axis=0), axis=1)
-    assert near.max() < 0.8
+    assert np.linalg.norm(POINTS[found.points] - makers.TEETH.mean(axis=0), axis=1).max() < 0.8
 
 
 @pytest.mark.parametrize("near", ["/Root/mesh#700", "/Root/mesh#0"])

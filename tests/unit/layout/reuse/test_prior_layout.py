@@ -117,8 +117,7 @@ def test_the_rest_is_optimal_given_what_is_fixed(face, before):
 def test_fixing_beside_keeps_a_control_off_the_face(face, before):
     element = chain.by_name(before)["chin"]
     beside = replace(element, anchor=replace(element.anchor, on_board=True))
-    line = lay_out(face, fixed=replace(before.layout, elements=(beside,)))
-    assert anchors(line.layout)["chin"] == "board"
+    assert anchors(lay_out(face, fixed=replace(before.layout, elements=(beside,))).layout)["chin"] == "board"
 
 
 def test_the_configuration_is_stronger_than_the_fixed_layer(face, before):
