@@ -37,9 +37,10 @@ def batch_of(folder, *options):
 
 
 def processes_of(batch):
-    """The batch's worker and those of its assets, all of them."""
+    """The batch's worker, the parent of those of its assets, and all of them."""
     (worker,) = until(lambda: children_of(batch.pid))
-    return worker, *until(lambda: found if len(found := children_of(worker)) == 2 else None)
+    (parent,) = until(lambda: children_of(worker))
+    return worker, parent, *until(lambda: found if len(found := children_of(parent)) == 2 else None)
 
 
 @pytest.mark.parametrize("number", ENDING)

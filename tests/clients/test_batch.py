@@ -16,6 +16,7 @@ from pxr import Sdf
 from usdrigui.cli import main
 from usdrigui.clients.batch import jobs, places, run, state
 from usdrigui.clients.batch.job import Job, Row
+from usdrigui.isolation import supervising
 
 
 @pytest.fixture(scope="module")
@@ -128,6 +129,7 @@ def test_what_a_pattern_matches_and_is_no_file_has_a_row(tmp_path, capsys):
 def fake(monkeypatch, tmp_path, text):
     """Processes of the batch run a script instead of usdrigui."""
     impostor(tmp_path, monkeypatch, text)
+    monkeypatch.setattr(supervising, "FORKS", False)
     return Job(str(tmp_path / "char.usda"), str(tmp_path / "char.rigui.usda"), "")
 
 
@@ -144,7 +146,11 @@ def test_a_process_that_hangs_is_ended_with_its_children(monkeypatch, tmp_path):
 
 @pytest.mark.skipif(os.name != "posix", reason="needs a shell")
 def test_leaving_early_ends_what_still_runs(monkeypatch, tmp_path):
-    fake(monkeypatch, tmp_path, f"[ $5 = {tmp_path}/0.usda ] && exit 0; echo $$ > {tmp_path}/pid; exec sleep 1000")
+    fake(
+        monkeypatch,
+        tmp_path,
+        f"read it; case $it in */0.usda*) exit 0;; esac; echo $$ > {tmp_path}/pid; exec sleep 1000",
+    )
     many = [Job(str(tmp_path / f"{i}.usda"), str(tmp_path / f"{i}.rigui.usda"), "") for i in range(6)]
     rows = run.run_local(many, 2)
     assert next(rows).code == "WORKER_CRASHED"

@@ -30,7 +30,7 @@ import minimal_assets
 import numpy as np
 
 from usdrigui.cli import main
-from usdrigui.isolation import reading
+from usdrigui.isolation import forking
 from usdrigui.replacing import temporaries
 
 KINDS: dict[str, tuple[Any, str, Callable[[], BaseException]]] = {
@@ -55,7 +55,7 @@ KINDS: dict[str, tuple[Any, str, Callable[[], BaseException]]] = {
     },
     "fcntl.flock: the device fails": (temporaries.fcntl, "flock", lambda: OSError(errno.EIO, "the device fails")),
     "a thread: too many": (threading.Thread, "start", lambda: RuntimeError("can't start new thread")),
-    "a socket: too many files": (reading.socket, "socketpair", lambda: OSError(errno.EMFILE, "too many files")),
+    "a socket: too many files": (forking.socket, "socketpair", lambda: OSError(errno.EMFILE, "too many files")),
     "a temporary file: no space": (tempfile, "TemporaryFile", lambda: OSError(errno.ENOSPC, "no space")),
     **{
         f"numpy.{name}: no memory": (np, name, MemoryError)
@@ -111,7 +111,8 @@ def run(command: str, kind: str, number: int, folder: Path) -> dict[str, Any]:
 
 
 def _ended(arguments: list[str], kind: str, number: int) -> dict[str, Any]:
-    reading.worker.active, reading._parent = lambda: True, None  # readers are forked as a worker forks them
+    forking.worker.active = lambda: True  # readers are forked as a worker forks them
+    forking._parents.clear()
     out, err = io.StringIO(), io.StringIO()
     with _failing(kind, number) as calls, contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
         code = main(arguments)

@@ -15,7 +15,6 @@ import math
 import os
 import shutil
 import subprocess
-import sys
 import threading
 import time
 from collections.abc import Callable, Sequence
@@ -24,6 +23,7 @@ from queue import Empty, SimpleQueue
 from typing import IO, Any
 
 from usdrigui.errors import RigUIError, refuse
+from usdrigui.isolation.forking import FORKS, Child, fresh, warm_parent
 from usdrigui.isolation.process import (
     Drain,
     ProcessEnd,
@@ -31,7 +31,6 @@ from usdrigui.isolation.process import (
     environment,
     kill,
     not_started,
-    reaped,
     signal_name,
     signals_later,
 )
@@ -42,6 +41,7 @@ its end."""
 STOP, KILL = "stop", "kill"
 """Ask the worker to end with what it has, at once where it has nothing; end it."""
 
+_WORKER = "usdrigui.cli.working"
 _PATIENCE = 3.0
 """Seconds in which a worker that was asked to stop must have ended, unless it searches or
 writes."""
@@ -97,45 +97,56 @@ def supervise(
     process = None
     try:
         with signals_later():
-            process = _started(arguments, terminals, alone)
-        assert process.stdout is not None
-        assert process.stderr is not None
+            process, requests = _started(terminals, alone)
+        _greet(requests, arguments, terminals, process)
         printed = Drain(process.stderr)
         threading.Thread(target=_collect, args=(process.stdout, events), daemon=True).start()
-        watch = _Supervision(process, show, limit, alone)
+        watch = _Supervision(process, requests, show, limit, alone)
         watch.until_it_has_ended(events)
     except (OSError, TypeError, ValueError, RuntimeError) as error:  # the last for want of a thread
         return _dead(not_started(error, "WORKER_LOST", "", "the working process"))
     finally:
         if process is not None:
-            kill(process, group=alone)
-            code, peak = reaped(process)
-            assert process.stdin is not None
+            code, peak = process.end(group=alone)
             with contextlib.suppress(OSError):
-                process.stdin.close()
+                requests.close()
     printed.close()
     return watch.outcome(ProcessEnd(code, peak, bytes(printed.content)))
 
 
-def _started(
-    arguments: Sequence[str], terminals: tuple[bool, bool], alone: bool
-) -> subprocess.Popen[bytes]:
+def _started(terminals: tuple[bool, bool], alone: bool) -> tuple[Child, IO[bytes]]:
+    """A worker, and where it hears requests."""
+    if alone and FORKS:
+        taken, requests = os.pipe()
+        with os.fdopen(taken), contextlib.ExitStack() as undone:
+            stream = undone.enter_context(os.fdopen(requests, "wb"))
+            child = warm_parent((_WORKER, "warm")).forked(taken, time.monotonic() + _LAST)
+            undone.pop_all()
+        return child, stream
     size = shutil.get_terminal_size()
     shape = {"COLUMNS": str(size.columns), "LINES": str(size.lines)} if any(terminals) else {}
-    process = subprocess.Popen(
-        [sys.executable, "-P", "-m", "usdrigui.cli.working", *arguments],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
+    process = fresh(
+        (_WORKER,),
         env=environment(**shape),
         start_new_session=alone,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
     )
     assert process.stdin is not None
-    greeting = {"parent": os.getpid(), "out": terminals[0], "err": terminals[1]}
+    assert process.stdout is not None
+    assert process.stderr is not None
+    return Child(process, process.stdout, process.stderr), process.stdin
+
+
+def _greet(
+    requests: IO[bytes], arguments: Sequence[str], terminals: tuple[bool, bool], process: Child
+) -> None:
+    """Tell a worker what it needs to know."""
+    parent = process.parent.pid if process.parent is not None else os.getpid()
+    greeting = {"parent": parent, "out": terminals[0], "err": terminals[1]}
     with contextlib.suppress(OSError):
-        process.stdin.write(json.dumps(greeting).encode() + b"\n")
-        process.stdin.flush()
-    return process
+        requests.write(json.dumps({**greeting, "arguments": list(arguments)}).encode() + b"\n")
+        requests.flush()
 
 
 def _collect(messages: IO[bytes], events: Events) -> None:
@@ -151,7 +162,8 @@ def _collect(messages: IO[bytes], events: Events) -> None:
 class _Supervision:
     """What a supervisor knows of its worker."""
 
-    process: subprocess.Popen[bytes]
+    process: Child
+    requests: IO[bytes]
     show: Callable[[str, str], None]
     limit: tuple[float, RigUIError] | None
     alone: bool
@@ -235,17 +247,16 @@ class _Supervision:
 
     def _ask(self, seconds: float) -> None:
         """Ask the worker to end, within `seconds` if they are not 0."""
-        assert self.process.stdin is not None
         self.kill_at = time.monotonic() + seconds if seconds else 0.0
         with contextlib.suppress(OSError):
-            self.process.stdin.write(b"s")
-            self.process.stdin.flush()
+            self.requests.write(b"s")
+            self.requests.flush()
 
     def _end(self, why: RigUIError | None = None) -> None:
         self.death = why or self.death
         self.limit, self.deadline, self.kill_at = None, 0.0, 0.0
         self.gone_by = time.monotonic() + _LAST_WORDS
-        kill(self.process, group=self.alone)
+        kill(self.process.process, group=self.alone)
 
     def _on_print(self, message: dict[str, Any]) -> None:
         self.show(message["stream"], message["text"])

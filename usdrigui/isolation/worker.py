@@ -34,9 +34,9 @@ _SIGNALS = [
 _worker: _Worker | None = None
 
 
-def start() -> None:
+def start() -> list[str]:
     """Make this process a worker: bound to its supervisor, its streams messages, its signals the
-    supervisor's."""
+    supervisor's; the command line that it is asked for."""
     global _worker
     greeting = json.loads(_line(0))
     bind_to(greeting["parent"])
@@ -49,6 +49,7 @@ def start() -> None:
         signal.signal(number, _worker.on_signal)
     sys.unraisablehook = _worker.on_unraisable
     threading.Thread(target=_worker.listen, daemon=True).start()
+    return [str(each) for each in greeting["arguments"]]
 
 
 def resign() -> None:

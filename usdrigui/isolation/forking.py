@@ -1,0 +1,273 @@
+"""Processes forked from a warm parent, which has a program loaded, has read nothing and has one
+thread: some hundredths of a second each, where a fresh one takes more than half a second.
+
+So confined readers are started on Linux (`usdrigui.isolation.reading`), and the workers of a batch
+(`usdrigui.isolation.supervising`).  Elsewhere each process is a fresh one.  Nothing here imports
+more than the standard library.
+"""
+
+from __future__ import annotations
+
+import atexit
+import gc
+import os
+import signal
+import socket
+import struct
+import subprocess
+import sys
+import threading
+import time
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import IO, Any, NoReturn
+
+from usdrigui.isolation import worker
+from usdrigui.isolation.confinement import bind_to
+from usdrigui.isolation.process import (
+    Drain,
+    Process,
+    ProcessEnd,
+    environment,
+    in_mib,
+    kill,
+    reaped,
+    resident,
+    signals_later,
+)
+
+FORKS = sys.platform == "linux"
+"""On macOS a process that has loaded the system's libraries cannot be forked safely."""
+Program = tuple[str, ...]
+"""A module, run with ``python -m``, and its arguments."""
+
+_PAIR = struct.Struct("<ii")
+"""Of a process that was forked its number, and MiB resident that it began with; of one that was
+reaped its exit code, or minus the signal, and MiB resident at most."""
+_MESSAGE = 1 << 16
+"""Bytes of a question at most: the folder of the process that is to be forked, or the number of one
+that is to be reaped."""
+_FAREWELL = 0.2
+"""Seconds in which a warm parent that ends by itself has ended."""
+
+
+class UnbornError(OSError):
+    """What was to fork a process has ended instead."""
+
+    def __init__(self, end: ProcessEnd, late: bool) -> None:
+        super().__init__(f"its parent ended with code {end.code}: {end.last_line}")
+        self.end, self.late = end, late
+
+
+@dataclass(frozen=True, slots=True)
+class Child:
+    """A process of ours that was forked from a warm parent, or is fresh, and what it writes."""
+
+    process: Process
+    stdout: IO[bytes]
+    stderr: IO[bytes]
+    parent: WarmParent | None = None
+    """Who has forked it; none for one that is our own child."""
+    began: int = 0
+    """MiB resident when it was forked."""
+
+    def end(self, *, group: bool = True) -> tuple[int, int]:
+        """Be sure that it is gone, with its `group`; exit code and MiB resident at most."""
+        kill(self.process, group=group)
+        if self.parent is not None:
+            return self.parent.reaped(self.process)
+        return reaped(self.process)
+
+
+def fresh(program: Program, **options: Any) -> subprocess.Popen[bytes]:
+    """A fresh Python that runs the program; the options are of `subprocess.Popen`."""
+    command = [sys.executable, "-P", "-m", *program]
+    return subprocess.Popen(command, stderr=subprocess.PIPE, **options)
+
+
+# --- who asks -------------------------------------------------------------------------------------
+
+
+@dataclass
+class _Forked:
+    """A process that was forked."""
+
+    pid: int
+    returncode: int | None = None
+
+
+class WarmParent:
+    """It ends when nobody holds the other end of its socket, and what it has forked with it."""
+
+    def __init__(self, world: Any, process: Process, asking: socket.socket) -> None:
+        self.world = world
+        self.alive = True
+        self.pid = process.pid
+        self._process = process
+        self._asking = asking
+        self._lock = threading.Lock()
+        stderr = getattr(process, "stderr", None)
+        self._printed = Drain(stderr) if stderr is not None else None
+
+    def forked(self, stdin: int, deadline: float) -> Child:
+        """A child in the folder of this process; raises UnbornError."""
+        answer, to_answer = os.pipe()
+        printed, to_print = os.pipe()
+        folder = os.fsencode(os.getcwd())  # noqa: PTH109 (names may hold bytes that are not text)
+        seconds = max(0.01, deadline - time.monotonic())
+        try:
+            number, began = self._told(folder, [stdin, to_answer, to_print], seconds)
+        except (OSError, struct.error) as error:
+            os.close(answer)
+            os.close(printed)
+            raise UnbornError(self.close(), isinstance(error, TimeoutError)) from error
+        finally:
+            os.close(to_answer)
+            os.close(to_print)
+        streams = os.fdopen(answer, "rb"), os.fdopen(printed, "rb")
+        return Child(_Forked(number), *streams, self, began)
+
+    def reaped(self, child: Process) -> tuple[int, int]:
+        """Exit code and MiB resident at most of a child that was killed."""
+        try:
+            return self._told(b"%d" % child.pid, [], None)
+        except (OSError, struct.error):
+            return self.close().code, 0
+
+    def _told(
+        self, question: bytes, descriptors: list[int], seconds: float | None
+    ) -> tuple[int, int]:
+        with self._lock:
+            self._asking.settimeout(seconds)
+            socket.send_fds(self._asking, [question], descriptors)
+            first, second = _PAIR.unpack(self._asking.recv(_PAIR.size))
+            return first, second
+
+    def close(self) -> ProcessEnd:
+        """End it, and all that it has forked."""
+        if not self.alive:
+            return ProcessEnd(0, 0, b"")
+        self.alive = False
+        self._asking.close()
+        if self._printed is not None:
+            self._printed.ended(_FAREWELL)  # one that ends by itself has a code of its own
+        kill(self._process, group=True)
+        code, peak = reaped(self._process)
+        if self._printed is None:
+            return ProcessEnd(code, peak, b"")
+        self._printed.close()
+        return ProcessEnd(code, peak, bytes(self._printed.content))
+
+
+_parents: dict[Program, WarmParent] = {}
+_starting = threading.Lock()
+
+
+def warm_parent(program: Program, here: Callable[[], NoReturn] | None = None) -> WarmParent:
+    """The warm parent that runs the program and serves this process: the one that there is, if
+    nothing has changed since it was started.
+
+    The first one of a worker is forked from itself where `here` is what its children do: it has
+    loaded that by then.
+    """
+    world = (os.getpid(), sys.executable, environment())
+    with _starting:
+        known = _parents.get(program)
+        if known is not None and known.alive and known.world == world:
+            return known
+        if known is not None and known.world[0] == os.getpid():
+            known.close()
+        asking, served = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        process: Process
+        with served, signals_later():
+            if known is None and here is not None and worker.active():
+                process = _Forked(_forked_from_here(here, served))
+            else:
+                process = fresh(
+                    program,
+                    env=environment(OPENBLAS_NUM_THREADS="1"),
+                    start_new_session=True,
+                    stdin=served,
+                    stdout=subprocess.DEVNULL,
+                )
+        _parents[program] = WarmParent(world, process, asking)
+        return _parents[program]
+
+
+def _forked_from_here(begin: Callable[[], NoReturn], served: socket.socket) -> int:
+    """A warm parent that is this process as it is now, which has read nothing."""
+    with warnings.catch_warnings():
+        # The only other thread of a worker waits for its supervisor and holds nothing.
+        warnings.simplefilter("ignore", DeprecationWarning)
+        number = os.fork()
+    if not number:
+        try:
+            worker.resign()
+            os.setsid()
+            nowhere = os.open(os.devnull, os.O_RDWR)
+            _take(served.fileno(), nowhere, nowhere)
+            serve(begin)
+        finally:
+            os._exit(1)
+    return number
+
+
+def close(program: Program) -> None:
+    """End the warm parent that runs a program, if there is one."""
+    if program in _parents:
+        _parents[program].close()
+
+
+@atexit.register
+def _close() -> None:
+    for program, parent in _parents.items():
+        if parent.world[0] == os.getpid():
+            close(program)
+
+
+# --- the warm parent ------------------------------------------------------------------------------
+
+
+def serve(begin: Callable[[], NoReturn]) -> NoReturn:
+    """Fork a child that begins so for everybody who asks on standard input, a socket, until nobody
+    can ask any more: with the three descriptors that come as its standard streams, and no other."""
+    asker = socket.socket(fileno=os.dup(0))
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    gc.freeze()
+    began = resident()
+    while True:
+        message, descriptors, _, _ = socket.recv_fds(asker, _MESSAGE, 3)
+        if not message:
+            os._exit(0)
+        if descriptors:
+            parent = os.getpid()
+            child = os.fork()
+            if not child:
+                _become(begin, parent, message, descriptors)
+            for descriptor in descriptors:
+                os.close(descriptor)
+            asker.send(_PAIR.pack(child, began))
+        else:
+            _, status, usage = os.wait4(int(message), 0)
+            asker.send(_PAIR.pack(os.waitstatus_to_exitcode(status), in_mib(usage.ru_maxrss)))
+
+
+def _become(
+    begin: Callable[[], NoReturn], parent: int, folder: bytes, descriptors: list[int]
+) -> NoReturn:
+    try:
+        bind_to(parent)
+        os.setsid()
+        _take(*descriptors)
+        os.chdir(folder)
+        begin()
+    finally:
+        os._exit(1)
+
+
+def _take(*descriptors: int) -> None:
+    """Make them the standard streams, and close everything else."""
+    for stream, descriptor in enumerate(descriptors):
+        os.dup2(descriptor, stream)
+    os.closerange(len(descriptors), os.sysconf("SC_OPEN_MAX"))
