@@ -35,7 +35,12 @@ from usdrigui.layout.reuse.decisions import with_decisions
 from usdrigui.layout.reuse.existing_layout import drawn_width, of_new_controls
 from usdrigui.layout.review.layout_faults import refuse_stale
 from usdrigui.layout.review.layout_problem import layout_cost
-from usdrigui.layout.symmetry.base_pose import symmetry_at_pose, symmetry_of_part
+from usdrigui.layout.symmetry.base_pose import (
+    NeutralPose,
+    neutral_pose,
+    symmetry_at_pose,
+    symmetry_of_part,
+)
 from usdrigui.layout.visibility import find_views
 from usdrigui.model import Assignment, Element, Layout, Symmetry, Trajectories
 from usdrigui.pipeline.configuration import base_values_of
@@ -55,20 +60,23 @@ def character_of(
     """What is found out about a character as a whole: its motions, its parts, and what is asked."""
     clock, root = clock or Clock(), rig.path
     base_values = base_values_of(rig, settings.read.pose)
+    with clock.stage("trajectories"):
+        found = trajectories(rig, settings.trajectories, base_values)
+        if not found.motions:
+            raise refuse("CONTROLS_MISSING", root, "none of its controls moves a point")
+    neutral = neutral_pose(rig, settings)
     # Everything that knows an up direction begins again, once, by that of a face that lies down.
     for again in (False, True):
-        with clock.stage("trajectories"):
-            found = trajectories(rig, settings.trajectories, base_values)
-            if not found.motions:
-                raise refuse("CONTROLS_MISSING", root, "none of its controls moves a point")
         with clock.stage("symmetry"):
-            whole = symmetry_at_pose(rig, found, displacement_fields(found), settings)
-            parts = _parts(rig, found, whole, settings)
+            whole = symmetry_at_pose(rig, found, neutral, settings)
+            parts = _parts(rig, found, (whole, neutral), settings)
         face = parts[0].trajectories if parts[0].name == FACE else None
         up = own_up(rig, whole.plane, face)
         if again or (up == rig.up).all():
             break
         rig = replace(rig, up=up)
+        every = range(len(rig.controls)), range(len(rig.excluded))
+        found = of_controls(rig, found, every, settings.trajectories)
     own = own_references(references or ReferenceLayouts(), rig, found, settings)
     if own.existing is not None:
         refuse_stale(rig, found, own.existing, settings.read)
@@ -77,16 +85,17 @@ def character_of(
 
 
 def _parts(
-    rig: Rig, found: Trajectories, whole: Symmetry, settings: Settings
+    rig: Rig, found: Trajectories, mirror: tuple[Symmetry, NeutralPose | None], settings: Settings
 ) -> tuple[CharacterPart, ...]:
-    """The parts of a character with their own trajectories and symmetry."""
+    """The parts of a character with their own trajectories and symmetry; `mirror` is the symmetry
+    of the whole, and its neutral pose."""
     divided, sampling = divide(rig, found, settings), settings.trajectories
     parts = []
     for part in divided:
-        own, symmetry = found, whole
+        own, symmetry = found, mirror[0]
         if len(divided) > 1:
             own = of_controls(rig, found, (part.controls, part.excluded), sampling)
-            symmetry = symmetry_of_part(rig, own, (part.name, whole), settings)
+            symmetry = symmetry_of_part(rig, own, (part.name, *mirror), settings)
         if part.name in OF_SIDES:
             own = at_scale_of_a_side(own, symmetry.plane)
         parts.append(CharacterPart(part.name, own, symmetry))

@@ -8,11 +8,12 @@ and the next one.
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Sequence
 
 import numpy as np
 
 from usdrigui.character import Body, Control, Flags, Floats, Joint, Record, Skeleton
-from usdrigui.character.joint_tree import OWNS, Hanging
+from usdrigui.character.joint_tree import OWNS, hanging
 from usdrigui.character.skinning import base_locals, in_skeleton_space, with_descendants
 
 _SPAN = (0.2, 0.7)
@@ -29,18 +30,20 @@ _FAN = 6
 """Joints at the end of a chain that fan out from one joint, at least, have no bones: a face."""
 
 
-def owned_skin(body: Body, hanging: Hanging, control: Control, points: Floats) -> Floats | None:
+def owned_skin(
+    body: Body, bones: Sequence[Bone], control: Control, points: Floats
+) -> Floats | None:
     """(n,) how much of each point the joints of a joint control own, in [0, 1]; None for other
     controls and where no skin hangs on them.
 
-    `points` (n, 3) are all points in root space.  A joint without skin has what lies by its bone of
-    the skin below it.
+    `bones` are those of the body, `points` (n, 3) all points in root space.  A joint without skin
+    has what lies by its bone of the skin below it.
     """
     driven = set(control.drive.joints.tolist())
     joints = {i for i in driven if body.joints[i].path == control.source} or driven
     if control.kind != "joint" or not joints or len(control.drive.channels):
         return None
-    below, bones = _below(body, joints), _bones(body.skeletons, body.joints, hanging)
+    below = _below(body, joints)
     has_bone = any(b.joint in joints and b.next in below for b in bones)
     for holders in (joints, *((joints | below,) if has_bone else ())):
         weights = _weights(body, holders)
@@ -70,7 +73,7 @@ def _weights(body: Body, joints: set[int]) -> Floats:
 
 
 def _by_own_bone(
-    body: Body, bones: list[_Bone], joints: set[int], points: Floats, owned: Flags
+    body: Body, bones: Sequence[Bone], joints: set[int], points: Floats, owned: Flags
 ) -> Floats:
     """(n,) one where a point lies along a bone of `joints`, less at its ends and where a bone above
     or below is nearer."""
@@ -90,7 +93,9 @@ def _by_own_bone(
     return factor
 
 
-class _Bone(Record):
+class Bone(Record):
+    """From a joint to the next one."""
+
     joint: int
     next: int
     """The joint at its end, -1 at the end of a chain."""
@@ -100,14 +105,13 @@ class _Bone(Record):
     chain."""
 
 
-def _bones(
-    skeletons: tuple[Skeleton, ...], joints: tuple[Joint, ...], hanging: Hanging
-) -> list[_Bone]:
+def bones_of(body: Body) -> Sequence[Bone]:
     """The bones between joints apart from each other, and those of joints at the end of a chain."""
-    places, parents = joint_places(skeletons, joints), hanging.parents
-    joined = [k for k, i in enumerate(parents) if i >= 0 and k not in hanging.aside]
+    places, chains = joint_places(body.skeletons, body.joints), hanging(body.joints, body.meshes)
+    parents = chains.parents
+    joined = [k for k, i in enumerate(parents) if i >= 0 and k not in chains.aside]
     found = [
-        _Bone(parents[k], k, places[parents[k]], places[k] - places[parents[k]])
+        Bone(parents[k], k, places[parents[k]], places[k] - places[parents[k]])
         for k in joined
         if (places[parents[k]] != places[k]).any()
     ]
@@ -116,7 +120,7 @@ def _bones(
     for k in ends:
         along = _LAST * (places[k] - places[parents[k]])
         if fan[parents[k]] < _FAN and along.any():
-            found.append(_Bone(k, -1, places[k], along))
+            found.append(Bone(k, -1, places[k], along))
     return found
 
 
@@ -129,7 +133,7 @@ def _above(body: Body, joints: set[int]) -> set[int]:
     return found
 
 
-def _nearest(points: Floats, bones: list[_Bone]) -> tuple[Floats, Floats]:
+def _nearest(points: Floats, bones: Sequence[Bone]) -> tuple[Floats, Floats]:
     """(p,) distance to the nearest bone, and the share of the way along it."""
     least, share = np.full(len(points), np.inf), np.zeros(len(points))
     for bone in bones:

@@ -18,7 +18,6 @@ from usdrigui.character import (
     Singles,
 )
 from usdrigui.character.deform import Posed, Sweep, knots, posed, sweep_start
-from usdrigui.character.joint_tree import Hanging, hanging
 from usdrigui.character.rays import diagonal
 from usdrigui.character.surface import (
     faces_inward,
@@ -29,7 +28,7 @@ from usdrigui.character.surface import (
 )
 from usdrigui.errors import Issue, issue
 from usdrigui.layout.motion.coverage import NOTABLE, coverage_of_smaller
-from usdrigui.layout.motion.owned_skin import owned_skin
+from usdrigui.layout.motion.owned_skin import Bone, bones_of, owned_skin
 from usdrigui.model import BaseSurface, MirrorPlane, Motion, Trajectories
 from usdrigui.settings import CandidateSettings, TrajectorySettings
 
@@ -66,16 +65,16 @@ def trajectories(
     """
     base = posed(rig, base_values)
     size = diagonal(base.points)
-    chains = hanging(rig.body.joints, rig.body.meshes)
+    bones = bones_of(rig.body)
     motions, left_off = [], []
     for index, control in enumerate(rig.controls):
         start, value = sweep_start(rig, base, base_values, index)
-        motion = _motion(rig, chains, start, index, value, settings)
+        motion = _motion(rig, bones, start, index, value, settings)
         if motion.arc_length.max(initial=0.0) > _EMPTY * size:
             motions.append(motion)
         else:
             left_off.append(LeftOff(control.name, STAGE, "moves no point of any mesh"))
-    excluded = _excluded(rig, chains, size, settings)
+    excluded = _excluded(rig, bones, size, settings)
     moving = (
         _without_drift(rig.body, rig.controls, motions) if settings.noise > 0.0 else tuple(motions)
     )
@@ -151,20 +150,25 @@ def total_motion(motions: Sequence[Motion], count: int) -> Singles:
 
 
 def _excluded(
-    rig: Rig, chains: Hanging, size: float, settings: TrajectorySettings
+    rig: Rig, bones: Sequence[Bone], size: float, settings: TrajectorySettings
 ) -> tuple[Motion, ...]:
     """Motions of the controls that the configuration leaves out, from the default pose."""
     alone = replace(rig, controls=rig.excluded)
     start = posed(alone, None)
     found = (
-        _motion(alone, chains, start, i, control.default, settings)
+        _motion(alone, bones, start, i, control.default, settings)
         for i, control in enumerate(rig.excluded)
     )
     return tuple(motion for motion in found if motion.arc_length.max(initial=0.0) > _EMPTY * size)
 
 
 def _motion(
-    rig: Rig, chains: Hanging, start: Posed, index: int, value: float, settings: TrajectorySettings
+    rig: Rig,
+    bones: Sequence[Bone],
+    start: Posed,
+    index: int,
+    value: float,
+    settings: TrajectorySettings,
 ) -> Motion:
     values = knots(rig, index)
     if value not in values:
@@ -179,7 +183,7 @@ def _motion(
         offsets = offsets - start_offsets
     arc = _arc_lengths(offsets)
     moving = arc > max(settings.noise * arc.max(initial=0.0), 0.0)
-    owned = owned_skin(rig.body, chains, rig.controls[index], start.points)
+    owned = owned_skin(rig.body, bones, rig.controls[index], start.points)
     own = None if owned is None else owned[points]
     motion = Motion(index, points, values, offsets, arc, own)
     return motion if moving.all() else motion.of(moving)

@@ -4,68 +4,86 @@ neutral pose."""
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cached_property
 
 import numpy as np
 
-from usdrigui.character import Floats, Rig
-from usdrigui.layout.motion.similarity import DisplacementFields, displacement_fields
-from usdrigui.layout.motion.trajectory import of_controls, trajectories as find_trajectories
+from usdrigui.character import Floats, Record, Rig
+from usdrigui.layout.motion.similarity import displacement_fields
+from usdrigui.layout.motion.trajectory import of_controls, trajectories
 from usdrigui.layout.parts.joint_regions import FACE
-from usdrigui.layout.symmetry.mirror_plane import find_symmetry
+from usdrigui.layout.symmetry.mirror_plane import mirrored
 from usdrigui.layout.symmetry.sides_of_joints import plane_between
 from usdrigui.layout.symmetry.twins import paired
 from usdrigui.model import BaseSurface, Symmetry, Trajectories
 from usdrigui.settings import Settings, TrajectorySettings
 
 
+class NeutralPose(Record):
+    """The neutral pose of a character whose base pose is another."""
+
+    rig: Rig
+    sampling: TrajectorySettings
+
+    @cached_property
+    def trajectories(self) -> Trajectories:
+        """Of all controls there: worked out when asked for, and once."""
+        return trajectories(self.rig, self.sampling)
+
+
+def neutral_pose(rig: Rig, settings: Settings) -> NeutralPose | None:
+    """The pose at the controls' defaults where the base pose is another, else the bind pose of a
+    character that rests in a pose; None for all others."""
+    pose = settings.read.pose
+    at = rig
+    if all(pose.get(each.name, each.default) == each.default for each in rig.controls):
+        bound = _bound(rig) if settings.symmetry.enabled else None
+        if bound is None:
+            return None
+        at = bound
+    return NeutralPose(at, settings.trajectories)
+
+
 def symmetry_at_pose(
-    rig: Rig, trajectories: Trajectories, fields: DisplacementFields, settings: Settings
+    rig: Rig, found: Trajectories, neutral: NeutralPose | None, settings: Settings
 ) -> Symmetry:
-    """`find_symmetry`, but for a base pose of its own with the partners and twins of the neutral
-    pose: that at the controls' defaults, and of a character that rests in a pose its bind pose,
-    if that mirrors more of what the controls move.
+    """The symmetry that the `found` trajectories have, or that of the neutral pose where it mirrors
+    more of what the controls move.
 
     A pose with one eye closed or one arm raised has no mirror image there: pairs would find no
-    common candidate and leave the character. `fields` are those of `trajectories`.
+    common candidate and leave the character.
     """
-    pose = settings.read.pose
-    if all(pose.get(each.name, each.default) == each.default for each in rig.controls):
-        found = find_symmetry(rig, trajectories, fields, settings)
-        return _or_at_bind_pose(rig, trajectories, found, settings)
-    neutral = _same_controls(rig, trajectories, settings.trajectories)
-    symmetry = find_symmetry(rig, neutral, displacement_fields(neutral), settings)
-    if not symmetry.plane.normal.any():
-        return find_symmetry(rig, trajectories, fields, settings)
-    return _at_pose(symmetry, neutral.surface, trajectories.surface.points)
+    mirror, at = mirrored(rig, found, settings), found
+    moved = np.concatenate([each.points for each in found.motions] or [np.zeros(0, int)])
+    if neutral is not None and (mirror[1][moved] < 0).any():
+        rig_there = replace(neutral.rig, up=rig.up)
+        own, excluded = (
+            frozenset(each.control for each in of) for of in (found.motions, found.excluded)
+        )
+        there = of_controls(rig_there, neutral.trajectories, (own, excluded), settings.trajectories)
+        other = mirrored(rig_there, there, settings)
+        if (other[1][moved] >= 0).sum() > (mirror[1][moved] >= 0).sum():
+            mirror, at, rig = other, there, rig_there
+    symmetry = paired(rig, at.motions, (displacement_fields(at), *mirror), settings)
+    return symmetry if at is found else _at_pose(symmetry, at.surface, found.surface.points)
 
 
 def symmetry_of_part(
-    rig: Rig, trajectories: Trajectories, of_whole: tuple[str, Symmetry], settings: Settings
+    rig: Rig,
+    found: Trajectories,
+    of_whole: tuple[str, Symmetry, NeutralPose | None],
+    settings: Settings,
 ) -> Symmetry:
-    """The symmetry of one part, whose name is given with the symmetry `of_whole` the character: a
-    face has a plane of its own, a hand by itself is nearly symmetric about its middle finger."""
-    (part, whole), fields = of_whole, displacement_fields(trajectories)
+    """The symmetry of one part, whose name is given with the symmetry of the whole character and
+    its neutral pose: a face has a plane of its own, a hand by itself is nearly symmetric about its
+    middle finger."""
+    part, whole, neutral = of_whole
     if part == FACE or not whole.plane.normal.any():
-        own = symmetry_at_pose(rig, trajectories, fields, settings)
+        own = symmetry_at_pose(rig, found, neutral, settings)
         if own.plane.normal.any():
             return own
-    return paired(rig, trajectories.motions, (fields, whole.plane, whole.partner), settings)
-
-
-def _or_at_bind_pose(
-    rig: Rig, trajectories: Trajectories, found: Symmetry, settings: Settings
-) -> Symmetry:
-    """What was found, or what the skeleton's bind pose shows where that mirrors more of what the
-    controls move: a character may rest in a pose of its own."""
-    moved = np.concatenate([each.points for each in trajectories.motions] or [np.zeros(0, int)])
-    bound = _bound(rig) if settings.symmetry.enabled else None
-    if bound is None or (found.partner[moved] >= 0).all():
-        return found
-    neutral = _same_controls(bound, trajectories, settings.trajectories)
-    symmetry = find_symmetry(bound, neutral, displacement_fields(neutral), settings)
-    if (symmetry.partner[moved] >= 0).sum() <= (found.partner[moved] >= 0).sum():
-        return found
-    return _at_pose(symmetry, neutral.surface, trajectories.surface.points)
+    mirror = displacement_fields(found), whole.plane, whole.partner
+    return paired(rig, found.motions, mirror, settings)
 
 
 def _bound(rig: Rig) -> Rig | None:
@@ -86,18 +104,6 @@ def _bound(rig: Rig) -> Rig | None:
         return None
     turned = tuple(replace(joint, base=at) for at, joint in zip(local, joints, strict=True))
     return replace(rig, body=replace(rig.body, joints=turned))
-
-
-def _same_controls(
-    rig: Rig, trajectories: Trajectories, sampling: TrajectorySettings
-) -> Trajectories:
-    """Trajectories of the same controls at the defaults of all."""
-    neutral = find_trajectories(rig, sampling)
-    own, excluded = (
-        frozenset(each.control for each in of)
-        for of in (trajectories.motions, trajectories.excluded)
-    )
-    return of_controls(rig, neutral, (own, excluded), sampling)
 
 
 def _at_pose(symmetry: Symmetry, surface: BaseSurface, base: Floats) -> Symmetry:

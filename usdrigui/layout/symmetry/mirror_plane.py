@@ -15,12 +15,10 @@ from scipy.spatial import cKDTree
 
 from usdrigui.character import Flags, Floats, Indices, Record, Rig
 from usdrigui.character.rays import AROUND
-from usdrigui.layout.motion.similarity import DisplacementFields
 from usdrigui.layout.motion.trajectory import total_motion
 from usdrigui.layout.symmetry.front import moving_normals
 from usdrigui.layout.symmetry.sides_of_joints import ACROSS, plane_of_names
-from usdrigui.layout.symmetry.twins import paired
-from usdrigui.model import MirrorPlane, Symmetry, Trajectories
+from usdrigui.model import MirrorPlane, Trajectories
 from usdrigui.settings import Settings
 from usdrigui.ties import rounded, towards
 
@@ -47,18 +45,13 @@ _LEAST_SHARE = 0.5
 """Least share of the points whose mirror image must meet the surface."""
 
 
-def find_symmetry(
-    rig: Rig,
-    trajectories: Trajectories,
-    fields: DisplacementFields,
-    settings: Settings,
-) -> Symmetry:
-    """Mirror plane, partner points and twin controls of `rig`; `fields` are those of
-    `trajectories`.
+def mirrored(
+    rig: Rig, trajectories: Trajectories, settings: Settings
+) -> tuple[MirrorPlane, Indices]:
+    """Mirror plane of `rig`, and for every point (n,) the one nearest to its mirror image, or -1.
 
     The normal points to the character's left.  Where less than half of the moving region has a
-    mirror image within ``symmetry.tolerance`` there is no symmetry: normal zero, partners -1, twins
-    by the configuration or -1.
+    mirror image within ``symmetry.tolerance`` there is no symmetry: normal zero, partners -1.
     """
     count = len(trajectories.surface.points)
     mirror = settings.symmetry
@@ -71,13 +64,10 @@ def find_symmetry(
         if named and not (plane and abs(float(named.normal @ plane.normal)) >= ACROSS):
             plane = named
     if plane is None:
-        plane = MirrorPlane(np.zeros(3), np.zeros(3))
-        partner = np.full(count, -1, dtype=np.int64)
-    else:
-        plane = _towards_left(plane, named, rig, trajectories)
-        plane = replace(plane, origin=plane.projected(trajectories.surface.points.mean(axis=0)))
-        partner = _partners(plane, trajectories, tolerance)
-    return paired(rig, trajectories.motions, (fields, plane, partner), settings)
+        return MirrorPlane(np.zeros(3), np.zeros(3)), np.full(count, -1, dtype=np.int64)
+    plane = _towards_left(plane, named, rig, trajectories)
+    plane = replace(plane, origin=plane.projected(trajectories.surface.points.mean(axis=0)))
+    return plane, _partners(plane, trajectories, tolerance)
 
 
 # --- the plane ------------------------------------------------------------------------------------

@@ -7,9 +7,8 @@ import pytest
 
 from usdrigui.conventions.sides import has_side, hints_at_twin
 from usdrigui.errors import RigUIError
-from usdrigui.layout.motion.similarity import displacement_fields
 from usdrigui.layout.motion.trajectory import trajectories
-from usdrigui.layout.symmetry.mirror_plane import find_symmetry
+from usdrigui.layout.symmetry.base_pose import symmetry_at_pose
 from usdrigui.layout.symmetry.twins import configured_twins
 from usdrigui.settings import ControlSettings, Settings
 
@@ -19,7 +18,7 @@ ROTATION = makers.rotation(11)
 def symmetry_of(rig, settings=None):
     settings = settings or Settings()
     found = trajectories(rig, settings.trajectories)
-    return find_symmetry(rig, found, displacement_fields(found), settings)
+    return symmetry_at_pose(rig, found, None, settings)
 
 
 def apart(rig, symmetry):
