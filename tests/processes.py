@@ -26,7 +26,8 @@ def children_of(*processes):
 
 
 def impostor(folder, monkeypatch, script):
-    """Have a shell script run instead of Python; its file."""
+    """Have a shell script run instead of Python, as each process that is not a reader; its file."""
+    monkeypatch.setattr("usdrigui.isolation.supervising.FORKS", False)
     path = folder / "python"
     path.write_text(f"#!/bin/sh\n{script}\n")
     path.chmod(0o755)

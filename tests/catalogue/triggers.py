@@ -684,8 +684,6 @@ TRIGGERS: Mapping[str, Trigger] = {
     "ATTACH_OUTSIDE": _attached(_beyond_its_root, in_variant=True),
     "BATCH_NO_MATCH": lambda folder, _: command("batch", folder / "*.usda"),
     "BATCH_TIME_LIMIT": _job("exec sleep 60", 0.2),
-    "BATCH_KILLED": _job("kill -KILL $$"),
-    "BATCH_NO_REPORT": _job(_told("end", code=7, out="", err="")),
     "BATCH_TOO_MANY": _too_many,
     "BATCH_SCHEDULER": _no_scheduler,
     "ANIMATION_MISSING": _no_animation,

@@ -16,7 +16,6 @@ from pxr import Sdf
 from usdrigui.cli import main
 from usdrigui.clients.batch import jobs, places, run, state
 from usdrigui.clients.batch.job import Job, Row
-from usdrigui.isolation import supervising
 
 
 @pytest.fixture(scope="module")
@@ -129,7 +128,6 @@ def test_what_a_pattern_matches_and_is_no_file_has_a_row(tmp_path, capsys):
 def fake(monkeypatch, tmp_path, text):
     """Processes of the batch run a script instead of usdrigui."""
     impostor(tmp_path, monkeypatch, text)
-    monkeypatch.setattr(supervising, "FORKS", False)
     return Job(str(tmp_path / "char.usda"), str(tmp_path / "char.rigui.usda"), "")
 
 
@@ -191,7 +189,7 @@ def test_a_file_that_does_not_hold_is_none(monkeypatch, tmp_path, what):
         counts = empty | content.get("counts", {})
         record = state._record(job, content.get("sources", ["char.usda"]), counts)
         path.write_text(json.dumps(record | {"exit": 99} if "exit" in content else record))
-    assert jobs.run_job(job).code == "BATCH_NO_REPORT"
+    assert jobs.run_job(job).code == "BUG"
 
 
 def test_a_broken_configuration_and_a_part_cost_no_other_asset(monkeypatch, tmp_path, capsys):

@@ -7,7 +7,6 @@ run it.
 
 from __future__ import annotations
 
-import contextlib
 import json
 import os
 import threading
@@ -110,32 +109,13 @@ def _no_option(path: str) -> str:
 
 def _row(job: Job, outcome: Outcome) -> Row:
     if outcome.death is not None:
-        lost = outcome.death.issue.code == "WORKER_LOST"
-        return failed(
-            job, refuse("BATCH_KILLED", "", outcome.death.issue.message) if lost else outcome.death
-        )
-    document = _report(outcome.out)
-    if document is None:
-        return failed(
-            job,
-            refuse(
-                "BATCH_NO_REPORT", "", f"its process ended with code {outcome.code} without one"
-            ),
-        )
+        return failed(job, outcome.death)
+    document = json.loads(outcome.out)
     if document["outcome"] == "refused":
         return _without_layout(job, "refused", outcome.code, document["issues"][0])
     return _with_counts(
         Row(job.asset, job.output, job.picture, document["outcome"], outcome.code), document
     )
-
-
-def _report(text: str) -> dict[str, Any] | None:
-    """The report that a process has printed."""
-    with contextlib.suppress(ValueError):
-        document = json.loads(text)
-        if isinstance(document, dict) and document.get("format") == "usdrigui.report":
-            return document
-    return None
 
 
 def _with_counts(row: Row, document: Mapping[str, Any]) -> Row:

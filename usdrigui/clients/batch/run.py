@@ -147,7 +147,7 @@ def run_on_dask(jobs: Sequence[Job], address: str) -> Generator[Row, None, None]
                 else failed(
                     by_key[future.key],
                     refuse(
-                        "BATCH_KILLED",
+                        "WORKER_LOST",
                         "",
                         f"the cluster abandoned it: {type(future.exception()).__name__}",
                     ),
