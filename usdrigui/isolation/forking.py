@@ -67,6 +67,8 @@ class Child:
     process: Process
     stdout: IO[bytes]
     stderr: IO[bytes]
+    stdin: IO[bytes] | None
+    """Where it hears us, if it does."""
     parent: WarmParent | None = None
     """Who has forked it; none for one that is our own child."""
     began: int = 0
@@ -80,10 +82,21 @@ class Child:
         return reaped(self.process)
 
 
-def fresh(program: Program, **options: Any) -> subprocess.Popen[bytes]:
-    """A fresh Python that runs the program; the options are of `subprocess.Popen`."""
-    command = [sys.executable, "-P", "-m", *program]
-    return subprocess.Popen(command, stderr=subprocess.PIPE, **options)
+def fresh(program: Program, stdin: Any, *, alone: bool = True, **special: str) -> Child:
+    """A fresh Python that runs the program, `special` in its environment; `alone`: one of many, the
+    leader of a group of its own, so that all that it may start can be killed with it."""
+    one = {"OPENBLAS_NUM_THREADS": "1"} if alone else {}
+    process = subprocess.Popen(
+        [sys.executable, "-P", "-m", *program],
+        stdin=stdin,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        env=environment(**one, **special),
+        start_new_session=alone,
+    )
+    assert process.stdout is not None
+    assert process.stderr is not None
+    return Child(process, process.stdout, process.stderr, process.stdin)
 
 
 # --- who asks -------------------------------------------------------------------------------------
@@ -100,24 +113,24 @@ class _Forked:
 class WarmParent:
     """It ends when nobody holds the other end of its socket, and what it has forked with it."""
 
-    def __init__(self, world: Any, process: Process, asking: socket.socket) -> None:
+    def __init__(
+        self, world: Any, process: Process, asking: socket.socket, printed: Drain | None
+    ) -> None:
         self.world = world
         self.alive = True
         self.pid = process.pid
-        self._process = process
-        self._asking = asking
+        self._process, self._asking, self._printed = process, asking, printed
         self._lock = threading.Lock()
-        stderr = getattr(process, "stderr", None)
-        self._printed = Drain(stderr) if stderr is not None else None
 
-    def forked(self, stdin: int, deadline: float) -> Child:
-        """A child in the folder of this process; raises UnbornError."""
+    def forked(self, given: int, deadline: float, stdin: IO[bytes] | None = None) -> Child:
+        """A child in the folder of this process that is `given` its standard input, to which
+        `stdin` leads; raises UnbornError."""
         answer, to_answer = os.pipe()
         printed, to_print = os.pipe()
         folder = os.fsencode(os.getcwd())  # noqa: PTH109 (names may hold bytes that are not text)
         seconds = max(0.01, deadline - time.monotonic())
         try:
-            number, began = self._told(folder, [stdin, to_answer, to_print], seconds)
+            number, began = self._told(folder, [given, to_answer, to_print], seconds)
         except (OSError, struct.error) as error:
             os.close(answer)
             os.close(printed)
@@ -126,7 +139,7 @@ class WarmParent:
             os.close(to_answer)
             os.close(to_print)
         streams = os.fdopen(answer, "rb"), os.fdopen(printed, "rb")
-        return Child(_Forked(number), *streams, self, began)
+        return Child(_Forked(number), *streams, stdin, self, began)
 
     def reaped(self, child: Process) -> tuple[int, int]:
         """Exit code and MiB resident at most of a child that was killed."""
@@ -179,19 +192,14 @@ def warm_parent(program: Program, here: Callable[[], NoReturn] | None = None) ->
         if known is not None and known.world[0] == os.getpid():
             known.close()
         asking, served = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        process: Process
         with served, signals_later():
             if known is None and here is not None and worker.active():
-                process = _Forked(_forked_from_here(here, served))
+                number = _forked_from_here(here, served)
+                _parents[program] = WarmParent(world, _Forked(number), asking, None)
             else:
-                process = fresh(
-                    program,
-                    env=environment(OPENBLAS_NUM_THREADS="1"),
-                    start_new_session=True,
-                    stdin=served,
-                    stdout=subprocess.DEVNULL,
-                )
-        _parents[program] = WarmParent(world, process, asking)
+                child = fresh(program, served)
+                printed = Drain(child.stderr)
+                _parents[program] = WarmParent(world, child.process, asking, printed)
         return _parents[program]
 
 
@@ -233,6 +241,7 @@ def serve(begin: Callable[[], NoReturn]) -> NoReturn:
     """Fork a child that begins so for everybody who asks on standard input, a socket, until nobody
     can ask any more: with the three descriptors that come as its standard streams, and no other."""
     asker = socket.socket(fileno=os.dup(0))
+    os.dup2(2, 1)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     gc.freeze()
     began = resident()

@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import contextlib
 import importlib
-import subprocess
 import tempfile
 import time
 from collections.abc import Iterator
@@ -26,7 +25,6 @@ from usdrigui.isolation.forking import FORKS, Child, Program, UnbornError, close
 from usdrigui.isolation.process import (
     Drain,
     ProcessEnd,
-    environment,
     not_started,
     signal_name,
     signals_later,
@@ -117,16 +115,7 @@ def _started(program: str, asked: IO[bytes], deadline: float) -> Child:
         parent = warm_parent(_warm(program), lambda: read(program))
         return parent.forked(asked.fileno(), deadline)
     with signals_later():
-        process = fresh(
-            (_READER, program),
-            env=environment(OPENBLAS_NUM_THREADS="1"),
-            start_new_session=True,
-            stdin=asked,
-            stdout=subprocess.PIPE,
-        )
-    assert process.stdout is not None
-    assert process.stderr is not None
-    return Child(process, process.stdout, process.stderr)
+        return fresh((_READER, program), asked)
 
 
 def _warm(program: str) -> Program:

@@ -28,7 +28,6 @@ from usdrigui.isolation.process import (
     Drain,
     ProcessEnd,
     addresses_allowed,
-    environment,
     kill,
     not_started,
     signal_name,
@@ -97,56 +96,52 @@ def supervise(
     process = None
     try:
         with signals_later():
-            process, requests = _started(terminals, alone)
-        _greet(requests, arguments, terminals, process)
+            process = _started(terminals, alone)
+        _greet(process, arguments, terminals)
         printed = Drain(process.stderr)
         threading.Thread(target=_collect, args=(process.stdout, events), daemon=True).start()
-        watch = _Supervision(process, requests, show, limit, alone)
+        watch = _Supervision(process, show, limit, alone)
         watch.until_it_has_ended(events)
     except (OSError, TypeError, ValueError, RuntimeError) as error:  # the last for want of a thread
         return _dead(not_started(error, "WORKER_LOST", "", "the working process"))
     finally:
         if process is not None:
             code, peak = process.end(group=alone)
+            assert process.stdin is not None
             with contextlib.suppress(OSError):
-                requests.close()
+                process.stdin.close()
     printed.close()
     return watch.outcome(ProcessEnd(code, peak, bytes(printed.content)))
 
 
-def _started(terminals: tuple[bool, bool], alone: bool) -> tuple[Child, IO[bytes]]:
-    """A worker, and where it hears requests."""
+def _started(terminals: tuple[bool, bool], alone: bool) -> Child:
+    """A worker that waits for its greeting."""
     if alone and FORKS:
         taken, requests = os.pipe()
         with os.fdopen(taken), contextlib.ExitStack() as undone:
             stream = undone.enter_context(os.fdopen(requests, "wb"))
-            child = warm_parent((_WORKER, "warm")).forked(taken, time.monotonic() + _LAST)
+            parent = warm_parent((_WORKER, "warm"))
+            child = parent.forked(taken, time.monotonic() + _LAST, stream)
             undone.pop_all()
-        return child, stream
+        return child
     size = shutil.get_terminal_size()
     shape = {"COLUMNS": str(size.columns), "LINES": str(size.lines)} if any(terminals) else {}
-    process = fresh(
-        (_WORKER,),
-        env=environment(**shape),
-        start_new_session=alone,
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-    )
-    assert process.stdin is not None
-    assert process.stdout is not None
-    assert process.stderr is not None
-    return Child(process, process.stdout, process.stderr), process.stdin
+    return fresh((_WORKER,), subprocess.PIPE, alone=alone, **shape)
 
 
-def _greet(
-    requests: IO[bytes], arguments: Sequence[str], terminals: tuple[bool, bool], process: Child
-) -> None:
+def _greet(process: Child, arguments: Sequence[str], terminals: tuple[bool, bool]) -> None:
     """Tell a worker what it needs to know."""
     parent = process.parent.pid if process.parent is not None else os.getpid()
     greeting = {"parent": parent, "out": terminals[0], "err": terminals[1]}
+    _say(process, json.dumps({**greeting, "arguments": list(arguments)}).encode() + b"\n")
+
+
+def _say(process: Child, what: bytes) -> None:
+    """Tell a worker something, which may have ended."""
+    assert process.stdin is not None
     with contextlib.suppress(OSError):
-        requests.write(json.dumps({**greeting, "arguments": list(arguments)}).encode() + b"\n")
-        requests.flush()
+        process.stdin.write(what)
+        process.stdin.flush()
 
 
 def _collect(messages: IO[bytes], events: Events) -> None:
@@ -163,7 +158,6 @@ class _Supervision:
     """What a supervisor knows of its worker."""
 
     process: Child
-    requests: IO[bytes]
     show: Callable[[str, str], None]
     limit: tuple[float, RigUIError] | None
     alone: bool
@@ -248,9 +242,7 @@ class _Supervision:
     def _ask(self, seconds: float) -> None:
         """Ask the worker to end, within `seconds` if they are not 0."""
         self.kill_at = time.monotonic() + seconds if seconds else 0.0
-        with contextlib.suppress(OSError):
-            self.requests.write(b"s")
-            self.requests.flush()
+        _say(self.process, b"s")
 
     def _end(self, why: RigUIError | None = None) -> None:
         self.death = why or self.death

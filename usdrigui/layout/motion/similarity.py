@@ -14,8 +14,6 @@ from usdrigui.ties import rounded
 _ENTRIES = 12_000_000
 """Entries (controls times places) held at most: 150 MB; beyond, the places that move most represent
 all."""
-_DENSE = 0.25
-"""Share of entries that are not zero from which rows are multiplied as dense ones."""
 
 
 class DisplacementFields(Record):
@@ -119,14 +117,8 @@ def bidirectional(motions: tuple[Motion, ...]) -> tuple[int, ...]:
 
 
 def inner_products(first: csr_array, second: csr_array) -> Floats:
-    """(a, b) inner products of the rows of ``first`` (a, k) and ``second`` (b, k).
-
-    Most controls leave most places alone, which sparse products pass over; where many do not,
-    a dense one is quicker.  Both sum along the rows, which gives the same digits.
-    """
-    dense = second.nnz > _DENSE * second.shape[0] * second.shape[1]
-    product = first @ second.T.toarray() if dense else (first @ second.T).toarray()
-    return np.asarray(product, dtype=np.float64)
+    """(a, b) inner products of the rows of ``first`` (a, k) and ``second`` (b, k)."""
+    return np.asarray((first @ second.T).toarray(), dtype=np.float64)
 
 
 def _rows(vectors: Singles) -> Singles:
