@@ -70,16 +70,11 @@ def _laid_out(job: Job) -> Row:
 
 def _supervised(job: Job) -> Outcome:
     """How `usdrigui process` ends on the asset, in a worker of its own."""
-    command = [
-        "process",
-        _no_option(job.asset),
-        "-o",
-        _no_option(job.output),
-        "--json",
-        *job.arguments,
-    ]
+    # Names may begin with a dash.
+    options = ["--json", f"--output={job.output}", *job.arguments]
     if job.picture:
-        command += ["--preview", _no_option(job.picture)]
+        options.append(f"--preview={job.picture}")
+    command = ["process", *options, "--", job.asset]
     timeout = job.timeout
     late = refuse("BATCH_TIME_LIMIT", "", f"was not done within {timeout:g} s")
     events: Events = SimpleQueue()
@@ -87,21 +82,11 @@ def _supervised(job: Job) -> Outcome:
         _RUNNING.add(events)
     try:
         return supervise(
-            command, _ignore, events, limit=(timeout, late) if timeout else None, alone=True
+            command, lambda *_: None, events, limit=(timeout, late) if timeout else None, alone=True
         )
     finally:
         with _ENTERING:
             _RUNNING.discard(events)
-
-
-def _ignore(stream: str, text: str) -> None:
-    del stream, text
-
-
-def _no_option(path: str) -> str:
-    """The path so that a command line cannot take it for an option, as it would ``-x.usda``."""
-    # A Path would drop the dot.
-    return os.path.join(os.curdir, path) if path.startswith("-") else path  # noqa: PTH118
 
 
 # --- the row --------------------------------------------------------------------------------------
