@@ -16,7 +16,7 @@ import pytest
 from processes import impostor
 
 from usdrigui.errors import Exit, refuse
-from usdrigui.isolation.supervising import KILL, STOP, supervise
+from usdrigui.isolation.supervising import STOP, interrupted, supervise
 
 
 def message(**fields):
@@ -83,7 +83,7 @@ def test_what_a_death_leaves_open_is_reported(run):
 @pytest.mark.parametrize(
     ("script", "events"),
     [
-        pytest.param("exec sleep 60", (KILL,), id="told to"),
+        pytest.param("exec sleep 60", (interrupted(),), id="told to"),
         pytest.param("exec sleep 60", (STOP, STOP), id="a second request"),
         pytest.param(f"{SEARCHING}; exec sleep 60", (STOP, STOP), id="a second request while it searches"),
         pytest.param("exec sleep 60", (STOP,), id="it does not hear"),
@@ -110,7 +110,7 @@ def test_a_search_out_of_time_ends_with_what_it_has(run):
 
 
 def test_a_limit_of_the_caller(run):
-    outcome, _ = run("exec sleep 60", limit=(0.2, refuse("BATCH_TIME_LIMIT", "", "late")))
+    outcome, _ = run("exec sleep 60", refuse("BATCH_TIME_LIMIT", "", "late"))
     assert outcome.death.issue.code == "BATCH_TIME_LIMIT"
 
 

@@ -35,10 +35,10 @@ from usdrigui.isolation.process import (
 )
 
 Events = SimpleQueue[Any]
-"""What a supervisor waits for: the string STOP or KILL, messages of its worker (mappings), None for
-its end."""
-STOP, KILL = "stop", "kill"
-"""Ask the worker to end with what it has, at once where it has nothing; end it."""
+"""What a supervisor waits for: STOP, an error for which the worker is to be ended, messages of its
+worker (mappings), None for its end."""
+STOP = "stop"
+"""Ask the worker to end with what it has, at once where it has nothing."""
 
 _WORKER = "usdrigui.cli.working"
 _PATIENCE = 3.0
@@ -77,15 +77,13 @@ def supervise(
     events: Events | None = None,
     *,
     terminals: tuple[bool, bool] = (False, False),
-    limit: tuple[float, RigUIError] | None = None,
     alone: bool = False,
 ) -> Outcome:
     """Run a command in a worker until it ends.
 
     Parameters: `show` is given what is printed before the end, as (``out`` or ``err``, text);
-    `events` is where STOP and KILL come from; `terminals` holds whether standard output and error
-    are terminals; `limit` is wall clock in seconds and the error that it is when they have passed;
-    `alone` gives the worker a session of its own, which ends with it, where it would else be
+    `events` is where STOP and errors come from; `terminals` holds whether standard output and
+    error are terminals; `alone` gives the worker a session of its own, which ends with it, where it would else be
     stopped and continued with this process by the terminal.
     """
     events = SimpleQueue() if events is None else events
@@ -100,7 +98,7 @@ def supervise(
         _greet(process, arguments, terminals)
         printed = Drain(process.stderr)
         threading.Thread(target=_collect, args=(process.stdout, events), daemon=True).start()
-        watch = _Supervision(process, show, limit, alone)
+        watch = _Supervision(process, show, alone)
         watch.until_it_has_ended(events)
     except (OSError, TypeError, ValueError, RuntimeError) as error:  # the last for want of a thread
         return _dead(not_started(error, "WORKER_LOST", "", "the working process"))
@@ -159,7 +157,6 @@ class _Supervision:
 
     process: Child
     show: Callable[[str, str], None]
-    limit: tuple[float, RigUIError] | None
     alone: bool
     start: float = field(default_factory=time.monotonic)
     ended: bool = False
@@ -196,18 +193,15 @@ class _Supervision:
         )
 
     def _ends(self) -> list[float]:
-        limit = self.start + self.limit[0] if self.limit is not None else 0.0
-        return [each for each in (limit, self.deadline, self.kill_at) if each]
+        return [each for each in (self.deadline, self.kill_at) if each]
 
     def _time_passed(self) -> None:
         """Something's time is up."""
         now = time.monotonic()
         if self.gone_by:
             self.ended |= now >= self.gone_by
-        elif self.limit is not None and now >= self.start + self.limit[0]:
-            self._end(self.limit[1])
         elif self.kill_at and now >= self.kill_at:
-            self._end(self.death or _interrupted())
+            self._end(self.death or interrupted())
         elif self.deadline and now >= self.deadline:
             self._out_of_time()
 
@@ -224,8 +218,8 @@ class _Supervision:
         """Take note of an event."""
         if event is None:
             self.ended = True
-        elif event == KILL:
-            self._end(_interrupted())
+        elif isinstance(event, RigUIError):
+            self._end(event)
         elif event == STOP:
             self._stop()
         else:
@@ -234,9 +228,9 @@ class _Supervision:
     def _stop(self) -> None:
         """The first request asks, a second one ends."""
         if self.death is not None:
-            self._end(_interrupted())
+            self._end(interrupted())
             return
-        self.death = _interrupted()
+        self.death = interrupted()
         self._ask(0.0 if self.patient or self.writing else _PATIENCE)
 
     def _ask(self, seconds: float) -> None:
@@ -246,7 +240,7 @@ class _Supervision:
 
     def _end(self, why: RigUIError | None = None) -> None:
         self.death = why or self.death
-        self.limit, self.deadline, self.kill_at = None, 0.0, 0.0
+        self.deadline = self.kill_at = 0.0
         self.gone_by = time.monotonic() + _LAST_WORDS
         kill(self.process.process, group=self.alone)
 
@@ -309,16 +303,14 @@ class _Supervision:
                 f"the working process crashed ({signal_name(-end.code)}) under a limit on addresses"
             )
             return refuse("RUN_MEMORY_LIMIT", "", f"{what} (ulimit -v)")
+        what = f"ended with code {end.code}: {end.last_line}"
         if end.code < 0:
-            return refuse(
-                "WORKER_CRASHED", "", f"the working process crashed ({signal_name(-end.code)})"
-            )
-        return refuse(
-            "WORKER_CRASHED", "", f"the working process ended with code {end.code}: {end.last_line}"
-        )
+            what = f"crashed ({signal_name(-end.code)})"
+        return refuse("WORKER_CRASHED", "", f"the working process {what}")
 
 
-def _interrupted() -> RigUIError:
+def interrupted() -> RigUIError:
+    """What a command is that was stopped."""
     return refuse("INTERRUPTED", "", "stopped before there was a result")
 
 

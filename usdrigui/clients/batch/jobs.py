@@ -20,7 +20,7 @@ from typing import Any
 from usdrigui.clients.batch import state
 from usdrigui.clients.batch.job import Job, Row
 from usdrigui.errors import RigUIError, refuse
-from usdrigui.isolation.supervising import KILL, Events, Outcome, supervise
+from usdrigui.isolation.supervising import Events, Outcome, interrupted, supervise
 
 _RUNNING: set[Events] = set()
 """Of each worker that runs: ends it when asked."""
@@ -55,7 +55,7 @@ def end_all() -> None:
     """End every worker that `run_job` has started in this process and that still runs."""
     with _ENTERING:
         for each in _RUNNING:
-            each.put(KILL)
+            each.put(interrupted())
 
 
 def _laid_out(job: Job) -> Row:
@@ -75,16 +75,17 @@ def _supervised(job: Job) -> Outcome:
     if job.picture:
         options.append(f"--preview={job.picture}")
     command = ["process", *options, "--", job.asset]
-    timeout = job.timeout
-    late = refuse("BATCH_TIME_LIMIT", "", f"was not done within {timeout:g} s")
     events: Events = SimpleQueue()
+    late = refuse("BATCH_TIME_LIMIT", "", f"was not done within {job.timeout:g} s")
+    limit = threading.Timer(job.timeout or threading.TIMEOUT_MAX, events.put, (late,))
+    limit.daemon = True
     with _ENTERING:
         _RUNNING.add(events)
     try:
-        return supervise(
-            command, lambda *_: None, events, limit=(timeout, late) if timeout else None, alone=True
-        )
+        limit.start()
+        return supervise(command, lambda *_: None, events, alone=True)
     finally:
+        limit.cancel()
         with _ENTERING:
             _RUNNING.discard(events)
 

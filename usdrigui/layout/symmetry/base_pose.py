@@ -3,19 +3,20 @@ neutral pose."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
 
-from usdrigui.character import Floats, Record, Rig
+from usdrigui.character import Floats, Indices, Record, Rig
 from usdrigui.layout.motion.similarity import displacement_fields
 from usdrigui.layout.motion.trajectory import of_controls, trajectories
 from usdrigui.layout.parts.joint_regions import FACE
 from usdrigui.layout.symmetry.mirror_plane import mirrored
 from usdrigui.layout.symmetry.sides_of_joints import plane_between
 from usdrigui.layout.symmetry.twins import paired
-from usdrigui.model import BaseSurface, Symmetry, Trajectories
+from usdrigui.model import BaseSurface, Motion, Symmetry, Trajectories
 from usdrigui.settings import Settings, TrajectorySettings
 
 
@@ -35,13 +36,10 @@ def neutral_pose(rig: Rig, settings: Settings) -> NeutralPose | None:
     """The pose at the controls' defaults where the base pose is another, else the bind pose of a
     character that rests in a pose; None for all others."""
     pose = settings.read.pose
-    at = rig
-    if all(pose.get(each.name, each.default) == each.default for each in rig.controls):
-        bound = _bound(rig) if settings.symmetry.enabled else None
-        if bound is None:
-            return None
-        at = bound
-    return NeutralPose(at, settings.trajectories)
+    if any(pose.get(each.name, each.default) != each.default for each in rig.controls):
+        return NeutralPose(rig, settings.trajectories)
+    bound = _bound(rig) if settings.symmetry.enabled else None
+    return NeutralPose(bound, settings.trajectories) if bound else None
 
 
 def symmetry_at_pose(
@@ -54,18 +52,22 @@ def symmetry_at_pose(
     common candidate and leave the character.
     """
     mirror, at = mirrored(rig, found, settings), found
-    moved = np.concatenate([each.points for each in found.motions] or [np.zeros(0, int)])
-    if neutral is not None and (mirror[1][moved] < 0).any():
+    if neutral is not None and (missed := _missed(mirror[1], found.motions)):
         rig_there = replace(neutral.rig, up=rig.up)
         own, excluded = (
             frozenset(each.control for each in of) for of in (found.motions, found.excluded)
         )
         there = of_controls(rig_there, neutral.trajectories, (own, excluded), settings.trajectories)
         other = mirrored(rig_there, there, settings)
-        if (other[1][moved] >= 0).sum() > (mirror[1][moved] >= 0).sum():
+        if _missed(other[1], found.motions) < missed:
             mirror, at, rig = other, there, rig_there
     symmetry = paired(rig, at.motions, (displacement_fields(at), *mirror), settings)
     return symmetry if at is found else _at_pose(symmetry, at.surface, found.surface.points)
+
+
+def _missed(partner: Indices, motions: Sequence[Motion]) -> int:
+    """How often a control moves a point without a partner."""
+    return sum(int((partner[each.points] < 0).sum()) for each in motions)
 
 
 def symmetry_of_part(
