@@ -85,6 +85,7 @@ def test_what_a_death_leaves_open_is_reported(run):
     [
         pytest.param("exec sleep 60", (interrupted(),), id="told to"),
         pytest.param("exec sleep 60", (STOP, STOP), id="a second request"),
+        pytest.param("sleep 60 & exec sleep 60", (STOP, STOP), id="what it has started holds its pipe"),
         pytest.param(f"{SEARCHING}; exec sleep 60", (STOP, STOP), id="a second request while it searches"),
         pytest.param("exec sleep 60", (STOP,), id="it does not hear"),
     ],

@@ -17,7 +17,7 @@ from usdrigui import cli
 from usdrigui.cli.outcomes import prepare_streams, refused
 from usdrigui.cli.parser import parsed
 from usdrigui.errors import RigUIError, refuse
-from usdrigui.isolation.supervising import Events, Outcome, supervise
+from usdrigui.isolation.supervising import Events, Outcome, interrupted, supervise
 
 
 def run(argv: Sequence[str], events: Events) -> int:
@@ -36,7 +36,7 @@ def run(argv: Sequence[str], events: Events) -> int:
 def _outcome(argv: Sequence[str], arguments: argparse.Namespace, events: Events) -> Outcome:
     """What becomes of a command line that is understood."""
     if not events.empty():
-        return _refusal(refuse("INTERRUPTED", "", "stopped before there was a result"), arguments)
+        return _refusal(interrupted(), arguments)
     try:
         os.getcwd()  # noqa: PTH109 (the question is whether there is one)
     except OSError as error:

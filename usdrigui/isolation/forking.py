@@ -114,12 +114,11 @@ class WarmParent:
     """It ends when nobody holds the other end of its socket, and what it has forked with it."""
 
     def __init__(
-        self, world: Any, process: Process, asking: socket.socket, printed: Drain | None
+        self, world: Any, process: Process, asking: socket.socket, printed: IO[bytes]
     ) -> None:
         self.world = world
         self.alive = True
-        self.pid = process.pid
-        self._process, self._asking, self._printed = process, asking, printed
+        self.process, self._asking, self._printed = process, asking, Drain(printed)
         self._lock = threading.Lock()
 
     def forked(self, given: int, deadline: float, stdin: IO[bytes] | None = None) -> Child:
@@ -163,12 +162,9 @@ class WarmParent:
             return ProcessEnd(0, 0, b"")
         self.alive = False
         self._asking.close()
-        if self._printed is not None:
-            self._printed.ended(_FAREWELL)  # one that ends by itself has a code of its own
-        kill(self._process, group=True)
-        code, peak = reaped(self._process)
-        if self._printed is None:
-            return ProcessEnd(code, peak, b"")
+        self._printed.ended(_FAREWELL)  # one that ends by itself has a code of its own
+        kill(self.process, group=True)
+        code, peak = reaped(self.process)
         self._printed.close()
         return ProcessEnd(code, peak, bytes(self._printed.content))
 
@@ -194,12 +190,12 @@ def warm_parent(program: Program, here: Callable[[], NoReturn] | None = None) ->
         asking, served = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with served, signals_later():
             if known is None and here is not None and worker.active():
-                number = _forked_from_here(here, served)
-                _parents[program] = WarmParent(world, _Forked(number), asking, None)
+                process: Process = _Forked(_forked_from_here(here, served))
+                nothing = os.fdopen(os.open(os.devnull, os.O_RDONLY), "rb")
+                _parents[program] = WarmParent(world, process, asking, nothing)
             else:
                 child = fresh(program, served)
-                printed = Drain(child.stderr)
-                _parents[program] = WarmParent(world, child.process, asking, printed)
+                _parents[program] = WarmParent(world, child.process, asking, child.stderr)
         return _parents[program]
 
 

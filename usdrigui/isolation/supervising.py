@@ -83,8 +83,8 @@ def supervise(
 
     Parameters: `show` is given what is printed before the end, as (``out`` or ``err``, text);
     `events` is where STOP and errors come from; `terminals` holds whether standard output and
-    error are terminals; `alone` gives the worker a session of its own, which ends with it, where it would else be
-    stopped and continued with this process by the terminal.
+    error are terminals; `alone` gives the worker a session of its own, which ends with it, where it
+    would else be stopped and continued with this process by the terminal.
     """
     events = SimpleQueue() if events is None else events
     allowed = addresses_allowed()
@@ -115,13 +115,10 @@ def supervise(
 def _started(terminals: tuple[bool, bool], alone: bool) -> Child:
     """A worker that waits for its greeting."""
     if alone and FORKS:
-        taken, requests = os.pipe()
-        with os.fdopen(taken), contextlib.ExitStack() as undone:
-            stream = undone.enter_context(os.fdopen(requests, "wb"))
+        taken, requests = (os.fdopen(*each) for each in zip(os.pipe(), ("rb", "wb"), strict=True))
+        with taken:
             parent = warm_parent((_WORKER, "warm"))
-            child = parent.forked(taken, time.monotonic() + _LAST, stream)
-            undone.pop_all()
-        return child
+            return parent.forked(taken.fileno(), time.monotonic() + _LAST, requests)
     size = shutil.get_terminal_size()
     shape = {"COLUMNS": str(size.columns), "LINES": str(size.lines)} if any(terminals) else {}
     return fresh((_WORKER,), subprocess.PIPE, alone=alone, **shape)
@@ -129,9 +126,10 @@ def _started(terminals: tuple[bool, bool], alone: bool) -> Child:
 
 def _greet(process: Child, arguments: Sequence[str], terminals: tuple[bool, bool]) -> None:
     """Tell a worker what it needs to know."""
-    parent = process.parent.pid if process.parent is not None else os.getpid()
-    greeting = {"parent": parent, "out": terminals[0], "err": terminals[1]}
-    _say(process, json.dumps({**greeting, "arguments": list(arguments)}).encode() + b"\n")
+    parent = process.parent.process.pid if process.parent is not None else os.getpid()
+    out, err = terminals
+    greeting = {"parent": parent, "out": out, "err": err, "arguments": arguments}
+    _say(process, json.dumps(greeting).encode() + b"\n")
 
 
 def _say(process: Child, what: bytes) -> None:
@@ -186,14 +184,8 @@ class _Supervision:
 
     def _remaining(self) -> float | None:
         """Seconds until something must happen; None for never."""
-        return (
-            None
-            if (next_end := min(self._ends(), default=0.0)) == 0.0
-            else max(0.0, next_end - time.monotonic())
-        )
-
-    def _ends(self) -> list[float]:
-        return [each for each in (self.deadline, self.kill_at) if each]
+        ends = [each for each in (self.deadline, self.kill_at, self.gone_by) if each]
+        return max(0.0, min(ends) - time.monotonic()) if ends else None
 
     def _time_passed(self) -> None:
         """Something's time is up."""

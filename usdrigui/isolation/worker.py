@@ -49,7 +49,8 @@ def start() -> list[str]:
         signal.signal(number, _worker.on_signal)
     sys.unraisablehook = _worker.on_unraisable
     threading.Thread(target=_worker.listen, daemon=True).start()
-    return [str(each) for each in greeting["arguments"]]
+    arguments: list[str] = greeting["arguments"]
+    return arguments
 
 
 def resign() -> None:

@@ -38,8 +38,7 @@ def neutral_pose(rig: Rig, settings: Settings) -> NeutralPose | None:
     pose = settings.read.pose
     if any(pose.get(each.name, each.default) != each.default for each in rig.controls):
         return NeutralPose(rig, settings.trajectories)
-    bound = _bound(rig) if settings.symmetry.enabled else None
-    return NeutralPose(bound, settings.trajectories) if bound else None
+    return _bind_pose(rig, settings.trajectories)
 
 
 def symmetry_at_pose(
@@ -54,10 +53,8 @@ def symmetry_at_pose(
     mirror, at = mirrored(rig, found, settings), found
     if neutral is not None and (missed := _missed(mirror[1], found.motions)):
         rig_there = replace(neutral.rig, up=rig.up)
-        own, excluded = (
-            frozenset(each.control for each in of) for of in (found.motions, found.excluded)
-        )
-        there = of_controls(rig_there, neutral.trajectories, (own, excluded), settings.trajectories)
+        chosen = {each.control for each in found.motions}, {each.control for each in found.excluded}
+        there = of_controls(rig_there, neutral.trajectories, chosen, neutral.sampling)
         other = mirrored(rig_there, there, settings)
         if _missed(other[1], found.motions) < missed:
             mirror, at, rig = other, there, rig_there
@@ -88,7 +85,7 @@ def symmetry_of_part(
     return paired(rig, found.motions, mirror, settings)
 
 
-def _bound(rig: Rig) -> Rig | None:
+def _bind_pose(rig: Rig, sampling: TrajectorySettings) -> NeutralPose | None:
     """The rig in its bind pose; None where that is its base pose, or has no inverse."""
     joints = rig.body.joints
     try:
@@ -105,7 +102,7 @@ def _bound(rig: Rig) -> Rig | None:
     if all(np.allclose(at, joint.base, atol=1e-4) for at, joint in zip(local, joints, strict=True)):
         return None
     turned = tuple(replace(joint, base=at) for at, joint in zip(local, joints, strict=True))
-    return replace(rig, body=replace(rig.body, joints=turned))
+    return NeutralPose(replace(rig, body=replace(rig.body, joints=turned)), sampling)
 
 
 def _at_pose(symmetry: Symmetry, surface: BaseSurface, base: Floats) -> Symmetry:
