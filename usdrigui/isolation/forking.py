@@ -9,6 +9,7 @@ more than the standard library.
 from __future__ import annotations
 
 import atexit
+import contextlib
 import gc
 import os
 import signal
@@ -73,6 +74,13 @@ class Child:
     """Who has forked it; none for one that is our own child."""
     began: int = 0
     """MiB resident when it was forked."""
+
+    def say(self, what: bytes) -> None:
+        """Tell it something; it may have ended."""
+        assert self.stdin is not None
+        with contextlib.suppress(OSError):
+            self.stdin.write(what)
+            self.stdin.flush()
 
     def end(self, *, group: bool = True) -> tuple[int, int]:
         """Be sure that it is gone, with its `group`; exit code and MiB resident at most."""
@@ -249,26 +257,20 @@ def serve(begin: Callable[[], NoReturn]) -> NoReturn:
             parent = os.getpid()
             child = os.fork()
             if not child:
-                _become(begin, parent, message, descriptors)
+                try:
+                    bind_to(parent)
+                    os.setsid()
+                    _take(*descriptors)
+                    os.chdir(message)
+                    begin()
+                finally:
+                    os._exit(1)
             for descriptor in descriptors:
                 os.close(descriptor)
             asker.send(_PAIR.pack(child, began))
         else:
             _, status, usage = os.wait4(int(message), 0)
             asker.send(_PAIR.pack(os.waitstatus_to_exitcode(status), in_mib(usage.ru_maxrss)))
-
-
-def _become(
-    begin: Callable[[], NoReturn], parent: int, folder: bytes, descriptors: list[int]
-) -> NoReturn:
-    try:
-        bind_to(parent)
-        os.setsid()
-        _take(*descriptors)
-        os.chdir(folder)
-        begin()
-    finally:
-        os._exit(1)
 
 
 def _take(*descriptors: int) -> None:

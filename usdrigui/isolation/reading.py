@@ -68,8 +68,8 @@ def answered(question: Question, program: str, kind: type[_Answer]) -> _Answer:
         if answer.failure is not None:
             message = f"its answer was not received: {answer.failure.strerror}"
             raise refuse("SOURCE_READER_LOST", question.path, message) from None
-        end = ProcessEnd(code, max(0, peak - reader.began), bytes(printed.content))
-        raise _failure(end, late, question) from None
+        used = max(0, peak - reader.began)
+        raise _failure(ProcessEnd(code, used, bytes(printed.content)), late, question) from None
 
 
 def answer_invalid(path: str) -> RigUIError:

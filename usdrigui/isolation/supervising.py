@@ -129,15 +129,7 @@ def _greet(process: Child, arguments: Sequence[str], terminals: tuple[bool, bool
     parent = process.parent.process.pid if process.parent is not None else os.getpid()
     out, err = terminals
     greeting = {"parent": parent, "out": out, "err": err, "arguments": arguments}
-    _say(process, json.dumps(greeting).encode() + b"\n")
-
-
-def _say(process: Child, what: bytes) -> None:
-    """Tell a worker something, which may have ended."""
-    assert process.stdin is not None
-    with contextlib.suppress(OSError):
-        process.stdin.write(what)
-        process.stdin.flush()
+    process.say(json.dumps(greeting).encode() + b"\n")
 
 
 def _collect(messages: IO[bytes], events: Events) -> None:
@@ -228,7 +220,7 @@ class _Supervision:
     def _ask(self, seconds: float) -> None:
         """Ask the worker to end, within `seconds` if they are not 0."""
         self.kill_at = time.monotonic() + seconds if seconds else 0.0
-        _say(self.process, b"s")
+        self.process.say(b"s")
 
     def _end(self, why: RigUIError | None = None) -> None:
         self.death = why or self.death
