@@ -6,6 +6,7 @@
 
 import { bendsOf, valueBetween } from './interpolation.js';
 import * as matrix from './matrix.js';
+import { dot, mixed } from './vectors.js';
 
 const DEFAULT_RANGE = [1, 48];
 const DEFAULT_RATE = 24;
@@ -188,5 +189,3 @@ function turnBack(local, turned) {
   for (let row = 0; row < 3; row++) local.set(linear.slice(3 * row, 3 * row + 3), 4 * row);
 }
 
-const dot = (a, b) => a.reduce((sum, value, i) => sum + value * b[i], 0);
-const mixed = (a, b, share) => (1 - share) * a + share * b;

@@ -3,7 +3,7 @@
 
 import { dot } from './camera.js';
 import { Dock } from './dock.js';
-import { alongTrack } from './elements.js';
+import { alongTrack } from './vectors.js';
 import { lensAt } from './spread.js';
 
 const LEAST_HANDLE = 11;

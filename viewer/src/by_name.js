@@ -1,6 +1,7 @@
 // Keys and values by the names of controls, as files hold them, and back: a new layout or a changed rig can take them up.
 
 import { WAYS, wayOf } from './interpolation.js';
+import { rounded } from './vectors.js';
 
 /** Keys and constant values by names of controls, in the controls' order, and the frames as set by hand.  A file calls constants `standing`. */
 export function sayKeys({ controls }, { keys, constants, span = null }) {
@@ -32,4 +33,3 @@ const isSpan = (span) => Array.isArray(span) && span.length === 2 && span.every(
 const isKey = (key) =>
   Array.isArray(key) && [2, 3].includes(key.length) && key.slice(0, 2).every(Number.isFinite) && WAYS.includes(wayOf(key));
 const isTrack = (track) => Array.isArray(track) && track.length > 0 && track.every(isKey);
-const rounded = (value) => Number(value.toPrecision(9));

@@ -2,6 +2,7 @@
 
 import * as matrix from './matrix.js';
 import { Skeletons, prepareSkin, usedJoints } from './skeleton.js';
+import { mixed } from './vectors.js';
 
 export class Deformer {
   constructor(character) {
@@ -156,8 +157,6 @@ export class Deformer {
 
 /** Differences that are rounding only count as none, so that joints at rest keep their exact transform. */
 const settled = (value) => (Math.abs(value) < 1e-14 ? 0 : value);
-
-const mixed = (a, b, share) => (1 - share) * a + share * b;
 
 function prepareDrive(drive) {
   drive.turns = drive.joints.length > 0;

@@ -17,6 +17,8 @@
 // Two opposed controls are the ends of one signed axis: of these one at most is away from its default.  Which
 // one is found by branch and bound over the pairs that the fit without this rule would set at both ends.
 
+import { clamp, dot } from './vectors.js';
+
 const STAY = 0.01;
 const SPARSE = 0.5;
 const ELSEWHERE = 3;
@@ -377,12 +379,5 @@ function cost({ columns, right, ridge, sparse }, x) {
   return sum;
 }
 
-function dot(a, b) {
-  let sum = 0;
-  for (let i = 0; i < a.length; i++) sum += a[i] * b[i];
-  return sum;
-}
-
 const nearerToZero = (value, by) => Math.sign(value) * Math.max(0, Math.abs(value) - by);
 const norm = (a) => Math.sqrt(dot(a, a));
-const clamp = (value, low, high) => Math.min(high, Math.max(low, value));

@@ -2,7 +2,7 @@
 
 import { OrbitCamera, dot, minus } from './camera.js';
 import { lastWord } from './dom.js';
-import { alongTrack } from './elements.js';
+import { alongTrack } from './vectors.js';
 
 const WIDE = 184; // pixels of a column of rows
 const CELL = 46; // of them for a track

@@ -94,7 +94,7 @@ export class DopeSheet {
     this.shown = session.keys;
     this.heard = session.sound;
     this.scale = session.range;
-    const known = new Set([...session.keys].flatMap(([control, track]) => track.map(([frame]) => `${control} ${frame}`)));
+    const known = this.everyKey();
     this.picked = new Set([...this.picked].filter((each) => known.has(each)));
     this.draw();
   }
@@ -253,7 +253,11 @@ export class DopeSheet {
   // --- what is done to keys --------------------------------------------------------------------------
 
   pickAll() {
-    this.picked = new Set([...this.session.keys].flatMap(([control, track]) => track.map(([frame]) => `${control} ${frame}`)));
+    this.picked = this.everyKey();
+  }
+
+  everyKey() {
+    return new Set([...this.session.keys].flatMap(([control, track]) => track.map(([frame]) => `${control} ${frame}`)));
   }
 
   moveBy(by, copies) {

@@ -4,6 +4,8 @@
 // An axis of the element is one control, with coordinates from 0 at its minimum to 1 at its maximum, or two
 // opposed ones, the ends -1 and 1 of one signed axis: of these one at most is away from its default.
 
+import { alongTrack, clamp, dot, lengthOf, mixed, pieceOf } from './vectors.js';
+
 const LEAST = 24; // pixels that a track is given when it is shorter than a quarter of this on the screen
 const FARTHER = 2; // a handle leaves its branch for another that is this many times nearer to the pointer...
 const STRAY = 4; // ...and this many pixels besides
@@ -72,9 +74,9 @@ function onScreen(knots, track, project) {
   const places = track.map((point, i) => ({ value: knots[i], point, at: project(point) }));
   const found = [places[0]];
   const goTo = (from, to, finer) => {
-    const point = from.point.map((value, axis) => between(value, to.point[axis], 0.5));
-    const half = { value: between(from.value, to.value, 0.5), point, at: project(point) };
-    const off = half.at.map((value, axis) => value - between(from.at[axis], to.at[axis], 0.5));
+    const point = from.point.map((value, axis) => mixed(value, to.point[axis], 0.5));
+    const half = { value: mixed(from.value, to.value, 0.5), point, at: project(point) };
+    const off = half.at.map((value, axis) => value - mixed(from.at[axis], to.at[axis], 0.5));
     if (!finer || Math.hypot(...off) <= BENT) found.push(to);
     else {
       goTo(from, half, finer - 1);
@@ -92,7 +94,7 @@ function screenAxis(element, members, tracks, controls, rest) {
   const corners = ends.flatMap((end, k) => tracks[members[k]].values.map((value) => end.sign * shareOf(end, value)));
   const sorted = [base, ...ends.flatMap(({ sign }) => [0, sign]), ...corners].sort((a, b) => a - b);
   const at = sorted.filter((each, i) => i + 1 === sorted.length || sorted[i + 1] - each > SAME);
-  const onTrack = (k, value) => alongKnots(tracks[members[k]].values, tracks[members[k]].points, value);
+  const onTrack = (k, value) => alongTrack(tracks[members[k]].values, tracks[members[k]].points, value);
   const moved = (coordinate) => (sum, end, k) => plus(sum, minus(onTrack(k, valueOf(end, coordinate)), onTrack(k, end.base)));
   return { ends, base, at, points: at.map((each) => ends.reduce(moved(each), [0, 0])), follows: true };
 }
@@ -111,7 +113,7 @@ export const farOf = ({ minimum, default: middle, maximum }) => (maximum - middl
 /** Value of an end: `off` on the other side of 0, and in the base pose that value to the last bit. */
 function valueOf({ sign, off, far, base }, coordinate) {
   const share = clamp(sign * coordinate, 0, 1);
-  const found = (1 - share) * off + share * far;
+  const found = mixed(off, far, share);
   return Math.abs(found - base) <= 1e-12 * Math.abs(far - off) ? base : found;
 }
 
@@ -121,7 +123,7 @@ const coordinateOf = (ends, value) => ends.reduce((sum, end) => sum + end.sign *
 
 /** A slider seen from its end is given a length; of several axes, one seen from its end keeps its value. */
 function longEnough(axes) {
-  const lengths = axes.map(({ points }) => polylineLength(points));
+  const lengths = axes.map(({ points }) => lengthOf(points));
   const longest = Math.max(...lengths);
   const follows = (i, length) => lengths[i] >= length / 4;
   if (longest >= LEAST / 4) return axes.map((axis, i) => ({ ...axis, follows: follows(i, LEAST) }));
@@ -188,7 +190,7 @@ function inCell(u, v, i, j, start, goal) {
   for (const free of tried) {
     const [x, y] = free.map((each) => clamp(each, 0, 1));
     const away = Math.hypot(...r.map((each, k) => each + x * a[k] + y * b[k]));
-    if (away < best.away) best = { away, i, j, at: [between(u.at[i], u.at[i + 1], x), between(v.at[j], v.at[j + 1], y)] };
+    if (away < best.away) best = { away, i, j, at: [mixed(u.at[i], u.at[i + 1], x), mixed(v.at[j], v.at[j + 1], y)] };
   }
   return best;
 }
@@ -237,29 +239,7 @@ function armAngle(arm, origin) {
 
 // --- polylines ---------------------------------------------------------------------------------------
 
-const pointAt = (axis, coordinate) => alongKnots(axis.at, axis.points, coordinate);
+const pointAt = (axis, coordinate) => alongTrack(axis.at, axis.points, coordinate);
 
-/** The place on a polyline at a value; beyond its ends the last pieces go on. */
-function alongKnots(knots, points, value) {
-  const i = pieceOf(knots, value);
-  const share = (value - knots[i]) / (knots[i + 1] - knots[i]);
-  return points[i].map((from, axis) => between(from, points[i + 1][axis], share));
-}
-
-function pieceOf(knots, value) {
-  let i = 0;
-  while (i < knots.length - 2 && value >= knots[i + 1]) i++;
-  return i;
-}
-
-function polylineLength(points) {
-  let total = 0;
-  for (let i = 1; i < points.length; i++) total += Math.hypot(...minus(points[i], points[i - 1]));
-  return total;
-}
-
-const dot = (a, b) => a.reduce((sum, value, k) => sum + value * b[k], 0);
 const plus = (a, b) => [a[0] + b[0], a[1] + b[1]];
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1]];
-const between = (from, to, share) => (1 - share) * from + share * to;
-const clamp = (value, low, high) => Math.min(high, Math.max(low, value));

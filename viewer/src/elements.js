@@ -6,6 +6,7 @@
 
 import { minus, plus, scaled } from './camera.js';
 import * as matrix from './matrix.js';
+import { alongTrack, lengthOf } from './vectors.js';
 
 export class Elements {
   /** @type {number} */ width; // of handles, in the section that is shown
@@ -139,19 +140,9 @@ export function restValues(character) {
   return Float64Array.from(character.controls, (control, i) => base[i] ?? control.default);
 }
 
-/** Position on a track (knots ascending) at a value; beyond the ends the last pieces go on. */
-export function alongTrack(knots, track, value) {
-  if (knots.length === 1) return track[0];
-  let i = 0;
-  while (i < knots.length - 2 && value >= knots[i + 1]) i++;
-  const share = (value - knots[i]) / (knots[i + 1] - knots[i]);
-  return track[i].map((from, axis) => (1 - share) * from + share * track[i + 1][axis]);
-}
-
 /** Factor that makes a path at least `length` long; 1 for one that is, or that does not move at all. */
 function magnificationFor(path, length) {
-  let total = 0;
-  for (let k = 1; k < path.length; k++) total += Math.hypot(...minus(path[k], path[k - 1]));
+  const total = lengthOf(path);
   return total > 0 && total < length ? length / total : 1;
 }
 

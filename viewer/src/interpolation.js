@@ -4,6 +4,8 @@
 // USD reads the samples that are written linearly, so what lies between is linear between whole frames here as well, and a stepped
 // key lets go a moment before the next one: the layer holds both exactly (docs/decisions/140).
 
+import { mixed } from './vectors.js';
+
 export const WAYS = ['linear', 'smooth', 'stepped'];
 
 const LET_GO = 2 ** -7; // frames before the next key
@@ -64,5 +66,3 @@ function slopeAt(track, key) {
   const [heavy, light] = [left + 2 * right, 2 * left + right];
   return (heavy + light) / (heavy / rise + light / fall);
 }
-
-const mixed = (a, b, share) => (1 - share) * a + share * b;

@@ -1,6 +1,8 @@
 // 4x4 matrices in USD's row-vector convention (p' = p M), as 16 numbers row by row; rotations and
 // polar factors as 9 numbers row by row.
 
+import { dot, mixed, unit } from './vectors.js';
+
 export const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 /** 16 numbers from a nested 4x4 list. */
@@ -18,16 +20,14 @@ export function multiply(a, b) {
 
 /** Inverse of an affine matrix; null when it has none. */
 export function inverse(m) {
-  const r = inverse3([m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]]);
+  const r = inverse3(linearOf(m));
   if (!r) return null;
   const [x, y, z] = [m[12], m[13], m[14]];
-  return [
-    r[0], r[1], r[2], 0,
-    r[3], r[4], r[5], 0,
-    r[6], r[7], r[8], 0,
-    -(x * r[0] + y * r[3] + z * r[6]), -(x * r[1] + y * r[4] + z * r[7]), -(x * r[2] + y * r[5] + z * r[8]), 1,
-  ];
+  return placed(r, -(x * r[0] + y * r[3] + z * r[6]), -(x * r[1] + y * r[4] + z * r[7]), -(x * r[2] + y * r[5] + z * r[8]));
 }
+
+/** The transform with a linear part (9) and a translation. */
+export const placed = (r, x, y, z) => [r[0], r[1], r[2], 0, r[3], r[4], r[5], 0, r[6], r[7], r[8], 0, x, y, z, 1];
 
 export function transformPoint(m, x, y, z, out = [0, 0, 0]) {
   out[0] = x * m[0] + y * m[4] + z * m[8] + m[12];
@@ -60,11 +60,14 @@ export function multiply3(a, b) {
   return out;
 }
 
+/** The upper left of a transform. */
+const linearOf = (m) => [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]];
+
 export const transposed3 = (m) => [m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]];
 
 /** M = S R: stretch S and rotation R of positive determinant, by Higham's iteration for the polar factor. */
 export function polar(m) {
-  const linear = [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]];
+  const linear = linearOf(m);
   let q = linear;
   for (let step = 0; step < 60; step++) {
     const back = inverse3(transposed3(q));
@@ -99,8 +102,7 @@ export function quaternionOf(r) {
   else if (largest === m00) q = [m21 - m12, 1 + 2 * m00 - trace, m01 + m10, m02 + m20];
   else if (largest === m11) q = [m02 - m20, m01 + m10, 1 + 2 * m11 - trace, m12 + m21];
   else q = [m10 - m01, m02 + m20, m12 + m21, 1 + 2 * m22 - trace];
-  const length = Math.hypot(...q);
-  return q.map((value) => value / length);
+  return unit(q);
 }
 
 /** Hamilton product of two quaternions [w, x, y, z]. */
@@ -136,27 +138,26 @@ export function decomposed(m) {
   const rows = [0, 4, 8].map((at) => Array.from(m.slice(at, at + 3)));
   const scale = rows.map((row) => Math.hypot(...row) || 1);
   const mirror = determinant3(rows.flat()) < 0 ? -1 : 1;
-  const unit = rows.flatMap((row, i) => row.map((value) => value / (scale[i] * mirror)));
-  return { translation: Array.from(m.slice(12, 15)), rotation: quaternionOf(unit), scale: scale.map((value) => value * mirror) };
+  const turned = rows.flatMap((row, i) => row.map((value) => value / (scale[i] * mirror)));
+  return { translation: Array.from(m.slice(12, 15)), rotation: quaternionOf(turned), scale: scale.map((value) => value * mirror) };
 }
 
 /** A transform between two as USD interpolates them: translations and scales linearly, rotations on the sphere. */
 export function between(before, after, share) {
   const [a, b] = [decomposed(before), decomposed(after)];
-  const mixed = (name) => a[name].map((value, i) => (1 - share) * value + share * b[name][i]);
-  const [scale, rotation] = [mixed('scale'), quaternionMatrix(slerp(a.rotation, b.rotation, share))];
+  const both = (name) => a[name].map((value, i) => mixed(value, b[name][i], share));
+  const [scale, rotation] = [both('scale'), quaternionMatrix(slerp(a.rotation, b.rotation, share))];
   const linear = rotation.map((value, i) => value * scale[Math.floor(i / 3)]);
-  const [x, y, z] = mixed('translation');
-  return [...linear.slice(0, 3), 0, ...linear.slice(3, 6), 0, ...linear.slice(6, 9), 0, x, y, z, 1];
+  const [x, y, z] = both('translation');
+  return placed(linear, x, y, z);
 }
 
 /** The shorter way between two unit quaternions. */
 export function slerp(a, b, share) {
-  const cosine = a.reduce((sum, value, i) => sum + value * b[i], 0);
+  const cosine = dot(a, b);
   const angle = Math.acos(Math.min(1, Math.abs(cosine)));
   const sine = Math.sin(angle);
   const [from, to] = sine < 1e-6 ? [1 - share, share] : [Math.sin((1 - share) * angle) / sine, Math.sin(share * angle) / sine];
   const q = a.map((value, i) => from * value + Math.sign(cosine || 1) * to * b[i]);
-  const length = Math.hypot(...q);
-  return q.map((value) => value / length);
+  return unit(q);
 }

@@ -3,7 +3,7 @@
 // so that it stands on the same place of the face in a page of any size.
 
 import { cross, dot, minus, normalised, plus, scaled } from './camera.js';
-import { nested, number, quoted, rendered, stringsNamed } from './usda.js';
+import { nested, number, quoted, rendered, stringsNamed, tuple } from './usda.js';
 import { byName, valuesByName } from './by_name.js';
 
 const APERTURE = 24; // height of the picture behind a camera's lens, in its own tenths of units
@@ -195,5 +195,4 @@ function parsed(text) {
   }
 }
 
-const tuple = (values) => `(${values.map(number).join(', ')})`;
 const exact = (value) => Number(value.toPrecision(9)) + 0;

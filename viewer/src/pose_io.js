@@ -1,5 +1,7 @@
 // Poses out and in, as JSON for people and scripts.
 
+import { rounded } from './vectors.js';
+
 /** The pose as JSON text: values by control name, those away from their defaults only. */
 export function poseToJson(session) {
   const values = {};
@@ -27,4 +29,3 @@ export function poseFromJson(text, session) {
   return session.controls.map((control, index) => [index, Number.isFinite(values[control.name]) ? values[control.name] : control.default]);
 }
 
-const rounded = (value) => Number(value.toPrecision(9));

@@ -2,7 +2,7 @@
 // beside the face; the changes are written as the layer of corrections that `usdrigui process --corrections` reads.
 
 import { dot, minus, scaled } from './camera.js';
-import { nested, number, quoted, rendered } from './usda.js';
+import { nested, number, quoted, rendered, tuple } from './usda.js';
 
 const HOLDER = '/RigUICorrections/';
 const PRIM = { type: 'def Scope', metadata: 'prepend apiSchemas = ["RigUICorrectionAPI"]' };
@@ -147,5 +147,4 @@ export class Rearranging {
   }
 }
 
-const tuple = (values) => `(${[...values].map(number).join(', ')})`;
 const said = (property, value) => `${property} = ${value}`;

@@ -184,7 +184,5 @@ function dualQuaternionMap(skin, row, duals) {
   const conjugate = [unit[0], -unit[1], -unit[2], -unit[3]];
   const moved = matrix.quaternionProduct(dual.map((value) => value / length), conjugate);
   const r = matrix.multiply3(stretch, matrix.quaternionMatrix(/** @type {[number, number, number, number]} */ (unit)));
-  return [
-    r[0], r[1], r[2], 0, r[3], r[4], r[5], 0, r[6], r[7], r[8], 0, 2 * moved[1], 2 * moved[2], 2 * moved[3], 1,
-  ];
+  return matrix.placed(r, 2 * moved[1], 2 * moved[2], 2 * moved[3]);
 }

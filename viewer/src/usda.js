@@ -1,5 +1,7 @@
 // USD as text: prims nested by path, quoted strings, numbers; and the strings of a name out of a layer.
 
+import { rounded } from './vectors.js';
+
 /** Prims nested by path, those that share ancestors sharing the overs. */
 export function nested(prims) {
   const tree = { children: new Map() };
@@ -65,5 +67,5 @@ function wordsOf(line) {
 
 const alike = (a, b, digits) => a === b || (typeof a === 'number' && Math.abs(a - b) <= digits * Math.max(1, Math.abs(a)));
 
-const rounded = (value) => Number(value.toPrecision(9));
 export const number = (value) => String(rounded(value) + 0);
+export const tuple = (values) => `(${[...values].map(number).join(', ')})`;
