@@ -69,6 +69,15 @@ def test_a_batch_that_is_killed_leaves_no_process(tmp_path):
     until(lambda: gone(*processes))
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux forks the processes of a batch")
+def test_a_parent_that_is_killed_takes_what_it_has_forked_and_no_more(tmp_path):
+    batch = batch_of(tmp_path, "--summary", str(tmp_path / "summary.json"), "--timeout", "4")
+    os.kill(processes_of(batch)[1], signal.SIGKILL)
+    batch.communicate(timeout=60)
+    rows = json.loads((tmp_path / "summary.json").read_text())["assets"]
+    assert sorted(row["code"] for row in rows) == ["BATCH_TIME_LIMIT", "WORKER_LOST", "WORKER_LOST"]
+
+
 def test_a_signal_while_jobs_are_handed_out_leaves_none_of_them(monkeypatch):
     """Else the pool would do them all while Python exits."""
     given = []

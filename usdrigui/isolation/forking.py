@@ -153,7 +153,8 @@ class WarmParent:
         try:
             return self._told(b"%d" % child.pid, [], None)
         except (OSError, struct.error):
-            return self.close().code, 0
+            self.close()
+            return -signal.SIGKILL, 0  # what it has forked ends with it
 
     def _told(
         self, question: bytes, descriptors: list[int], seconds: float | None
