@@ -230,7 +230,8 @@ def test_a_glyph_lies_upright_in_the_skin(line):
     normal, points = element.anchor.normal, element.glyph.points
     assert np.abs(points @ normal).max() < 1e-9 * line.layout.frame.handle_width
     assert points[0] @ [0.0, 1.0, 0.0] > 0.0  # its tip is up
-    assert np.cross(points[1] - points[0], points[2] - points[0]) @ normal > 0.0
+    outwards = np.cross(points[1] - points[0], points[2] - points[0])
+    assert outwards @ normal > 0.0
 
 
 def test_the_elements_of_a_pair_are_mirror_images(line):

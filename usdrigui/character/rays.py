@@ -73,7 +73,8 @@ def visible_from(caster: Caster, points: Floats, normals: Floats, toward: Floats
     alone. ``points`` and ``normals`` are (n, 3), ``toward`` (3,) of any length.
     """
     direction = _unit(toward)
-    seen: Flags = (normals @ direction > 0.0) | ~normals.any(axis=1)
+    facing = normals @ direction
+    seen: Flags = (facing > 0.0) | ~normals.any(axis=1)
     ask = np.flatnonzero(seen)
     seen[ask] = ~blocked(caster, _lifted(caster, points[ask], normals[ask], direction), direction)
     return seen

@@ -46,7 +46,8 @@ def rotation_part(local: Floats) -> Floats:
     matrices = local[..., :3, :3]
     length = np.linalg.norm(matrices, axis=-1, keepdims=True)
     rows = matrices / np.where(length > 0.0, length, 1.0)
-    skewed = (np.abs(rows @ np.swapaxes(rows, -1, -2) - np.eye(3)) > 1e-4).any(axis=(-1, -2))
+    gram = rows @ np.swapaxes(rows, -1, -2)
+    skewed = (np.abs(gram - np.eye(3)) > 1e-4).any(axis=(-1, -2))
     # Two steps of the Newton-Schulz iteration take rows that are orthogonal to 1e-4 to machine
     # precision.
     for _ in range(2):

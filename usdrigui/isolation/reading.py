@@ -21,7 +21,7 @@ from typing import IO, TypeVar
 
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.isolation import worker
-from usdrigui.isolation.forking import FORKS, Child, Program, UnbornError, close, fresh, warm_parent
+from usdrigui.isolation.forking import FORKS, Child, UnbornError, close, fresh, warm_parent
 from usdrigui.isolation.process import (
     Drain,
     ProcessEnd,
@@ -112,19 +112,15 @@ def _started(program: str, asked: IO[bytes], deadline: float) -> Child:
     if FORKS:
         if worker.active():
             importlib.import_module(program)  # before it is forked from here
-        parent = warm_parent(_warm(program), lambda: read(program))
+        parent = warm_parent((_READER, program, "warm"), lambda: read(program))
         return parent.forked(asked.fileno(), deadline)
     with signals_later():
         return fresh((_READER, program), asked)
 
 
-def _warm(program: str) -> Program:
-    return (_READER, program, "warm")
-
-
 def _end_at_once(program: str, reader: Child | None) -> None:
     """Nothing that was started may outlive a question that is given up."""
     if FORKS:
-        close(_warm(program))
+        close((_READER, program, "warm"))
     elif reader is not None:
         reader.end()

@@ -83,14 +83,16 @@ def test_the_brow_is_expected_above_its_eye_however_long_the_muzzle_and_high_the
     low = {name: at(x, y - 1.0) for name, (x, y) in (("jawOpen", (0.0, -1.5)), ("mouthSmile_L", (0.42, -1.0)))}
     ears = {f"browUp_{side}": at(sign * 0.5, 0.28) + at(sign * 0.5, 1.3) for side, sign in SIDES[0]}
     _, found = expected({**shapes(), **low, **ears})
-    assert found["browUp_L"].distance(np.array([[SCALE * 0.5, HEIGHT + SCALE * 0.28, 0.0]]))[0] < 0.15
+    above = np.array([[SCALE * 0.5, HEIGHT + SCALE * 0.28, 0.0]])
+    assert found["browUp_L"].distance(above)[0] < 0.15
 
 
 def test_one_control_in_the_wrong_place_does_not_move_the_others():
     odd = shapes() | {f"noseSneer_{side}": at(sign * 0.3, 0.6) for side, sign in SIDES[0]}
     _, found = expected(odd)
     assert found["mouthSmile_L"].distance(np.array([[SCALE * 0.42, HEIGHT - SCALE, 0.0]]))[0] < 0.3
-    assert found["noseSneer_L"].distance(np.array([[SCALE * 0.3, HEIGHT + 0.6 * SCALE, 0.0]]))[0] > 0.8
+    brow = np.array([[SCALE * 0.3, HEIGHT + 0.6 * SCALE, 0.0]])
+    assert found["noseSneer_L"].distance(brow)[0] > 0.8
 
 
 def test_lashes_with_controls_of_their_own_do_not_say_where_the_mouth_is():
