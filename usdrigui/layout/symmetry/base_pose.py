@@ -25,6 +25,8 @@ class NeutralPose(Record):
 
     rig: Rig
     sampling: TrajectorySettings
+    preferred: bool
+    """Whether its symmetry counts also where the base pose mirrors as much."""
 
     @cached_property
     def trajectories(self) -> Trajectories:
@@ -33,11 +35,14 @@ class NeutralPose(Record):
 
 
 def neutral_pose(rig: Rig, settings: Settings) -> NeutralPose | None:
-    """The pose at the controls' defaults where the base pose is another, else the bind pose of a
-    character that rests in a pose; None for all others."""
+    """The pose at the controls' defaults where the base pose is another, which is preferred, else
+    the bind pose of a character that rests in a pose; None for all others, and where no symmetry is
+    asked for."""
+    if not settings.symmetry.enabled:
+        return None
     pose = settings.read.pose
     if any(pose.get(each.name, each.default) != each.default for each in rig.controls):
-        return NeutralPose(rig, settings.trajectories)
+        return NeutralPose(rig, settings.trajectories, True)
     return _bind_pose(rig, settings.trajectories)
 
 
@@ -45,18 +50,19 @@ def symmetry_at_pose(
     rig: Rig, found: Trajectories, neutral: NeutralPose | None, settings: Settings
 ) -> Symmetry:
     """The symmetry that the `found` trajectories have, or that of the neutral pose where it mirrors
-    more of what the controls move.
+    more of what the controls move, or is preferred and mirrors as much.
 
     A pose with one eye closed or one arm raised has no mirror image there: pairs would find no
     common candidate and leave the character.
     """
     mirror, at = mirrored(rig, found, settings), found
-    if neutral is not None and (missed := _missed(mirror[1], found.motions)):
+    missed = _missed(mirror[1], found.motions)
+    if neutral is not None and (missed or neutral.preferred):
         rig_there = replace(neutral.rig, up=rig.up)
         chosen = {each.control for each in found.motions}, {each.control for each in found.excluded}
         there = of_controls(rig_there, neutral.trajectories, chosen, neutral.sampling)
         other = mirrored(rig_there, there, settings)
-        if _missed(other[1], found.motions) < missed:
+        if _missed(other[1], found.motions) < missed + neutral.preferred:
             mirror, at, rig = other, there, rig_there
     symmetry = paired(rig, at.motions, (displacement_fields(at), *mirror), settings)
     return symmetry if at is found else _at_pose(symmetry, at.surface, found.surface.points)
@@ -102,7 +108,7 @@ def _bind_pose(rig: Rig, sampling: TrajectorySettings) -> NeutralPose | None:
     if all(np.allclose(at, joint.base, atol=1e-4) for at, joint in zip(local, joints, strict=True)):
         return None
     turned = tuple(replace(joint, base=at) for at, joint in zip(local, joints, strict=True))
-    return NeutralPose(replace(rig, body=replace(rig.body, joints=turned)), sampling)
+    return NeutralPose(replace(rig, body=replace(rig.body, joints=turned)), sampling, False)
 
 
 def _at_pose(symmetry: Symmetry, surface: BaseSurface, base: Floats) -> Symmetry:

@@ -21,8 +21,10 @@ def apart(face):
     return np.linalg.norm(face.symmetry.plane.reflected(points) - points[face.symmetry.partner], axis=1)
 
 
-def test_a_one_sided_pose_keeps_partners_and_twins(rig):
-    rest, one_sided = chain.face_of(rig), chain.face_of(rig, base_values=pose(rig, smile_L=1.0, brow_L=1.0))
+@pytest.mark.parametrize(("rig", "share"), [(makers.face(), 1.0), (makers.face(81, 101), 0.05)])
+def test_a_one_sided_pose_keeps_partners_and_twins(rig, share):
+    """Also where the mesh is so fine that every point of the pose still meets a mirror image, another one."""
+    rest, one_sided = chain.face_of(rig), chain.face_of(rig, base_values=pose(rig, smile_L=share, brow_L=share))
     assert np.array_equal(one_sided.symmetry.partner, rest.symmetry.partner)
     assert np.array_equal(one_sided.symmetry.twins, rest.symmetry.twins)
     moved = np.linalg.norm(one_sided.trajectories.surface.points - rest.trajectories.surface.points, axis=1)
