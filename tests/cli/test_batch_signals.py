@@ -15,6 +15,9 @@ from processes import children_of, gone, until
 from usdrigui.clients.batch import run
 
 pytestmark = pytest.mark.slow
+of_linux = pytest.mark.skipif(
+    sys.platform != "linux", reason="only Linux forks the processes of a batch and ends them with their parent"
+)
 ENDING = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
 
 
@@ -60,7 +63,7 @@ def test_a_signal_ends_the_processes_of_a_batch_and_not_its_account(tmp_path, nu
     assert not [each.name for each in tmp_path.iterdir() if "rigui" in each.name]
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="only Linux ends a process with its parent")
+@of_linux
 def test_a_batch_that_is_killed_leaves_no_process(tmp_path):
     batch = batch_of(tmp_path)
     processes = processes_of(batch)
@@ -69,7 +72,7 @@ def test_a_batch_that_is_killed_leaves_no_process(tmp_path):
     until(lambda: gone(*processes))
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="only Linux forks the processes of a batch")
+@of_linux
 def test_a_parent_that_is_killed_takes_what_it_has_forked_and_no_more(tmp_path):
     batch = batch_of(tmp_path, "--summary", str(tmp_path / "summary.json"), "--timeout", "4")
     os.kill(processes_of(batch)[1], signal.SIGKILL)

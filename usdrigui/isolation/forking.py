@@ -18,7 +18,6 @@ import struct
 import subprocess
 import sys
 import threading
-import time
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -74,6 +73,8 @@ class Child:
     """Who has forked it; none for one that is our own child."""
     began: int = 0
     """MiB resident when it was forked."""
+    leads: bool = True
+    """Whether it leads a group, which ends with it."""
 
     def say(self, what: bytes) -> None:
         """Tell it something; it may have ended."""
@@ -82,9 +83,9 @@ class Child:
             self.stdin.write(what)
             self.stdin.flush()
 
-    def end(self, *, group: bool = True) -> tuple[int, int]:
-        """Be sure that it is gone, with its `group`; exit code and MiB resident at most."""
-        kill(self.process, group=group)
+    def end(self) -> tuple[int, int]:
+        """Be sure that it is gone; exit code and MiB resident at most."""
+        kill(self.process, group=self.leads)
         if self.parent is not None:
             return self.parent.reaped(self.process)
         return reaped(self.process)
@@ -104,7 +105,7 @@ def fresh(program: Program, stdin: Any, *, alone: bool = True, **special: str) -
     )
     assert process.stdout is not None
     assert process.stderr is not None
-    return Child(process, process.stdout, process.stderr, process.stdin)
+    return Child(process, process.stdout, process.stderr, process.stdin, leads=alone)
 
 
 # --- who asks -------------------------------------------------------------------------------------
@@ -129,15 +130,14 @@ class WarmParent:
         self.process, self._asking, self._printed = process, asking, Drain(printed)
         self._lock = threading.Lock()
 
-    def forked(self, given: int, deadline: float, stdin: IO[bytes] | None = None) -> Child:
+    def forked(self, given: int, seconds: float, stdin: IO[bytes] | None = None) -> Child:
         """A child in the folder of this process that is `given` its standard input, to which
-        `stdin` leads; raises UnbornError."""
+        `stdin` leads; raises UnbornError where there is none within `seconds`."""
         answer, to_answer = os.pipe()
         printed, to_print = os.pipe()
         folder = os.fsencode(os.getcwd())  # noqa: PTH109 (names may hold bytes that are not text)
-        seconds = max(0.01, deadline - time.monotonic())
         try:
-            number, began = self._told(folder, [given, to_answer, to_print], seconds)
+            number, began = self._told(folder, [given, to_answer, to_print], max(0.01, seconds))
         except (OSError, struct.error) as error:
             os.close(answer)
             os.close(printed)
@@ -234,9 +234,9 @@ def close(program: Program) -> None:
 
 @atexit.register
 def _close() -> None:
-    for program, parent in _parents.items():
+    for parent in _parents.values():
         if parent.world[0] == os.getpid():
-            close(program)
+            parent.close()
 
 
 # --- the warm parent ------------------------------------------------------------------------------

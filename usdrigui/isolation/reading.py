@@ -113,7 +113,7 @@ def _started(program: str, asked: IO[bytes], deadline: float) -> Child:
         if worker.active():
             importlib.import_module(program)  # before it is forked from here
         parent = warm_parent((_READER, program, "warm"), lambda: read(program))
-        return parent.forked(asked.fileno(), deadline)
+        return parent.forked(asked.fileno(), deadline - time.monotonic())
     with signals_later():
         return fresh((_READER, program), asked)
 

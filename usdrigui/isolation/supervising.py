@@ -49,7 +49,8 @@ _LAST_WORDS = 2.0
 _LEAST_ADDRESSES = 3 << 29
 """Bytes below which OpenBLAS waits for ever for what it is not given, or crashes."""
 _LAST = 60.0
-"""Seconds in which one that searches or writes must have ended after its time was up."""
+"""Seconds in which one that searches or writes must have ended after its time was up, and in which
+one must have been forked."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,13 +99,13 @@ def supervise(
         _greet(process, arguments, terminals)
         printed = Drain(process.stderr)
         threading.Thread(target=_collect, args=(process.stdout, events), daemon=True).start()
-        watch = _Supervision(process, show, alone)
+        watch = _Supervision(process, show)
         watch.until_it_has_ended(events)
     except (OSError, TypeError, ValueError, RuntimeError) as error:  # the last for want of a thread
         return _dead(not_started(error, "WORKER_LOST", "", "the working process"))
     finally:
         if process is not None:
-            code, peak = process.end(group=alone)
+            code, peak = process.end()
             assert process.stdin is not None
             with contextlib.suppress(OSError):
                 process.stdin.close()
@@ -115,10 +116,10 @@ def supervise(
 def _started(terminals: tuple[bool, bool], alone: bool) -> Child:
     """A worker that waits for its greeting."""
     if alone and FORKS:
-        taken, requests = (os.fdopen(*each) for each in zip(os.pipe(), ("rb", "wb"), strict=True))
-        with taken:
-            parent = warm_parent((_WORKER, "warm"))
-            return parent.forked(taken.fileno(), time.monotonic() + _LAST, requests)
+        given, hears = os.pipe()
+        requests = os.fdopen(hears, "wb")
+        with os.fdopen(given):
+            return warm_parent((_WORKER, "warm")).forked(given, _LAST, requests)
     size = shutil.get_terminal_size()
     shape = {"COLUMNS": str(size.columns), "LINES": str(size.lines)} if any(terminals) else {}
     return fresh((_WORKER,), subprocess.PIPE, alone=alone, **shape)
@@ -147,7 +148,6 @@ class _Supervision:
 
     process: Child
     show: Callable[[str, str], None]
-    alone: bool
     start: float = field(default_factory=time.monotonic)
     ended: bool = False
     base: int = 0
@@ -226,7 +226,7 @@ class _Supervision:
         self.death = why or self.death
         self.deadline = self.kill_at = 0.0
         self.gone_by = time.monotonic() + _LAST_WORDS
-        kill(self.process.process, group=self.alone)
+        kill(self.process.process, group=self.process.leads)
 
     def _on_print(self, message: dict[str, Any]) -> None:
         self.show(message["stream"], message["text"])

@@ -99,8 +99,8 @@ def facts_table(controls: Sequence[ControlFacts], *, several: bool = False) -> T
 
 def of_batch(summary: Summary, written: Sequence[str]) -> tuple[Iterator[Printed], str]:
     """One line an asset in the order given, and what was written besides."""
-    counted = ((summary.count(outcome), outcome) for outcome in OUTCOMES[:-1])
-    counts = ", ".join(f"{count} {outcome}" for count, outcome in counted if count)
+    numbers = ((summary.count(outcome), outcome) for outcome in OUTCOMES if outcome != "part")
+    counts = ", ".join(f"{number} {outcome}" for number, outcome in numbers if number)
     sound = sum(row.sound for row in summary.rows)
     count = len(summary.rows) - summary.count("part")
     rate = 60.0 * count / max(summary.seconds, 1e-9)

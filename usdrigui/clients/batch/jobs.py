@@ -77,12 +77,13 @@ def _supervised(job: Job) -> Outcome:
     command = ["process", *options, "--", job.asset]
     events: Events = SimpleQueue()
     late = refuse("BATCH_TIME_LIMIT", "", f"was not done within {job.timeout:g} s")
-    limit = threading.Timer(job.timeout or threading.TIMEOUT_MAX, events.put, (late,))
+    limit = threading.Timer(job.timeout, events.put, (late,))
     limit.daemon = True
     with _ENTERING:
         _RUNNING.add(events)
     try:
-        limit.start()
+        if job.timeout:
+            limit.start()
         return supervise(command, lambda *_: None, events, alone=True)
     finally:
         limit.cancel()
