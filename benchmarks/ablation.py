@@ -406,7 +406,7 @@ def picture(inputs: ProblemInputs, rows: list[Row]) -> Image.Image:
     for figure in dict.fromkeys(row.figure for row in rows):
         mine = [row for row in rows if row.figure == figure]
         fronts = [
-            render(inputs.face.rig, row.layout, views=("front",), size=CELL, title=row.name)
+            render(inputs.face.rig, row.layout, azimuth=0.0, size=CELL, title=row.name)
             for row in mine
         ]
         titles = [

@@ -107,7 +107,7 @@ def _result(name: str, asset: Path, judge: Path | None) -> Result:
 def _picture(layer: Path) -> Image.Image:
     (rig, layout), *_ = load_layer(layer, Settings()).characters
     parts = len(layout.frame.parts) > 1
-    return render(rig, layout, views=None if parts else ("front",), size=PANEL)
+    return render(rig, layout, azimuth=None if parts else 0.0, size=PANEL)
 
 
 def _judged(layer: Path, judge: Path | None) -> str:

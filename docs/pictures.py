@@ -46,7 +46,8 @@ class Panel:
     """TOML besides what keeps the controls of the scene."""
     pose: tuple[tuple[str, float], ...] = ()
     """Control values at which it is drawn."""
-    view: str = "front"
+    azimuth: float = 0.0
+    """Of the view, degrees from the front toward the character's left."""
 
 
 @dataclass(frozen=True)
@@ -130,7 +131,7 @@ def _panel(scene: Scene, panel: Panel, folder: Path) -> Image.Image:
         made.rig,
         made.layout,
         given,
-        views=(panel.view,),
+        azimuth=panel.azimuth,
         size=PANEL,
         labels=scene.labels,
         title=panel.title,
@@ -296,7 +297,7 @@ SCENES: tuple[Scene, ...] = (
         " character's left side, the elements of the right side of the face have no place there and"
         " go beside it. A layout is drawn from the view it was made for.",
         (
-            Panel("front and three-quarter views", view="left"),
+            Panel("front and three-quarter views", azimuth=90.0),
             Panel("side view only", '[candidates]\nview = "side"'),
         ),
         (
@@ -469,7 +470,7 @@ SCENES: tuple[Scene, ...] = (
             Panel(
                 "in-betweens and a joint",
                 '[controls."Jaw:rx"]\nplace = "face"\nmaximum = 25',
-                view="left",
+                azimuth=90.0,
             ),
             Panel(
                 "a pose control",

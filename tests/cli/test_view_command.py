@@ -120,7 +120,8 @@ def test_a_live_file_is_none_that_was_read_and_none_of_anybody_else(layer, tmp_p
     os.link(source, tmp_path / "edit.usda")
     (tmp_path / "work.usda").write_text("#usda 1.0\n")
     before = {path: path.read_bytes() for path in (layer, source, tmp_path / "work.usda")}
-    for target in (layer, source, tmp_path / "edit.usda", tmp_path / "work.usda", tmp_path / "edit.json"):
+    others = [tmp_path / name for name in ("edit.usda", "work.usda", "edit.json", "no/edit.usda")]
+    for target in (layer, source, *others):
         assert main(["view", str(layer), "--live", str(target)]) == 3, target
         assert "FILE_TARGET" in capsys.readouterr().err
     assert main(["view", str(layer), "--live", str(tmp_path / "e.usda"), "--html", str(tmp_path / "e.html")]) == 2

@@ -141,8 +141,10 @@ def spellings(names: Sequence[str]) -> tuple[Spelling, ...]:
 
 
 def same_name(name: str, known: Sequence[str]) -> str:
-    """The one of a rig's names that `name` spells otherwise, or that means the same; empty if none
+    """The one of a rig's names that is `name`, spells it otherwise or means the same; empty if none
     or several do."""
+    if name in known:
+        return name
     spelling, (meaning,) = _spelling(words(name)), meanings([name])
     ways = ((spelling.words and spelling, spellings(known)), (meaning, meanings(known)))
     alike = (

@@ -69,7 +69,7 @@ def with_corrections(
     names, plain = tuple({name for rig in rigs for name in rig.control_names}), ControlSettings()
     controls, groups = dict(settings.controls), dict(settings.groups.groups)
     for each in corrections:
-        name = each.control if each.control in names else same_name(each.control, names)
+        name = same_name(each.control, names)
         if name and each.settings:
             own = controls.get(name, plain)
             said = load({"controls": {name: each.settings}}).controls[name]

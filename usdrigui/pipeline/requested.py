@@ -123,7 +123,7 @@ def by_names_of_today(
     """
     found, told, names = [], [], rig.control_names
     for each in (own for own in corrections if own.root == rig.path):
-        spelt = each.control if each.control in names else same_name(each.control, tuple(names))
+        spelt = same_name(each.control, tuple(names))
         name = renamed.get(each.control, "") or spelt
         if name not in names:
             what = f"{rig.path} has no control of this name{meant(each.control, names)}"

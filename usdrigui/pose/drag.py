@@ -19,7 +19,8 @@ has moved.
   what is left of its direction, or else upward.  Of several axes, one seen from its end keeps its
   value.
 
-numpy only, and nothing of the package: this very file is part of the Blender extension.
+numpy only, and nothing of the package but `handle_track` beside it: these very files are part of
+the Blender extension.
 viewer/src/drag.js is the same in JavaScript; schemas/conformance/drags.json holds both to the same
 answers.
 """
@@ -31,6 +32,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from .handle_track import along, piece_at  # a sibling in the Blender extension, too
 
 Floats = NDArray[np.float64]
 
@@ -92,7 +95,7 @@ class Axis:
 
     def point(self, coordinate: float) -> Floats:
         """(2,) where the axis alone takes the handle."""
-        return _on(self.points, self.at, coordinate)
+        return along(self.at, self.points, coordinate)
 
     def arms(self) -> Iterator[Axis]:
         """The parts on either side of the base pose."""
@@ -199,8 +202,8 @@ def _axis(ends: tuple[End, ...], tracks: list[Floats], values: list[Floats]) -> 
     points = np.zeros((len(at), 2))
     for end in ends:
         track, knots = tracks[end.member], values[end.member]
-        points += [_on(track, knots, end.value(float(each))) for each in at]
-        points -= _on(track, knots, end.base)
+        points += [along(knots, track, end.value(float(each))) for each in at]
+        points -= along(knots, track, end.base)
     return Axis(ends, at, points, base)
 
 
@@ -240,7 +243,7 @@ _NONE = Axis((), np.array([0.0, 1.0]), np.zeros((2, 2)), 0.0)
 def _nearest(u: Axis, v: Axis, start: Floats, last: Floats, goal: Floats) -> tuple[Floats, float]:
     """(2,) coordinates on two axes of the point nearest to the goal, and its distance from it."""
     away, at = _cells(u, v, start, goal)
-    mine = _downhill(away, _piece(u.at, float(last[0])), _piece(v.at, float(last[1])))
+    mine = _downhill(away, piece_at(u.at, float(last[0])), piece_at(v.at, float(last[1])))
     nearest = np.unravel_index(int(np.argmin(away)), away.shape)
     if away[mine] > _FARTHER * away[nearest] + _STRAY:
         mine = (int(nearest[0]), int(nearest[1]))
@@ -343,17 +346,3 @@ def _angle(arm: Axis, origin: Floats) -> float:
     away = arm.points - origin
     x, y = away[int(np.argmax(np.square(away).sum(axis=1)))]
     return float(np.arctan2(y, x))
-
-
-# --- polylines ------------------------------------------------------------------------------------
-
-
-def _on(points: Floats, knots: Floats, value: float) -> Floats:
-    """(2,) the place on a polyline (k, 2) at a value; beyond its ends the last pieces go on."""
-    i = _piece(knots, value)
-    share = (value - knots[i]) / (knots[i + 1] - knots[i])
-    return np.asarray((1.0 - share) * points[i] + share * points[i + 1])
-
-
-def _piece(knots: Floats, value: float) -> int:
-    return int(np.clip(np.searchsorted(knots, value, side="right") - 1, 0, len(knots) - 2))

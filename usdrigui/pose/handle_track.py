@@ -46,7 +46,12 @@ def slid(
 
 
 def along(values: Floats, track: Floats, value: float) -> Floats:
-    """(3,) point of a polyline at a value: linear between the vertices and beyond the ends."""
-    piece = int(np.clip(np.searchsorted(values, value, side="right") - 1, 0, len(values) - 2))
+    """Point of a polyline (k, d) at a value: linear between the vertices and beyond the ends."""
+    piece = piece_at(values, value)
     share = (value - values[piece]) / (values[piece + 1] - values[piece])
     return np.asarray((1.0 - share) * track[piece] + share * track[piece + 1])
+
+
+def piece_at(values: Floats, value: float) -> int:
+    """Index of the piece of a polyline on which a value lies, or of the nearest one."""
+    return int(np.clip(np.searchsorted(values, value, side="right") - 1, 0, len(values) - 2))

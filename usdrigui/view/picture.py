@@ -29,17 +29,6 @@ from usdrigui.view.flat.scene import INK, PAPER, QUIET, Label, Mark, Page, Panel
 from usdrigui.view.panels import board_of, body, marks_of, on_character
 from usdrigui.view.sections import Section, sections, undivided
 
-VIEWS = {
-    "front": 0.0,
-    "left34": directions.TURN,
-    "right34": -directions.TURN,
-    "left": 90.0,
-    "right": -90.0,
-    "back": 180.0,
-}
-"""Degrees about the up axis from `LayoutFrame.view` toward the character's own left: ``front`` is
-the view that the layout was made for, whichever that is.  Captions name the view."""
-
 _TITLE, _CAPTION, _LEGEND, _GAP, _EDGE = 66, 24, 42, 14, 22
 """Heights of the title above the panels, of captions and legend below, space between panels and
 around, in pixels."""
@@ -61,7 +50,7 @@ _BETWEEN = "   ·   "
 class Wanted:
     """What a picture is to be, as `render` says."""
 
-    views: Sequence[str] | None = None
+    azimuth: float | None = None
     size: tuple[int, int] = (1800, 1000)
     labels: bool = False
     title: str = ""
@@ -71,7 +60,7 @@ def render(
     rig: Rig,
     layout: Layout,
     values: ArrayLike | None = None,
-    views: Sequence[str] | None = None,
+    azimuth: float | None = None,
     size: tuple[int, int] = (1800, 1000),
     labels: bool = False,
     title: str = "",
@@ -80,22 +69,23 @@ def render(
     there are insets or a board.
 
     A character in several parts has a close-up of that size for each part, one below the other,
-    unless ``views`` are given. ``values`` (controls,) is the pose, by default the layout's base
-    pose.  ``views`` are some of `VIEWS`; by default the view that the layout was made for, and of
-    front and three-quarter views the nearest two that show what it sees, with an inset where more
-    elements meet than can be told apart.  The board has a panel of its own below, as high as it
-    needs, with the names of its elements; ``labels`` names those on the character, too, in the
+    unless there is to be one view alone, from the ``azimuth`` in degrees about the up axis, from
+    `LayoutFrame.view` toward the character's own left. ``values`` (controls,) is the pose, by
+    default the layout's base pose.  By default there are the view that the layout was made for, and
+    of front and three-quarter views the nearest two that show what it sees, with an inset where
+    more elements meet than can be told apart.  The board has a panel of its own below, as high as
+    it needs, with the names of its elements; ``labels`` names those on the character, too, in the
     layout's own view.  Raises RigUIError LAYOUT_STALE when the layout does not belong to the rig,
     POSE_VALUE for a pose that is not one.
     """
-    return painted(scene(rig, layout, values, Wanted(views, size, labels, title)))
+    return painted(scene(rig, layout, values, Wanted(azimuth, size, labels, title)))
 
 
 def scene(rig: Rig, layout: Layout, values: ArrayLike | None, wanted: Wanted) -> Page:
     """The picture before it is drawn; arguments and errors as of `render`."""
     posed = evaluate(prepare(rig, layout), values)
     subject = subject_of(rig.body.meshes, posed.points, complexion(rig, layout))
-    parted = wanted.views is None
+    parted = wanted.azimuth is None
     close_ups = sections(rig, layout, posed) if parted else (undivided(layout, posed),)
     pages = []
     for number, section in enumerate(close_ups):
@@ -106,13 +96,11 @@ def scene(rig: Rig, layout: Layout, values: ArrayLike | None, wanted: Wanted) ->
     return stacked(pages)
 
 
-def film(
-    rig: Rig, layout: Layout, poses: ArrayLike, size: tuple[int, int] = (760, 820)
-) -> Iterator[Image.Image]:
+def film(rig: Rig, layout: Layout, poses: ArrayLike) -> Iterator[Image.Image]:
     """One picture from the front per row of ``poses`` (frames, controls), all framed as the base
     pose is; raises as `render`."""
     poser, colours = prepare(rig, layout), complexion(rig, layout)
-    section, wanted = undivided(layout, evaluate(poser)), Wanted(("front",), size)
+    section, wanted = undivided(layout, evaluate(poser)), Wanted(0.0, (760, 820))
     subject = subject_of(rig.body.meshes, section.posed.points, colours)
     placed = _arranged(rig, section, subject.skin, wanted)
     for values in np.asarray(poses, dtype=np.float64):
@@ -150,27 +138,25 @@ def contact_sheet(
 # --- arrangement ----------------------------------------------------------------------------------
 
 
-def _directions(
-    rig: Rig, section: Section, views: Sequence[str] | None
-) -> list[tuple[Floats, str]]:
-    """Where the views are taken from, and what they are called: those asked for, else those of the
-    section, else the layout's own and its companions."""
+def _directions(rig: Rig, section: Section, azimuth: float | None) -> list[tuple[Floats, str]]:
+    """Where the views are taken from, and what they are called: the one asked for, else those of
+    the section, else the layout's own and its companions."""
     frame, up = section.layout.frame, rig.up
     ahead = directions.ahead_of(section.layout, up)
-    if views is not None:
-        towards = [directions.turned(frame.view, up, VIEWS[view]) for view in views]
+    if azimuth is not None:
+        towards = [directions.turned(frame.view, up, azimuth)]
     else:
         companions = directions.companions(frame.view, ahead, up)
         towards = [*(section.views or (frame.view, *companions))]
     return [(view, directions.caption(view, ahead, up)) for view in towards]
 
 
-def _frames(rig: Rig, section: Section, skin: Floats, views: Sequence[str] | None) -> list[Frame]:
+def _frames(rig: Rig, section: Section, skin: Floats, azimuth: float | None) -> list[Frame]:
     """What the views of a section show: its elements and the character around them."""
     placed = tuple(on_character(section.layout))
     tracks = [track for i in placed for track in section.posed.elements[i].tracks]
     frames = []
-    for towards, caption in _directions(rig, section, views):
+    for towards, caption in _directions(rig, section, azimuth):
         rows = directions.camera_rows(section.layout, rig.up, towards)
         low, high = framed(tracks, skin, rows, section.layout.frame.handle_width)
         frames.append(Frame(rows, low, high, caption, placed))
@@ -199,8 +185,8 @@ def _named(frame: Frame, names: Mapping[int, str], insets: Sequence[Frame]) -> F
 
 def _arranged(rig: Rig, section: Section, skin: Floats, wanted: Wanted) -> tuple[View, ...]:
     """The views of a section in a row, and insets into the first of them in a row below."""
-    frames = _frames(rig, section, skin, wanted.views)
-    insets = _insets(section, skin, frames[0]) if wanted.views is None else []
+    frames = _frames(rig, section, skin, wanted.azimuth)
+    insets = _insets(section, skin, frames[0]) if wanted.azimuth is None else []
     if wanted.labels:
         placed = frames[0].shown
         short = shortened([section.layout.elements[i].label for i in placed])
@@ -209,7 +195,7 @@ def _arranged(rig: Rig, section: Section, skin: Floats, wanted: Wanted) -> tuple
         insets = [_named(inset, names, ()) for inset in insets]
     width, height = wanted.size[0] - 2 * _EDGE, wanted.size[1] - _TITLE - _CAPTION - _LEGEND
     first = row(frames, (_EDGE, _TITLE, width, height))
-    if wanted.views is None:
+    if wanted.azimuth is None:
         first = trimmed(first)
     top, most = _TITLE + first[0].camera.height + _CAPTION, _ENLARGED * first[0].camera.scale
     return first + _inset_views(insets, (_EDGE, top, width, round(_INSETS * height)), most)

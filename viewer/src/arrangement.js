@@ -3,7 +3,7 @@
 
 import { dot } from './camera.js';
 import { Dock } from './dock.js';
-import { alongTrack } from './vectors.js';
+import { alongTrack, lengthOf } from './vectors.js';
 import { lensAt } from './spread.js';
 
 const LEAST_HANDLE = 11;
@@ -242,8 +242,6 @@ function mostlyCovered(tracks) {
 
 /** How much longer short tracks are drawn; those seen from their end stay as they are. */
 function magnificationOf(tracks) {
-  const longest = Math.max(...tracks.map((track) => {
-    return track.slice(1).reduce((sum, [x, y], k) => sum + Math.hypot(x - track[k][0], y - track[k][1]), 0);
-  }));
+  const longest = Math.max(...tracks.map((track) => lengthOf(track.map((point) => point.slice(0, 2)))));
   return longest < LEAST_TRACK / MOST_GAIN ? 1 : Math.max(1, LEAST_TRACK / longest);
 }

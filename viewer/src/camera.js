@@ -1,5 +1,7 @@
 // An orbiting camera around the face, in the frame given by the rig's up and the layout's view.
 
+import { clamp } from './vectors.js';
+
 const FIELD = (14 * Math.PI) / 180; // a long lens: what stands on the board does not turn it away
 const STEEPEST = (88 * Math.PI) / 180;
 
@@ -22,7 +24,7 @@ export class OrbitCamera {
   /** Look from an azimuth and elevation (radians) off the front. */
   turn(azimuth, elevation) {
     this.azimuth = azimuth;
-    this.elevation = Math.min(STEEPEST, Math.max(-STEEPEST, elevation));
+    this.elevation = clamp(elevation, -STEEPEST, STEEPEST);
     const level = plus(scaled(this.front, Math.cos(azimuth)), scaled(this.side, Math.sin(azimuth)));
     this.towards = plus(scaled(level, Math.cos(this.elevation)), scaled(this.up, Math.sin(this.elevation)));
     this.right = /** @type {number[]} */ (normalised(cross(this.up, this.towards)));
@@ -33,7 +35,7 @@ export class OrbitCamera {
   lookFrom(target, towards, distance) {
     this.target = target;
     this.distance = distance;
-    this.turn(Math.atan2(dot(towards, this.side), dot(towards, this.front)), Math.asin(Math.min(1, Math.max(-1, dot(towards, this.up)))));
+    this.turn(Math.atan2(dot(towards, this.side), dot(towards, this.front)), Math.asin(clamp(dot(towards, this.up), -1, 1)));
   }
 
   /** Fit points (lists of 3) into a column of `width` by `height` pixels. */
@@ -56,7 +58,7 @@ export class OrbitCamera {
   }
 
   zoom(factor) {
-    this.distance = Math.min(50 * this.size, Math.max(0.02 * this.size, this.distance * factor));
+    this.distance = clamp(this.distance * factor, 0.02 * this.size, 50 * this.size);
   }
 
   /** Move the target by a drag in pixels. */

@@ -43,7 +43,7 @@ def serve(
     The page has the one address ``http://127.0.0.1:PORT/TOKEN/`` with a random token of 256 bits
     and a port that `name` chooses: browsers keep what a page stores by its port, so that a page of
     the same name finds its work again.  Every other path or host name gets 404, every other method
-    than GET and HEAD gets 405.  `announce` receives the address before the browser opens.  The file
+    than GET gets 405.  `announce` receives the address before the browser opens.  The file
     of a live link is at ``edit`` below the address, for GET and PUT by the page itself.
     """
     with page_server(html, name, live) as server:
@@ -126,9 +126,6 @@ class _Handler(BaseHTTPRequestHandler):
         else:
             self._send(HTTPStatus.NOT_FOUND, b"", "text/html")
 
-    def do_HEAD(self) -> None:
-        self.do_GET()
-
     def do_PUT(self) -> None:
         """Replace the file of the live link, if it is as the page knows it."""
         live = self.server.live
@@ -205,15 +202,14 @@ class _Handler(BaseHTTPRequestHandler):
         self.send_header("Content-Type", f"{kind}; charset=utf-8")
         self.send_header("Content-Length", str(len(content)))
         if status == HTTPStatus.METHOD_NOT_ALLOWED:
-            self.send_header("Allow", "GET, HEAD")
+            self.send_header("Allow", "GET")
         if tag:
             self.send_header("ETag", tag)
         self.send_header("Cache-Control", "no-store")
         self.send_header("Referrer-Policy", "no-referrer")
         self.send_header("X-Content-Type-Options", "nosniff")
         self.end_headers()
-        if self.command != "HEAD":
-            self.wfile.write(content)
+        self.wfile.write(content)
 
     def log_message(self, format: str, *args: object) -> None:  # noqa: A002 - the base class's name
         """Say nothing: the terminal belongs to the command line."""
