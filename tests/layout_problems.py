@@ -12,7 +12,8 @@ from usdrigui.model import AnyOverlap, ExtraPairs, LayoutProblem, MeanOverlap, O
 def random_problem(seed: int, variables: int = 5, candidates: int = 7) -> LayoutProblem:
     """Elements thrown into a box a few handle widths wide: copies, ties, endless reach, explicit costs.
 
-    Every third is spaced by the paper's mean distance, the others as seen, on a screen and in the scene.
+    Every third is spaced by the paper's mean distance, the others as seen, on a screen, where handles of every other
+    one may be behind each other, and in the scene.
     """
     generator = np.random.default_rng(seed)
     size = generator.uniform(0.5, 4.0)
@@ -22,6 +23,8 @@ def random_problem(seed: int, variables: int = 5, candidates: int = 7) -> Layout
     overlap: AnyOverlap = MeanOverlap(5.0, 1.0, 4.0, float(generator.choice([3.0, np.inf])), 0.15)
     if seed % 3:
         overlap = Overlap(3, 1.0, *generator.uniform(0.1, [1, 2, 0.3, 3, 0.5, 0.7, 0.5, 0.5, 0.5, 0.5]))
+    if seed % 6 == 1:
+        elements = tuple(_in_depth(generator, each, size) for each in elements)
     separation = float(generator.choice([1e-6, 0.5, 1.0]))
     return LayoutProblem(elements, overlap, separation, _explicit(generator, elements))
 
@@ -37,6 +40,11 @@ def _element(generator: np.random.Generator, at: int, size: float, candidates: i
     beside = float(generator.choice([np.inf, -0.2, 0.3]))
     cost = generator.uniform(-1, 0, count)
     return Variable(f"v{at}", np.arange(count), cost, samples, handles, beside, -cost)
+
+
+def _in_depth(generator: np.random.Generator, flat: Variable, size: float) -> Variable:
+    depth = generator.uniform(0, size, (*flat.handles.shape[:2], 1))
+    return replace(flat, handles=np.concatenate([flat.handles, depth], axis=2))
 
 
 def _explicit(generator: np.random.Generator, elements: tuple[Variable, ...]) -> tuple[ExtraPairs, ...]:

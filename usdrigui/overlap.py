@@ -33,7 +33,13 @@ class Drawn:
     samples: Floats
     """(u, d, q) positions along the tracks."""
     handle: Floats
-    """(d, q)."""
+    """(d, q), or (3, q) where handles that cover each other on a screen may stand apart in
+    depth."""
+
+    @property
+    def spot(self) -> Floats:
+        """(d, q) the handles, as the tracks are measured."""
+        return self.handle[: self.samples.shape[1]]
 
     @classmethod
     def of_labels(cls, samples: Floats, handles: Floats) -> Drawn:
@@ -53,7 +59,7 @@ def drawn_costs(one: Drawn, other: Drawn, overlap: AnyOverlap, separation: float
     if isinstance(overlap, MeanOverlap):
         costs = overlap.weight * overlap_cost(element_distance(one.samples, other.samples), overlap)
     else:
-        costs = _seen_costs(one, other, between, allowed, overlap)
+        costs = _seen_costs(one, other, allowed, overlap)
     costs[~allowed] = np.inf
     return costs
 
@@ -90,7 +96,7 @@ def own_costs(samples: Floats, handles: Floats, overlap: AnyOverlap, separation:
     """What elements cost by how they are drawn, to be part of their linear cost: the overlap with
     their own mirror images, and tracks too short to be seen.
 
-    `samples` (R, copies, u, d), `handles` (R, copies, d).  Returns ``(R,)`` costs, +inf
+    `samples` (R, copies, u, d), `handles` (R, copies, d or 3).  Returns ``(R,)`` costs, +inf
     where two copies' handles are nearer than the separation: such a candidate must be dropped.
     """
     copies = _copies(samples, handles)
@@ -138,11 +144,10 @@ def _copies(samples: Floats, handles: Floats) -> list[Drawn]:
 # --- as it is seen --------------------------------------------------------------------------------
 
 
-def _seen_costs(
-    one: Drawn, other: Drawn, between: Floats, allowed: Flags, overlap: Overlap
-) -> Floats:
+def _seen_costs(one: Drawn, other: Drawn, allowed: Flags, overlap: Overlap) -> Floats:
     """Handles near each other, and of pairs that are `allowed` a handle on the other's track,
     tracks that cross or run along."""
+    between = np.sqrt(np.square(one.spot - other.spot).sum(axis=0))
     cost = overlap.near * _hinge(between, overlap.near_radius)
     if overlap.room:
         cost += overlap.room * _hinge(between, overlap.room_radius)
@@ -151,9 +156,9 @@ def _seen_costs(
     first, second = one.of(met), other.of(met)
     for track, handle in ((first, second), (second, first)):
         starts, ends = _segments(track.samples, overlap.samples)
-        gap = segment_distances(handle.handle[None], starts, ends).min(axis=0)
+        gap = segment_distances(handle.spot[None], starts, ends).min(axis=0)
         cost[met] += overlap.on_track * _hinge(gap, overlap.track_radius)
-    if len(one.handle) == 2:
+    if len(one.spot) == 2:
         cost[met] += _track_costs(first, second, overlap)
     return cost
 
@@ -162,8 +167,8 @@ def _boxes_meet(one: Drawn, other: Drawn, margin: float) -> Flags:
     """(q,) whether the boxes around what is drawn of two elements come within the margin."""
     (low, high), (other_low, other_high) = (
         (
-            np.minimum(each.samples.min(axis=0), each.handle),
-            np.maximum(each.samples.max(axis=0), each.handle),
+            np.minimum(each.samples.min(axis=0), each.spot),
+            np.maximum(each.samples.max(axis=0), each.spot),
         )
         for each in (one, other)
     )

@@ -8,6 +8,7 @@ import pytest
 import real_rigs
 from real_rigs import ASSETS, asset, homes, on_face, point_of
 
+from usdrigui.layout.review.legibility import legibility_of
 from usdrigui.pipeline import stages
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
@@ -66,6 +67,12 @@ def test_shapes_and_poses_keep_their_displacement_on_the_face(name, least):
     kept = [member.arc_length / peaks[member.control] for element in on_face(line) for member in element.members]
     assert np.mean(kept) >= least
     assert len(kept) >= 0.7 * len(peaks)
+
+
+def test_a_body_can_be_read_from_the_front():
+    (rig,) = read_rigs(ASSETS / "usdwg_CesiumMan.usdz", load({}))
+    line = real_rigs.laid_out(rig)
+    assert legibility_of(line.face, line.layout.elements).clear >= 0.9 * len(on_face(line)) > 0
 
 
 def test_two_heads_of_one_convention_are_laid_out_with_the_same_elements():

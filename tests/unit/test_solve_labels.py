@@ -11,7 +11,7 @@ import pytest
 from enumeration import total_costs
 from layout_problems import crowd, random_problem
 
-from usdrigui.model import ExtraPairs, LayoutProblem, MeanOverlap
+from usdrigui.model import ExtraPairs, LayoutProblem, MeanOverlap, Overlap
 from usdrigui.overlap import Drawn, drawn_costs, pair_costs
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import cheap_labels as choice
@@ -180,10 +180,14 @@ def test_of_equal_candidates_the_first_is_a_label() -> None:
     assert np.array_equal(all_labels(replace(problem, variables=doubled)).candidate, all_labels(problem).candidate)
 
 
-@pytest.mark.parametrize(("between", "excluded"), [(1.0, False), (0.9, True)])
-def test_handles_at_the_separation_are_allowed_and_nearer_ones_are_not(between: float, excluded: bool) -> None:
-    def drawn(x: float) -> Drawn:
-        return Drawn(np.full((1, 3, 1), 100.0 * (x + 1.0)), np.array([[x], [0.0], [0.0]]))
+@pytest.mark.parametrize(
+    ("between", "behind", "cost"), [(1.0, 0.0, 0.5), (0.9, 0.0, np.inf), (0.5, 2.0, 0.75), (0.5, 0.5, np.inf)]
+)
+def test_nearer_handles_than_the_separation_are_forbidden_and_one_behind_another_is_near_it_on_the_screen(
+    between: float, behind: float, cost: float
+) -> None:
+    def drawn(x: float, depth: float) -> Drawn:
+        return Drawn(np.array([[[x], [9.0 * (1.0 + x)]]] * 2), np.array([[x], [0.0], [depth]]))
 
-    (cost,) = drawn_costs(drawn(0.0), drawn(between), MeanOverlap(5.0, 0.1, 20.0, 0.6, 0.15), 1.0)
-    assert np.isinf(cost) == excluded
+    seen = Overlap(2, 1.0, 1.0, 2.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0)
+    assert drawn_costs(drawn(0.0, 0.0), drawn(between, behind), seen, 1.0).tolist() == [cost]

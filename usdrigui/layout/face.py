@@ -32,7 +32,10 @@ class Face(Record):
     crowded: bool = False
     """Whether more controls want the same places than one level has handles for."""
     flat: bool = False
-    """Whether elements are kept apart as they are seen on the screen, not in space."""
+    """Whether elements are measured as they are seen on the screen, not in space."""
+    behind: bool = False
+    """Whether the handles of a flat layout may stand behind each other, as those of a wrist behind
+    those of the fingers: it costs them then that they are near each other on the screen."""
 
     @property
     def surface(self) -> BaseSurface:
@@ -43,6 +46,11 @@ class Face(Record):
     def drawing_axes(self) -> Floats:
         """(d, 3) the axes along which drawn elements are measured."""
         return self.views.drawing_axes(self.flat)
+
+    @property
+    def handle_axes(self) -> Floats:
+        """(d, 3) the axes along which handles are kept apart, those of drawing first."""
+        return self.views.axes if self.behind else self.drawing_axes
 
     @cached_property
     def clear(self) -> Flags:

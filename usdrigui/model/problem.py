@@ -52,7 +52,8 @@ class Variable(Record):
     samples: Floats
     """(R, copies, u, d) points along the drawn element, for overlaps."""
     handles: Floats
-    """(R, copies, d) where the handle rests."""
+    """(R, copies, d) where the handle rests; (R, copies, 3), the screen's coordinates first, where
+    elements are measured on a screen and their handles kept apart in the scene."""
     off_face_cost: float
     """Linear cost of label -1; +inf when the element must stay on the face."""
     displacement: Floats

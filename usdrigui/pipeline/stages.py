@@ -26,7 +26,7 @@ from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.similarity import displacement_fields, similarity
 from usdrigui.layout.motion.trajectory import at_scale_of_a_side, of_controls, trajectories
 from usdrigui.layout.parts.division import divide
-from usdrigui.layout.parts.joint_regions import FACE, FLAT, OF_SIDES
+from usdrigui.layout.parts.joint_regions import FACE, OF_SIDES, seen_flat
 from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.place.handle_width import handle_width, on_face
 from usdrigui.layout.place.problem import penalty_of, placement_problem, without_lone_pairs
@@ -140,8 +140,8 @@ def measured(
         alike = similarity(displacement_fields(found))
         classification = classify(face, alike, requests, settings.candidates)
         placed = on_face(found.motions, classification, requests.overrides)
-        space = settings.candidates.space
-        flat = space == "view" or (space == "part" and part.name in FLAT)
+        places = found.surface.points @ views.axes.T
+        flat, behind = seen_flat(part.name, settings.candidates.space, places)
         axes = views.drawing_axes(flat) if flat else views.axes
         width, crowded = handle_width(
             found, views, placed, axes, settings.objective, levels=settings.levels.crowds
@@ -151,7 +151,9 @@ def measured(
         width = min(width, drawn_width(character.references.fixed, part.name) or width)
         if settings.objective.distinctive_weight > 0.0:
             found = with_common_motion(found, alike, placed, views.anywhere)
-    face = replace(face, trajectories=found, handle_width=width, crowded=crowded, flat=flat)
+    face = replace(
+        face, trajectories=found, handle_width=width, crowded=crowded, flat=flat, behind=behind
+    )
     return Measured(face, alike, requests, classification, character.settings)
 
 

@@ -25,7 +25,7 @@ class LabelGeometry(Record):
     samples: Floats
     """(u, d, n) positions along the drawn element."""
     handle: Floats
-    """(d, n)."""
+    """(d, n), or (3, n): see `Drawn`."""
 
     @cached_property
     def middle(self) -> Floats:
@@ -36,7 +36,7 @@ class LabelGeometry(Record):
     def extent(self) -> Floats:
         """(n,) radius of a ball around `middle` that holds all samples and the handle."""
         of_samples = np.sqrt(np.square(self.samples - self.middle).sum(axis=1))
-        of_handle = np.sqrt(squared(self.handle, self.middle))
+        of_handle = np.sqrt(squared(self.handle[: len(self.middle)], self.middle))
         most = np.maximum(of_samples.max(axis=0, initial=0.0), of_handle)
         return np.asarray(most * (1.0 + ROUNDING))
 

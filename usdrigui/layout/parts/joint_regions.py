@@ -24,7 +24,7 @@ HEAD = "head"
 """Joints that hang on a head whose face other controls move: brows, ears, hair."""
 OF_SIDES = (HANDS, FEET)
 """Parts that lie apart from each other, left and right, and face any way."""
-FLAT = (FACE, EYES, HEAD, INTERIOR)
+_FLAT = (FACE, EYES, HEAD, INTERIOR)
 """Parts that are looked at from the front alone: their elements are kept apart on its screen."""
 
 _HEAD = frozenset({"head", "頭"})
@@ -101,6 +101,21 @@ def owner_of_points(meshes: tuple[RigMesh, ...]) -> Indices:
         strongest = np.argmax(skin.weights, axis=1)
         parts.append(skin.joints[np.arange(len(mesh.points)), strongest].astype(np.int64))
     return np.concatenate(parts)
+
+
+def seen_flat(part: str, space: str, places: Floats) -> tuple[bool, bool]:
+    """Whether the elements of a part are measured on the screen of its view, by
+    ``candidates.space``, and whether their handles may stand behind each other there.
+
+    So may those of a body, wrists behind fingers.  One that is deeper than wide, as an animal on
+    four legs, is measured in space; `places` (n, 3) are the character's points along the right, the
+    up and the viewer's direction of that view.
+    """
+    if space != "part":
+        return space == "view", False
+    across, _, deep = np.ptp(places, axis=0)
+    stands = part == BODY and bool(across >= deep)
+    return stands or part in _FLAT, stands
 
 
 # --- the head -------------------------------------------------------------------------------------

@@ -88,7 +88,7 @@ def drawn_points(
     face: Face, choice: Choice, samples_each: int, min_track: float
 ) -> tuple[Floats, Floats]:
     """`samples_each` (u) samples (R, copies, u, d) along the drawn tracks, and handles (R, copies,
-    d), along the face's axes of drawing.
+    d or 3), along the face's axes for them.
 
     No track is drawn shorter than `min_track` handle widths.
     """
@@ -102,7 +102,9 @@ def drawn_points(
         ]
         samples.append(np.concatenate(tracks, axis=1))
     axes = face.drawing_axes.T
-    return np.stack(samples, axis=1) @ axes, face.surface.points[choice.anchors] @ axes
+    return np.stack(samples, axis=1) @ axes, face.surface.points[
+        choice.anchors
+    ] @ face.handle_axes.T
 
 
 def _drawn_track(

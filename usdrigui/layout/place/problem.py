@@ -13,6 +13,7 @@ from dataclasses import replace
 from itertools import chain
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from usdrigui.character import Floats, Indices, Record
 from usdrigui.character.surface import mean_edge_length, mesh_triangles
@@ -44,6 +45,9 @@ from usdrigui.settings import ControlSettings, ObjectiveSettings
 _NEEDED = 5.0
 """What it costs besides, per copy, that a control leaves the face that is needed there: more than
 any place does."""
+_COVERED = 3.0
+"""How much dearer it is that handles are near each other on a screen where nothing forbids that
+one covers another."""
 _COINCIDENT = 1e-9
 """Separation that forbids only a shared point, in face sizes."""
 
@@ -68,14 +72,10 @@ def placement_problem(
     face, requests, objective = known.face, known.requests, known.settings.objective
     overlap, separation = _constants(face, objective)
     sets = _by_control(known, candidates)
-    existing = existing_variables(
-        requests.fixed_elements,
-        face.rig.body,
-        face.surface.points,
-        face.drawing_axes,
-        objective.samples,
-    )
-    costs = _Costs(known, LinearTerms.of(known.settings), overlap, separation, existing)
+    beside = requests.existing_elements if face.behind else requests.fixed_elements
+    existing = existing_variables(face, beside, objective.samples)
+    terms = LinearTerms.of(known.settings)
+    costs = _Costs(known, terms, overlap, separation, existing, _others(face, requests))
     variables, choices = [], []
     for index, group in enumerate(groups):
         if group.category:
@@ -172,7 +172,7 @@ def _constants(face: Face, settings: ObjectiveSettings) -> tuple[AnyOverlap, flo
         seen = Overlap(
             samples=settings.samples,
             handle_width=width,
-            near=settings.near_weight,
+            near=settings.near_weight * (_COVERED if face.behind else 1.0),
             near_radius=settings.near_radius * width,
             room=settings.room_weight * has_room,
             room_radius=settings.room_radius * width,
@@ -199,6 +199,13 @@ def _constants(face: Face, settings: ObjectiveSettings) -> tuple[AnyOverlap, flo
     return MeanOverlap(settings.overlap_max, radius, sharpness, cutoff_distance, weight), separation
 
 
+def _others(face: Face, requests: Requests) -> cKDTree:
+    """The handles of other parts that may be behind those of this one, along its axes for them."""
+    elements = requests.neighbours if face.behind else ()
+    positions = [element.anchor.position for element in elements]
+    return cKDTree(np.reshape(positions, (-1, 3)) @ face.handle_axes.T)
+
+
 class _Costs(Record):
     """What every variable is costed with."""
 
@@ -208,6 +215,9 @@ class _Costs(Record):
     separation: float
     existing: tuple[Variable, ...]
     """Elements of an existing layout."""
+    others: cKDTree
+    """Handles of other parts, from which an element stays apart whatever it looks like from the
+    front: each part is looked at by itself."""
 
 
 def _variable(
@@ -233,8 +243,10 @@ def _variable(
         cost += costs_beside_existing(
             costs.existing, costs.overlap, costs.separation, samples, handles
         )
-        kept = np.isfinite(cost)
-        spot = np.ptp(handles[kept][:, 0], axis=0).max() if kept.any() else 0.0
+        apart, _ = costs.others.query(handles)
+        kept = np.isfinite(cost) & (apart >= costs.separation).all(axis=1)
+        spots = handles[kept][:, 0, : samples.shape[-1]]
+        spot = np.ptp(spots, axis=0).max() if kept.any() else 0.0
         if kept.any() and (not roomy or spot >= costs.separation):
             break
     choice = Choice(index, choice.controls, choice.anchors[kept], choice.sources[kept])
@@ -271,9 +283,14 @@ def off_face_cost(
 
 
 def _needed(face: Face, controls: tuple[int, ...]) -> int:
-    """How many controls of the element are missed where they leave the face."""
+    """How many controls of the element are missed where they leave the face: the joints of a body
+    are where nobody looks for them on a board."""
     meanings = [face.meanings[control] for control in controls]
-    return sum(meaning is not None and meaning.action.is_needed for meaning in meanings)
+    return sum(
+        (face.behind and face.trajectories.motion_of(control).of_joint)
+        or (meaning is not None and meaning.action.is_needed)
+        for control, meaning in zip(controls, meanings, strict=True)
+    )
 
 
 # --- fixed anchors --------------------------------------------------------------------------------

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from usdrigui.character import Body, Control, Floats, Rig
+from usdrigui.character import Control, Floats, Rig
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.tracks import resampled
 from usdrigui.layout.reuse.requests import Requests
@@ -64,15 +64,11 @@ def of_new_controls(face: Face, requests: Requests, candidates: Candidates) -> C
 
 
 def existing_variables(
-    elements: tuple[Element, ...], body: Body, base: Floats, axes: Floats, count: int
+    face: Face, elements: tuple[Element, ...], count: int
 ) -> tuple[Variable, ...]:
     """The existing `elements` on the face, each as a variable of one candidate, drawn as its layer
-    draws it.
-
-    `base` (n, 3) are the points of the base pose, `axes` (d, 3) those along which elements are kept
-    apart, `count` the samples of a track.
-    """
-    return tuple(_variable(e, body, base, axes, count) for e in elements if not e.anchor.on_board)
+    draws it with `count` samples of a track."""
+    return tuple(_variable(face, each, count) for each in elements if not each.anchor.on_board)
 
 
 def costs_beside_existing(
@@ -166,10 +162,11 @@ def moved_path(path: str, before: str, after: str) -> str:
     return after + path.removeprefix(before) if path.startswith(f"{before}/") else path
 
 
-def _variable(element: Element, body: Body, base: Floats, axes: Floats, count: int) -> Variable:
-    point = np.array([body.point_of(element.anchor.mesh, element.anchor.point)])
+def _variable(face: Face, element: Element, count: int) -> Variable:
+    point = np.array([face.rig.body.point_of(element.anchor.mesh, element.anchor.point)])
     samples = np.concatenate(
         [resampled(member.track[None], count)[0] for member in element.members]
     )
-    samples, handles = (samples @ axes.T)[None, None], (base[point] @ axes.T)[None]
+    samples = (samples @ face.drawing_axes.T)[None, None]
+    handles = (face.surface.points[point] @ face.handle_axes.T)[None]
     return Variable(element.name, point, np.zeros(1), samples, handles, np.inf, np.zeros(1))

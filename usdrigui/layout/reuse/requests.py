@@ -35,9 +35,14 @@ class Requests(Record):
     """Decisions of a person in the layout that the new one succeeds."""
 
     @property
+    def existing_elements(self) -> tuple[Element, ...]:
+        """The elements of the existing layout."""
+        return self.existing.elements if self.existing is not None else ()
+
+    @property
     def fixed_elements(self) -> tuple[Element, ...]:
         """The elements that stay where they are: of the existing layout, and of other parts."""
-        return (*(self.existing.elements if self.existing is not None else ()), *self.neighbours)
+        return (*self.existing_elements, *self.neighbours)
 
     @property
     def existing_names(self) -> frozenset[str]:

@@ -13,6 +13,7 @@ from usdrigui.character import Channel
 from usdrigui.layer import write_layout as layer
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.parts.division import divide
+from usdrigui.layout.parts.joint_regions import seen_flat
 from usdrigui.model import LayoutPart
 from usdrigui.pipeline.joining import joined, joined_assignment
 from usdrigui.pipeline.stages import character_of, part_problem
@@ -74,6 +75,22 @@ def test_joints_are_told_apart_into_face_hands_and_body(rig):
     assert found["hands"] == fingers
     assert {name.partition(":")[0] for name in found["face"]} == {f"k{k}" for k in range(9)}
     assert len(found["hands"]) == 16
+
+
+@pytest.mark.parametrize(
+    ("part", "space", "deep", "seen"),
+    [
+        ("body", "part", 0.9, (True, True)),
+        ("body", "part", 1.1, (False, False)),
+        ("hands", "part", 0.9, (False, False)),
+        ("face", "part", 1.1, (True, False)),
+        ("body", "view", 0.9, (True, False)),
+        ("face", "object", 0.9, (False, False)),
+    ],
+)
+def test_a_body_is_measured_as_seen_unless_it_is_deeper_than_wide(part, space, deep, seen):
+    """An animal on four legs is one behind the other from the front."""
+    assert seen_flat(part, space, np.array([[0.0, 0.0, 0.0], [1.0, 3.0, deep]])) == seen
 
 
 def test_what_hangs_on_no_arm_is_no_hand():

@@ -10,19 +10,29 @@ from usdrigui.settings import ControlSettings, ObjectiveSettings
 
 
 @pytest.mark.parametrize(
-    ("needed", "stood", "copies", "cost"),
-    [((), False, 1, 6.0), ((), False, 2, 12.0), ((0,), False, 2, 22.0), ((0, 1), True, 1, 10.0), ((), True, 2, 0.0)],
+    ("needed", "stood", "copies", "joints", "cost"),
+    [
+        ((), False, 1, False, 6.0),
+        ((), False, 2, False, 12.0),
+        ((0,), False, 2, False, 22.0),
+        ((0, 1), True, 1, False, 10.0),
+        ((), True, 2, False, 0.0),
+        ((), False, 1, True, 16.0),
+    ],
 )
 def test_each_control_of_each_copy_that_leaves_the_face_costs_and_more_if_it_is_needed_there(
-    needed, stood, copies, cost
+    needed, stood, copies, joints, cost
 ):
-    """Two controls at 3 each, and 5 for one that is needed; none leaves where the board had them before."""
+    """Two controls at 3 each, and 5 for one that is needed, as the joints of a body are; none leaves where the board
+    had them before."""
     action = [SimpleNamespace(action=SimpleNamespace(is_needed=i in needed)) if i in needed else None for i in (0, 1)]
     requests = SimpleNamespace(
         overrides=[ControlSettings(), ControlSettings()],
         prior=SimpleNamespace(stood_on_board=lambda _: stood),
     )
-    face = SimpleNamespace(meanings=action)
+    motion = SimpleNamespace(of_joint=joints)
+    trajectories = SimpleNamespace(motion_of=lambda _: motion)
+    face = SimpleNamespace(meanings=action, behind=joints, trajectories=trajectories)
     group = SimpleNamespace(controls=(0, 1), copies=((0, 1),) * copies)
     settings = ObjectiveSettings(off_face_penalty=3.0)
     assert off_face_cost(face, group, requests, settings) == pytest.approx(cost)
