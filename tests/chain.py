@@ -140,9 +140,8 @@ def by_name(line):
 
 def set_of(line, name):
     """The candidate set of a control."""
-    names = [control.name for control in line.face.rig.controls]
-    motions = line.face.trajectories.motions
-    return next(each for each in line.candidates.sets if names[motions[each.motion].control] == name)
+    control, motions = line.face.rig.control_indices[name], line.face.trajectories.motions
+    return next(each for each in line.candidates.sets if motions[each.motion].control == control)
 
 
 def chosen(rig, **parts):

@@ -55,7 +55,7 @@ def test_a_layout_on_an_open_stage_is_opened_posed_seen_and_checked(folder):
     stage.GetSessionLayer().subLayerPaths.append(layer.identifier)
     layout = usdrigui.open(stage)
     assert {control.name for control in layout.controls} >= {"smile_L", "jawLeft"}
-    smile = next(number for number, each in enumerate(layout.elements) if each.name == "smile_L")
+    smile = [each.name for each in layout.elements].index("smile_L")
     rest, posed = layout.pose({}), layout.pose({"smile_L": 1.0})
     assert abs(posed.elements[smile].handle - rest.elements[smile].handle).max() > 0.0
     assert not [each for each in layout.check().issues if each.severity == "error"]

@@ -11,6 +11,7 @@ from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
+from scipy.spatial.distance import cdist
 
 from usdrigui.character import Floats, Joint, Record, RigMesh
 from usdrigui.character.rotation import rotation_part
@@ -331,7 +332,7 @@ class Tree(Record):
             middle = float(np.median(self.places[list(self.owners)][:, axis]))
             image = self.places.copy()
             image[:, axis] = 2.0 * middle - image[:, axis]
-            apart = np.linalg.norm(image[:, None] - self.places[None], axis=2).min(axis=1)
+            apart = cdist(image, self.places).min(axis=1)
             off = np.abs(self.places[:, axis] - middle) > near
             if off.sum() >= 0.3 * len(off) and np.mean(apart < near) > 0.8:
                 return axis, middle

@@ -76,7 +76,7 @@ class Views(Record):
     def drawing_axes(self, flat: bool) -> Floats:
         """(d, 3) the axes along which drawn elements are measured: those of the screen where the
         layout is `flat`, else all three."""
-        return screen(self) if flat else np.eye(3)
+        return self.axes[:2] if flat else self.axes
 
     def one_sided(self, normal: Floats) -> bool:
         """Whether the only view looks across the plane of symmetry, of which it may see one side

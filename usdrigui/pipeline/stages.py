@@ -142,7 +142,7 @@ def measured(
         placed = on_face(found.motions, classification, requests.overrides)
         places = found.surface.points @ views.axes.T
         flat, behind = seen_flat(part.name, settings.candidates.space, places)
-        axes = views.drawing_axes(flat) if flat else views.axes
+        axes = views.drawing_axes(flat)
         width, crowded = handle_width(
             found, views, placed, axes, settings.objective, levels=settings.levels.crowds
         )

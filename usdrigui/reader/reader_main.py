@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import os
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -209,7 +210,7 @@ def read_result(stage: Usd.Stage, found: Characters) -> ReadResult:
     layer = stage.GetRootLayer()
     return ReadResult(
         found.rigs,
-        {key: _as_json(value) for key, value in stage_metadata(layer).items()},
+        json.loads(json.dumps(stage_metadata(layer), default=_as_json)),
         (),
         own_layouts(stage),
         composed_from=composed_layouts(stage),
@@ -300,15 +301,9 @@ def _files(path: Path, stages: Iterable[Usd.Stage]) -> tuple[str, ...]:
     return (own, *(each for each in others if os.path.isfile(each)))  # noqa: PTH113
 
 
-def _as_json(value: Any) -> Any:
-    """Metadata as JSON values: dictionaries, lists, strings, numbers, truth values."""
-    if isinstance(value, dict):
-        return {str(key): _as_json(item) for key, item in value.items()}
-    if value is None or isinstance(value, (str, bool, int, float)):
-        return value
-    if hasattr(value, "__iter__"):
-        return [_as_json(item) for item in value]
-    return str(value)
+def _as_json(value: Any) -> list[Any] | str:
+    """Metadata that JSON does not know: arrays, vectors and matrices as lists, others as text."""
+    return list(value) if hasattr(value, "__iter__") else str(value)
 
 
 # --- failures -------------------------------------------------------------------------------------

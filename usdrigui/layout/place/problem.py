@@ -14,6 +14,7 @@ from itertools import chain
 
 import numpy as np
 from scipy.spatial import cKDTree
+from scipy.spatial.distance import cdist
 
 from usdrigui.character import Floats, Indices, Record
 from usdrigui.character.surface import mean_edge_length, mesh_triangles
@@ -72,8 +73,8 @@ def placement_problem(
     face, requests, objective = known.face, known.requests, known.settings.objective
     overlap, separation = _constants(face, objective)
     sets = _by_control(known, candidates)
-    beside = requests.existing_elements if face.behind else requests.fixed_elements
-    existing = existing_variables(face, beside, objective.samples)
+    beside = () if face.behind else requests.neighbours
+    existing = existing_variables(face, requests.existing_elements + beside, objective.samples)
     terms = LinearTerms.of(known.settings)
     costs = _Costs(known, terms, overlap, separation, existing, _others(face, requests))
     variables, choices = [], []
@@ -323,7 +324,7 @@ def _impossible(
             one, other = problem.variables[a], problem.variables[b]
             if not problem.together[a, b]:
                 continue
-            apart = np.linalg.norm(one.handles[0][:, None] - other.handles[0][None], axis=2).min()
+            apart = cdist(one.handles[0], other.handles[0]).min()
             if apart < problem.separation:
                 share = f"{apart / problem.separation:.2f} of the least distance of two handles"
                 return told(f"is fixed at {share} from {other.name}", a, b)

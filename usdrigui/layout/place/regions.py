@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+from scipy.spatial.distance import cdist
 
 from usdrigui.character import Floats
 from usdrigui.layout.face import Face
@@ -63,7 +64,7 @@ def crowded_regions(
 def _apart(some: list[_Standing], others: list[_Standing]) -> Floats:
     """(n, m) distances of all places."""
     one, other = (np.concatenate([each.places for each in them]) for them in (some, others))
-    return np.asarray(np.linalg.norm(one[:, None] - other, axis=2))
+    return np.asarray(cdist(one, other))
 
 
 def _standing(face: Face, group: Group) -> _Standing:

@@ -40,11 +40,6 @@ class Requests(Record):
         return self.existing.elements if self.existing is not None else ()
 
     @property
-    def fixed_elements(self) -> tuple[Element, ...]:
-        """The elements that stay where they are: of the existing layout, and of other parts."""
-        return (*self.existing_elements, *self.neighbours)
-
-    @property
     def existing_names(self) -> frozenset[str]:
         """Names of the elements of the existing layout, and of their controls."""
         if self.existing is None:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
+from scipy.spatial.distance import cdist
 
 from usdrigui.character import Body, Drive, Rig, RigMesh
 from usdrigui.errors import (
@@ -157,7 +158,7 @@ def crowded(elements: tuple[Element, ...], least: float) -> Iterator[Issue]:
         return
     seen = states(elements)
     positions = np.array([element.anchor.position for element in placed])
-    apart = np.linalg.norm(positions[:, None] - positions[None], axis=2)
+    apart = cdist(positions, positions)
     for a, b in np.argwhere(np.triu(apart < least * (1.0 - TOUCHING), 1)):
         if not seen[placed[a].name] & seen[placed[b].name]:
             continue

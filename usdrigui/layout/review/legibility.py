@@ -11,10 +11,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 import numpy as np
+from scipy.spatial.distance import cdist
 
 from usdrigui.character import Flags, Floats, Indices
 from usdrigui.layout.face import Face
-from usdrigui.layout.visibility import screen
 from usdrigui.model import Element, Legibility
 from usdrigui.model.levels import inner_names
 from usdrigui.overlap import SAME_WAY, segment_distances, segments_cross
@@ -47,7 +47,7 @@ def legibility(elements: tuple[Element, ...], axes: Floats) -> Legibility:
 def legibility_of(face: Face, elements: tuple[Element, ...]) -> Legibility:
     """The same of the elements of a part on its face; of a part that is not looked at from one
     side, as a body is, none is judged."""
-    return legibility(elements, screen(face.views)) if face.flat else Legibility(0, ())
+    return legibility(elements, face.drawing_axes) if face.flat else Legibility(0, ())
 
 
 def first_level(elements: Sequence[Element]) -> list[Element]:
@@ -75,7 +75,7 @@ def _obstacles(shown: list[Element], axes: Floats) -> Iterator[tuple[int, str]]:
     longest = np.zeros(len(shown))
     np.maximum.at(longest, owner, lengths)
     names = [each.name for each in shown]
-    apart = np.linalg.norm(handles[:, None] - handles, axis=2)
+    apart = cdist(handles, handles)
     np.fill_diagonal(apart, np.inf)
     for one, other in np.argwhere(apart < _POINTER).tolist():
         yield one, f"its handle is {apart[one, other]:.0f} px from that of {names[other]}"

@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
+from scipy.spatial.distance import cdist
 
 from usdrigui.character import Floats
 from usdrigui.layout.face import Face
@@ -67,5 +68,5 @@ def predicted(handles: Floats, tracks: Floats, width: float, rows: float) -> Pos
 
 def _bits(places: Floats, width: float) -> float:
     """Mean index of difficulty, log2(D/W + 1), from one of the places (n, d) to another one."""
-    apart = np.linalg.norm(places[:, None] - places, axis=2)
+    apart = cdist(places, places)
     return float(np.log2(apart / width + 1.0).sum() / max(apart.size - len(apart), 1))

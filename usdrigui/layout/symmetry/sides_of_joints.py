@@ -8,6 +8,7 @@ from collections import Counter
 from itertools import product
 
 import numpy as np
+from scipy.spatial.distance import cdist
 
 from usdrigui.character import Body, Floats, Joint, Skeleton
 from usdrigui.character.joint_tree import Tree, unit
@@ -83,7 +84,7 @@ def mirrored_joints(body: Body, plane: MirrorPlane) -> dict[int, int]:
     tree, named = Tree(body.joints, body.meshes), _twins(body.joints)
     places = joint_places(body.skeletons, body.joints)
     reach = _OFF * float(np.ptp(places, axis=0).max()) or 1.0
-    apart = np.linalg.norm(plane.reflected(places)[:, None] - places[None], axis=2)
+    apart = cdist(plane.reflected(places), places)
     below = [len(tree.below((joint,))) for joint in range(len(body.joints))]
     found: dict[int, int] = {}
 

@@ -22,7 +22,7 @@ def test_tracks_are_sampled_at_equal_steps_of_arc_length():
 @pytest.mark.parametrize(("size", "enlarged"), [(0.3, "to one and a half handle widths"), (0.01, "three times")])
 def test_short_tracks_are_enlarged_and_the_magnification_recorded(size, enlarged):
     line = chain.lay_out(makers.face_with(tiny=size * makers.bump(POINTS, (0.5, 0.0), (0, 1, 0), 0.2)))
-    tiny = next(m for e in line.layout.elements for m in e.members if m.control == "tiny")
+    tiny = chain.by_name(line)["tiny"].members[0]
     drawn = np.linalg.norm(tiny.track[-1] - tiny.track[0])
     least = 1.5 * line.layout.frame.handle_width
     assert drawn == pytest.approx(3.0 * tiny.arc_length if enlarged == "three times" else least, rel=1e-6)

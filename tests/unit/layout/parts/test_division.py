@@ -8,6 +8,7 @@ import limbs
 import makers
 import numpy as np
 import pytest
+from scipy.spatial.distance import pdist
 
 from usdrigui.character import Channel
 from usdrigui.layer import write_layout as layer
@@ -173,11 +174,9 @@ def test_parts_keep_clear_of_each_other_and_their_proofs_add_up():
     standing = [element for element in whole.elements if not element.anchor.on_board]
     assert {element.part for element in standing} == {"face", "hands", "body"}
     assert all(" face" not in element.reason for element in whole.elements if element.part != "face")
-    width_of = whole.frame.handle_width_of
-    for number, one in enumerate(standing):
-        for other in standing[number + 1 :]:
-            apart = np.linalg.norm(one.anchor.position - other.anchor.position)
-            assert apart >= max(width_of(each.part) for each in (one, other)) * (1.0 - 1e-9)
+    widths = [(whole.frame.handle_width_of(element.part),) for element in standing]
+    apart = pdist([element.anchor.position for element in standing])
+    assert (apart >= pdist(widths, lambda *both: np.max(both)) * (1.0 - 1e-9)).all()
 
 
 def test_the_whole_says_of_the_part_that_is_not_proved_why():

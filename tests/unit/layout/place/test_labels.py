@@ -31,7 +31,7 @@ def test_costs_are_displacement_terms_and_own_overlap_of_both_copies():
     line = chain.problem_of(makers.face(), flat)
     index = [variable.name for variable in line.problem.variables].index("brow_L")
     variable, choice = line.problem.variables[index], line.choices[index]
-    left, right = (next(m for m in line.face.trajectories.motions if m.control == c) for c in (0, 1))
+    left, right = map(line.face.trajectories.motion_of, (0, 1))
     arc = left.arc_length[np.searchsorted(left.points, choice.anchors[:, 0])]
     arc = arc + right.arc_length[np.searchsorted(right.points, choice.anchors[:, 1])]
     own = own_costs(variable.samples, variable.handles, line.problem.overlap, line.problem.separation)
@@ -47,8 +47,7 @@ def test_a_group_counts_its_worst_member():
         objective={"relative_displacement": 0.0, "distinctive_weight": 0.0},
     )
     line = chain.problem_of(makers.face(), both)
-    index = [variable.name for variable in line.problem.variables].index("jawRight_jawLeft")
-    variable = line.problem.variables[index]
+    (variable,) = (each for each in line.problem.variables if each.name == "jawRight_jawLeft")
     motions = [m for m in line.face.trajectories.motions if line.face.rig.controls[m.control].name.startswith("jaw")]
     arcs = np.stack([m.arc_length[np.searchsorted(m.points, variable.points)] for m in motions])
     worst = -0.85 * arcs.min(axis=0) / line.face.trajectories.typical_length

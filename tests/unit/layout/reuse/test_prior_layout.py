@@ -250,7 +250,7 @@ def test_every_move_between_two_layouts_has_a_reason(before):
 
 @pytest.mark.parametrize("pinned_before", [(), ("anchor",)])
 def test_of_a_swap_the_control_that_a_person_anchored_is_the_cause(before, pinned_before):
-    chin, pucker = (next(e for e in before.layout.elements if e.name == name) for name in ("chin", "pucker"))
+    chin, pucker = map(chain.by_name(before).get, ("chin", "pucker"))
     swapped = {
         "chin": replace(chin, anchor=pucker.anchor, pinned=("anchor",)),
         "pucker": replace(pucker, anchor=chin.anchor),
