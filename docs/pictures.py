@@ -314,10 +314,10 @@ SCENES: tuple[Scene, ...] = (
     Scene(
         "flat",
         "2 · Flat layouts",
-        "Elements of a head are kept apart as the viewer sees them, those of bodies and hands in"
-        " space; `--space object` keeps all apart in space. `--space view` measures their"
-        " tracks in the picture plane as well: what runs toward the viewer is anchored where it can"
-        " still be seen to move.",
+        "Elements of a head and of a standing body are measured as the viewer sees them, the"
+        " handles of the body and all of hands in space; `--space object` measures all in space."
+        " `--space view` measures their tracks in the picture plane as well: what runs toward the"
+        " viewer is anchored where it can still be seen to move.",
         (
             Panel("in space", '[candidates]\nspace = "object"'),
             Panel("by default"),

@@ -255,7 +255,7 @@ def test_a_body_has_the_same_controls_whatever_else_moves_it(tmp_path):
 
 def test_what_is_configured_or_set_by_a_pose_has_no_control_by_default():
     body = limbs.whole_body().body
-    hips = next(i for i, joint in enumerate(body.joints) if joint.path == "h")
+    hips = [joint.path for joint in body.joints].index("h")
     found = default_joint_drafts(body, None, {hips}, {"a0": JointSettings(axes=("x",))})
     assert not {draft.source for draft in found} & {"h", "h/s/t/a0"}
     assert "b0:rx" in {draft.name for draft in found}

@@ -446,7 +446,7 @@ def test_named_frames_and_joints_when_asked(tmp_path):
 
 def test_a_clip_passes_through_its_frames(tmp_path):
     rig = read(posed(tmp_path / "p.usda", None), {"poses": {"story": {"clip": [0.0, 2.0]}}})
-    story = next(i for i, control in enumerate(rig.controls) if control.name == "story")
+    story = rig.control_indices["story"]
     assert rig.controls[story].drive.values.tolist() == [0.0, 0.5, 1.0]
     values = np.zeros(len(rig.controls))
     values[story] = 0.5

@@ -190,4 +190,6 @@ def test_nearer_handles_than_the_separation_are_forbidden_and_one_behind_another
         return Drawn(np.array([[[x], [9.0 * (1.0 + x)]]] * 2), np.array([[x], [0.0], [depth]]))
 
     seen = Overlap(2, 1.0, 1.0, 2.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0)
-    assert drawn_costs(drawn(0.0, 0.0), drawn(between, behind), seen, 1.0).tolist() == [cost]
+    mean, two = MeanOverlap(5.0, 0.1, 20.0, 0.6, 0.15), (drawn(0.0, 0.0), drawn(between, behind))
+    assert drawn_costs(*two, seen, 1.0).tolist() == [cost]
+    assert np.isinf(drawn_costs(*two, mean, 1.0)) == np.isinf(cost)

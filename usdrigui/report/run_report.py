@@ -84,7 +84,7 @@ class CharacterReport(Record):
     parts: tuple[PartRow, ...] = ()
     """In the order in which they were laid out; `assignment` holds their sums."""
     legibility: Legibility = field(default=Legibility(0, ()))
-    """Of the parts that are looked at from one side: those of the head."""
+    """Of the parts whose elements are measured as they are seen: a head's and a standing body."""
 
     def count(self, place: Place) -> int:
         """Number of controls at a place."""

@@ -101,10 +101,8 @@ def drawn_points(
             for control in controls
         ]
         samples.append(np.concatenate(tracks, axis=1))
-    axes = face.drawing_axes.T
-    return np.stack(samples, axis=1) @ axes, face.surface.points[
-        choice.anchors
-    ] @ face.handle_axes.T
+    handles = face.surface.points[choice.anchors] @ face.handle_axes.T
+    return np.stack(samples, axis=1) @ face.drawing_axes.T, handles
 
 
 def _drawn_track(
@@ -120,7 +118,7 @@ def _drawn_track(
 
 def drawn_magnification(face: Face, motion: Motion, sources: Indices, least: float) -> Floats:
     """(R,) how much larger than the motion of `sources` a track is drawn, for it to be as long as
-    `least` where elements are kept apart: on the screen of a flat layout."""
+    `least` as it is measured: on the screen of a flat layout."""
     return magnification(drawn_lengths(face, motion, sources), least)
 
 
@@ -129,8 +127,8 @@ def _importance(importance: float | None) -> float:
 
 
 def drawn_lengths(face: Face, motion: Motion, sources: Indices) -> Floats:
-    """(R,) lengths of the trajectories where elements are kept apart: on the screen of a flat
-    layout foreshortened ones are short (paper section 3.3 and fig. 7)."""
+    """(R,) lengths of the trajectories as they are measured: on the screen of a flat layout
+    foreshortened ones are short (paper section 3.3 and fig. 7)."""
     return lengths(paths(motion, sources) @ face.drawing_axes.T)
 
 

@@ -45,8 +45,8 @@ def legibility(elements: tuple[Element, ...], axes: Floats) -> Legibility:
 
 
 def legibility_of(face: Face, elements: tuple[Element, ...]) -> Legibility:
-    """The same of the elements of a part on its face; of a part that is not looked at from one
-    side, as a body is, none is judged."""
+    """The same of the elements of a part on its face; of a part whose elements are measured in
+    space, as those of hands are, none is judged."""
     return legibility(elements, face.drawing_axes) if face.flat else Legibility(0, ())
 
 

@@ -51,7 +51,7 @@ def test_a_name_that_tells_the_region_alone_leaves_it_to_the_motion_whether_it_h
     """Both keep about .6 of their peak in the middle."""
     lobes = sum(makers.bump(POINTS, (w * 0.185, -0.45), (w * 0.1, 0.0, 1.0), 0.28, 0.1) for _, w in SIDED)
     line = chain.problem_of(makers.rig(POINTS, QUADS, SIDES | {"jawOpen": SHAPES["chin"], name: lobes}))
-    control = next(i for i, each in enumerate(line.face.rig.controls) if each.name == name)
+    control = line.face.rig.control_indices[name]
     group = next(each for each in line.groups if control in each.controls)
     assert line.face.expected[control] is not None
     assert len(group.copies) == count
