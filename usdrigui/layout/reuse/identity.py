@@ -19,20 +19,10 @@ from usdrigui.character import Floats, Rig
 from usdrigui.conventions import spellings
 from usdrigui.errors import Issue, issue
 from usdrigui.layout.reuse.motion_evidence import at_anchors, kinds, over_faces
-from usdrigui.layout.reuse.name_evidence import name_evidence, same_meaning
+from usdrigui.layout.reuse.name_evidence import CHANCE, name_evidence, same_meaning
 from usdrigui.model import SURE, Layout, Match, Trajectories
 from usdrigui.model.levels import outer_first
 from usdrigui.ties import rounded
-
-_CHANCE = 2.5
-"""Evidence that chance alone may give a pair: a pair below it is none."""
-_LANDMARK = 0.5
-"""Confidence from which a match may be a landmark of the map between two faces: wrong ones are
-outvoted."""
-_ROUNDS = 8
-"""Matches shape the map between two faces, and the map the matches, at most so often."""
-_CERTAIN = 12.0
-"""Evidence beyond which nothing is gained by knowing more exactly how sure a pair is."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,14 +70,11 @@ def match_rigs(
     rows = [before[0].control_indices[name] for name in one]
     columns = [after[0].control_indices[name] for name in other]
     compared = kinds(before, after)
-    landmarks: dict[str, str] | None = None
-    for _ in range(_ROUNDS):
-        known = landmarks
-        landmarks = {
-            m.before: m.after for m in (*decided, *found.matches) if m.confidence >= _LANDMARK
-        }
-        if known == landmarks:
-            break
+    # Matches are landmarks of the map between the faces, which outvotes wrong ones, and the map
+    # shapes the matches, until it is one that was there.
+    known: list[dict[str, str]] = []
+    while (landmarks := {m.before: m.after for m in (*decided, *found.matches)}) not in known:
+        known.append(landmarks)
         found = _matched(one, other, named + over_faces(compared, landmarks)[np.ix_(rows, columns)])
     dropped = tuple(name for name in chosen if not chosen[name])
     return _joined(names[0], decided, replace(found, left_before=(*found.left_before, *dropped)))
@@ -169,14 +156,15 @@ def _joined(before: Sequence[str], kept: tuple[Match, ...], found: Matching) -> 
 
 
 def _matched(before: Sequence[str], after: Sequence[str], evidence: Floats) -> Matching:
-    """The assignment of greatest evidence (before, after)."""
+    """The assignment of greatest evidence (before, after); a pair below what chance may give is
+    none."""
     excess = np.maximum(
-        rounded(evidence - _CHANCE) * np.abs(evidence - _CHANCE).max(initial=0.0), 0.0
+        rounded(evidence - CHANCE) * np.abs(evidence - CHANCE).max(initial=0.0), 0.0
     )
-    pairs = [(int(i), int(j), loss) for i, j, loss in _assigned(excess)]
+    pairs = _assigned(excess)
     spelt_as, means = (spellings(before), spellings(after)), same_meaning(before, after)
     matches = []
-    for i, j, loss in pairs:
+    for i, j, confidence in pairs:
         spelt = (
             "spelling"
             if spelt_as[0][i] == spelt_as[1][j]
@@ -185,9 +173,7 @@ def _matched(before: Sequence[str], after: Sequence[str], evidence: Floats) -> M
             else "motion"
         )
         reason = "name" if before[i] == after[j] else spelt
-        matches.append(
-            Match(before[i], after[j], round(float(1.0 / (1.0 + np.exp(-loss))), 3), reason)
-        )
+        matches.append(Match(before[i], after[j], confidence, reason))
     rows, columns = {i for i, _, _ in pairs}, {j for _, j, _ in pairs}
     left = tuple(name for i, name in enumerate(before) if i not in rows)
     return Matching(
@@ -196,27 +182,31 @@ def _matched(before: Sequence[str], after: Sequence[str], evidence: Floats) -> M
 
 
 def _assigned(evidence: Floats) -> list[tuple[int, int, float]]:
-    """Rows and columns of the assignment of greatest total, and what the total would lose without
-    each pair."""
+    """Rows and columns of the assignment of greatest total, and how sure each pair is: the logistic
+    of what the total would lose without it."""
     rows, columns = linear_sum_assignment(-evidence)
     total = float(evidence[rows, columns].sum())
     return [
-        (int(i), int(j), _loss(evidence, i, j, total))
+        (int(i), int(j), _confidence(evidence, i, j, total))
         for i, j in zip(rows, columns, strict=True)
         if evidence[i, j] > 0.0
     ]
 
 
-def _loss(evidence: Floats, row: int, column: int, total: float) -> float:
-    """What the best total loses without a pair, or a bound below it where that is enough.
+def _confidence(evidence: Floats, row: int, column: int, total: float) -> float:
+    """How sure a pair is, to three digits.
 
     The best assignment without the pair, less what it gives to its row and its column, is one of
-    the rest.
+    the rest: a bound below what is lost, which often is enough.
     """
     without = evidence.copy()
     without[row, column] = 0.0
     least = float(evidence[row, column] - without[row].max() - without[:, column].max())
-    if least >= _CERTAIN:
-        return least
+    if _logistic(least) == 1.0:
+        return 1.0
     i, j = linear_sum_assignment(-without)
-    return float(total - without[i, j].sum())
+    return _logistic(float(total - without[i, j].sum()))
+
+
+def _logistic(odds: float) -> float:
+    return round(float(1.0 / (1.0 + np.exp(-odds))), 3)

@@ -17,6 +17,7 @@ from scipy.spatial import cKDTree
 
 from usdrigui.character import Flags, Floats, Indices, Rig
 from usdrigui.layout.motion.trajectory import of_controls
+from usdrigui.layout.reuse.name_evidence import CHANCE, SAME
 from usdrigui.layout.reuse.retargeting import face_map
 from usdrigui.model import BaseSurface, Element, Motion, Trajectories
 from usdrigui.model.levels import outer_first
@@ -25,19 +26,10 @@ from usdrigui.settings import TrajectorySettings
 _BLUR = 0.03
 """Standard deviation of the blur, as a share of the face; so far apart are the sample points, and
 half as wide the cells over which displacements are averaged first."""
-_NEIGHBOURS = 64
-"""Cells within two standard deviations, at most."""
-
-_LEAST = -4.0
-"""Most evidence of motion against a pair: shapes are replaced."""
-_FIELD, _ANCHOR = (12.0, 0.45), (5.0, 0.6)
-"""Evidence for each unit of the cosine, and the cosine that says nothing: of whole fields in rigs
-of two makers, and at a single point, where many controls go the same way."""
-_LENGTH = 0.5
-"""What a pair loses for each natural logarithm by which its motions differ in length."""
-_CLOSE, _CLOSE_WEIGHT, _EXACT = 0.3, 1.5, 0.01
-"""Relative difference below which agreement weighs more and more, until it is as small as rounding:
-copies of a rig differ by less than shapes of two makers."""
+_NO_SIGN = 0.45
+"""Cosine of the fields of two motions that says nothing, in rigs of two makers."""
+_EXACT = 1e-3
+"""Relative difference below which motions are the same but for rounding."""
 
 
 @dataclass(frozen=True)
@@ -46,22 +38,32 @@ class Agreement:
 
     cosine: Floats
     """(a, b) of the motions as vectors; 0 where one of them moves nothing."""
-    length: Floats
-    """(a, b) magnitude of the natural logarithm of the ratio of their lengths; at most three."""
+    ratio: Floats
+    """(a, b) of their lengths, the smaller one by the larger one."""
     moving: Flags
     """(a, b) whether both move anything."""
 
-    def evidence(self, slope: float, middle: float) -> Floats:
-        """(a, b) logarithms of odds that two motions are of one control.
+    @property
+    def of_fields(self) -> Floats:
+        """(a, b) logarithms of odds that two motions over a face are of one control: they go the
+        same way, and more so the closer they are."""
+        return self._bounded(SAME * (self.cosine - _NO_SIGN) + np.maximum(self._close, 0.0))
 
-        The difference of vectors of lengths 1 and r <= 1, which is their relative difference, has
-        the square 1 + r^2 - 2 r cos.
-        """
-        ratio = np.exp(-self.length)
-        off = np.sqrt(np.maximum(1.0 + ratio**2 - 2.0 * ratio * self.cosine, 0.0))
-        close = np.where(off < _CLOSE, _CLOSE_WEIGHT * np.log(_CLOSE / (off + _EXACT)), 0.0)
-        found = slope * (self.cosine - middle) - _LENGTH * self.length + close
-        return np.where(self.moving, np.maximum(found, _LEAST), 0.0)
+    @property
+    def at_a_point(self) -> Floats:
+        """The same of motions at one point, where many controls go the same way: only how close
+        they are says something."""
+        return self._bounded(self._close)
+
+    @property
+    def _close(self) -> Floats:
+        """The difference of vectors of lengths 1 and r <= 1, which is their relative difference,
+        has the square 1 + r^2 - 2 r cos."""
+        off = np.sqrt(np.maximum(1.0 + self.ratio**2 - 2.0 * self.ratio * self.cosine, 0.0))
+        return -np.log(off + _EXACT)
+
+    def _bounded(self, odds: Floats) -> Floats:
+        return np.where(self.moving, np.maximum(odds, -CHANCE), 0.0)
 
 
 class Kind(NamedTuple):
@@ -95,7 +97,7 @@ def over_faces(compared: Sequence[Kind], landmarks: Mapping[str, str]) -> Floats
     `landmarks`: names after by names before, from which the map between the faces is made; the
     faces are laid over each other by size where there are too few.
     """
-    return np.asarray(sum(_over(each, landmarks).evidence(*_FIELD) for each in compared))
+    return np.asarray(sum(_over(each, landmarks).of_fields for each in compared))
 
 
 def _of_kind(character: tuple[Rig, Trajectories], jointed: bool) -> tuple[Rig, Trajectories]:
@@ -117,7 +119,7 @@ def _agreement(one: Floats, other: Floats) -> Agreement:
     moving = (lengths[0] > 0.0) & (lengths[1] > 0.0)
     first, second = (np.maximum(each, 1e-300) for each in lengths)
     cosine = np.where(moving, (one / first) @ (other / second.T).T, 0.0)
-    return Agreement(cosine, np.minimum(np.abs(np.log(first / second)), 3.0), moving)
+    return Agreement(cosine, np.minimum(first / second, second / first), moving)
 
 
 def at_anchors(
@@ -140,7 +142,7 @@ def at_anchors(
     for row, name in enumerate(left):
         if name in held:
             here = _at_point(trajectories.motions, len(rig.controls), points[name])[columns]
-            found[row] = _agreement(held[name].vector[None], here).evidence(*_ANCHOR)[0]
+            found[row] = _agreement(held[name].vector[None], here).at_a_point[0]
     return found
 
 
@@ -176,12 +178,11 @@ def _blurred(character: tuple[Rig, Trajectories], points: Floats) -> Floats:
     shape = len(area), len(surface.points)
     cells = csr_array((areas / area[number], (number, places)), shape=shape)
     tree = cKDTree(cells @ surface.points)
-    apart, near = tree.query(points, k=_NEIGHBOURS, distance_upper_bound=2.0 * _BLUR * size)
-    amounts = np.exp(-0.5 * np.square(apart / (_BLUR * size))) * np.append(area, 0.0)[near]
-    amounts /= np.maximum(amounts.sum(axis=1, keepdims=True), 1e-300)
-    rows = np.repeat(np.arange(len(points)), near.shape[1])
-    columns = np.minimum(near, len(area) - 1).ravel()
-    around = csr_array((amounts.ravel(), (rows, columns)), shape=(len(points), len(area)))
+    reach = 2.0 * _BLUR * size
+    near = cKDTree(points).sparse_distance_matrix(tree, reach, output_type="coo_matrix")
+    amounts = np.exp(-0.5 * np.square(near.data / (_BLUR * size))) * area[near.col]
+    amounts /= np.bincount(near.row, amounts, len(points))[near.row]
+    around = csr_array((amounts, (near.row, near.col)), shape=near.shape)
     weights = (around @ cells).tocsc()
     found = np.zeros((len(rig.controls), len(points), 3))
     for motion in trajectories.motions:

@@ -10,16 +10,15 @@ import numpy as np
 from usdrigui.character import Flags, Floats
 from usdrigui.conventions import Meaning, Spelling, meanings, same_act, spellings
 
-_SAME_NAME = 9.5
-_SAME_SPELLING = 9.0
-_NUMBER = 2.0
-"""Of equal names that are mere numbers: exporters count shapes anew."""
+CHANCE = 2.5
+"""Evidence that chance alone may give a pair, for it or against it: names all of whose words mean
+the same, the same number from an exporter that counts shapes anew, another action, another motion
+where shapes are replaced."""
+SAME = 12.0
+"""Of one name, however it is spelt, or one motion."""
 _SAME_ACTION = 4.5
 """Of two names that mean one action of the field's conventions, or one action unit; less where
 several of a rig do."""
-_OTHER_ACTION = -2.5
-_SHARED_WORDS = 2.5
-"""Of names all of whose words mean the same; in proportion where some do."""
 _OTHER_SIDE = 1.5
 """What names lose of which one has another side than the other, or none: rigs that mean the side of
 the viewer are not rare."""
@@ -33,16 +32,12 @@ def name_evidence(before: Sequence[str], after: Sequence[str]) -> Floats:
     for i, name in enumerate(before):
         for j, other in enumerate(after):
             one, two = spelt[0][i], spelt[1][j]
-            if name == other or one == two:
-                found[i, j] = (
-                    _NUMBER if one.is_number else _SAME_NAME if name == other else _SAME_SPELLING
-                )
+            if (name == other or one == two) and not one.is_number:
+                found[i, j] = SAME
             else:
                 senses = meant[0][i], meant[1][j]
                 found[i, j] = (
-                    _SHARED_WORDS
-                    * len(one.senses & two.senses)
-                    / max(1, len(one.senses | two.senses))
+                    CHANCE * len(one.senses & two.senses) / max(1, len(one.senses | two.senses))
                     + _by_meaning(*senses, *usual)
                     - _OTHER_SIDE * _other_side(*senses, one, two)
                 )
@@ -69,7 +64,7 @@ def _by_meaning(
     if one is None or two is None:
         return 0.0
     if not same_act(one.action, two.action):
-        return _OTHER_ACTION
+        return -CHANCE
     return _SAME_ACTION - float(np.log(max(first[_sense(one)], second[_sense(two)])))
 
 
