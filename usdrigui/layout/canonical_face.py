@@ -18,9 +18,10 @@ from usdrigui.character import Flags, Floats, Record, Rig
 from usdrigui.character.joint_tree import level, unit
 from usdrigui.conventions import Action, Meaning, actions
 from usdrigui.layout.motion.coverage import NOTABLE
+from usdrigui.layout.shares import MOST, NOTHING
 from usdrigui.layout.symmetry.front import moving_normals
 from usdrigui.layout.symmetry.lobes import ASIDE
-from usdrigui.layout.symmetry.sides_of_joints import legs_point
+from usdrigui.layout.symmetry.sides_of_joints import ONE_WAY, legs_point
 from usdrigui.layout.visibility import Views
 from usdrigui.model import BaseSurface, MirrorPlane, Motion, Symmetry, Trajectories
 from usdrigui.ties import first_largest, towards
@@ -36,22 +37,12 @@ _NEAR = 0.7
 """Share of that radius within which a place is near."""
 
 
-_FAINT = 0.5
-"""Share of the largest peak of an action below which another control of it does not fix its
-place."""
-_PART = 0.5
-"""Share of the surface below which a control moves a part of it: jaws and mouths move a third at
-most, what moves a head .87 and more."""
 _OPENING = ("jawOpen", "mouthOpen")
 _FALLS = 0.4
 """Least share of what a jaw moves that goes down as it opens: some skin is drawn along.  Jaws of
 six heads go down by .58 to .94 of it; what else is the largest motion of a part, by .32 or less."""
 _FACING = 0.2
 """Mean over the controls of how far what each moves faces one way, from which that is ahead."""
-STANDING = 0.7
-"""Cosine to the up axis of the stage from which a face stands."""
-_TILTED = 0.005
-"""Sine of the angle between its mirror plane and the up axis from which a face is tilted."""
 
 
 def own_up(rig: Rig, plane: MirrorPlane, face: Trajectories | None) -> Floats:
@@ -87,11 +78,11 @@ def _up_of_face(up: Floats, plane: MirrorPlane, face: Trajectories) -> Floats:
 
 
 def _stands(upright: Floats, up: Floats) -> bool:
-    return abs(float(upright @ up)) > STANDING
+    return abs(float(upright @ up)) > ONE_WAY
 
 
 def _leveled(up: Floats, plane: MirrorPlane) -> Floats:
-    return level(up, plane.normal) if abs(plane.normal @ up) > _TILTED else up
+    return level(up, plane.normal) if abs(plane.normal @ up) > NOTHING else up
 
 
 def _along_axis(upright: Floats, plane: MirrorPlane) -> Floats:
@@ -158,7 +149,8 @@ def believed(
         ):
             found[control] = None
         far = motion.arc_length >= NOTABLE * motion.arc_length.max()
-        if amount > most and areas @ far < _PART * surface.areas.sum():
+        # Jaws and mouths move a third of the surface at most, what moves a head .87 and more.
+        if amount > most and areas @ far < MOST * surface.areas.sum():
             falls = -(areas @ motion.span @ views.up) > _FALLS * amount
             most, jaw = amount, control if falls and own_image and meaning is None else -1
     named = {each.action.name for each in found if each}
@@ -236,7 +228,7 @@ def _clues(
             _middle(trajectories.surface, plane, seen, motion),
             each.action.category != "atom"
             or each.action.vague
-            or motion.peak >= _FAINT * largest[each.action.name, each.side],
+            or motion.peak >= MOST * largest[each.action.name, each.side],
         )
         for motion, each in named
         if each.action.place

@@ -8,19 +8,15 @@ from usdrigui.character import Flags, Floats, Indices, Record, Rig
 from usdrigui.character.joint_tree import unit
 from usdrigui.character.rays import AROUND, Caster, blocked, hidden_share, make_caster, visible_from
 from usdrigui.character.surface import mesh_triangles
+from usdrigui.layout.shares import HARDLY_ANY, NOTHING
 from usdrigui.layout.symmetry.front import front, seen_from, three_quarter
 from usdrigui.model import BaseSurface, MirrorPlane, Trajectories
 from usdrigui.settings import CandidateSettings, view_angles
 from usdrigui.ties import first_largest
 
-_ACROSS = 0.1
-"""Sine of the angle to the plane of symmetry up to which a view sees both sides alike."""
-
 _EDGE_ON = 0.17
 """Cosine of the normal with the direction to the viewer below which a handle is seen edge-on."""
 _RIM_SEEN = 3
-_SHOWN = 0.1
-"""Share of the skin of a joint that a view shows for the joint not to be hidden there."""
 _BACK = 0.2
 """Share of the most that is shown that it is worth to see the backs of hands, which curl away."""
 
@@ -81,7 +77,7 @@ class Views(Record):
     def one_sided(self, normal: Floats) -> bool:
         """Whether the only view looks across the plane of symmetry, of which it may see one side
         only."""
-        return len(self.directions) == 1 and abs(float(self.directions[0] @ normal)) > _ACROSS
+        return len(self.directions) == 1 and abs(float(self.directions[0] @ normal)) > NOTHING
 
 
 def find_views(
@@ -175,7 +171,7 @@ class _Around(Record):
         """(n,) the points of the skins of which next to nothing is `seen` (n,)."""
         found = np.zeros(len(seen), dtype=bool)
         for points, weight in self.skins:
-            found[points] |= weight @ seen[points] < _SHOWN
+            found[points] |= weight @ seen[points] < HARDLY_ANY
         return found
 
 

@@ -16,6 +16,7 @@ import numpy as np
 from scipy.optimize import nnls
 
 from usdrigui.character import Flags, Floats, Indices, Record
+from usdrigui.layout.shares import HARDLY_ANY
 from usdrigui.ties import rounded
 
 PARALLEL = 0.99
@@ -25,8 +26,6 @@ EXPLAINED = 0.85
 """Share of a motion's energy that a sum of others must explain."""
 _PARTS = 1.8
 """Effective number of parts from which a sum is one, and not one control with some noise."""
-_LISTED = 0.1
-"""Least weight, relative to the largest, of a part that an explanation names."""
 _RIDGE = 1e-4
 """Keeps the products of nearly parallel motions invertible."""
 
@@ -102,7 +101,7 @@ def best_sum(index: int, atoms: Flags, cosine: Floats) -> Explanation:
         return Explanation(parts[:0], np.zeros(0), 0.0)
     share = float(2.0 * weights @ target - weights @ table @ weights)
     order = np.argsort(-rounded(weights), kind="stable")
-    order = order[weights[order] > _LISTED * weights.max()]
+    order = order[weights[order] > HARDLY_ANY * weights.max()]
     return Explanation(parts[order], weights[order], share)
 
 

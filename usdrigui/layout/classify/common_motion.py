@@ -24,14 +24,13 @@ from scipy.optimize import lsq_linear
 from usdrigui.character import Flags, Floats, Indices
 from usdrigui.layout.classify.basis import least_squares
 from usdrigui.layout.motion.similarity import Similarity, rows_of
+from usdrigui.layout.shares import MOST
 from usdrigui.model import Trajectories
 from usdrigui.ties import first_largest, steady
 
 _RANGE = 2.0
 """Times its own range that another control may go in the sum: a tiny control scaled up explains
 anything."""
-_HALF = 0.5
-"""Share up to which a motion is the control's own."""
 _NOTABLE = 0.5
 """Share of its visible peak that a control keeps at its allowed places."""
 
@@ -63,7 +62,7 @@ def _beyond_the_best(share: Floats, length: Floats, visible: Flags) -> Floats:
     the control's allowed places; 1 where all is common."""
     seen = length * (visible if visible.any() else 1.0)
     own = np.where(seen >= _NOTABLE * seen.max(initial=0.0), seen * (1.0 - share), -1.0)
-    return np.maximum(share - max(float(share[first_largest(own)]), _HALF), 0.0) / (1.0 - _HALF)
+    return np.maximum(share - max(float(share[first_largest(own)]), MOST), 0.0) / (1.0 - MOST)
 
 
 def _shares(similarity: Similarity, index: int, on_face: Flags, at: Indices) -> Floats:

@@ -20,11 +20,10 @@ import numpy as np
 from usdrigui.character import Flags, Floats
 from usdrigui.conventions import Meaning, distinctive_words, without_last_side
 from usdrigui.layout.classify.basis import best_sum
+from usdrigui.layout.shares import MOST
 
 FamilyKind = Literal["viseme", "emotion", "identity", "interior", "combination"]
 
-_MADE_BY_OTHERS = 0.5
-"""Mean share of a family's motions that other controls must explain for it to leave the face."""
 _WHOLE_FACE = "emotion"
 """Action of moods of the whole face."""
 _WORDS = {
@@ -81,7 +80,7 @@ def _family(kind: FamilyKind, members: tuple[int, ...], others: Flags, cosine: F
     if kind not in ("viseme", "emotion"):
         return Family(kind, members, _WORDS[kind])
     made = float(np.mean([best_sum(i, others, cosine).share for i in members]))
-    if made < _MADE_BY_OTHERS:
+    if made < MOST:  # others do not make them: they stay on the face
         return Family(kind, members)
     return Family(kind, members, f"{_WORDS[kind]}; other controls make {made:.0%} of their motion")
 

@@ -10,26 +10,23 @@ import numpy as np
 
 from usdrigui.character import Flags, Floats, Indices, RigMesh
 from usdrigui.character.surface import components, mesh_triangles
+from usdrigui.layout.shares import HARDLY_ANY, NEARLY_ALL
 from usdrigui.model import Trajectories
-
-_COLLAPSED = 0.1
-"""A part collapses when its extent shrinks below this share."""
-_WHOLE = 0.8
-"""Share of a part's points that move when the part moves as a whole."""
 
 
 def visibility_shapes(meshes: tuple[RigMesh, ...], trajectories: Trajectories) -> Flags:
-    """(motions,) which controls mostly make whole parts of the surface disappear."""
+    """(motions,) which controls mostly make whole parts of the surface disappear: nearly all points
+    of a part move, and hardly any of its extent is left."""
     parts = components(mesh_triangles(meshes), trajectories.surface.places)
     sizes = np.bincount(parts)
     flags = np.zeros(len(trajectories.motions), dtype=bool)
     for index, motion in enumerate(trajectories.motions):
         own = parts[motion.points]
-        whole = np.bincount(own, minlength=len(sizes)) >= _WHOLE * sizes
+        whole = np.bincount(own, minlength=len(sizes)) >= NEARLY_ALL * sizes
         moved = np.bincount(own, weights=motion.arc_length, minlength=len(sizes))
         before = trajectories.surface.points[motion.points]
         extents = _extents(own, before, len(sizes))
-        shrunk = _extents(own, before + motion.offsets[-1], len(sizes)) < _COLLAPSED * extents
+        shrunk = _extents(own, before + motion.offsets[-1], len(sizes)) < HARDLY_ANY * extents
         flags[index] = 2.0 * moved[whole & shrunk].sum() >= moved.sum()
     return flags
 

@@ -21,6 +21,7 @@ from usdrigui.character.rotation import rotation_part
 from usdrigui.conventions import joysticks
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.similarity import Similarity
+from usdrigui.layout.shares import MOST, NOTHING
 from usdrigui.layout.visibility import screen
 from usdrigui.settings import CandidateSettings
 from usdrigui.ties import first_largest
@@ -28,25 +29,19 @@ from usdrigui.ties import first_largest
 Relation = Literal["convention", "open", ""]
 """The evidence of two controls' names: they belong together, none, or they do not."""
 
-_OPPOSED = -0.5
-"""Cosine of directions, weighted by displacement where both act, from which a pair of the
-convention is opposed."""
 _TWIN_LEEWAY = 0.66
 """Twins of each other (jaw left, jaw right) are called opposed at this share of the usual cosine:
 what they do upward they do alike."""
-_SAME_REGION = 0.5
-"""Least overlap of the regions of two controls, or axes, that the conventions join."""
 _LIKE = 0.16
 """Least amount of one axis of a joystick, or of one of two ends that no convention pairs, in shares
 of the other's: no drag could aim at a far lesser one."""
 _SHARED = 0.8
 """Least overlap of the regions of two axes that no convention joins, if they make a joystick."""
 _ACROSS = 0.5
-"""Largest cosine of the directions of two axes of a joystick."""
+"""Largest cosine of the directions of two axes of a joystick; beyond it, directions, weighted by
+displacement where both act, are alike or opposed."""
 _HELD = CandidateSettings().least_kept
 """Share of both peaks that one visible place must keep: what any control keeps at its place."""
-_TURN_ALIKE = 1e-3
-"""Radians within which two joints of one parent turn alike: single precision leaves less."""
 
 
 class Evidence:
@@ -87,8 +82,8 @@ class Evidence:
 
     def agrees(self, a: int, b: int) -> bool:
         """Whether the motions of two ends by convention agree with it: opposed, in one region."""
-        same_region = self.similarity.shared[a, b] >= _SAME_REGION
-        opposed = self.similarity.direction[a, b] <= _OPPOSED * self.leeway(a, b)
+        same_region = self.similarity.shared[a, b] >= MOST
+        opposed = self.similarity.direction[a, b] <= -_ACROSS * self.leeway(a, b)
         return bool(opposed and same_region)
 
     def leeway(self, a: int, b: int) -> float:
@@ -101,7 +96,7 @@ class Evidence:
         [0, 1]."""
         found = {self.relation(a, b) for a in first for b in second}
         known = self._of_axes(found, (*first, *second))
-        least = _SAME_REGION if known == "convention" else _SHARED
+        least = MOST if known == "convention" else _SHARED
         shared, across = self._compared(first, second)
         fits = shared >= least and across <= _ACROSS and self.like(first, second)
         flat = self._flatness(second[0]) if fits else 0.0
@@ -196,12 +191,11 @@ def _joints(body: Body, control: Control) -> frozenset[int]:
     parents = [body.joints[joint].parent for joint in joints]
     bases = [rotation_part(body.joints[joint].base) for joint in joints]
     # About the axes of the joints' parents.
-    own = [turns[:, i] @ base for i, base in enumerate(bases)]
+    own = [turns[:, i] @ base for i, base in enumerate(bases)]  # radians
     return frozenset(
         joint
         for i, joint in enumerate(joints)
         if not any(
-            parents[i] == parents[j] and np.allclose(own[i], own[j], atol=_TURN_ALIKE)
-            for j in range(i)
+            parents[i] == parents[j] and np.allclose(own[i], own[j], atol=NOTHING) for j in range(i)
         )
     )

@@ -14,10 +14,9 @@ import numpy as np
 from usdrigui.character import Control, Floats, Joint, Performance, Record, Rig
 from usdrigui.character.rotation import rotation_part, rotation_vectors
 from usdrigui.errors import Issue, issue, listed, refuse
+from usdrigui.layout.shares import NOTHING
 from usdrigui.settings import ControlSettings
 
-_LEAST_USE = 1e-3
-"""Mean activity below which a control is not used at all."""
 _MOST = 3.0
 """Use beyond this many times the mean counts no more."""
 
@@ -57,7 +56,7 @@ def activity(rig: Rig, performances: Iterable[Performance]) -> Activity:
         what = f"{len(unknown)} of them: {listed(unknown)}"
         issues = (issue("CLIP_UNKNOWN_CONTROL", rig.path, what),)
         why = f"has no control for what they move: {listed(unknown)}"
-    if not (amounts.mean(axis=0) > _LEAST_USE).any():
+    if not (amounts.mean(axis=0) > NOTHING).any():
         raise refuse("CLIP_FOREIGN", rig.path, why)
     return Activity(tuple(c.name for c in rig.controls), values, amounts, names, issues)
 

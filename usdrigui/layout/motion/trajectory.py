@@ -29,6 +29,7 @@ from usdrigui.character.surface import (
 from usdrigui.errors import Issue, issue
 from usdrigui.layout.motion.coverage import NOTABLE, coverage_of_smaller
 from usdrigui.layout.motion.owned_skin import Bone, bones_of, owned_skin
+from usdrigui.layout.shares import NEARLY_ALL
 from usdrigui.model import BaseSurface, MirrorPlane, Motion, Trajectories
 from usdrigui.settings import CandidateSettings, TrajectorySettings
 
@@ -39,9 +40,6 @@ _WHOLE_FACE = CandidateSettings().global_coverage
 as global."""
 _EMPTY = 1e-7
 """A control that moves nothing further than this share of the character's size is empty."""
-_EVERYWHERE = 0.9
-"""A shape that moves this share of the points of the meshes that it moves carries a drift of the
-head or noise."""
 _BEYOND = 5.0
 """What is drift or noise reaches this many times the step between its quartile and its middle
 beyond the quartile."""
@@ -99,8 +97,9 @@ def _without_drift(
 def _beyond_drift(motion: Motion, count: int) -> Motion:
     """The motion at the points that move further than most of the `count` points of its meshes do
     by drift or noise."""
+    # A shape that moves nearly all points of its meshes carries a drift of the head or noise.
     still = count - len(motion.points)
-    if still > (1.0 - _EVERYWHERE) * count:
+    if still > (1.0 - NEARLY_ALL) * count:
         return motion
     every = np.concatenate([np.zeros(still), motion.arc_length])
     quartile, middle = np.quantile(every, (0.25, 0.5))

@@ -29,7 +29,7 @@ from usdrigui.layout.parts.joint_regions import (
     joint_regions,
     owner_of_points,
 )
-from usdrigui.layout.parts.own_pieces import NEARLY_ALL
+from usdrigui.layout.shares import NEARLY_ALL
 from usdrigui.model import Motion, Trajectories, main_part
 from usdrigui.settings import Settings
 from usdrigui.ties import first_largest

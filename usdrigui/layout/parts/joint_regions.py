@@ -14,7 +14,8 @@ import numpy as np
 from usdrigui.character import Floats, Indices, Rig, RigMesh
 from usdrigui.character.joint_tree import Fan, Tree, fans, unit
 from usdrigui.conventions import words
-from usdrigui.layout.parts.own_pieces import NEARLY_ALL, is_eye, pieces_of
+from usdrigui.layout.parts.own_pieces import is_eye, pieces_of
+from usdrigui.layout.shares import NEARLY_ALL
 from usdrigui.model import Trajectories
 
 FACE, EYES, HANDS, FEET, BODY = "face", "eyes", "hands", "feet", "body"

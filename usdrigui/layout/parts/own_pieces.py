@@ -11,10 +11,8 @@ from usdrigui.character import Body, Floats, Indices, Record
 from usdrigui.character.joint_tree import Tree
 from usdrigui.character.skinning import bound_points
 from usdrigui.character.surface import components, mesh_triangles
+from usdrigui.layout.shares import NEARLY_ALL
 
-NEARLY_ALL = 0.9
-"""Share from which skin or motions count as all: of the weights of a piece, by which it is held as
-a whole."""
 _ROUND = 0.15
 """Deviation of an eyeball's distances from its joint, as a share of their mean, at most."""
 _AROUND = 0.85

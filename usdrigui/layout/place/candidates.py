@@ -12,10 +12,12 @@ from usdrigui.layout.canonical_face import Expectation
 from usdrigui.layout.face import Face
 from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.tracks import polylines
+from usdrigui.layout.place.handle_width import KEPT
 from usdrigui.layout.place.locality import kept_near, proxies
-from usdrigui.layout.place.terms import THERE, LinearTerms, linear_cost
+from usdrigui.layout.place.terms import LinearTerms, linear_cost
 from usdrigui.layout.reuse.carrying import MOVES
 from usdrigui.layout.reuse.partial_layout import fixed_anchor, moves
+from usdrigui.layout.shares import HARDLY_ANY, NOTHING
 from usdrigui.layout.symmetry.lobes import in_the_middle
 from usdrigui.layout.visibility import mostly_hidden
 from usdrigui.model import Candidates, CandidateSet, Motion
@@ -34,12 +36,8 @@ _BESIDE = 1.25
 _NOTABLE = 1.0 / 3.0
 """Share of its visible peak that a control must reach in the region where it is expected for that
 to hold."""
-_MOST = 0.85
-"""The same for standing near the place itself."""
 _ENOUGH = 2.0 / 3.0
 """The same for leaving the peak where no place is expected."""
-_STRAND = 0.1
-"""Share of what a control moves on the piece where it moves most, below which it moves a strand."""
 _FAR = 1.0 / 3.0
 """Distance from the places of all other controls, in face sizes, from which a peak is far."""
 _HALF = 0.5
@@ -140,7 +138,7 @@ def _with_prior(
         return places
     apart = np.linalg.norm(face.surface.points[motion.points] - place.position, axis=1)
     here = motion.points == place.point
-    if float(apart[here][0]) > THERE * face.handle_width:
+    if float(apart[here][0]) > NOTHING * face.handle_width:
         reach = float(apart[here][0]) + face.handle_width
         far = motion.arc_length >= MOVES * motion.peak
         here |= far & (apart <= reach) & face.views.anywhere[motion.points]
@@ -217,7 +215,7 @@ def _off_strands(face: Face, motion: Motion, seen: Flags) -> Flags:
     control moves; all of them where the rest moves too little."""
     pieces = face.pieces[motion.points]
     by_piece = np.bincount(pieces, face.surface.areas[motion.points] * motion.arc_length * seen)
-    return _kept_in(motion, seen, (by_piece >= _STRAND * by_piece.max())[pieces], _NOTABLE)
+    return _kept_in(motion, seen, (by_piece >= HARDLY_ANY * by_piece.max())[pieces], _NOTABLE)
 
 
 def _among_others(face: Face, motion: Motion, seen: Flags) -> Flags:
@@ -248,7 +246,7 @@ def _where_expected(face: Face, motion: Motion, seen: Flags, expected: Expectati
     if expected is None:
         return _among_others(face, motion, seen)
     near, around = expected.regions(face.surface.points[motion.points])
-    close = _kept_in(motion, seen, near, _MOST)
+    close = _kept_in(motion, seen, near, KEPT)
     return close if close is not seen else _kept_in(motion, seen, around, _NOTABLE)
 
 
@@ -278,7 +276,7 @@ def _pruned(known: Measured, motion: Motion, seen: Flags, some: Flags) -> Indice
             kept = _without_occluded(known, motion, kept)
         # A corner of the mouth that is drawn back runs into the cheek: its handle stands there
         # nevertheless.
-        if arc[kept].max(initial=0.0) >= _MOST * peak:
+        if arc[kept].max(initial=0.0) >= KEPT * peak:
             return motion.points[kept]
     return motion.points[seen & moving]
 

@@ -21,7 +21,8 @@ from usdrigui.model import Motion, Trajectories
 from usdrigui.settings import ControlSettings, ObjectiveSettings
 
 KEPT = 0.85
-"""A control wants the places where it keeps this share of its visible peak."""
+"""A control wants the places where it keeps this share of its visible peak, those near the place
+where it is expected too."""
 AROUND = 4.0
 """Handle widths: what is nearer than this to a handle is around it."""
 _FINGER = 0.8

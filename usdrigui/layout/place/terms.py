@@ -14,12 +14,11 @@ import numpy as np
 from usdrigui.character import Floats, Indices
 from usdrigui.layout.face import Face
 from usdrigui.layout.place.extensions import user_linear_cost
+from usdrigui.layout.shares import NOTHING
 from usdrigui.layout.symmetry.lobes import ON_PLANE
 from usdrigui.model import Motion
 from usdrigui.settings import Settings
 
-THERE = 1e-3
-"""Handle widths within which two places are one."""
 _TIE = 1e-5
 """What the character's right costs a symmetric element that stands off the plane: enough to decide
 between two mirror images, negligible against any other cost."""
@@ -114,7 +113,7 @@ def off_plane(face: Face, points: Indices, weight: float, *, of_joint: bool = Fa
     two mirror images it then takes the one on the character's left.  An element of a joint, which
     moves its own skin much alike, is more firmly held to the plane."""
     apart = face.symmetry.plane.distance(face.surface.points[points]) / face.handle_width
-    cost = weight * np.abs(apart) + np.where(apart < -THERE, _TIE, 0.0)
+    cost = weight * np.abs(apart) + np.where(apart < -NOTHING, _TIE, 0.0)
     if of_joint and weight:
         cost += _BESIDE * (np.abs(apart) > ON_PLANE)
     return cost - cost.min(initial=np.inf) if len(cost) else cost

@@ -16,11 +16,9 @@ from usdrigui.character import Control, Floats, Rig
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.tracks import resampled
 from usdrigui.layout.reuse.requests import Requests
+from usdrigui.layout.shares import NOTHING
 from usdrigui.model import AnyOverlap, Candidates, Element, Layout, LayoutProblem, Variable
 from usdrigui.overlap import pair_costs
-
-_ROUNDING = 1e-9
-"""Handles of the existing layout are exactly as far apart as they were, but for rounding."""
 
 
 def layout_of(layouts: tuple[Layout, ...], rig: Rig) -> Layout | None:
@@ -50,7 +48,7 @@ def drawn_width(layout: Layout | None, part: str) -> float:
     """The width of a part's handles in the existing layout; 0 where there is none, or it has none
     of that part."""
     width = layout.frame.handle_width_of(part) if layout is not None else 0.0
-    return width * (1.0 - _ROUNDING)
+    return width * (1.0 - NOTHING)  # they are exactly as far apart as they were, but for rounding
 
 
 def of_new_controls(face: Face, requests: Requests, candidates: Candidates) -> Candidates:

@@ -19,6 +19,7 @@ from usdrigui.character import Flags, Floats, Indices, Rig
 from usdrigui.layout.motion.trajectory import of_controls
 from usdrigui.layout.reuse.name_evidence import CHANCE, SAME
 from usdrigui.layout.reuse.retargeting import face_map
+from usdrigui.layout.shares import NOTHING
 from usdrigui.model import BaseSurface, Element, Motion, Trajectories
 from usdrigui.model.levels import outer_first
 from usdrigui.settings import TrajectorySettings
@@ -28,8 +29,6 @@ _BLUR = 0.03
 half as wide the cells over which displacements are averaged first."""
 _NO_SIGN = 0.45
 """Cosine of the fields of two motions that says nothing, in rigs of two makers."""
-_EXACT = 1e-3
-"""Relative difference below which motions are the same but for rounding."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +59,7 @@ class Agreement:
         """The difference of vectors of lengths 1 and r <= 1, which is their relative difference,
         has the square 1 + r^2 - 2 r cos."""
         off = np.sqrt(np.maximum(1.0 + self.ratio**2 - 2.0 * self.ratio * self.cosine, 0.0))
-        return -np.log(off + _EXACT)
+        return -np.log(off + NOTHING)
 
     def _bounded(self, odds: Floats) -> Floats:
         return np.where(self.moving, np.maximum(odds, -CHANCE), 0.0)

@@ -9,24 +9,22 @@ from scipy.spatial.transform import Rotation
 
 from usdrigui.character import Floats
 from usdrigui.character.joint_tree import unit
-from usdrigui.layout.canonical_face import STANDING
+from usdrigui.layout.symmetry.sides_of_joints import ONE_WAY
 from usdrigui.model import Element, Layout
-
-_SIDEWAYS = 0.5
-"""Sine of the angle between the view and the left below which they do not determine up."""
 
 
 def up_of(layout: Layout) -> Floats | None:
     """(3,) unit up direction that a layout was made for; None where its view is from above or
     aside.
 
-    The layout's view and the left of the character give that direction up to the tilt of the view.
+    The layout's view and the left of the character give that direction up to the tilt of the view,
+    unless they go one way.
     """
     left = _left(layout.elements, layout.frame.plane.normal)
     up = np.cross(layout.frame.view, unit(left))
     length = float(np.linalg.norm(up))
     ahead = np.sum([each.anchor.normal for each in layout.elements], axis=0)
-    if layout.frame.view @ ahead <= STANDING * np.linalg.norm(ahead) or length < _SIDEWAYS:
+    if layout.frame.view @ ahead <= ONE_WAY * np.linalg.norm(ahead) or length < ONE_WAY:
         return None
     axis = int(np.abs(up).argmax())
     return np.asarray(np.sign(up[axis]) * np.eye(3)[axis])
@@ -35,7 +33,7 @@ def up_of(layout: Layout) -> Floats | None:
 def other_up(layout: Layout, up: Floats) -> Floats | None:
     """(3,) the up direction that a layout was made for, where that is another than `up`."""
     before = up_of(layout)
-    return None if before is None or abs(float(before @ up)) > STANDING else before
+    return None if before is None or abs(float(before @ up)) > ONE_WAY else before
 
 
 def turn_between(before: Floats, after: Floats) -> Floats:

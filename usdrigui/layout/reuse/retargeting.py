@@ -17,6 +17,7 @@ from scipy.spatial.transform import Rotation
 from usdrigui.character import Flags, Floats, Rig
 from usdrigui.layout.reuse.prior_layout import Place, PriorLayout, kept_groups, places_of
 from usdrigui.layout.reuse.renaming import with_names
+from usdrigui.layout.shares import NOTHING
 from usdrigui.model import BaseSurface, Layout, Motion, Trajectories
 
 CUTOFF_DISTANCE = 4.0
@@ -32,9 +33,6 @@ _OUTLIER = 4.0
 _SMOOTHINGS = (1e-3, 1e-2, 1e-1, 1.0, 1e1, 1e2)
 """Of the warp, from one that passes through every landmark to hardly more than an affine map."""
 _FOLDS = 8
-_FLAT = 1e-3
-"""Least share of the largest spread that landmarks have in their second direction: fewer lie on a
-line."""
 
 
 @dataclass(frozen=True)
@@ -148,7 +146,7 @@ def _middle(surface: BaseSurface, motion: Motion, power: float) -> Floats:
 def _spans(points: Floats, directions: int) -> bool:
     """Whether points span so many directions: 2 is more than a line, 3 more than a plane."""
     values = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
-    return bool(values[directions - 1] > _FLAT * values[0])
+    return bool(values[directions - 1] > NOTHING * values[0])
 
 
 # --- from one face to the other -------------------------------------------------------------------

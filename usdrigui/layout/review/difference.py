@@ -9,8 +9,8 @@ from typing import Literal, get_args
 import numpy as np
 
 from usdrigui.errors import counted, listed
-from usdrigui.layout.place.terms import THERE
 from usdrigui.layout.reuse.renaming import with_names
+from usdrigui.layout.shares import NOTHING
 from usdrigui.model import SURE, Anchor, Element, Layout
 from usdrigui.model.levels import inner_names, outer_first
 
@@ -177,7 +177,7 @@ def _kind(pair: _Pair) -> ChangeKind | None:
         return "moved"
     if one.mesh == other.mesh and one.topology_hash == other.topology_hash:
         return None if one.point == other.point else "moved"
-    return "moved" if pair.distance > THERE else None
+    return "moved" if pair.distance > NOTHING else None
 
 
 def _reasons(pair: _Pair, kind: ChangeKind) -> Iterator[str]:
@@ -242,6 +242,6 @@ def _crowd(pair: _Pair) -> Iterator[str]:
             continue
         apart = float(np.linalg.norm(element.anchor.position - then.anchor.position))
         others = pair.partners[0].isdisjoint(element.controls)
-        if others and apart < after.frame.handle_width * (1.0 - THERE):
+        if others and apart < after.frame.handle_width * (1.0 - NOTHING):
             decided = ", whose anchor was decided by a person" * ("anchor" in element.pinned)
             yield f"its place is taken by {element.name}{decided}"

@@ -22,6 +22,7 @@ from usdrigui.errors import (
 from usdrigui.layout.face import Face
 from usdrigui.layout.reuse.identity import match_layout
 from usdrigui.layout.reuse.requests import Requests
+from usdrigui.layout.shares import NOTHING
 from usdrigui.model import (
     Anchor,
     BaseSurface,
@@ -32,12 +33,8 @@ from usdrigui.model import (
 from usdrigui.model.levels import states
 from usdrigui.settings import ReadSettings
 
-_MOVED = 1e-4
-"""An anchor is out of place when it is further off than this share of the face size."""
 _SEVERAL = 2
 """Elements out of place that tell of the character; a single one may have been edited by hand."""
-TOUCHING = 1e-6
-"""Handles may be nearer than the separation by this share of it: layers hold single precision."""
 
 
 def refuse_stale(
@@ -119,7 +116,7 @@ def _anchor_faults(
         yield issue("LAYOUT_TOPOLOGY", element.name, change)
     elif not 0 <= anchor.point < len(mesh.points):
         yield issue("LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has no point {anchor.point}")
-    elif comparable and not anchor.on_board and (off := _off(body, surface, anchor)) > _MOVED:
+    elif comparable and not anchor.on_board and (off := _off(body, surface, anchor)) > NOTHING:
         found = f"its point lies {off:.1%} of the face from where it was"
         yield issue("LAYOUT_ANCHOR_MOVED", element.name, found)
 
@@ -159,7 +156,7 @@ def crowded(elements: tuple[Element, ...], least: float) -> Iterator[Issue]:
     seen = states(elements)
     positions = np.array([element.anchor.position for element in placed])
     apart = cdist(positions, positions)
-    for a, b in np.argwhere(np.triu(apart < least * (1.0 - TOUCHING), 1)):
+    for a, b in np.argwhere(np.triu(apart < least * (1.0 - NOTHING), 1)):
         if not seen[placed[a].name] & seen[placed[b].name]:
             continue
         between = f"{apart[a, b] / least:.2f} handle widths from {placed[b].name}"

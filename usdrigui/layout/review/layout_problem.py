@@ -11,7 +11,7 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.measured import Measured
 from usdrigui.layout.place.problem import off_face_cost, placement_problem
 from usdrigui.layout.place.terms import LinearTerms, linear_cost
-from usdrigui.layout.review.layout_faults import TOUCHING
+from usdrigui.layout.shares import NOTHING
 from usdrigui.model import (
     Candidates,
     CandidateSet,
@@ -91,7 +91,7 @@ def as_problem(
             labels.append(int(at[0]))
             kept.append(number)
     problem = placement.problem
-    separation = min(problem.separation, face.handle_width * (1.0 - TOUCHING))
+    separation = min(problem.separation, face.handle_width * (1.0 - NOTHING))
     variables = tuple(problem.variables[number] for number in kept)
     return (
         replace(problem, variables=variables, separation=separation, extra=()),

@@ -7,12 +7,11 @@ import numpy as np
 
 from usdrigui.character import Floats
 from usdrigui.character.joint_tree import unit
+from usdrigui.layout.shares import NOTHING
 from usdrigui.model import Trajectories
 from usdrigui.ties import axis_across
 
 _THREE_QUARTER = np.radians(40.0)
-_ALONG = 1e-3
-"""Length of what is across a direction below which a way runs along it."""
 
 
 def front(up: Floats, trajectories: Trajectories, plane_normal: Floats) -> Floats:
@@ -30,7 +29,7 @@ def first_across(direction: Floats, *ways: Floats) -> Floats:
     `direction`, made perpendicular to it; any if all do."""
     for way in (*ways, axis_across(direction)):
         across = way - (way @ direction) * direction
-        if np.linalg.norm(across) > _ALONG:
+        if np.linalg.norm(across) > NOTHING:
             break
     return unit(across)
 
@@ -43,7 +42,7 @@ def seen_from(toward: Floats, up: Floats, ahead: Floats) -> Floats:
     aside = np.cross(toward, axis_across(toward))
     for way in (up, -np.sign(up @ toward) * ahead, aside):
         right = np.cross(way, toward)
-        if np.linalg.norm(right) > _ALONG:
+        if np.linalg.norm(right) > NOTHING:
             break
     right = unit(right)
     return np.stack([right, np.cross(toward, right), toward])

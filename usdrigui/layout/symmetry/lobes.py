@@ -11,6 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.character import Flags, Indices
+from usdrigui.layout.shares import MOST
 from usdrigui.model import BaseSurface, MirrorPlane, Motion, Symmetry
 from usdrigui.ties import first_largest
 
@@ -19,9 +20,7 @@ ON_PLANE = 0.5
 MIDDLE = 0.01
 """Distance from the plane, in face sizes, up to which a point lies in the middle."""
 _KEPT = 0.8
-"""A control has two lobes if it keeps less of its peak in the middle."""
-_KEPT_IN_THE_MIDDLE = 0.5
-"""The same where the conventions expect it in the middle (the lips), or it is nearly there."""
+"""A control expected on both sides has two lobes if it keeps less of its peak in the middle."""
 ASIDE = 0.1
 """Distance from the plane, in face sizes, from which a place lies to one side of the face."""
 
@@ -56,7 +55,8 @@ def two_lobed(
     middle = length[apart <= MIDDLE * surface.face_size].max(initial=0.0)
     if both_sides is None:
         both_sides = bool(apart[first_largest(length)] > ASIDE * surface.face_size)
-    least = _KEPT if both_sides else _KEPT_IN_THE_MIDDLE
+    # Less is enough where the conventions expect it in the middle, or it is nearly there.
+    least = _KEPT if both_sides else MOST
     return bool(middle < least * length.max())
 
 

@@ -16,8 +16,9 @@ from scipy.spatial import cKDTree
 from usdrigui.character import Flags, Floats, Indices, Record, Rig
 from usdrigui.character.rays import AROUND
 from usdrigui.layout.motion.trajectory import total_motion
+from usdrigui.layout.shares import MOST, NOTHING
 from usdrigui.layout.symmetry.front import moving_normals
-from usdrigui.layout.symmetry.sides_of_joints import ACROSS, plane_of_names
+from usdrigui.layout.symmetry.sides_of_joints import ONE_WAY, plane_of_names
 from usdrigui.model import MirrorPlane, Trajectories
 from usdrigui.settings import Settings
 from usdrigui.ties import rounded, towards
@@ -36,13 +37,8 @@ _EQUAL = 0.01
 """In tolerances: planes whose misfits differ by less fit equally well."""
 _TRIM = 0.7
 """Share of the pairs, the nearest ones, that a fit believes."""
-_MOTION_WEIGHT = 1e-3
-"""Weight of motion against position when partners are chosen: decides only between points that
-nearly touch, as closed lips do."""
 _ACROSS_ALL = [way for way in AROUND if tuple(way) > (0.0, 0.0, 0.0)]
 """One of either direction along the axes and between them."""
-_LEAST_SHARE = 0.5
-"""Least share of the points whose mirror image must meet the surface."""
 
 
 def mirrored(
@@ -61,7 +57,7 @@ def mirrored(
         named = plane_of_names(rig.body.skeletons, rig.body.joints)
         plane = _best(trajectories, tolerance, rig.up)
         # A robot may be as symmetric from front to back.
-        if named and not (plane and abs(float(named.normal @ plane.normal)) >= ACROSS):
+        if named and not (plane and abs(float(named.normal @ plane.normal)) >= ONE_WAY):
             plane = named
     if plane is None:
         return MirrorPlane(np.zeros(3), np.zeros(3)), np.full(count, -1, dtype=np.int64)
@@ -142,7 +138,7 @@ class _Search(Record):
         met = [self._apart(plane)[0] <= self.tolerance for plane in found]
         shares = np.round([each.mean() for each in met], 3)
         best = np.argsort(-shares, kind="stable")
-        return [found[i] for i in best if shares[i] >= _LEAST_SHARE]
+        return [found[i] for i in best if shares[i] >= MOST]
 
     def ranked(self, planes: list[MirrorPlane]) -> tuple[list[MirrorPlane], int]:
         """The distinct planes, the best first: those that fit as well as the best, of which the
@@ -258,7 +254,8 @@ def _partners(plane: MirrorPlane, trajectories: Trajectories, tolerance: float) 
     base, places = trajectories.surface.points, trajectories.surface.places
     chosen = np.flatnonzero(trajectories.surface.first)
     motion = total_motion(trajectories.motions, len(base)).astype(np.float64)
-    unit = _MOTION_WEIGHT * trajectories.surface.face_size / (float(np.abs(motion).max()) or 1.0)
+    # Motion decides only between points that nearly touch, as closed lips do.
+    unit = NOTHING * trajectories.surface.face_size / (float(np.abs(motion).max()) or 1.0)
     tree = cKDTree(np.hstack([base[chosen], unit * motion[chosen]]))
     _, nearest = tree.query(
         np.hstack([plane.reflected(base[chosen]), unit * plane.turned(motion[chosen])])

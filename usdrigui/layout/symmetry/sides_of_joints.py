@@ -15,16 +15,14 @@ from usdrigui.character.joint_tree import Tree, unit
 from usdrigui.conventions.sides import mirrored, side_of
 from usdrigui.layout.motion.owned_skin import joint_places
 from usdrigui.layout.parts.joint_regions import LIMB
+from usdrigui.layout.shares import NEARLY_ALL
 from usdrigui.model import MirrorPlane
 
-ACROSS = 0.7
-"""Cosine from which pairs, of joints or of actions, lie across a plane, and two planes are one."""
+ONE_WAY = 0.7
+"""Cosine from which two directions are one: nearer to each other than to what is across them."""
 _OFF = 0.1
 """Share of the skeleton's extent by which a joint may miss the mirror image of its pair: characters
 rest in poses."""
-_ONE_WAY = 0.9
-"""Share of their length that both legs together go one way: .98 or more in five bodies, whose arms
-go .07 to .81 of theirs."""
 _COUNT = re.compile(r"[ _.-]*\d+$")
 """What an exporter counts the joints with."""
 
@@ -43,7 +41,7 @@ def plane_of_names(
     if len(pairs) < 2:
         return None
     plane, agreement = plane_between(*np.array(pairs).transpose(1, 0, 2))
-    return plane if agreement >= ACROSS else None
+    return plane if agreement >= ONE_WAY else None
 
 
 def plane_between(left: Floats, right: Floats) -> tuple[MirrorPlane, float]:
@@ -128,5 +126,6 @@ def legs_point(body: Body, plane: MirrorPlane) -> Floats:
         ways = np.vstack([ways, places[end] - places[top]])
     found = ways.sum(axis=0)
     found -= (found @ plane.normal) * plane.normal
-    one_way = np.linalg.norm(found) >= _ONE_WAY * np.linalg.norm(ways, axis=1).sum()
+    # .98 or more in five bodies, whose arms go .07 to .81 of theirs.
+    one_way = np.linalg.norm(found) >= NEARLY_ALL * np.linalg.norm(ways, axis=1).sum()
     return unit(found) if one_way else np.zeros(3)
