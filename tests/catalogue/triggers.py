@@ -642,7 +642,7 @@ TRIGGERS: Mapping[str, Trigger] = {
     "SOURCE_MISSING": _viewed(_bare),
     "LAYOUT_STALE": _viewed(_renamed),
     "CONTROL_RENAMED": _laid_out_again(_OTHER_NAMES),
-    "CONTROL_UNSURE": _laid_out_again(_OTHER_NAMES, (r"\(0,0,1\), \(0,0,0.5\)", "(0,0.1,1), (0,0,0.5)")),
+    "CONTROL_UNSURE": _laid_out_again(_OTHER_NAMES, (r"\(0,0,1\), \(0,0,0.5\)", "(0,0.05,1), (0,0,0.5)")),
     "PIN_CARRIED": _laid_out_again(_TURNED, over=_CORRECTED + "uniform point3f rigUI:anchor:position = (9, 9, 9)\n"),
     "PIN_LOST": _laid_out_again(_TURNED, over="uniform int rigUI:anchor:pointIndex = 99\n"),
     "OPINION_IGNORED": _laid_out_again(over='over "grin" { uniform int rigUI:anchor:pointIndex = 1\n}\n'),
