@@ -186,7 +186,6 @@ def test_a_checker_may_refuse_with_a_code_of_its_own(target):
 @pytest.mark.parametrize(
     ("make", "code"),
     [
-        (lambda folder: folder / "missing" / "a.usda", "FILE_TARGET"),
         (lambda folder: folder, "FILE_TARGET"),
         (lambda folder: folder / ("x" * 300), "FILE_TARGET"),
         (lambda folder: _loop(folder / "loop"), "FILE_TARGET"),

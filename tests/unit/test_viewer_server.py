@@ -12,10 +12,11 @@ from pathlib import Path
 import pytest
 from page_in_node import serving
 
-from usdrigui.view.web.live import LiveFile, animation
+from usdrigui.view.web.live import LiveFile, animation, revision
 from usdrigui.view.web.serve import page_server, serve
 
 PAGE = "<!DOCTYPE html><title>ä</title>"
+ABSENT = revision(b"")
 
 
 @pytest.fixture
@@ -24,18 +25,24 @@ def server():
         yield made
 
 
-def answer(server, path, method="GET", host=None):
+def ask(server, method, path, body=None, **headers):
+    """The response and its content; `origin` and `host` are the page's own unless given, what is known is no file."""
     connection = http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=5)
-    connection.request(method, path, headers={"Host": host} if host else {})
+    given = {"Host": server.host, "Origin": f"http://{server.host}", "If-Match": ABSENT, **headers}
+    connection.request(method, path, body=body, headers={k: v for k, v in given.items() if v})
     response = connection.getresponse()
     content = response.read()
     connection.close()
+    return response, content
+
+
+def get(server, path, **headers):
+    response, content = ask(server, "GET", path, **headers)
     return response.status, content
 
 
 def test_the_page_is_at_its_address(server):
-    status, content = answer(server, server.path)
-    assert (status, content.decode()) == (200, PAGE)
+    assert get(server, server.path) == (200, PAGE.encode())
 
 
 def test_loopback_only(server):
@@ -62,26 +69,23 @@ def test_a_page_comes_back_at_its_port_and_another_one_beside_it():
     "path", ["/", "/favicon.ico", "/../etc/passwd", "//etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "/x" * 40]
 )
 def test_every_other_path_is_empty(server, path):
-    assert answer(server, path) == (404, b"")
+    assert get(server, path) == (404, b"")
 
 
 def test_path_below_or_beside_the_page_is_empty(server):
     for path in (server.path + "x", server.path[:-1], server.path + "?a=b", server.path + "../"):
-        assert answer(server, path) == (404, b"")
+        assert get(server, path) == (404, b"")
 
 
 def test_another_host_name_is_refused(server):
-    assert answer(server, server.path, host=f"evil.example:{server.server_port}") == (404, b"")
+    assert get(server, server.path, Host=f"evil.example:{server.server_port}") == (404, b"")
 
 
 @pytest.mark.parametrize("method", ["POST", "PUT", "DELETE", "OPTIONS", "BREW"])
 def test_other_methods_are_told_which_there_are(server, method):
-    connection = http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=5)
-    connection.request(method, server.path, body=b"x" * 500_000)
-    response = connection.getresponse()
+    response, content = ask(server, method, server.path, b"x" * 500_000)
     assert (response.status, response.headers["Allow"]) == (405, "GET")
-    assert response.read() == b"405 Method Not Allowed\n"
-    connection.close()
+    assert content == b"405 Method Not Allowed\n"
 
 
 @pytest.mark.parametrize("line", [b"GET / HTTP/1.1 more", b"GET / HTTP/7", b"GET /" + b"x" * 70_000 + b" HTTP/1.1"])
@@ -152,29 +156,24 @@ def live(tmp_path):
         yield made
 
 
-def ask(server, method, body=None, path=None, **headers):
-    """Status and revision; `origin` and `host` are the page's own unless given."""
-    connection = http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=5)
-    given = {"Host": server.host, "Origin": f"http://{server.host}", **headers}
-    connection.request(method, path or f"{server.path}edit", body=body, headers={k: v for k, v in given.items() if v})
-    response = connection.getresponse()
-    content = response.read()
-    connection.close()
+def edited(server, method, body=None, path="edit", **headers):
+    """Status, revision and content."""
+    response, content = ask(server, method, server.path + path, body, **headers)
     return response.status, response.headers["ETag"], content
 
 
 def test_a_live_file_is_replaced_by_who_knows_what_it_holds(live):
-    assert ask(live, "GET") == (200, '"absent"', b"")
-    status, first, _ = ask(live, "PUT", EDIT, **{"If-Match": '"absent"'})
+    assert edited(live, "GET") == (200, ABSENT, b"")
+    status, first, _ = edited(live, "PUT", EDIT)
     assert (status, live.live.path.read_bytes()) == (200, EDIT)
-    assert ask(live, "GET") == (200, first, EDIT)
-    assert ask(live, "GET", **{"If-None-Match": first})[0] == 304
+    assert edited(live, "GET") == (200, first, EDIT)
+    assert edited(live, "GET", **{"If-None-Match": first})[0] == 304
     other = EDIT.replace(b"0.25", b"0.5")
-    for known in ('"absent"', "", '"0"'):
-        assert ask(live, "PUT", other, **{"If-Match": known})[0] == 412
+    for known in (ABSENT, "", '"0"'):
+        assert edited(live, "PUT", other, **{"If-Match": known})[0] == 412
     assert live.live.path.read_bytes() == EDIT
-    assert ask(live, "PUT", other, **{"If-Match": first})[0] == 200
-    assert ask(live, "GET")[1] != first
+    assert edited(live, "PUT", other, **{"If-Match": first})[0] == 200
+    assert edited(live, "GET")[1] != first
 
 
 @pytest.mark.parametrize(
@@ -184,7 +183,7 @@ def test_a_live_file_is_replaced_by_who_knows_what_it_holds(live):
         (403, {"Origin": "null"}),
         (403, {"Origin": ""}),
         (404, {"Host": "evil.example"}),
-        (404, {"path": "/edit"}),
+        (404, {"path": "x/edit"}),
         (400, {"body": b"#usda 1.0\n"}),
         (400, {"body": b"work"}),
         (413, {"body": EDIT + b"#" * 2000}),
@@ -192,8 +191,8 @@ def test_a_live_file_is_replaced_by_who_knows_what_it_holds(live):
 )
 def test_others_write_nothing(live, monkeypatch, status, change):
     monkeypatch.setattr("usdrigui.view.web.serve._MOST_WRITTEN", 2000)
-    asked = {"body": EDIT, "If-Match": '"absent"', **change}
-    assert ask(live, "PUT", **asked)[0] == status
+    asked = {"body": EDIT, "If-Match": ABSENT, **change}
+    assert edited(live, "PUT", **asked)[0] == status
     assert not live.live.path.exists()
 
 
@@ -220,7 +219,7 @@ def test_nothing_but_an_animation_is_saved(live, what):
     old, new = FOREIGN[what]
     assert old in EDIT
     assert animation(EDIT.replace(old, new)) is None
-    assert ask(live, "PUT", EDIT.replace(old, new), **{"If-Match": '"absent"'})[0] == 400
+    assert edited(live, "PUT", EDIT.replace(old, new))[0] == 400
     assert not live.live.path.exists()
 
 
@@ -251,14 +250,14 @@ def test_the_command_line_of_the_browser_does_not_have_the_address(monkeypatch):
 
 def test_a_disk_that_refuses_is_told_to_the_page(live):
     live.live.path.mkdir()
-    status, _, words = ask(live, "GET")
+    status, _, words = edited(live, "GET")
     assert (status, words.split()[0]) == (507, b"FILE_TARGET")
 
 
 def test_without_a_live_file_nothing_is_written(server):
-    assert ask(server, "PUT", EDIT)[0] == 405
+    assert edited(server, "PUT", EDIT)[0] == 405
 
 
 def test_nothing_is_written_after_the_end(live):
     live.live.close()
-    assert ask(live, "PUT", EDIT, **{"If-Match": '"absent"'})[0] == 412
+    assert edited(live, "PUT", EDIT)[0] == 412

@@ -25,7 +25,6 @@ def sample(arguments: argparse.Namespace) -> Exit:
     for target, content in contents.items():
         if target.exists() and whole_content(target) != content:
             raise refuse("FILE_TARGET", target, "is not the sample's, and is left as it is")
-    arguments.folder.mkdir(parents=True, exist_ok=True)
     for target, content in contents.items():
         print(f"usdrigui: {commit(content, target)} {target}")
     return Exit.OK

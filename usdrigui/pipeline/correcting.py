@@ -13,18 +13,17 @@ import numpy as np
 from usdrigui.character import Rig
 from usdrigui.character.deform import knots, posed, sweep
 from usdrigui.errors import check_known, meant, refuse
-from usdrigui.isolation.foreign_file import whole_content
 from usdrigui.layout.reuse.partial_layout import anchored_point
 from usdrigui.model import CorrectedPlace, Correction, Element, Layout
-from usdrigui.pipeline.targets import make_folder
 from usdrigui.reader.reader_process import (
     read_baked_isolated,
     read_composed_isolated,
     read_layer_isolated,
     read_layouts_isolated,
 )
-from usdrigui.replacing.transaction import State, commit, same_file
+from usdrigui.replacing.transaction import State, check_own, commit, same_file
 from usdrigui.settings import ControlSettings, ReadSettings, Settings, literal, load
+from usdrigui.stages.schema import CORRECTION
 
 
 def pin(
@@ -77,12 +76,8 @@ def bake(shot: Path, settings: Settings, output: Path | None = None) -> tuple[St
     from usdrigui.layer.baking import BAKED
 
     target = output or shot.with_name(f"{shot.stem}.baked.usda")
-    if target.suffix != ".usda":
-        raise refuse("FILE_TARGET", target, "what is baked is USD text and ends in .usda")
-    if target.is_file() and BAKED.encode() not in whole_content(target, 256):
-        raise refuse("FILE_TARGET", target, "exists and is not what `usdrigui bake` wrote")
+    check_own(target, "what `usdrigui bake` writes", BAKED)
     content = read_baked_isolated(shot, settings.read)
-    make_folder(target)
     return commit(content, target, read=[shot]), target
 
 
@@ -109,11 +104,8 @@ def _existing(
     """What a layer of corrections holds already; raises FILE_TARGET for another file."""
     if same_file(output, layer):
         raise refuse("FILE_TARGET", output, "is the layout itself, which stays as it is")
-    if output.suffix != ".usda":
-        raise refuse("FILE_TARGET", output, "a layer of corrections ends in .usda")
+    check_own(output, "a layer of corrections", CORRECTION)
     held = read_layer_isolated(output, opening).corrections if output.is_file() else ()
-    if output.is_file() and not held:
-        raise refuse("FILE_TARGET", output, "exists and is no layer of corrections")
     return {(each.root, each.control): each for each in held}
 
 
@@ -183,6 +175,5 @@ def _written(
     from usdrigui.layer.corrections import corrections_text
     from usdrigui.layer.write_layout import relative_asset_path
 
-    make_folder(output)
     content = corrections_text(corrections, relative_asset_path(layer, output), metadata)
     return commit(content, output, read=[layer])

@@ -13,7 +13,6 @@ from usdrigui.replacing.transaction import (
     State,
     Transaction,
     check_not_read,
-    commit,
     file_error,
     same_file,
 )
@@ -37,15 +36,15 @@ def write_file(content: bytes, target: Path, read: Iterable[Path | str]) -> Stat
     Raises FILE_TARGET for one of those and for a USD file, so that no slip of the hand replaces a
     character.
     """
-    check_outputs([target])
-    make_folder(target)
-    return commit(content, target, read=read)
+    with Transaction(read) as files:
+        state = stage_file(files, content, target)
+        files.commit()
+    return state
 
 
 def stage_file(files: Transaction, content: bytes, target: Path) -> State:
     """Stage a report, picture or page among the files of a run; raises as `write_file`."""
     check_outputs([target])
-    make_folder(target)
     return files.stage(content, target)
 
 
@@ -107,13 +106,5 @@ def check_place(target: Path) -> None:
             raise NotADirectoryError(errno.ENOTDIR, f"{folder} is no folder")
         if not os.access(target if target.exists() else folder, os.W_OK):
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
-    except OSError as error:
-        raise file_error(target, error) from error
-
-
-def make_folder(target: Path) -> None:
-    """The folder of a file that is to be written; raises RigUIError with a FILE_ code."""
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise file_error(target, error) from error

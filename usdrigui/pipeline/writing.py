@@ -9,7 +9,6 @@ from usdrigui.character import Rig
 from usdrigui.errors import refuse
 from usdrigui.isolation.foreign_file import SourceFile
 from usdrigui.layout.reuse.existing_layout import root_in_base
-from usdrigui.pipeline.targets import make_folder
 from usdrigui.reader.reader_records import LayoutsResult, ReadResult
 from usdrigui.replacing.transaction import Transaction, same_file
 from usdrigui.report.run_report import CharacterReport, Outcome
@@ -31,7 +30,6 @@ def stage_layer(
     """
     from usdrigui.layer import write_layout as layer
 
-    make_folder(target)
     over = [(base, character) for base, character in laid if base is not None]
     if over:
         return _staged_over(files, over, asset, target, source, bare=bare)

@@ -19,6 +19,7 @@ from typing import Literal, Self
 
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.isolation import worker
+from usdrigui.isolation.foreign_file import whole_content
 from usdrigui.replacing import temporaries
 from usdrigui.replacing.attributes import keep_attributes, mode_of
 
@@ -32,6 +33,7 @@ _CODES = {
     errno.EROFS: "FILE_READ_ONLY",
     errno.EACCES: "FILE_PERMISSION",
     errno.EPERM: "FILE_PERMISSION",
+    errno.EEXIST: "FILE_TARGET",
     errno.ENOENT: "FILE_TARGET",
     errno.ENOTDIR: "FILE_TARGET",
     errno.EISDIR: "FILE_TARGET",
@@ -176,6 +178,16 @@ def check_not_read(targets: Iterable[Path], read: Iterable[Path | str]) -> None:
             )
 
 
+def check_own(target: Path, what: str, mark: str) -> None:
+    """Refuse an output that is not named as USD text, or holds something else than `what` it is to
+    hold, which has the `mark`; raises FILE_TARGET and OSError."""
+    if target.suffix != ".usda":
+        raise refuse("FILE_TARGET", target, f"{what} is USD text and ends in .usda")
+    held = whole_content(target, 256) if target.is_file() else b""
+    if held and mark.encode() not in held:
+        raise refuse("FILE_TARGET", target, f"exists and is not {what}")
+
+
 def same_file(first: Path | str, second: Path | str) -> bool:
     """Whether two names lead to one file, through links, hard links and other cases too; neither
     need exist."""
@@ -213,15 +225,14 @@ def sync_folder(folder: Path) -> None:
 
 
 def _resolved(target: Path) -> Path:
-    """The file to replace: behind all symbolic links, in a folder that exists, and not something
-    else."""
+    """The file to replace: behind all symbolic links, in a folder that is made if there is none,
+    and not something else."""
     place = Path(os.path.realpath(target))
     if place.is_symlink():
         raise refuse("FILE_TARGET", target, "is a symbolic link that leads to itself")
     if place.exists() and not stat.S_ISREG(place.stat().st_mode):
         raise refuse("FILE_TARGET", target, "exists and is not a file")
-    if not place.parent.is_dir():
-        raise refuse("FILE_TARGET", target, f"there is no folder {place.parent}")
+    place.parent.mkdir(parents=True, exist_ok=True)
     return place
 
 

@@ -72,7 +72,6 @@ def stage(layer: Path, folder: Path) -> Path:
     It is a crate that ends in ``.usd``: AYON expects the representation ``usd`` in a file that ends
     so. Returns its path.  Raises `usdrigui.errors.RigUIError` with a FILE_ code.
     """
-    folder.mkdir(parents=True, exist_ok=True)
     target = folder / layer.with_suffix(".usd").name
     write_bare(layer, target)
     return target

@@ -11,16 +11,11 @@ import hashlib
 import re
 import threading
 from collections.abc import Iterable
-from dataclasses import dataclass
 from pathlib import Path
 
-from usdrigui.errors import refuse
 from usdrigui.isolation.foreign_file import whole_content
-from usdrigui.replacing.transaction import check_not_read, commit, file_error
+from usdrigui.replacing.transaction import check_not_read, check_own, commit, file_error
 
-ABSENT = "absent"
-"""Revision of a file that is not there, or is empty."""
-_MARK = b"string work = "
 _STRING = r'"(?:[^"\\\x00-\x1f\x7f]|\\["\\n])*"'
 _NUMBER = r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?"
 _ITEM = rf"(?:{_NUMBER}|\({_NUMBER}(?:, {_NUMBER}){{2,3}}\))"
@@ -56,14 +51,6 @@ _SAMPLED = re.compile(
 _SAMPLE = re.compile(rf"{_NUMBER}: (?:{_NUMBER}|\[{_ITEM}(?:, {_ITEM})*\]),")
 
 
-@dataclass(frozen=True, slots=True)
-class Content:
-    """What the file holds at a moment."""
-
-    text: bytes
-    revision: str
-
-
 class LiveFile:
     """One file that pages share.  `read` are the files that the run has read, none of which is ever
     replaced."""
@@ -75,41 +62,29 @@ class LiveFile:
         self._lock = threading.Lock()
         self._closed = False
         check_not_read([path], self._read)
-        if path.suffix != ".usda":
-            raise refuse(
-                "FILE_TARGET", path, "the layer of a live link is USD text and ends in .usda"
-            )
-        if not path.parent.is_dir():
-            raise refuse("FILE_TARGET", path, f"there is no folder {path.parent}")
-        if (found := self.content().text) and not is_animation(found):
-            raise refuse(
-                "FILE_TARGET",
-                path,
-                "exists and is not an animation layer that the viewer wrote",
-            )
+        check_own(path, "an animation layer of the viewer", "string work = ")
 
-    def content(self) -> Content:
+    def content(self) -> bytes:
         """What the file holds; of none that is there, nothing.  Raises RigUIError with a FILE_
         code."""
         try:
-            text = whole_content(self.path, 256)
+            return whole_content(self.path, 256)
         except FileNotFoundError:
-            text = b""
+            return b""
         except OSError as error:
             raise file_error(self.path, error) from error
-        return Content(text, hashlib.sha256(text).hexdigest() if text else ABSENT)
 
-    def replace(self, text: bytes, known: str) -> Content | None:
-        """Let the file hold `text` if its content is `known`, and return the new content; None
+    def replace(self, text: bytes, known: str) -> str:
+        """Let the file hold `text` if its revision is `known`, and return the new one; nothing
         where it is not.
 
         Raises RigUIError with a FILE_ code; what the file held is untouched then.
         """
         with self._lock:
-            if self._closed or self.content().revision != known:
-                return None
+            if self._closed or revision(self.content()) != known:
+                return ""
             commit(text, self.path, read=self._read)
-            return self.content()
+            return revision(text)
 
     def close(self) -> None:
         """Let a replacement that has begun end, and none begin."""
@@ -117,10 +92,9 @@ class LiveFile:
             self._closed = True
 
 
-def is_animation(text: bytes) -> bool:
-    """Whether a file is an animation layer that the viewer wrote: USD text with the viewer's work
-    in it."""
-    return text.startswith(b"#usda") and _MARK in text
+def revision(content: bytes) -> str:
+    """Digest of what the file holds, as HTTP has it."""
+    return f'"{hashlib.sha256(content).hexdigest()}"'
 
 
 def animation(content: bytes) -> bytes | None:

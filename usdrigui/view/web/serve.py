@@ -19,7 +19,7 @@ from typing import Any
 
 from usdrigui.errors import RigUIError, sentences
 from usdrigui.isolation import worker
-from usdrigui.view.web.live import Content, LiveFile, animation
+from usdrigui.view.web.live import LiveFile, animation, revision
 
 _MOST_DRAINED = 1 << 20
 _MOST_WRITTEN = 1 << 28
@@ -156,17 +156,15 @@ class _Handler(BaseHTTPRequestHandler):
 
     def _read(self, live: LiveFile) -> None:
         found = live.content()
-        if self.headers.get("If-None-Match") == _tag(found):
-            self._send(HTTPStatus.NOT_MODIFIED, b"", tag=_tag(found))
+        tag = revision(found)
+        if self.headers.get("If-None-Match") == tag:
+            self._send(HTTPStatus.NOT_MODIFIED, b"", tag=tag)
         else:
-            self._send(HTTPStatus.OK, found.text, tag=_tag(found))
+            self._send(HTTPStatus.OK, found, tag=tag)
 
     def _replaced(self, live: LiveFile, text: bytes) -> None:
-        made = live.replace(text, self.headers.get("If-Match", "").strip('"'))
-        if made is None:
-            self._send(HTTPStatus.PRECONDITION_FAILED, b"")
-        else:
-            self._send(HTTPStatus.OK, b"", tag=_tag(made))
+        made = live.replace(text, self.headers.get("If-Match", ""))
+        self._send(HTTPStatus.OK if made else HTTPStatus.PRECONDITION_FAILED, b"", tag=made)
 
     def _with_file(self, act: Callable[[], None]) -> None:
         """Read or write the file; the page receives what the disk refuses."""
@@ -213,7 +211,3 @@ class _Handler(BaseHTTPRequestHandler):
 
     def log_message(self, format: str, *args: object) -> None:  # noqa: A002 - the base class's name
         """Say nothing: the terminal belongs to the command line."""
-
-
-def _tag(content: Content) -> str:
-    return f'"{content.revision}"'
