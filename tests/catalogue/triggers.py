@@ -391,7 +391,7 @@ def _no_animation(folder: Path, _: Any) -> Found:
     from usdrigui.view.sheet import film_gif
 
     (found,) = rig.read_rigs(minimal_assets.character(folder), Settings())
-    return refused(lambda: film_gif([(found, None)]))
+    return refused(lambda: film_gif([(found, None)], frames=2))
 
 
 # --- problems and poses ------------------------------------------------------------------------------

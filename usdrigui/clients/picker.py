@@ -23,9 +23,8 @@ from usdrigui.view.body.shading import Camera, Subject, subject_of
 from usdrigui.view.directions import camera_rows
 from usdrigui.view.flat.callouts import called_out, column_width, shortened
 from usdrigui.view.flat.framing import framed
-from usdrigui.view.flat.pillow import painted
+from usdrigui.view.flat.pillow import painted, png
 from usdrigui.view.flat.scene import Label, Mark, Page, Panel, stacked
-from usdrigui.view.flat.svg import png
 from usdrigui.view.panels import board_of, body, marks_of, on_character
 from usdrigui.view.sections import Section, sections
 

@@ -10,9 +10,8 @@ from usdrigui.character.rotation import rotation_part, rotation_vectors
 from usdrigui.errors import refuse
 
 
-def clip_values(rig: Rig, count: int = 0) -> Floats:
-    """(frames, controls) control values at `count` frames spread over the rig's clip; 0 for every
-    frame.
+def clip_values(rig: Rig) -> Floats:
+    """(frames, controls) control values at every frame of the rig's clip.
 
     Shape controls take the weights of the clip, rotations of joints the components of the joint's
     rotation vector from its base; pose controls stay at their defaults, since many mixtures of
@@ -21,14 +20,7 @@ def clip_values(rig: Rig, count: int = 0) -> Floats:
     clip = rig.clip
     if clip is None or len(clip.times) < 2:
         raise refuse("ANIMATION_MISSING", rig.path, "has no animation to show")
-    last = len(clip.times) - 1
-    steps = (
-        np.arange(last + 1)
-        if count <= 0
-        else np.unique(np.linspace(0, last, count).round().astype(int))
-    )
-    values = np.stack([_values(rig.body, clip, control) for control in rig.controls], axis=1)
-    return np.asarray(values[steps], dtype=np.float64)
+    return np.stack([_values(rig.body, clip, control) for control in rig.controls], axis=1)
 
 
 class ClipReading(Record):

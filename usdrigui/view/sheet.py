@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 from collections.abc import Mapping, Sequence
 
+import numpy as np
 from PIL import Image
 
 from usdrigui.character import Rig
@@ -14,6 +15,7 @@ from usdrigui.model import Layout
 from usdrigui.pose.evaluate import values_of
 from usdrigui.view.clip import clip_values
 from usdrigui.view.flat import lettering
+from usdrigui.view.flat.pillow import png
 from usdrigui.view.picture import contact_sheet, film, render
 
 _FRAME = 80
@@ -43,10 +45,7 @@ def sheet_png(
         values = values_of(rig, own, layout.base_values) if own else None
         images.append(render(rig, layout, values, labels=labels))
     # Each names its character itself.
-    page = images[0] if len(images) == 1 else contact_sheet(images)
-    buffer = io.BytesIO()
-    page.save(buffer, format="PNG")
-    return buffer.getvalue()
+    return png(images[0] if len(images) == 1 else contact_sheet(images))
 
 
 def spelt_out(characters: Sequence[tuple[Rig, Layout]]) -> tuple[str, ...]:
@@ -63,14 +62,16 @@ def spelt_out(characters: Sequence[tuple[Rig, Layout]]) -> tuple[str, ...]:
     )
 
 
-def film_gif(characters: Sequence[tuple[Rig, Layout]], *, frames: int = 24) -> bytes:
+def film_gif(characters: Sequence[tuple[Rig, Layout]], *, frames: int) -> bytes:
     """GIF bytes of the first character playing its clip under its layout; `frames` pictures,
     looped.
 
     Raises RigUIError ANIMATION_MISSING.
     """
     rig, layout = characters[0]
-    pictures = list(film(rig, layout, clip_values(rig, frames)))
+    values = clip_values(rig)
+    steps = np.unique(np.linspace(0, len(values) - 1, frames).round().astype(int))
+    pictures = list(film(rig, layout, values[steps]))
     palette = _palette(pictures)
     reduced = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
     buffer = io.BytesIO()

@@ -12,6 +12,7 @@ from PIL import Image, ImageDraw
 from usdrigui.clients.batch.job import Row
 from usdrigui.isolation.foreign_file import whole_content
 from usdrigui.view.flat.lettering import font
+from usdrigui.view.flat.pillow import png
 from usdrigui.view.picture import contact_sheet
 
 _EMPTY = (900, 300)
@@ -22,12 +23,13 @@ def sheet_png(rows: Sequence[Row]) -> bytes:
     """PNG bytes: the picture of each asset over its name, or why there is none."""
     rows = [row for row in rows if row.outcome != "part"]
     images = [_picture(row) for row in rows]
-    page = contact_sheet(
-        images, [f"{row.asset}   {row.outcome}" for row in rows], columns=3 if len(rows) > 4 else 2
+    return png(
+        contact_sheet(
+            images,
+            [f"{row.asset}   {row.outcome}" for row in rows],
+            columns=3 if len(rows) > 4 else 2,
+        )
     )
-    content = io.BytesIO()
-    page.save(content, "PNG")
-    return content.getvalue()
 
 
 def _picture(row: Row) -> Image.Image:

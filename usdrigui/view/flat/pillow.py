@@ -3,6 +3,8 @@ crisp; what the character hides is drawn faintly."""
 
 from __future__ import annotations
 
+import io
+
 import numpy as np
 from PIL import Image, ImageDraw
 
@@ -26,6 +28,13 @@ def painted(page: Page) -> Image.Image:
     for panel in page.panels:
         whole.paste(_panel(panel), panel.corner)
     return whole
+
+
+def png(image: Image.Image) -> bytes:
+    """The bytes of a picture's file."""
+    stream = io.BytesIO()
+    image.save(stream, "PNG")
+    return stream.getvalue()
 
 
 def _panel(panel: Panel) -> Image.Image:

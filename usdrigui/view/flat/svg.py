@@ -4,16 +4,14 @@ anchored as data attributes."""
 from __future__ import annotations
 
 import base64
-import io
 import json
 from collections.abc import Sequence
-
-from PIL import Image
 
 from usdrigui.character import Floats
 from usdrigui.model import Element
 from usdrigui.report.markup import markup
 from usdrigui.view.flat.marks import handle_outlines, rings, runs
+from usdrigui.view.flat.pillow import png
 from usdrigui.view.flat.scene import GROUND, PAPER, Label, Mark, Page, Panel
 
 _FAINT = 0.35
@@ -31,13 +29,6 @@ def svg(page: Page) -> str:
     for panel in page.panels:
         lines += _panel(panel)
     return "\n".join([*lines, "</svg>"]) + "\n"
-
-
-def png(image: Image.Image) -> bytes:
-    """The bytes of a picture's file."""
-    stream = io.BytesIO()
-    image.save(stream, "PNG", optimize=True)
-    return stream.getvalue()
 
 
 def _panel(panel: Panel) -> list[str]:

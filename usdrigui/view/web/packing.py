@@ -13,7 +13,6 @@ import hashlib
 import io
 import itertools
 import json
-import math
 import zlib
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -333,9 +332,6 @@ def _layout(rig: Rig, layout: Layout) -> Json:
         "elements": _elements(rig, meshes, controls, layout),
         "sections": looked_at,
         "leftOff": [[each.control, each.stage, each.reason] for each in layout.left_off],
-        **_fields(layout.proof, "method status"),
-        "cost": _finite(layout.proof.cost),
-        "bound": _finite(layout.proof.bound),
     }
 
 
@@ -452,7 +448,3 @@ def _list(array: ArrayLike) -> list[Any]:
 
 def _nested(value: Any) -> Any:
     return [_nested(each) for each in value] if isinstance(value, list) else float(f"{value:.9g}")
-
-
-def _finite(value: float) -> float | None:
-    return value if math.isfinite(value) else None
