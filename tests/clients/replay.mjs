@@ -27,7 +27,7 @@ function shelved(session) {
   const { controls, values, deformer, character } = session;
   const some = [...controls.keys()].map((control) => [control, values[control]]);
   const poses = [some, some.filter(([control]) => control % 2)].filter((pose) => pose.length);
-  session.reshelve('Keep', poses.map((pose, i) => ({ name: `"${i}" and 1/2`, values: new Map(pose), picture: '' })));
+  session.put('Keep', { shelf: poses.map((pose, i) => ({ name: `"${i}" and 1/2`, values: new Map(pose), picture: '' })) });
   const { text, unwritten } = posesLayer(session, session.shelf);
   const expected = session.shelf.map((pose) => {
     deformer.setBase(null, null);

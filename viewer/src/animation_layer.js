@@ -6,6 +6,7 @@
 
 import { decomposed } from './matrix.js';
 import { keysFrom, sayKeys } from './by_name.js';
+import { posed } from './notes.js';
 import { nested, number, quoted, rendered, stringsNamed } from './usda.js';
 
 /**
@@ -35,7 +36,7 @@ function animated(session, stored) {
   const work = keysFrom(stored, session);
   const written = [...new Set([...work.keys.keys(), ...work.constants.keys()])].sort((a, b) => a - b);
   const states = written.length ? statesAt(session, timesOf(animation, work), (time) => animation.at(time, work)) : [];
-  return contentOf(session, written, states, animation.range(work.keys, work.span), sayKeys(session, work));
+  return contentOf(session, written, states, animation.range(work.keys, work.span), stored);
 }
 
 /** The present pose as such a layer, with one sample at the present frame. */
@@ -45,8 +46,8 @@ export function poseLayer(session) {
   const states = statesAt(session, [frame], () => ({ ...base, values }));
   const all = [...session.controls.keys()];
   const constants = new Map(all.map((control) => [control, values[control]]));
-  const posed = contentOf(session, all, states, [frame, frame], sayKeys(session, { keys: new Map(), constants }));
-  return { text: posed.animations.size ? layerOf([posed]) : '', unwritten: posed.unwritten };
+  const content = contentOf(session, all, states, [frame, frame], sayKeys(session, { keys: new Map(), constants }));
+  return { text: content.animations.size ? layerOf([content]) : '', unwritten: content.unwritten };
 }
 
 /**
@@ -55,8 +56,7 @@ export function poseLayer(session) {
  */
 export function poseAnimations(session, values) {
   const { character, controls } = session;
-  const all = Float64Array.from(controls, ({ default: off }, i) => values.get(i) ?? off);
-  const states = statesAt(session, [null], () => ({ values: all, weights: null, locals: null }));
+  const states = statesAt(session, [null], () => ({ values: posed(session, { values }), weights: null, locals: null }));
   const { animations, unwritten } = animationsOf(session, [...values.keys()]);
   const driven = new Set([...values.keys()].flatMap((control) => controls[control].drive.channels));
   const own = (each) => ({ ...each, channels: each.channels.filter((channel) => driven.has(channel)), joints: each.joints.filter((joint) => each.driven.has(joint)) });

@@ -1,9 +1,8 @@
 // Where tracks, handles and pins are on the screen: projected, lengthened where they are short, moved apart by the lens;
 // and what a pointer meets there.
 
-import { dot } from './camera.js';
 import { Dock } from './dock.js';
-import { alongTrack, lengthOf } from './vectors.js';
+import { alongTrack, clamp, dot, lengthOf } from './vectors.js';
 import { lensAt } from './spread.js';
 
 const LEAST_HANDLE = 11;
@@ -17,6 +16,7 @@ export const FINGER = 44; // pixels that fingertips need
 export class Arrangement {
   constructor(session) {
     this.session = session;
+    this.drawn = []; // of each element shown, where it is
     this.enlarged = 1; // how much larger handles are drawn than they are
     this.leftward = 0; // where the character's left is on the screen: -1, 0 or 1
     this.dock = new Dock(session);
@@ -34,9 +34,9 @@ export class Arrangement {
     const { session } = this;
     const project = camera.projector(column);
     const perUnit = 1 / camera.pixelSize(column.height);
-    const width = Math.min(MOST_HANDLE, Math.max(LEAST_HANDLE, session.elements.width * perUnit));
+    const width = clamp(session.elements.width * perUnit, LEAST_HANDLE, MOST_HANDLE);
     this.enlarged = width / (session.elements.width * perUnit);
-    const before = new Map((this.drawn ?? []).map((each) => [each.element, each]));
+    const before = new Map(this.drawn.map((each) => [each.element, each]));
     if (hides) this.magnifications = new Map();
     const { azimuth, elevation, distance, target } = camera;
     const look = [azimuth, elevation, distance, ...target, column.left, column.width, column.height].join();
@@ -95,7 +95,7 @@ export class Arrangement {
   point(x, y, apart = null) {
     const { lens } = this;
     if (lens && Math.hypot(x - lens.at[0], y - lens.at[1]) < STAY * lens.apart && (apart ?? 0) <= lens.apart) return false;
-    const reachable = (this.drawn ?? []).filter((each) => !each.element.onBoard && this.isReachable(each));
+    const reachable = this.drawn.filter((each) => !each.element.onBoard && this.isReachable(each));
     const wide = apart ?? (reachable[0]?.width ?? 0) + 2;
     const off = (each) => Math.hypot(each.handle[0] - x, each.handle[1] - y);
     const nearest = reachable.reduce((best, each) => (best && off(best) <= off(each) ? best : each), null);
@@ -189,7 +189,7 @@ export class Arrangement {
   /** The element whose sign of a second level is at (x, y). */
   badgeAt(x, y, reach = BADGE + 2) {
     if (!this.session.options.handles) return null;
-    const found = (this.drawn ?? []).filter((each) => this.isReachable(each)).find((each) => {
+    const found = this.drawn.filter((each) => this.isReachable(each)).find((each) => {
       const at = this.badgeOf(each);
       return at && Math.hypot(at[0] - x, at[1] - y) <= reach;
     });
@@ -201,7 +201,7 @@ export class Arrangement {
   /** The element whose handle is nearest to (x, y) and within reach; covered handles only when drawn. */
   elementAt(x, y, reach = 0) {
     const { session, dock } = this;
-    if (!session.options.handles || !this.drawn) return null;
+    if (!session.options.handles) return null;
     const inDock = dock.contains({ x, y });
     let best = null;
     for (const each of this.drawn) {
@@ -216,7 +216,7 @@ export class Arrangement {
   /** Whether a fingertip covers handles of several elements that the lens has not moved apart for it. */
   isAmbiguous(x, y, reach) {
     if (!this.session.options.handles || (this.lens && this.lens.apart >= 2 * reach)) return false;
-    const covered = (this.drawn ?? []).filter((each) => {
+    const covered = this.drawn.filter((each) => {
       return !each.element.onBoard && this.isReachable(each) && Math.hypot(each.handle[0] - x, each.handle[1] - y) <= reach;
     });
     return covered.length > 1;
@@ -230,7 +230,7 @@ export class Arrangement {
   elementsIn([x0, y0, x1, y1]) {
     const inside = ([x, y]) => x >= Math.min(x0, x1) && x <= Math.max(x0, x1) && y >= Math.min(y0, y1) && y <= Math.max(y0, y1);
     const overlay = this.session.options.occlusion === 'overlay';
-    return (this.drawn ?? []).filter((each) => inside(each.handle) && (overlay || !each.hidden)).map((each) => each.element);
+    return this.drawn.filter((each) => inside(each.handle) && (overlay || !each.hidden)).map((each) => each.element);
   }
 }
 

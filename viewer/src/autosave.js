@@ -1,6 +1,7 @@
 // Keeps the work on a character in the browser's own storage, and offers back what an earlier page has left there.
 // Each page writes to a slot of its own, so that two pages on one character lose nothing of each other.
 
+import { parsed } from './by_name.js';
 import { worded, workOf } from './work.js';
 
 const DELAY = 300; // milliseconds after a change
@@ -87,11 +88,3 @@ export function browserStorage() {
 
 /** All work but the notes, as text. */
 const withoutNotes = (session) => JSON.stringify(workOf(Object.create(session, { notes: { value: session.arrived } })));
-
-function parsed(text) {
-  try {
-    return JSON.parse(text) ?? {};
-  } catch {
-    return {};
-  }
-}

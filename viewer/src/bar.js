@@ -81,7 +81,7 @@ export class Bar {
     const { app } = this;
     const { session } = app;
     const option = (name, label, title) =>
-      this.updating(toggle(label, title, () => session.options[name], () => session.setOption(name, !session.options[name])));
+      this.updating(toggle(label, title, () => session.options[name], () => session.flipOption(name)));
     return [
       option('symmetric', 'Symmetry', 'Both sides at once (S)'),
       this.panel('list', 'List', 'All controls as sliders (C)'),

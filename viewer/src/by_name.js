@@ -29,6 +29,15 @@ function byControl(entries, controls, isValid) {
   return new Map(known.map(([name, value]) => [index.get(name), value]));
 }
 
+/** What JSON text says, or `otherwise` where it is none. */
+export function parsed(text, otherwise = null) {
+  try {
+    return JSON.parse(text);
+  } catch {
+    return otherwise;
+  }
+}
+
 const isSpan = (span) => Array.isArray(span) && span.length === 2 && span.every(Number.isInteger) && span[0] < span[1];
 const isKey = (key) =>
   Array.isArray(key) && [2, 3].includes(key.length) && key.slice(0, 2).every(Number.isFinite) && WAYS.includes(wayOf(key));

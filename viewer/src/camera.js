@@ -1,6 +1,6 @@
 // An orbiting camera around the face, in the frame given by the rig's up and the layout's view.
 
-import { clamp } from './vectors.js';
+import { clamp, dot } from './vectors.js';
 
 const FIELD = (14 * Math.PI) / 180; // a long lens: what stands on the board does not turn it away
 const STEEPEST = (88 * Math.PI) / 180;
@@ -107,7 +107,6 @@ export class OrbitCamera {
   }
 }
 
-export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const plus = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 export const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 export const scaled = (a, factor) => [a[0] * factor, a[1] * factor, a[2] * factor];

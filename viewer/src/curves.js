@@ -4,6 +4,7 @@
 import { keyedValue } from './animation.js';
 import { bendsOf } from './interpolation.js';
 import { changedKeys, keysWithin } from './keying.js';
+import { clamp } from './vectors.js';
 
 export const REACH = { mouse: 8, touch: 22 }; // pixels around a key
 const EDGE = 12; // pixels around the curves
@@ -128,7 +129,7 @@ export class Curves {
     this.moved = [0, 0];
     const change = ([frame, value], control) => {
       const { minimum, maximum } = session.controls[control];
-      return [frame + this.moved[0], Math.min(maximum, Math.max(minimum, value + this.moved[1] * (maximum - minimum)))];
+      return [frame + this.moved[0], clamp(value + this.moved[1] * (maximum - minimum), minimum, maximum)];
     };
     sheet.follow(event, (now) => {
       const [dx, dy] = [now.clientX - event.clientX, now.clientY - event.clientY];
@@ -153,7 +154,7 @@ export class Curves {
         const at = this.place(control, when, session.keys.get(control).find(([each]) => each === when)[1]);
         return at.every((value, axis) => value >= low[axis] && value <= high[axis]);
       };
-      const keys = keysWithin(session.keys, this.controls, [-Infinity, Infinity]).filter(within);
+      const keys = keysWithin(session.keys, this.controls).filter(within);
       sheet.picked = new Set([...before, ...keys.map((key) => key.join(' '))]);
       sheet.draw();
       setAll(frame, { x: low[0], y: low[1], width: high[0] - low[0], height: high[1] - low[1] });

@@ -2,13 +2,12 @@
 
 import * as matrix from './matrix.js';
 import { Skeletons, prepareSkin, usedJoints } from './skeleton.js';
-import { mixed } from './vectors.js';
+import { mixed, shareAt } from './vectors.js';
 
 export class Deformer {
   constructor(character) {
     this.character = character;
     this.controls = character.controls;
-    this.controls.forEach((control) => prepareDrive(control.drive));
     this.baseWeights = Float64Array.from(character.baseWeights);
     this.weights = new Float64Array(character.channels.length);
     this.moves = new Float64Array(9 * character.joints.length);
@@ -36,7 +35,7 @@ export class Deformer {
 
   addDrive(index, value) {
     const { drive } = this.controls[index];
-    const [key, share] = keyAt(drive.values, value);
+    const [key, share] = shareAt(drive.values, value);
     drive.channels.forEach((channel, i) => {
       this.weights[channel] += mixed(drive.weights[key][i], drive.weights[key + 1][i], share);
     });
@@ -58,17 +57,25 @@ export class Deformer {
     return this.points;
   }
 
+  /** All points at control values, apart from those that are shown. */
+  posedAside(values) {
+    const shown = this.points;
+    this.points = new Float32Array(shown.length);
+    const found = this.pose(values);
+    this.points = shown;
+    return found;
+  }
+
   /** Renew the meshes' maps when joints have moved since the last time. */
   updateMaps() {
     const { jointsAt, moves } = this;
-    if (jointsAt && moves.every((value, i) => value === jointsAt[i])) return false;
+    if (jointsAt && moves.every((value, i) => value === jointsAt[i])) return;
     const skinning = this.skeletons.skinning(moves);
     for (const mesh of this.character.meshes) {
       if (mesh.skin) mesh.maps = this.skeletons.maps(mesh.skin, skinning, mesh.size);
       mesh.plain = mesh.maps.length === 12 && isIdentity(mesh.maps);
     }
     this.jointsAt = moves.slice();
-    return true;
   }
 
   poseMesh(mesh) {
@@ -158,10 +165,6 @@ export class Deformer {
 /** Differences that are rounding only count as none, so that joints at rest keep their exact transform. */
 const settled = (value) => (Math.abs(value) < 1e-14 ? 0 : value);
 
-function prepareDrive(drive) {
-  drive.turns = drive.joints.length > 0;
-}
-
 function prepareMesh(mesh) {
   mesh.root = matrix.flat(mesh.toRoot);
   mesh.size = mesh.points.reduce((most, value) => Math.max(most, Math.abs(value)), 1e-30);
@@ -181,20 +184,13 @@ function isIdentity(map) {
   return [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0].every((value, i) => Math.abs(map[i] - value) < 1e-12);
 }
 
-/** Piece and share at `value` of ascending keys; beyond the ends the outer pieces go on. */
-function keyAt(keys, value) {
-  let i = 0;
-  while (i < keys.length - 2 && value >= keys[i + 1]) i++;
-  return [i, (value - keys[i]) / (keys[i + 1] - keys[i])];
-}
-
 /** Call `use(inbetween, share)` for the rows of offsets that act at `weight`. */
 function forShares(shape, weight, use) {
   if (shape.weights.length === 1) {
     use(0, weight);
     return;
   }
-  const [i, share] = keyAt(shape.nodes, weight);
+  const [i, share] = shareAt(shape.nodes, weight);
   for (const [node, amount] of [[i, 1 - share], [i + 1, share]]) {
     if (node !== shape.zero && amount !== 0) use(node > shape.zero ? node - 1 : node, amount);
   }

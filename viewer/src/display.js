@@ -5,7 +5,7 @@ import { Deformer } from './deform.js';
 import { Elements } from './elements.js';
 import { Levels } from './levels.js';
 
-export const DEFAULT_OPTIONS = {
+const DEFAULT_OPTIONS = {
   arrangement: 'face', // 'face': controls on the face; 'beside': on a copy of it, the clean face next to it
   handles: true,
   labels: 'hover', // or 'all'

@@ -1,8 +1,8 @@
 // The board as a strip at the edge of the view: rows of short tracks with names, in pixels, wherever the camera looks.
 
-import { OrbitCamera, dot, minus } from './camera.js';
+import { OrbitCamera, minus } from './camera.js';
 import { lastWord } from './dom.js';
-import { alongTrack } from './vectors.js';
+import { alongTrack, clamp, dot } from './vectors.js';
 
 const WIDE = 184; // pixels of a column of rows
 const CELL = 46; // of them for a track
@@ -122,7 +122,7 @@ export class Dock {
   /** Scroll by pixels; false where there is nothing more. */
   scrollBy(by) {
     const before = this.scroll;
-    this.scroll = Math.min(this.most, Math.max(0, this.scroll + by));
+    this.scroll = clamp(this.scroll + by, 0, this.most);
     return this.scroll !== before;
   }
 

@@ -1,5 +1,7 @@
 // Making page elements.
 
+import { clamp } from './vectors.js';
+
 /** An element with properties, attributes (aria-*, data-*, role), event listeners (onX) and children. */
 export function make(tag, properties = {}, ...children) {
   const node = document.createElement(tag);
@@ -16,6 +18,8 @@ export function make(tag, properties = {}, ...children) {
 
 /** "1 key", "2 keys". */
 export const counted = (number, what) => `${number} ${what}${number === 1 ? '' : 's'}`;
+
+export const capitalised = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** The part of a name that tells it from its neighbours: its last word, mostly a side or a direction. */
 export function lastWord(text) {
@@ -61,8 +65,17 @@ export function download(name, text, type) {
   setTimeout(() => URL.revokeObjectURL(address), 10000);
 }
 
-/** Ask for a file; resolves to {name, file, text}, the text only of text, or null when none was chosen. */
-export function askForFile(accept) {
+/** Ask for a file and `take` it, {name, file, text}, the text only of text; `say` hears what is wrong with it. */
+export async function takeFile(accept, say, take) {
+  const chosen = await askForFile(accept);
+  try {
+    if (chosen) await take(chosen);
+  } catch (error) {
+    say(/** @type {Error} */ (error).message);
+  }
+}
+
+function askForFile(accept) {
   return new Promise((resolve) => {
     const input = make('input', { type: 'file', accept });
     input.addEventListener('change', async () => {
@@ -76,7 +89,7 @@ export function askForFile(accept) {
 
 /** A value for people: two decimals, or more where the range is small. */
 export function shownValue(value, range = 1) {
-  const digits = Math.min(6, Math.max(2, 2 - Math.floor(Math.log10(Math.max(range, 1e-6)))));
+  const digits = clamp(2 - Math.floor(Math.log10(Math.max(range, 1e-6))), 2, 6);
   return value.toFixed(digits);
 }
 

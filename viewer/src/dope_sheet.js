@@ -2,9 +2,10 @@
 // copied, pasted, taken away, and told how to go on to the next.
 
 import { Curves, REACH } from './curves.js';
-import { button, counted, make, segmented } from './dom.js';
+import { button, capitalised, counted, make, segmented } from './dom.js';
 import { WAYS, wayOf } from './interpolation.js';
 import { changedKeys, copiedKeys, keysGoing, keysWithin, movedKeys, pastedKeys, removedKeys } from './keying.js';
+import { clamp } from './vectors.js';
 
 const MARKS = { linear: 'dope-key', smooth: 'dope-key round', stepped: 'dope-key square' };
 
@@ -48,7 +49,7 @@ export class DopeSheet {
   makeHead() {
     const shows = segmented('Keys as', [['rows', 'Rows', 'All keys in rows'], ['curves', 'Curves', 'The curves of the selected controls, or of all that have keys']],
       () => this.shows, (value) => this.show(value));
-    const ways = segmented('How keys go to the next', WAYS.map((way) => [way, named(way), `${named(way)}: the picked keys, or all, and the first key of a control from now on`]),
+    const ways = segmented('How keys go to the next', WAYS.map((way) => [way, capitalised(way), `${capitalised(way)}: the picked keys, or all, and the first key of a control from now on`]),
       () => this.way, (way) => this.go(way));
     const count = make('output', { class: 'hint' });
     this.head = make('div', { class: 'dope-head' }, shows, ways,
@@ -94,8 +95,8 @@ export class DopeSheet {
     this.shown = session.keys;
     this.heard = session.sound;
     this.scale = session.range;
-    const known = this.everyKey();
-    this.picked = new Set([...this.picked].filter((each) => known.has(each)));
+    const before = this.picked;
+    this.picked = new Set(this.everyKey.map((key) => key.join(' ')).filter((each) => before.has(each)));
     this.draw();
   }
 
@@ -253,11 +254,11 @@ export class DopeSheet {
   // --- what is done to keys --------------------------------------------------------------------------
 
   pickAll() {
-    this.picked = this.everyKey();
+    this.pick(this.everyKey, true);
   }
 
-  everyKey() {
-    return new Set([...this.session.keys].flatMap(([control, track]) => track.map(([frame]) => `${control} ${frame}`)));
+  get everyKey() {
+    return keysWithin(this.session.keys, [...this.session.keys.keys()]);
   }
 
   moveBy(by, copies) {
@@ -272,7 +273,7 @@ export class DopeSheet {
     /** @type {(key: any[], control: number) => [number, number]} */
     const bounded = (key, control) => {
       const [frame, value] = change(key, control);
-      return [frame, Math.min(controls[control].maximum, Math.max(controls[control].minimum, value))];
+      return [frame, clamp(value, controls[control].minimum, controls[control].maximum)];
     };
     const frameOf = ([control, frame]) => bounded(keys.get(control).find(([when]) => when === frame), control)[0];
     this.picked = new Set(picked.map((key) => `${key[0]} ${frameOf(key)}`));
@@ -300,11 +301,9 @@ export class DopeSheet {
   /** Picked keys, or all, go to the next ones in this way, and so does the first key of a control from now on. */
   go(way) {
     const { session } = this;
-    const picked = this.pickedKeys.length ? this.pickedKeys : keysWithin(session.keys, [...session.keys.keys()], [-Infinity, Infinity]);
+    const picked = this.pickedKeys.length ? this.pickedKeys : this.everyKey;
     if (!this.picked.size) session.setOption('interpolation', way);
-    if (picked.length) session.rekey(`${named(way)}: ${counted(picked.length, 'key')}`, keysGoing(way, session.keys, picked));
+    if (picked.length) session.rekey(`${capitalised(way)}: ${counted(picked.length, 'key')}`, keysGoing(way, session.keys, picked));
     this.draw();
   }
 }
-
-const named = (way) => way[0].toUpperCase() + way.slice(1);

@@ -135,7 +135,7 @@ export class Elements {
 }
 
 /** Values of the base pose in which the layout was made. */
-export function restValues(character) {
+function restValues(character) {
   const base = character.layout.baseValues;
   return Float64Array.from(character.controls, (control, i) => base[i] ?? control.default);
 }

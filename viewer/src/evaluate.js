@@ -3,18 +3,19 @@
 
 import { button, download, make } from './dom.js';
 import { Hand } from './hand.js';
+import { parsed } from './by_name.js';
 import { posesFromLayer } from './pose_library.js';
 import { History } from './history.js';
 
 const LEVELS = ['amateur', 'professional'];
-export const INTERFACES = {
+const INTERFACES = {
   list: 'Slider list',
   face: 'Controls on the face',
   beside: 'Controls on a copy beside the face',
 };
 
 /** The six orders of three interfaces; participant n takes the n-th, so twelve people meet each twice. */
-export const ORDERS = [
+const ORDERS = [
   ['list', 'face', 'beside'],
   ['face', 'beside', 'list'],
   ['beside', 'list', 'face'],
@@ -199,7 +200,7 @@ export class Evaluation {
     const number = make('input', { type: 'number', min: 1, value: 1, 'aria-label': 'Participant number' });
     const order = make('p', { class: 'hint' });
     const describe = () => {
-      const names = ORDERS[(Math.max(1, Number(number.value)) - 1) % ORDERS.length].map((name) => INTERFACES[name]);
+      const names = orderOf(Math.max(1, Number(number.value))).map((name) => INTERFACES[name]);
       order.textContent = `Order: ${names.join(' → ')}`;
     };
     number.addEventListener('input', describe);
@@ -257,11 +258,7 @@ export class Evaluation {
   }
 
   kept() {
-    try {
-      return JSON.parse(this.app.storage?.getItem(this.slot) ?? 'null');
-    } catch {
-      return null;
-    }
+    return parsed(this.app.storage?.getItem(this.slot));
   }
 
   keep(results) {
@@ -331,8 +328,7 @@ export class Evaluation {
   }
 
   done() {
-    const { session } = this.app;
-    const { view } = this.app;
+    const { session, view } = this.app;
     if (this.running.since) this.pause(make('i'));
     const { target, began, paused, events, ...rest } = this.running;
     this.running = null;

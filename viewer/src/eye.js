@@ -1,6 +1,8 @@
 // The colour of an eye that has none of its own, by where a point lies on the ball: usdrigui/view/body/shading.py has the
 // same, for pictures.  Drawers multiply what they drew as white by `tints`.
 
+import { clamp } from './vectors.js';
+
 const STEPS = 256;
 const REACH = 0.75; // radii from the middle of the pupil; beyond, all is white
 
@@ -30,6 +32,6 @@ export function onEyes(triangles, gaze) {
 }
 
 export function smooth(low, high, value) {
-  const t = Math.min(1, Math.max(0, (value - low) / (high - low)));
+  const t = clamp((value - low) / (high - low), 0, 1);
   return t * t * (3 - 2 * t);
 }

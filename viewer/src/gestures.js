@@ -5,6 +5,7 @@
 import { dragTo, movedAlong } from './drag.js';
 import { FINGER } from './arrangement.js';
 import { Pull } from './pull.js';
+import { clamp } from './vectors.js';
 
 const SLOP = 3; // pixels that a click may wander
 const FINE = 0.1;
@@ -19,12 +20,8 @@ export class Gestures {
     this.reach = 0; // pixels around a fingertip
     this.fingers = new Map(); // pointer -> its latest place
     const surface = view.surface;
-    surface.addEventListener('pointerdown', (event) => this.press(event));
-    surface.addEventListener('pointermove', (event) => this.move(event));
-    surface.addEventListener('pointerup', (event) => this.release(event));
-    surface.addEventListener('pointercancel', (event) => this.lose(event));
-    surface.addEventListener('pointerleave', () => this.leave());
-    surface.addEventListener('dblclick', (event) => this.doubleClick(event));
+    const acts = { pointerdown: this.press, pointermove: this.move, pointerup: this.release, pointercancel: this.lose, pointerleave: this.leave, dblclick: this.doubleClick };
+    for (const [kind, act] of Object.entries(acts)) surface.addEventListener(kind, (event) => act.call(this, event));
     surface.addEventListener('contextmenu', (event) => event.preventDefault());
     surface.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
   }
@@ -147,7 +144,6 @@ export class Gestures {
     this.active = null;
     if (active.moved) active.drop?.(active.last);
     else active.click?.();
-    this.session.affected = new Map();
     this.session.quiet ||= active.moved;
     this.setDragging(null);
     this.view.changed('pose');
@@ -158,7 +154,6 @@ export class Gestures {
     const { active } = this;
     this.active = null;
     active?.undo?.();
-    this.session.affected = new Map();
     this.setDragging(null);
     return active !== null;
   }
@@ -178,7 +173,7 @@ export class Gestures {
   wheel(event) {
     event.preventDefault();
     if (this.view.overlay.dock.contains(this.view.locate(event))) return this.scroll(event.deltaY);
-    this.view.camera.zoom(Math.exp(0.0012 * Math.max(-300, Math.min(300, event.deltaY))));
+    this.view.camera.zoom(Math.exp(0.0012 * clamp(event.deltaY, -300, 300)));
     return this.view.changed('camera');
   }
 
@@ -350,7 +345,7 @@ export class Gestures {
   }
 
   setDragging(what) {
-    this.session.dragging = what;
+    Object.assign(this.session, { dragging: what, affected: new Map() });
     this.session.emit('dragging');
   }
 }

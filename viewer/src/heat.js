@@ -24,7 +24,7 @@ export class Influence {
   /** Of a control without joints: its shapes' largest offsets, and the scale of the mesh's map. */
   longest(index) {
     const { drive, minimum, maximum } = this.character.controls[index];
-    if (drive.turns) {
+    if (drive.joints.length) {
       this.ofControl(index);
       return this.peaks.get(index);
     }
@@ -51,7 +51,7 @@ export class Influence {
 
   /** Whether a control moves joints, and by these at least half of the character's points a good way. */
   isWide(index) {
-    if (!this.character.controls[index].drive.turns) return false;
+    if (!this.character.controls[index].drive.joints.length) return false;
     const heat = this.ofControl(index);
     let warm = 0;
     for (const value of heat) if (value > GOOD_WAY) warm++;
@@ -85,33 +85,23 @@ export class Influence {
       }
     }
     const most = squares.reduce((a, b) => Math.max(a, b), 0);
-    if (this.character.controls[index].drive.turns) this.peaks.set(index, Math.sqrt(most));
+    if (this.character.controls[index].drive.joints.length) this.peaks.set(index, Math.sqrt(most));
     return Uint8Array.from(squares, (square) => (most > 0 ? Math.round(255 * Math.sqrt(square / most)) : 0));
   }
 
   /** All points with control `index` at each of `ends` and the others at rest; what is shown stays as it is. */
   pointsAt(index, ends) {
     const { deformer } = this;
-    const shown = deformer.points;
     const values = Float64Array.from(this.rest);
-    const found = ends.map((end) => {
+    return ends.map((end) => {
       values[index] = end;
-      deformer.points = new Float32Array(shown.length);
-      return deformer.pose(values);
+      return deformer.posedAside(values);
     });
-    deformer.points = shown;
-    return found;
   }
 
-  /** Controls that move a point of the skin, strongest first: [{control, distance, share}]. */
-  rank(corners, shares, values, tracer) {
-    const traced = corners.map(tracer);
+  /** Controls that move a place of the skin, where it is said by `at`, strongest first: [{control, distance, share}]. */
+  rank(values, at) {
     const { deformer } = this;
-    const at = () => {
-      const out = [0, 0, 0];
-      traced.forEach((each, k) => deformer.trace(each).forEach((value, axis) => (out[axis] += shares[k] * value)));
-      return out;
-    };
     deformer.drive(values);
     const found = this.character.controls.map((control, index) => {
       const low = deformer.withControl(index, values[index], control.minimum, at);

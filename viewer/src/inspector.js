@@ -3,7 +3,7 @@
 
 import { keysFromLayer, poseLayer } from './animation_layer.js';
 import { headingOf } from './dock.js';
-import { askForFile, button, download, longName, make, segmented, shownValue, toggle } from './dom.js';
+import { button, capitalised, counted, download, longName, make, segmented, shownValue, takeFile, toggle } from './dom.js';
 import { poseFromJson, poseToJson } from './pose_io.js';
 import { Shelf } from './shelf.js';
 import { sideName } from './view.js';
@@ -138,7 +138,8 @@ export class Inspector {
   /** The controls that move a clicked point, strongest first. */
   showInfluences(hit) {
     const { session, view } = this;
-    const found = session.influence.rank(hit.corners, hit.shares, session.values, (corner) => session.tracer(corner));
+    const place = session.place(hit);
+    const found = session.influence.rank(session.values, () => session.traced(place));
     session.deformer.drive(session.values);
     this.influences.hidden = false;
     this.influences.open = true;
@@ -282,10 +283,7 @@ export class Inspector {
         session.emit('saved');
         if (unwritten.length) say(`No animation drives ${unwritten.join(', ')}`);
       }),
-      button('Load…', 'A pose or layer saved before', async () => {
-        const file = await askForFile('.json,.usda,.usd');
-        if (file) this.load(file.text);
-      }),
+      button('Load…', 'A pose or layer saved before', () => takeFile('.json,.usda,.usd', say, ({ text }) => this.load(text))),
     );
   }
 
@@ -300,20 +298,11 @@ export class Inspector {
 
   /** Take over a pose (JSON) or the keys or the pose of a layer (usda). */
   load(text) {
-    const { session, say } = this;
-    try {
-      if (text.startsWith('#usda')) {
-        const { keys, constants } = keysFromLayer(text, session);
-        if (keys.size) session.load('Load keys', keys, constants);
-        else session.edit('Load pose', () => session.set(constants));
-      } else {
-        const pose = poseFromJson(text, session);
-        session.edit('Load pose', () => session.set(pose));
-      }
-      say('Pose loaded');
-    } catch (error) {
-      say(/** @type {Error} */ (error).message);
-    }
+    const { session } = this;
+    const { keys, constants } = text.startsWith('#usda') ? keysFromLayer(text, session) : { keys: new Map(), constants: poseFromJson(text, session) };
+    if (keys.size) session.load('Load keys', keys, constants);
+    else session.edit('Load pose', () => session.set(constants));
+    this.say('Pose loaded');
   }
 
   // --- layout ----------------------------------------------------------------------------------------
@@ -324,12 +313,10 @@ export class Inspector {
     const moved = make('p', { class: 'hint' });
     moved.update = () => {
       const count = view.rearranging.moved.size;
-      moved.textContent = count ? `${count} element${count > 1 ? 's' : ''} moved` : 'Drag an element to another point of the face, or off it.';
+      moved.textContent = count ? `${counted(count, 'element')} moved` : 'Drag an element to another point of the face, or off it.';
       save.disabled = !count;
     };
-    const rearrange = toggle('Rearrange', 'Drag elements to other points of the face', () => session.options.rearrange, () =>
-      session.setOption('rearrange', !session.options.rearrange),
-    );
+    const rearrange = toggle('Rearrange', 'Drag elements to other points of the face', () => session.options.rearrange, () => session.flipOption('rearrange'));
     const save = button('Save corrections', 'Download the changes for `usdrigui process --corrections`: they hold for every later version', () =>
       download(session.fileNamed('corrections.usda'), view.rearranging.corrections(), 'text/plain'),
     );
@@ -352,5 +339,3 @@ export class Inspector {
 function section(title, content, open = true) {
   return make('details', { class: 'section', open }, make('summary', {}, title), content);
 }
-
-const capitalised = (text) => text.charAt(0).toUpperCase() + text.slice(1);

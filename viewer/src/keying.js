@@ -13,11 +13,13 @@ const found = (keys, picked) =>
  * the old.
  */
 export function changedKeys(keys, picked, change, copies = false) {
-  const out = copies ? new Map(keys) : removedKeys(keys, picked);
-  for (const [control, key] of found(keys, picked)) {
-    const [frame, value] = change(key, control);
-    out.set(control, withKey(out.get(control) ?? [], frame, value, wayOf(key)));
-  }
+  return withKeys(copies ? keys : removedKeys(keys, picked), found(keys, picked).map(([control, key]) => [control, [...change(key, control), wayOf(key)]]));
+}
+
+/** Keys with others, [control, [frame, value, way]] each, in place of what was there. */
+export function withKeys(keys, added) {
+  const out = new Map(keys);
+  for (const [control, [frame, value, way]] of added) out.set(control, withKey(out.get(control) ?? [], frame, value, way));
   return out;
 }
 
@@ -35,11 +37,7 @@ export function removedKeys(keys, picked) {
 }
 
 /** Keys with those picked going to their next ones in another way. */
-export function keysGoing(way, keys, picked) {
-  const out = new Map(keys);
-  for (const [control, [frame, value]] of found(keys, picked)) out.set(control, withKey(out.get(control), frame, value, way));
-  return out;
-}
+export const keysGoing = (way, keys, picked) => withKeys(keys, found(keys, picked).map(([control, [frame, value]]) => [control, [frame, value, way]]));
 
 /** Picked keys to be pasted elsewhere: [control, key], from frame 0. */
 export function copiedKeys(keys, picked) {
@@ -48,14 +46,10 @@ export function copiedKeys(keys, picked) {
 }
 
 /** Keys with copied ones from a frame on. */
-export function pastedKeys(keys, copied, first) {
-  const out = new Map(keys);
-  for (const [control, key] of copied) out.set(control, withKey(out.get(control) ?? [], first + key[0], key[1], wayOf(key)));
-  return out;
-}
+export const pastedKeys = (keys, copied, first) => withKeys(keys, copied.map(([control, key]) => [control, [first + key[0], key[1], wayOf(key)]]));
 
-/** [control, frame] of the keys of some controls between two frames. */
-export const keysWithin = (keys, controls, [first, last]) =>
+/** [control, frame] of the keys of some controls between two frames, or of all. */
+export const keysWithin = (keys, controls, [first, last] = [-Infinity, Infinity]) =>
   controls.flatMap((control) => (keys.get(control) ?? []).filter(([frame]) => frame >= first && frame <= last).map(([frame]) => [control, frame]));
 
 /**

@@ -32,7 +32,7 @@ export class Live {
     this.name = name;
     this.say = say;
     this.address = address;
-    this.base = new Map(); // root -> work, as the file was when both sides last agreed
+    this.base = new Map(); // session -> work, as the file was when both sides last agreed
     this.revision = '';
     this.changed = false;
     this.waited = 0;
@@ -50,11 +50,7 @@ export class Live {
 
   /** Hear of a session's changes, as long as it is shown. */
   follow(session) {
-    for (const event of ['changed', 'time']) session.on(event, () => this.note());
-  }
-
-  note() {
-    this.changed = true;
+    for (const event of ['changed', 'time']) session.on(event, () => (this.changed = true));
   }
 
   /** Read the file, then write and look again and again. */
@@ -82,7 +78,12 @@ export class Live {
 
   /** Whether all that a session's keys and constant values say is in the file. */
   holds(session) {
-    return this.state === 'saved' && !differing(this.baseOf(session), saidKeys(session)).length;
+    return this.state === 'saved' && this.agrees(session);
+  }
+
+  /** Whether a session says what the file did when both last agreed. */
+  agrees(session, work = saidKeys(session)) {
+    return !differing(this.baseOf(session), work).length;
   }
 
   // --- writing ---------------------------------------------------------------------------------------
@@ -90,18 +91,18 @@ export class Live {
   async push() {
     this.changed = false;
     const works = new Map(this.sessions.map((session) => [session, saidKeys(session)]));
-    if (this.sessions.every((session) => !differing(this.baseOf(session), works.get(session)).length)) {
+    if (this.sessions.every((session) => this.agrees(session, works.get(session)))) {
       this.tell('saved');
       return;
     }
     if (!this.refusal) this.tell('unsaved');
-    const answer = await this.ask('PUT', { 'If-Match': `"${this.revision}"` }, animationLayerOf(this.sessions, (session) => works.get(session)));
+    const answer = await this.ask('PUT', { 'If-Match': this.revision }, animationLayerOf(this.sessions, (session) => works.get(session)));
     if (answer.status === 412) {
       this.changed = true;
       await this.pull();
     } else if (answer.ok) {
-      this.revision = tagOf(answer);
-      works.forEach((work, session) => this.base.set(session.character.root, work));
+      this.revision = answer.headers.get('ETag') ?? '';
+      this.base = works;
       this.tell(this.changed ? 'unsaved' : 'saved');
     } else {
       this.changed = true;
@@ -126,14 +127,15 @@ export class Live {
   // --- reading ---------------------------------------------------------------------------------------
 
   async pull() {
-    const answer = await this.ask('GET', { 'If-None-Match': `"${this.revision}"` });
+    const answer = await this.ask('GET', { 'If-None-Match': this.revision });
     if (answer.status === 304) {
-      if (this.state !== 'foreign' && !this.refusal) this.tell(this.changed ? 'unsaved' : 'saved');
+      // Also after a refusal: the file can be read again, and is as it was.
+      if (this.state !== 'foreign') this.tell(this.changed ? 'unsaved' : 'saved');
     } else if (answer.ok) {
       const text = await answer.text();
       if (this.isBusy) return; // a drag has begun meanwhile: it is read after it
       const isFirst = !this.revision;
-      this.revision = tagOf(answer);
+      this.revision = answer.headers.get('ETag') ?? '';
       this.take(text, isFirst);
     } else await this.refuse(answer);
   }
@@ -165,13 +167,13 @@ export class Live {
       session.rebase((state) => keysFrom(merged(base, sayKeys(session, state), theirs).work, session));
       if (!isFirst) this.say(`${this.name} changed elsewhere: ${few(taken.map((name) => labelOf(session, name)))}`);
     }
-    this.base.set(session.character.root, theirs);
-    if (differing(saidKeys(session), theirs).length) this.changed = true;
+    this.base.set(session, theirs);
+    this.changed ||= !this.agrees(session);
     if (conflicts.length) this.say(`Changed here and elsewhere, as here now: ${few(conflicts.map((each) => worded(session, each)))}`);
   }
 
-  baseOf({ character }) {
-    return this.base.get(character.root) ?? NOTHING;
+  baseOf(session) {
+    return this.base.get(session) ?? NOTHING;
   }
 
   // --- the server ------------------------------------------------------------------------------------
@@ -199,7 +201,6 @@ function readable(text) {
   }
 }
 
-const tagOf = (answer) => (answer.headers.get('ETag') ?? '').replaceAll('"', '');
 const few = (names) => (names.length > 4 ? `${names.slice(0, 3).join(', ')} and ${names.length - 3} more` : names.join(', '));
 const labelOf = ({ controls }, name) => controls.find((control) => control.name === name)?.label ?? name;
 const worded = (session, [name, frame]) => `${labelOf(session, name)}${frame === null ? '' : ` at frame ${frame}`}`;

@@ -4,7 +4,8 @@ import './style.css';
 import { Autosave, browserStorage } from './autosave.js';
 import { ControlList } from './control_list.js';
 import { Bar } from './bar.js';
-import { make } from './dom.js';
+import { byName } from './by_name.js';
+import { button, make } from './dom.js';
 import { Evaluation, trialsFor } from './evaluate.js';
 import { Inspector } from './inspector.js';
 import { Stops, leaveField, listenToKeys } from './keyboard.js';
@@ -145,11 +146,11 @@ class App {
     const found = autosave.offered;
     this.offer.hidden = !found;
     if (!found) return;
-    const button = (label, act) => make('button', { type: 'button', onclick: () => {
+    const choice = (label, act) => button(label, '', () => {
       act();
       autosave.discard(found);
       this.offerWork(autosave);
-    } }, label);
+    });
     const restore = () => {
       resume(this.session, found.work);
       autosave.flush();
@@ -157,8 +158,8 @@ class App {
     const when = new Date(found.saved).toLocaleString([], { dateStyle: 'medium', timeStyle: 'short' });
     this.offer.replaceChildren(
       make('span', {}, `Your work of ${when}: ${found.words}`),
-      button('Restore', restore),
-      button('Discard', () => {}),
+      choice('Restore', restore),
+      choice('Discard', () => {}),
     );
   }
 
@@ -223,7 +224,7 @@ class App {
   // --- keys ------------------------------------------------------------------------------------------
 
   shortcuts() {
-    const flip = (name) => () => this.session.setOption(name, !this.session.options[name]);
+    const flip = (name) => () => this.session.flipOption(name);
     const look = (azimuth, elevation) => () => this.view.home(azimuth, elevation);
     return {
       'Ctrl+z': () => this.undo(),
@@ -311,11 +312,7 @@ function publicInterface(app) {
   const names = () => app.session.controls.map(({ name }) => name);
   return {
     values: () => Object.fromEntries(names().map((name, i) => [name, app.session.values[i]])),
-    set: (values) => {
-      const indices = new Map(names().map((name, i) => [name, i]));
-      const known = Object.entries(values).filter(([name]) => indices.has(name));
-      app.session.edit('Set', () => app.session.set(known.map(([name, value]) => [indices.get(name), value])));
-    },
+    set: (values) => app.session.edit('Set', () => app.session.set(byName(values, app.session.controls))),
     pull: (point, target) => {
       const pull = new Pull(app.session, { corners: [point, point, point], shares: [1, 0, 0] }, null);
       for (let round = 0; round < 3; round++) pull.to(target);
@@ -323,7 +320,7 @@ function publicInterface(app) {
     points: () => Array.from(app.session.deformer.points),
     elements: () => {
       app.view.freshen();
-      return (app.view.overlay.drawn ?? []).map(({ element, handle, tracks, hidden }) => ({
+      return app.view.overlay.drawn.map(({ element, handle, tracks, hidden }) => ({
         name: element.name,
         controls: element.members.map(({ control }) => app.session.controls[control].name),
         handle: handle.slice(0, 2),

@@ -2,9 +2,10 @@
 // over the view.  A stroke lies in the plane through the camera's target that faces it, as pairs along its right and its above,
 // so that it stands on the same place of the face in a page of any size.
 
-import { cross, dot, minus, normalised, plus, scaled } from './camera.js';
+import { cross, minus, normalised, plus, scaled } from './camera.js';
 import { nested, number, quoted, rendered, stringsNamed, tuple } from './usda.js';
-import { byName, valuesByName } from './by_name.js';
+import { byName, parsed, valuesByName } from './by_name.js';
+import { clamp, dot } from './vectors.js';
 
 const APERTURE = 24; // height of the picture behind a camera's lens, in its own tenths of units
 const WIDTH = 0.004; // of a stroke, in heights of the view
@@ -55,7 +56,7 @@ export function thinned(points, least) {
 function offLine([x, y], [ax, ay], [bx, by]) {
   const [dx, dy] = [bx - ax, by - ay];
   const length = dx * dx + dy * dy;
-  const share = length ? Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / length)) : 0;
+  const share = length ? clamp(((x - ax) * dx + (y - ay) * dy) / length, 0, 1) : 0;
   return Math.hypot(x - ax - share * dx, y - ay - share * dy);
 }
 
@@ -182,17 +183,9 @@ function curveLines({ look, strokes, frame, neutral }) {
 
 /** Notes in a layer that the viewer wrote, as JSON has them; throws an Error for people where there is none. */
 export function notesIn(text) {
-  const found = text.startsWith('#usda') ? stringsNamed('note', text).map(parsed).filter(Boolean) : [];
+  const found = text.startsWith('#usda') ? stringsNamed('note', text).map((each) => parsed(each)).filter(Boolean) : [];
   if (!found.length) throw new Error('This layer holds no notes written by the viewer.');
   return found;
-}
-
-function parsed(text) {
-  try {
-    return JSON.parse(text);
-  } catch {
-    return null;
-  }
 }
 
 const exact = (value) => Number(value.toPrecision(9)) + 0;

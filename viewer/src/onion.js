@@ -80,11 +80,8 @@ export function keysAround({ keys, frame, selection, chosenControls }) {
 function pointsAtFrame(session, frame) {
   const { deformer, animation } = session;
   const { values, weights, locals } = animation.at(frame, { keys: session.keys, constants: session.allConstants() });
-  const shown = deformer.points;
   deformer.setBase(weights, locals);
-  deformer.points = new Float32Array(shown.length);
-  const found = deformer.pose(values);
-  deformer.points = shown;
+  const found = deformer.posedAside(values);
   session.showBase();
   deformer.drive(session.values);
   deformer.updateMaps();

@@ -29,7 +29,7 @@ export class Overlay extends Arrangement {
     const { pen, session } = this;
     this.cover(strokes);
     pen.clearRect(0, 0, this.width, this.height);
-    if (session.options.handles && this.drawn) {
+    if (session.options.handles && this.column) {
       this.clipTo(this.column);
       const order = this.drawn.filter(({ element }) => !element.onBoard).sort((a, b) => b.handle[2] - a.handle[2]);
       this.drawElements(order);
@@ -59,7 +59,7 @@ export class Overlay extends Arrangement {
   reach(strokes) {
     const { session, dock } = this;
     if (strokes.length || this.marquee || this.placing || session.options.labels === 'all') return [0, 0, this.width, this.height];
-    const shown = session.options.handles ? (this.drawn ?? []) : [];
+    const shown = session.options.handles ? this.drawn : [];
     const strip = session.options.handles && dock.rect;
     const ends = strip ? [[strip.left, strip.top], [strip.left + strip.width, strip.top + strip.height]] : [];
     let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];

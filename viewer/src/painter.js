@@ -5,6 +5,7 @@
 
 import { covering, placed } from './dom.js';
 import { smooth } from './eye.js';
+import { clamp } from './vectors.js';
 
 export const GROUND = '#1f2124'; // as in style.css
 const BACKGROUND = 0xff24211f | 0; // the same as alpha, blue, green, red
@@ -208,7 +209,7 @@ export class Painter {
   /** Columns and rows of pixels that belong to a column of the picture: [left, top, right, bottom). */
   frameOf({ left, top, width, height }) {
     const { wide, high, ratio } = this;
-    const within = (value, most) => Math.min(most, Math.max(0, Math.round(value * ratio)));
+    const within = (value, most) => clamp(Math.round(value * ratio), 0, most);
     return [
       within(left, wide), within(top, high),
       within(left + width, wide), within(top + height, high),

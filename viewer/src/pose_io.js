@@ -1,13 +1,11 @@
 // Poses out and in, as JSON for people and scripts.
 
-import { rounded } from './vectors.js';
+import { byName, parsed, valuesByName } from './by_name.js';
+import { posed, saidPose } from './notes.js';
 
 /** The pose as JSON text: values by control name, those away from their defaults only. */
 export function poseToJson(session) {
-  const values = {};
-  session.controls.forEach((control, index) => {
-    if (session.values[index] !== control.default) values[control.name] = rounded(session.values[index]);
-  });
+  const values = valuesByName(session, saidPose(session, session.values));
   return `${JSON.stringify({ usdrigui: 'pose', root: session.character.root, values }, null, 2)}\n`;
 }
 
@@ -16,16 +14,12 @@ export function poseToJson(session) {
  * Throws an Error for people when the text is no pose.
  */
 export function poseFromJson(text, session) {
-  let found;
-  try {
-    found = JSON.parse(text);
-  } catch {
-    throw new Error('This is not JSON.');
-  }
+  const found = parsed(text, undefined);
+  if (found === undefined) throw new Error('This is not JSON.');
   const values = found?.values ?? found;
   if (values === null || typeof values !== 'object' || Array.isArray(values)) throw new Error('This JSON holds no pose.');
-  const known = session.controls.filter(({ name }) => Number.isFinite(values[name]));
-  if (!known.length && Object.keys(values).length) throw new Error('No control of this character is named in the pose.');
-  return session.controls.map((control, index) => [index, Number.isFinite(values[control.name]) ? values[control.name] : control.default]);
+  const known = byName(values, session.controls);
+  if (!known.size && Object.keys(values).length) throw new Error('No control of this character is named in the pose.');
+  return posed(session, { values: known }).entries();
 }
 

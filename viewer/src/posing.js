@@ -3,6 +3,7 @@
 
 import { Display } from './display.js';
 import { Influence } from './heat.js';
+import { clamp } from './vectors.js';
 
 const WIDE = new Set(['global', 'composite']);
 
@@ -42,7 +43,7 @@ export class Posing extends Display {
   setOne(index, value) {
     const { minimum, maximum } = this.controls[index];
     if (!this.locks.has(index) && Number.isFinite(value)) {
-      this.values[index] = Math.min(maximum, Math.max(minimum, value));
+      this.values[index] = clamp(value, minimum, maximum);
     }
   }
 
@@ -58,6 +59,10 @@ export class Posing extends Display {
     this.options[name] = value;
     if (name === 'follow') this.reshape();
     this.emit('options');
+  }
+
+  flipOption(name) {
+    this.setOption(name, !this.options[name]);
   }
 
   toggleLock(control) {

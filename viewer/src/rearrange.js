@@ -1,8 +1,9 @@
 // Changing the layout by hand: an element is dragged to another point of the skin, or off it to stand
 // beside the face; the changes are written as the layer of corrections that `usdrigui process --corrections` reads.
 
-import { dot, minus, scaled } from './camera.js';
+import { minus, scaled } from './camera.js';
 import { nested, number, quoted, rendered, tuple } from './usda.js';
+import { dot } from './vectors.js';
 
 const HOLDER = '/RigUICorrections/';
 const PRIM = { type: 'def Scope', metadata: 'prepend apiSchemas = ["RigUICorrectionAPI"]' };
@@ -21,6 +22,10 @@ export class Rearranging {
     const { overlay } = view;
     const from = overlay.drawn.find((each) => each.element === element).handle;
     let place = null;
+    const clear = () => {
+      overlay.placing = null;
+      view.changed('overlay');
+    };
     return {
       begin: () => session.select([element]),
       drag: (_, __, to) => {
@@ -30,16 +35,12 @@ export class Rearranging {
         view.changed('overlay');
       },
       drop: (to) => {
-        overlay.placing = null;
-        view.changed('overlay');
+        clear();
         if (place && !this.holds(element, place.nearest)) view.say?.(`${element.label} does not move this point: drop it on the coloured area`);
         else if (place) this.moveToSkin(element, place.nearest);
         else this.moveBeside(element, to);
       },
-      undo: () => {
-        overlay.placing = null;
-        view.changed('overlay');
-      },
+      undo: clear,
     };
   }
 

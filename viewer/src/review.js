@@ -1,9 +1,10 @@
 // The review: notes at frames, each with a pose, a view, words and strokes over the face; sent and opened as a small USD layer
 // (notes.js, docs/decisions/142).
 
-import { askForFile, button, counted, download, make, toggle } from './dom.js';
-import { dot, minus } from './camera.js';
+import { button, counted, download, make, takeFile, toggle } from './dom.js';
+import { minus } from './camera.js';
 import { isSeenFrom, joined, lookOf, notesIn, notesOf, pairOf, placeOf, posed, reviewLayer, saidPose, thinned, titleOf } from './notes.js';
+import { dot } from './vectors.js';
 
 const LEAST = 0.7; // pixels that a point of a stroke must be off the line between others
 
@@ -77,7 +78,7 @@ export class Review {
 
   add(label, note) {
     this.session.note = note.id;
-    this.session.renote(label, [...this.session.notes, note]);
+    this.session.put(label, { notes: [...this.session.notes, note] });
   }
 
   write() {
@@ -87,11 +88,11 @@ export class Review {
 
   /** @param {string | null} [merge] */
   change(label, note, change, merge = null) {
-    this.session.renote(label, this.session.notes.map((each) => (each.id === note.id ? { ...each, ...change } : each)), merge);
+    this.session.put(label, { notes: this.session.notes.map((each) => (each.id === note.id ? { ...each, ...change } : each)) }, merge);
   }
 
   remove(note) {
-    this.session.renote('Take away a note', this.session.notes.filter(({ id }) => id !== note.id));
+    this.session.put('Take away a note', { notes: this.session.notes.filter(({ id }) => id !== note.id) });
   }
 
   /** A gesture that draws a stroke: on the chosen note where the view is as it was, else on a new one. */
@@ -147,8 +148,7 @@ export class Review {
   }
 
   update() {
-    const { session } = this;
-    const { chosen } = this;
+    const { session, chosen } = this;
     this.pen.update();
     this.back.disabled = !chosen?.strokes.length;
     this.saving.disabled = !session.notes.length;
@@ -201,17 +201,13 @@ export class Review {
     this.say(`Saved review.usda, ${counted(this.session.notes.length, 'note')}`);
   }
 
-  async open() {
-    const file = await askForFile('.usda');
-    if (!file) return;
-    try {
-      const found = notesOf(notesIn(file.text), this.session, this.roots);
+  open() {
+    return takeFile('.usda', this.say, ({ name, text }) => {
+      const found = notesOf(notesIn(text), this.session, this.roots);
       if (!found.length) throw new Error('The notes are of another character.');
       this.session.received = [...new Set([...this.session.received, ...found.map(({ id }) => id)])];
-      this.session.renote(`Open ${file.name}`, joined(this.session.notes, found));
+      this.session.put(`Open ${name}`, { notes: joined(this.session.notes, found) });
       this.say(`${counted(found.length, 'note')} opened`);
-    } catch (error) {
-      this.say(/** @type {Error} */ (error).message);
-    }
+    });
   }
 }

@@ -97,8 +97,4 @@ function decodeArray(entry, body) {
   return values;
 }
 
-function dequantised(grid, low, step) {
-  const points = new Float32Array(grid.length);
-  for (let i = 0; i < grid.length; i++) points[i] = low[i % 3] + grid[i] * step[i % 3];
-  return points;
-}
+const dequantised = (grid, low, step) => Float32Array.from(grid, (steps, i) => low[i % 3] + steps * step[i % 3]);

@@ -3,8 +3,7 @@
 
 import { Animation } from './animation.js';
 import { History } from './history.js';
-import { withKey, withoutKey } from './interpolation.js';
-import { flipped, mirroredFrom, tweened } from './keying.js';
+import { flipped, mirroredFrom, removedKeys, tweened, withKeys } from './keying.js';
 import { Posing } from './posing.js';
 
 export class Session extends Posing {
@@ -173,24 +172,14 @@ export class Session extends Posing {
   }
 
   setKeys(controls) {
-    const keys = new Map(this.keys);
-    for (const index of controls) {
-      const track = keys.get(index) ?? [];
-      const way = track.length ? undefined : this.options.interpolation;
-      keys.set(index, withKey(track, this.frame, this.values[index], way));
-    }
-    this.takeKeys(keys, this.constants);
+    const way = (index) => (this.keys.has(index) ? undefined : this.options.interpolation);
+    this.takeKeys(withKeys(this.keys, controls.map((index) => [index, [this.frame, this.values[index], way(index)]])), this.constants);
   }
 
   /** Take away the keys of controls at this frame; false where there are none. */
   unkey(controls) {
     const before = this.snapshot();
-    const keys = new Map(this.keys);
-    for (const index of controls) {
-      const left = withoutKey(keys.get(index) ?? [], this.frame);
-      if (left.length) keys.set(index, left);
-      else keys.delete(index);
-    }
+    const keys = removedKeys(this.keys, controls.map((index) => [index, this.frame]));
     const gone = controls.filter((index) => keys.get(index)?.length !== this.keys.get(index)?.length);
     if (!gone.length) return false;
     gone.forEach((index) => (this.values[index] = this.given[index]));
@@ -206,17 +195,10 @@ export class Session extends Posing {
     this.step(label, before);
   }
 
-  /** Other kept poses, as one undoable step. */
-  reshelve(label, shelf) {
+  /** Another shelf, other notes, another sound or span, as one undoable step. @param {string | null} [merge] */
+  put(label, what, merge = null) {
     const before = this.snapshot();
-    this.shelf = shelf;
-    this.step(label, before);
-  }
-
-  /** Other notes of the review, as one undoable step. @param {string | null} [merge] */
-  renote(label, notes, merge = null) {
-    const before = this.snapshot();
-    this.notes = notes;
+    Object.assign(this, what);
     this.step(label, before, merge);
   }
 
@@ -239,17 +221,8 @@ export class Session extends Posing {
   /** Another first and last frame, as one undoable step; false where they are none or a clip says them. */
   respan(first, last) {
     if (!this.animation.isFree || !(Number.isInteger(first) && Number.isInteger(last) && first < last)) return false;
-    const before = this.snapshot();
-    this.span = [first, last];
-    this.step('Set the frames', before);
+    this.put('Set the frames', { span: [first, last] });
     return true;
-  }
-
-  /** Another sound, or its beginning at another frame, as one undoable step. */
-  resound(label, sound) {
-    const before = this.snapshot();
-    this.sound = sound;
-    this.step(label, before, 'sound');
   }
 
   // --- poses -----------------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 // and goes out and in as a USD layer of SkelAnimations, one Scope for each pose (docs/decisions/141).
 
 import { posesLayer, posesFromLayer } from './pose_library.js';
-import { askForFile, button, counted, download, make } from './dom.js';
+import { button, counted, download, make, takeFile } from './dom.js';
 import { portrait } from './portrait.js';
 
 export class Shelf {
@@ -46,22 +46,26 @@ export class Shelf {
   item(pose) {
     const name = make('input', {
       type: 'text', value: pose.name, 'aria-label': `Name of the pose ${pose.name}`,
-      onchange: () => this.session.reshelve('Rename a pose', this.session.shelf.map((each) => (each === pose ? { ...pose, name: name.value || pose.name } : each))),
+      onchange: () => this.put('Rename a pose', this.session.shelf.map((each) => (each === pose ? { ...pose, name: name.value || pose.name } : each))),
     });
     const words = `${pose.name}: ${counted(pose.values.size, 'control')}`;
     return make('div', { class: 'pose' },
       button(pose.picture ? make('img', { src: pose.picture, alt: '' }) : null, words, () => this.take(pose),
         { class: 'pose-picture', 'aria-label': `Take the pose ${pose.name}` }),
       name,
-      button('×', 'Take it off the shelf', () => this.session.reshelve('Take a pose off the shelf', this.session.shelf.filter((each) => each !== pose)),
+      button('×', 'Take it off the shelf', () => this.put('Take a pose off the shelf', this.session.shelf.filter((each) => each !== pose)),
         { class: 'pose-away', 'aria-label': `Take ${pose.name} off the shelf` }));
+  }
+
+  put(label, shelf) {
+    this.session.put(label, { shelf });
   }
 
   keep() {
     const { session } = this;
     const picture = portrait(session, this.view.stage);
     const name = unused(`pose ${session.shelf.length + 1}`, session.shelf);
-    session.reshelve('Keep a pose', [...session.shelf, { name, values: session.copy(), picture }]);
+    this.put('Keep a pose', [...session.shelf, { name, values: session.copy(), picture }]);
   }
 
   /** The pose, of what is selected where it says something of it, as far as `share` says. */
@@ -80,16 +84,12 @@ export class Shelf {
     if (unwritten.length) this.say(`No animation drives ${unwritten.join(', ')}`);
   }
 
-  async open() {
-    const file = await askForFile('.usda,.usd');
-    if (!file) return;
-    try {
-      const found = posesFromLayer(file.text, this.session);
-      this.session.reshelve(`Open ${file.name}`, [...this.session.shelf, ...found]);
+  open() {
+    return takeFile('.usda,.usd', this.say, ({ name, text }) => {
+      const found = posesFromLayer(text, this.session);
+      this.put(`Open ${name}`, [...this.session.shelf, ...found]);
       this.say(`${counted(found.length, 'pose')} added`);
-    } catch (error) {
-      this.say(/** @type {Error} */ (error).message);
-    }
+    });
   }
 }
 

@@ -41,7 +41,7 @@ export class Sound {
     this.waves.clear();
     const { session } = this;
     const start = session.sound?.name === file.name ? session.sound.start : session.animation.first;
-    session.resound(`Open ${file.name}`, { name: file.name, start, seconds: this.buffer.duration });
+    session.put(`Open ${file.name}`, { sound: { name: file.name, start, seconds: this.buffer.duration } }, 'sound');
   }
 
   // --- heard -----------------------------------------------------------------------------------------

@@ -2,8 +2,9 @@
 
 import { animationLayer } from './animation_layer.js';
 import { DopeSheet } from './dope_sheet.js';
-import { askForFile, button, counted, download, make, toggle } from './dom.js';
+import { button, counted, download, make, takeFile, toggle } from './dom.js';
 import { Sound } from './sound.js';
+import { clamp } from './vectors.js';
 
 export class Timeline {
   /** @type {HTMLInputElement[]} */ ends;
@@ -29,9 +30,7 @@ export class Timeline {
   build() {
     this.playButton = button('▶', 'Play or stop (Space)', () => this.toggle());
     this.playButton.classList.add('play');
-    this.autoButton = button('Auto-key', 'Every drag sets keys at this frame', () =>
-      this.session.setOption('autoKey', !this.session.options.autoKey),
-    );
+    this.autoButton = button('Auto-key', 'Every drag sets keys at this frame', () => this.session.flipOption('autoKey'));
     this.sheetButton = toggle('Keys', 'All keys in rows: drag moves them, Ctrl-drag copies, Delete takes them away (D)', () => !this.sheet.node.hidden, () => this.openSheet());
     this.slider = make('input', {
       type: 'range',
@@ -47,7 +46,7 @@ export class Timeline {
     this.soundButton = button('Sound…', '', () => this.openSound());
     this.soundStart = make('input', {
       type: 'number', class: 'sound-start', title: 'The frame at which the sound begins', 'aria-label': 'The frame at which the sound begins',
-      onchange: () => this.session.resound('Move the sound', { ...this.session.sound, start: Math.round(Number(this.soundStart.value)) }),
+      onchange: () => this.session.put('Move the sound', { sound: { ...this.session.sound, start: Math.round(Number(this.soundStart.value)) } }, 'sound'),
     });
     const end = (words, which) => make('input', { type: 'number', class: 'span-end', title: words, 'aria-label': words, onchange: () => this.setSpan(which) });
     this.ends = ['First frame', 'Last frame'].map(end);
@@ -120,14 +119,8 @@ export class Timeline {
     if (this.waves.firstChild !== wave) this.waves.replaceChildren(...(wave ? [wave] : []));
   }
 
-  async openSound() {
-    const file = await askForFile('audio/*,.wav,.mp3,.ogg,.m4a,.flac');
-    if (!file) return;
-    try {
-      await this.sound.read(file.file);
-    } catch (error) {
-      this.say(/** @type {Error} */ (error).message);
-    }
+  openSound() {
+    return takeFile('audio/*,.wav,.mp3,.ogg,.m4a,.flac', this.say, ({ file }) => this.sound.read(file));
   }
 
   openSheet(open) {
@@ -181,7 +174,7 @@ export class Timeline {
     const frames = this.keyFrames();
     const [first, last] = this.session.range;
     const next = direction > 0 ? frames.find((frame) => frame > this.frame) : frames.findLast((frame) => frame < this.frame);
-    this.go(next ?? Math.min(last, Math.max(first, this.frame + direction)));
+    this.go(next ?? clamp(this.frame + direction, first, last));
   }
 
   /** Show a frame, and say what was lost by leaving the one before. */

@@ -18,9 +18,14 @@ export function unit(a) {
 /** Position on a line through points, at which `knots` ascend, at a value; beyond the ends the last pieces go on. */
 export function alongTrack(knots, track, value) {
   if (knots.length === 1) return track[0];
-  const i = pieceOf(knots, value);
-  const share = (value - knots[i]) / (knots[i + 1] - knots[i]);
+  const [i, share] = shareAt(knots, value);
   return track[i].map((from, axis) => mixed(from, track[i + 1][axis], share));
+}
+
+/** Piece of ascending knots and share of it at a value; beyond the ends the outer pieces go on. */
+export function shareAt(knots, value) {
+  const i = pieceOf(knots, value);
+  return [i, (value - knots[i]) / (knots[i + 1] - knots[i])];
 }
 
 export function pieceOf(knots, value) {

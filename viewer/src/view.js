@@ -1,6 +1,6 @@
 // The viewport: one or more columns showing the character, and the loop that keeps them up to date.
 
-import { OrbitCamera, dot } from './camera.js';
+import { OrbitCamera } from './camera.js';
 import { beginDrag } from './drag.js';
 import { Gestures } from './gestures.js';
 import { Onion } from './onion.js';
@@ -9,6 +9,7 @@ import { ScreenSurface } from './pick.js';
 import { Rearranging } from './rearrange.js';
 import { Stage } from './stage.js';
 import { make, shownValue, SNAP } from './dom.js';
+import { dot } from './vectors.js';
 
 const SLOW = 45; // milliseconds per frame above which the picture is drawn coarser while it changes
 const SETTLE = 180; // milliseconds of rest before the picture is drawn sharp again
@@ -74,8 +75,7 @@ export class View {
       session.emit('options');
       this.home();
     });
-    for (const event of ['hover', 'selection', 'options']) session.on(event, () => (this.repaint = true));
-    session.on('dragging', () => (this.repaint = true));
+    for (const event of ['hover', 'selection', 'options', 'dragging']) session.on(event, () => (this.repaint = true));
   }
 
   /** Something needs drawing: 'pose', 'camera' or 'overlay'. */
@@ -217,11 +217,10 @@ export class View {
   }
 
   /** Look at a region of the skin as closely as to tell what is there apart, or at the whole face again. */
-  dive({ corners, shares }) {
-    const { points } = this.session.deformer;
+  dive(hit) {
     const { camera } = this;
     if (camera.distance < 0.7 * this.closeness) return this.home(camera.azimuth, camera.elevation);
-    camera.target = [0, 1, 2].map((axis) => corners.reduce((sum, corner, k) => sum + shares[k] * points[3 * corner + axis], 0));
+    camera.target = this.session.shown(hit);
     camera.zoom(0.4);
     return this.changed('camera');
   }
@@ -331,8 +330,7 @@ export class View {
   /** What holds while a key is down: 'bare' hides all elements, 'showsInfluence' colours what the selection moves. */
   hold(what, on) {
     this[what] = on;
-    this.overlay.canvas.style.visibility = this.bare ? 'hidden' : '';
-    this.tip.style.visibility = this.bare ? 'hidden' : '';
+    for (const { style } of [this.overlay.canvas, this.tip]) style.visibility = this.bare ? 'hidden' : '';
     this.repaint = true;
     this.request();
   }
@@ -349,7 +347,7 @@ export class View {
   placeTip() {
     const { hover, dragging, values, controls } = this.session;
     const element = dragging && dragging !== 'skin' ? dragging : hover;
-    const drawn = element && this.overlay.drawn?.find((each) => each.element === element);
+    const drawn = element && this.overlay.drawn.find((each) => each.element === element);
     this.tip.hidden = !drawn || !this.session.options.handles;
     if (this.tip.hidden) return;
     const lines = element.members.map(({ control }) => {

@@ -8,7 +8,7 @@ const POINTS = 10;
 
 /** Influence of controls that move `moved` of ten points, those of `joints` by joints. */
 function influence(moved, joints) {
-  const controls = moved.map((_, index) => ({ drive: { turns: joints.includes(index) ? [] : null } }));
+  const controls = moved.map((_, index) => ({ drive: { joints: joints.includes(index) ? [index] : [] } }));
   const found = new Influence({ controls }, null, null);
   moved.forEach((count, index) => found.known.set(index, Uint8Array.from({ length: POINTS }, (_, at) => (at < count ? 255 : 0))));
   return found;
