@@ -26,11 +26,9 @@ from usdrigui.layout.visibility import Views
 from usdrigui.model import BaseSurface, MirrorPlane, Motion, Symmetry, Trajectories
 from usdrigui.ties import first_largest, towards
 
-_LEAST = 4
-"""Different places that it takes to lay the canonical face over a character."""
-_SPAN = 0.5
-"""Least spread of their heights, in distances of the pupils: controls of the mouth alone fix
-nothing of the brows."""
+LEAST = 4
+"""Different places that it takes to lay the canonical face over a character, and controls to lay
+one face over another."""
 _ACROSS = 0.2
 """Distance from the middle, in the same units, from which a place determines the width."""
 _NEAR = 0.7
@@ -41,8 +39,6 @@ _OPENING = ("jawOpen", "mouthOpen")
 _FALLS = 0.4
 """Least share of what a jaw moves that goes down as it opens: some skin is drawn along.  Jaws of
 six heads go down by .58 to .94 of it; what else is the largest motion of a part, by .32 or less."""
-_FACING = 0.2
-"""Mean over the controls of how far what each moves faces one way, from which that is ahead."""
 
 
 def own_up(rig: Rig, plane: MirrorPlane, face: Trajectories | None) -> Floats:
@@ -66,7 +62,7 @@ def _up_of_face(up: Floats, plane: MirrorPlane, face: Trajectories) -> Floats:
     upright = unit(across)
     if _stands(upright, up):
         return _leveled(up, plane)
-    if np.linalg.norm(across) < _FACING * len(face.motions):
+    if not across.any():
         return up
     upright = _along_axis(upright, plane)
     surface = face.surface
@@ -259,7 +255,7 @@ def _fit(clues: Sequence[_Clue]) -> _Fit | None:
     middles = np.array([clue.middle for clue in clues]).reshape(-1, 2)
     places = np.array([clue.place for clue in clues]).reshape(-1, 2)
     each, which = np.unique(places, axis=0, return_inverse=True)
-    if len(each) < _LEAST or np.ptp(each[:, 1]) < _SPAN:
+    if len(each) < LEAST or not np.ptp(each[:, 1]):
         return None
     typical = np.array(
         [

@@ -15,6 +15,9 @@ from usdrigui.layout.visibility import Views, clear_handles
 from usdrigui.model import BaseSurface, Symmetry, Trajectories
 from usdrigui.ties import first_largest
 
+AROUND = 4.0
+"""Handle widths: what is nearer than this to a handle is around it."""
+
 
 class Face(Record):
     """What the stages before placing found out about a character at its base pose."""

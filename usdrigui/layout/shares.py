@@ -1,4 +1,5 @@
-"""What counts as nothing, as hardly any, as most and as nearly all of something."""
+"""What counts as nothing, as hardly any, as most and as nearly all of something, and as beyond all
+others."""
 
 from __future__ import annotations
 
@@ -12,3 +13,5 @@ MOST = 0.5
 """Share from which it is most of it."""
 NEARLY_ALL = 0.9
 """Share from which it counts as all of it."""
+OUTLIER = 4.0
+"""Times the median beyond which one of many tells nothing of the others."""

@@ -31,8 +31,6 @@ from usdrigui.ties import first_largest, steady
 _RANGE = 2.0
 """Times its own range that another control may go in the sum: a tiny control scaled up explains
 anything."""
-_NOTABLE = 0.5
-"""Share of its visible peak that a control keeps at its allowed places."""
 
 
 def with_common_motion(
@@ -61,7 +59,7 @@ def _beyond_the_best(share: Floats, length: Floats, visible: Flags) -> Floats:
     """(p,) by how much each share is above a half, and above that of the most distinctive of the
     the control's allowed places; 1 where all is common."""
     seen = length * (visible if visible.any() else 1.0)
-    own = np.where(seen >= _NOTABLE * seen.max(initial=0.0), seen * (1.0 - share), -1.0)
+    own = np.where(seen >= MOST * seen.max(initial=0.0), seen * (1.0 - share), -1.0)
     return np.maximum(share - max(float(share[first_largest(own)]), MOST), 0.0) / (1.0 - MOST)
 
 

@@ -15,13 +15,12 @@ import numpy as np
 from usdrigui.character import Body, Control, Flags, Floats, Joint, Record, Skeleton
 from usdrigui.character.joint_tree import OWNS, hanging
 from usdrigui.character.skinning import base_locals, in_skeleton_space, with_descendants
+from usdrigui.layout.shares import MOST
 
 _SPAN = (0.2, 0.7)
 """Share of the way from a joint to the next one between which its control is."""
 _BEYOND = 0.5
 """Factor on the weight of skin beyond that."""
-_FIRM = 0.5
-"""Skin that a joint holds by this share of the most that it holds anywhere is wholly its own."""
 _OTHERS = 8
 """Power of the ratio of distances by which skin nearer to another bone of the chain counts less."""
 _LAST = 0.8
@@ -48,7 +47,8 @@ def owned_skin(
     for holders in (joints, *((joints | below,) if has_bone else ())):
         weights = _weights(body, holders)
         if weights.max(initial=0.0) > OWNS:
-            firm = np.minimum(weights / (_FIRM * weights.max()), 1.0)
+            # Skin that it holds by most of what it holds anywhere is wholly its own.
+            firm = np.minimum(weights / (MOST * weights.max()), 1.0)
             of = joints if has_bone else holders
             return np.asarray(firm * _by_own_bone(body, bones, of, points, weights > OWNS))
     return None

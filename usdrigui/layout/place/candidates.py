@@ -17,16 +17,13 @@ from usdrigui.layout.place.locality import kept_near, proxies
 from usdrigui.layout.place.terms import LinearTerms, linear_cost
 from usdrigui.layout.reuse.carrying import MOVES
 from usdrigui.layout.reuse.partial_layout import fixed_anchor, moves
-from usdrigui.layout.shares import HARDLY_ANY, NOTHING
+from usdrigui.layout.shares import HARDLY_ANY, MOST, NOTHING
 from usdrigui.layout.symmetry.lobes import in_the_middle
 from usdrigui.layout.visibility import mostly_hidden
 from usdrigui.model import Candidates, CandidateSet, Motion
 from usdrigui.ties import first_largest
 
 STAGE = "candidates"
-SHARED_LEAST = 0.2
-"""Share of the peak at which a control may stand where it shares an element that has no better
-place."""
 
 _OWN_IN_THE_MIDDLE = 0.45
 """Share of the most that it owns anywhere that a joint owns in the middle, at least, if its handle
@@ -36,13 +33,8 @@ _BESIDE = 1.25
 _NOTABLE = 1.0 / 3.0
 """Share of its visible peak that a control must reach in the region where it is expected for that
 to hold."""
-_ENOUGH = 2.0 / 3.0
-"""The same for leaving the peak where no place is expected."""
 _FAR = 1.0 / 3.0
 """Distance from the places of all other controls, in face sizes, from which a peak is far."""
-_HALF = 0.5
-"""Share of the peak of another control from which that acts in a place, and of that distance from
-which a place is much nearer."""
 
 
 def find_candidates(known: Measured) -> Candidates:
@@ -220,20 +212,20 @@ def _off_strands(face: Face, motion: Motion, seen: Flags) -> Flags:
 
 def _among_others(face: Face, motion: Motion, seen: Flags) -> Flags:
     """(p,) which points count where nothing is expected: those `seen`, or, where the largest motion
-    is far from all that other controls are for, as on ears that go with the brows, those much
-    nearer to that, if it moves them enough."""
+    is far from all that other controls are for, as on ears that go with the brows, those at most
+    half as far from that, if it keeps most of its motion there."""
     surface, top = face.surface, first_largest(motion.arc_length * seen)
     others = [
         peak
         for other, peak in zip(face.trajectories.motions, face.peaks, strict=True)
-        if other.arc_length[other.points == motion.points[top]].sum() < _HALF * other.peak
+        if other.arc_length[other.points == motion.points[top]].sum() < MOST * other.peak
     ]
     if not others:
         return seen
     apart, _ = cKDTree(surface.points[others]).query(surface.points[motion.points])
     if apart[top] <= _FAR * surface.face_size:
         return seen
-    return _kept_in(motion, seen, apart <= _HALF * apart[top], _ENOUGH)
+    return _kept_in(motion, seen, apart <= MOST * apart[top], MOST)
 
 
 def _where_expected(face: Face, motion: Motion, seen: Flags, expected: Expectation | None) -> Flags:

@@ -16,6 +16,7 @@ from scipy.spatial import cKDTree
 
 from usdrigui.character import Flags, Floats, Indices
 from usdrigui.layout.classify.classification import Classification
+from usdrigui.layout.face import AROUND
 from usdrigui.layout.visibility import Views
 from usdrigui.model import Motion, Trajectories
 from usdrigui.settings import ControlSettings, ObjectiveSettings
@@ -23,8 +24,6 @@ from usdrigui.settings import ControlSettings, ObjectiveSettings
 KEPT = 0.85
 """A control wants the places where it keeps this share of its visible peak, those near the place
 where it is expected too."""
-AROUND = 4.0
-"""Handle widths: what is nearer than this to a handle is around it."""
 _FINGER = 0.8
 """Of the usual width: a narrower handle is missed by a finger where the part fills a screen."""
 _BLUR = np.linspace(0.5, 1.5, 5)

@@ -21,8 +21,9 @@ from usdrigui.character.surface import mean_edge_length, mesh_triangles
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.layout.face import Face
 from usdrigui.layout.measured import Measured
+from usdrigui.layout.motion.coverage import NOTABLE
 from usdrigui.layout.names import element_name
-from usdrigui.layout.place.candidates import SHARED_LEAST, candidates_of_axis, loosened
+from usdrigui.layout.place.candidates import candidates_of_axis, loosened
 from usdrigui.layout.place.extensions import user_pairs
 from usdrigui.layout.place.labels import drawn_points, labels_of
 from usdrigui.layout.place.terms import LinearTerms
@@ -128,7 +129,7 @@ def _looser(
 ) -> Iterator[Mapping[int, CandidateSet]]:
     """The sets of an element's controls where handles keep less and less of the peak, for it to
     have a place at all."""
-    shares = (known.pruning.least_kept, SHARED_LEAST)
+    shares = (known.pruning.least_kept, NOTABLE)
     for least in shares[: 1 + (len(copies[0]) > 1)]:
         yield {
             control: loosened(known, sets[control], least) for each in copies for control in each

@@ -12,8 +12,8 @@ import numpy as np
 from scipy.spatial.distance import cdist
 
 from usdrigui.character import Floats
-from usdrigui.layout.face import Face
-from usdrigui.layout.place.handle_width import AROUND, wanted
+from usdrigui.layout.face import AROUND, Face
+from usdrigui.layout.place.handle_width import wanted
 from usdrigui.model import Group
 
 _REACH = 3.0 * AROUND

@@ -15,24 +15,19 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from usdrigui.character import Flags, Floats, Rig
+from usdrigui.layout.canonical_face import LEAST
+from usdrigui.layout.face import AROUND
 from usdrigui.layout.reuse.prior_layout import Place, PriorLayout, kept_groups, places_of
 from usdrigui.layout.reuse.renaming import with_names
-from usdrigui.layout.shares import NOTHING
+from usdrigui.layout.shares import NOTHING, OUTLIER
 from usdrigui.model import BaseSurface, Layout, Motion, Trajectories
 
-CUTOFF_DISTANCE = 4.0
-"""Handle widths from the corresponding place at which the whole penalty is due."""
-
-_LEAST_FOR_SIMILARITY = 8
 _POWERS = (2.0, 12.0)
 """Of the distance moved, as weights of the two landmarks of a control: a wide mean and one close to
 the peak."""
 _ROUNDS = 20
-_OUTLIER = 4.0
-"""Landmarks further off than this many times the median do not shape the warp."""
-_SMOOTHINGS = (1e-3, 1e-2, 1e-1, 1.0, 1e1, 1e2)
-"""Of the warp, from one that passes through every landmark to hardly more than an affine map."""
-_FOLDS = 8
+_SMOOTHINGS = (NOTHING, 1.0 / NOTHING)
+"""Of the warp: one that passes through every landmark, and hardly more than an affine map."""
 
 
 @dataclass(frozen=True)
@@ -72,7 +67,7 @@ def of_another(
         kept_groups(renamed.elements, ours[0]),
         found,
         penalty=penalty,
-        cutoff_distance=CUTOFF_DISTANCE,
+        cutoff_distance=AROUND,  # from the corresponding place: there the whole penalty is due
     )
 
 
@@ -103,7 +98,7 @@ def face_map(
     """The map from their face to ours by the controls that both have; `names` maps their names to
     ours."""
     source, target = _landmarks(theirs, ours, names)
-    if len(source) < _LEAST_FOR_SIMILARITY or not (_spans(source, 2) and _spans(target, 2)):
+    if len(source) < LEAST * len(_POWERS) or not (_spans(source, 2) and _spans(target, 2)):
         return FaceMap(_by_size(theirs, ours), source[:0], target[:0])
     similarity, trusted = _robust(source, target)
     return FaceMap(similarity, similarity(source[trusted]), target[trusted])
@@ -146,7 +141,7 @@ def _middle(surface: BaseSurface, motion: Motion, power: float) -> Floats:
 def _spans(points: Floats, directions: int) -> bool:
     """Whether points span so many directions: 2 is more than a line, 3 more than a plane."""
     values = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
-    return bool(values[directions - 1] > NOTHING * values[0])
+    return len(points) > directions and bool(values[directions - 1] > NOTHING * values[0])
 
 
 # --- from one face to the other -------------------------------------------------------------------
@@ -161,7 +156,7 @@ def _robust(source: Floats, target: Floats) -> tuple[_Similarity, Flags]:
             float(np.median(off)), 1e-9 * float(np.linalg.norm(target - target[0], axis=1).max())
         )
         similarity = _fitted(source, target, 1.0 / (1.0 + np.square(off / scale)))
-    return similarity, off <= _OUTLIER * scale
+    return similarity, off <= OUTLIER * scale
 
 
 def _fitted(source: Floats, target: Floats, weights: Floats) -> _Similarity:
@@ -181,12 +176,12 @@ def _warped(source: Floats, target: Floats, points: Floats) -> Floats:
 
     How far two characters' controls correspond differs from pair to pair: copies of one head agree
     to the point, two makers' rigs only on the whole.  So the landmarks themselves choose the
-    smoothness, each predicted from the others (cross-validation).
+    smoothness, those of every second control predicted from the others and the other way round
+    (cross-validation).
     """
-    fold = np.arange(len(source)) // len(_POWERS) % _FOLDS
+    second = np.arange(len(source)) // len(_POWERS) % 2 == 1
     missed = np.zeros((len(_SMOOTHINGS), len(source)))
-    for number in range(_FOLDS):
-        out = fold == number
+    for out in (second, ~second):
         for row, smoothing in enumerate(_SMOOTHINGS):
             found = _thin_plate(source[~out], target[~out], smoothing, source[out])
             missed[row, out] = np.linalg.norm(found - target[out], axis=1)
@@ -199,7 +194,7 @@ def _thin_plate(source: Floats, target: Floats, smoothing: float, points: Floats
     middle = source.mean(axis=0)
     unit = float(np.linalg.norm(source - middle, axis=1).max())
     _, first = np.unique(np.round((source - middle) / unit, 6), axis=0, return_index=True)
-    if len(first) < _LEAST_FOR_SIMILARITY or not _spans(source[first], 3):
+    if not _spans(source[first], 3):
         return points
     from scipy.interpolate import RBFInterpolator  # a tenth of a second that only some layouts need
 

@@ -16,7 +16,7 @@ from scipy.spatial import cKDTree
 from usdrigui.character import Flags, Floats, Indices, Record, Rig
 from usdrigui.character.rays import AROUND
 from usdrigui.layout.motion.trajectory import total_motion
-from usdrigui.layout.shares import MOST, NOTHING
+from usdrigui.layout.shares import MOST, NOTHING, OUTLIER
 from usdrigui.layout.symmetry.front import moving_normals
 from usdrigui.layout.symmetry.sides_of_joints import ONE_WAY, plane_of_names
 from usdrigui.model import MirrorPlane, Trajectories
@@ -25,16 +25,10 @@ from usdrigui.ties import rounded, towards
 
 _SAMPLE = 2000
 """Points of the moving region that the search for the plane looks at."""
-_LARGE = 4.0
-"""Points of more than this many times the usual area count no more than that."""
 _THINNED = 8
 """Of so many points of the sample one is looked at to choose among candidate planes."""
-_FINALISTS = 6
-"""Candidate planes that are fitted to an end, at least."""
 _LEVELS = (0.3, 0.5, 0.7)
 """Shares of the region's weight below a candidate plane: hair on one side moves the middle."""
-_EQUAL = 0.01
-"""In tolerances: planes whose misfits differ by less fit equally well."""
 _TRIM = 0.7
 """Share of the pairs, the nearest ones, that a fit believes."""
 _ACROSS_ALL = [way for way in AROUND if tuple(way) > (0.0, 0.0, 0.0)]
@@ -99,7 +93,7 @@ def _moving_region(trajectories: Trajectories) -> tuple[Floats, Floats]:
     used = (surface.areas > 0.0) & (moved > 0.0)
     usual = float(np.median(surface.areas[used])) if used.any() else 0.0
     # A few huge faces (cards, cloth) must not drag the middle to themselves.
-    weights = np.minimum(surface.areas, _LARGE * usual) * moved
+    weights = np.minimum(surface.areas, OUTLIER * usual) * moved
     chosen = np.flatnonzero(weights > 0.0)
     if not len(chosen):
         chosen = np.flatnonzero(surface.first & (moved > 0.0))
@@ -142,13 +136,13 @@ class _Search(Record):
 
     def ranked(self, planes: list[MirrorPlane]) -> tuple[list[MirrorPlane], int]:
         """The distinct planes, the best first: those that fit as well as the best, of which the
-        number is told, and no fewer than the finalists."""
+        number is told, and the rest."""
         misfits = {id(plane): self._misfit(plane) for plane in planes}
-        slack = _EQUAL * self.tolerance
+        slack = NOTHING * self.tolerance
         order = sorted(planes, key=lambda plane: round(misfits[id(plane)] / slack, 3))
         distinct = self._distinct(order)
         equal = sum(misfits[id(plane)] <= misfits[id(order[0])] + slack for plane in distinct)
-        return distinct[: max(_FINALISTS, equal)], equal
+        return distinct, equal
 
     def _starts(self) -> Iterator[MirrorPlane]:
         """Candidate planes in all directions, for heads tilt and lie, and along the principal axes:
@@ -205,7 +199,7 @@ class _Search(Record):
         kept, images = list[MirrorPlane](), [self.sample]
         for plane in planes:
             image = plane.reflected(self.sample)
-            if all(np.abs(image - other).max() > _EQUAL * self.tolerance for other in images):
+            if all(np.abs(image - other).max() > NOTHING * self.tolerance for other in images):
                 kept.append(plane)
                 images.append(image)
         return kept

@@ -15,14 +15,11 @@ from usdrigui.character.joint_tree import Tree, unit
 from usdrigui.conventions.sides import mirrored, side_of
 from usdrigui.layout.motion.owned_skin import joint_places
 from usdrigui.layout.parts.joint_regions import LIMB
-from usdrigui.layout.shares import NEARLY_ALL
+from usdrigui.layout.shares import HARDLY_ANY, NEARLY_ALL
 from usdrigui.model import MirrorPlane
 
 ONE_WAY = 0.7
 """Cosine from which two directions are one: nearer to each other than to what is across them."""
-_OFF = 0.1
-"""Share of the skeleton's extent by which a joint may miss the mirror image of its pair: characters
-rest in poses."""
 _COUNT = re.compile(r"[ _.-]*\d+$")
 """What an exporter counts the joints with."""
 
@@ -81,7 +78,8 @@ def mirrored_joints(body: Body, plane: MirrorPlane) -> dict[int, int]:
         return {}
     tree, named = Tree(body.joints, body.meshes), _twins(body.joints)
     places = joint_places(body.skeletons, body.joints)
-    reach = _OFF * float(np.ptp(places, axis=0).max()) or 1.0
+    # Characters rest in poses: a joint may miss the mirror image of its pair.
+    reach = HARDLY_ANY * float(np.ptp(places, axis=0).max()) or 1.0
     apart = cdist(plane.reflected(places), places)
     below = [len(tree.below((joint,))) for joint in range(len(body.joints))]
     found: dict[int, int] = {}
