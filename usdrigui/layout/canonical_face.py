@@ -36,9 +36,6 @@ _NEAR = 0.7
 
 
 _OPENING = ("jawOpen", "mouthOpen")
-_FALLS = 0.4
-"""Least share of what a jaw moves that goes down as it opens: some skin is drawn along.  Jaws of
-six heads go down by .58 to .94 of it; what else is the largest motion of a part, by .32 or less."""
 
 
 def own_up(rig: Rig, plane: MirrorPlane, face: Trajectories | None) -> Floats:
@@ -147,7 +144,9 @@ def believed(
         far = motion.arc_length >= NOTABLE * motion.arc_length.max()
         # Jaws and mouths move a third of the surface at most, what moves a head .87 and more.
         if amount > most and areas @ far < MOST * surface.areas.sum():
-            falls = -(areas @ motion.span @ views.up) > _FALLS * amount
+            # Some skin is drawn along: jaws of six heads go down by .58 to .94 of what they move,
+            # what else is the largest motion of a part by .32 or less.
+            falls = -(areas @ motion.span @ views.up) > MOST * amount
             most, jaw = amount, control if falls and own_image and meaning is None else -1
     named = {each.action.name for each in found if each}
     if jaw >= 0 and named and named.isdisjoint(_OPENING):

@@ -13,10 +13,15 @@ from usdrigui.conventions import Meaning
 from usdrigui.layout.canonical_face import Expectation
 from usdrigui.layout.visibility import Views, clear_handles
 from usdrigui.model import BaseSurface, Symmetry, Trajectories
+from usdrigui.settings import CandidateSettings
 from usdrigui.ties import first_largest
 
 AROUND = 4.0
 """Handle widths: what is nearer than this to a handle is around it."""
+
+HELD = CandidateSettings().least_kept
+"""Share of its visible peak that any control keeps at its place: what two that share one, or one
+that is expected somewhere, must keep there."""
 
 
 class Face(Record):

@@ -19,11 +19,10 @@ import numpy as np
 from usdrigui.character import Body, Control
 from usdrigui.character.rotation import rotation_part
 from usdrigui.conventions import joysticks
-from usdrigui.layout.face import Face
+from usdrigui.layout.face import HELD, Face
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.layout.shares import MOST, NOTHING
 from usdrigui.layout.visibility import screen
-from usdrigui.settings import CandidateSettings
 from usdrigui.ties import first_largest
 
 Relation = Literal["convention", "open", ""]
@@ -40,8 +39,6 @@ _SHARED = 0.8
 _ACROSS = 0.5
 """Largest cosine of the directions of two axes of a joystick; beyond it, directions, weighted by
 displacement where both act, are alike or opposed."""
-_HELD = CandidateSettings().least_kept
-"""Share of both peaks that one visible place must keep: what any control keeps at its place."""
 
 
 class Evidence:
@@ -120,7 +117,7 @@ class Evidence:
 
     def one_place(self, motions: Sequence[int]) -> bool:
         """Whether some visible place keeps enough of all of these motions."""
-        return self._held(motions) >= _HELD
+        return self._held(motions) >= HELD
 
     def _held(self, motions: Sequence[int]) -> float:
         """Largest share of their own peaks that all of these motions keep at one visible place."""

@@ -1,6 +1,6 @@
 """Eyes: joints that hold pieces of surface of their own.
 
-An eyeball is a piece around its joint, all at one distance from it: it turns on the spot.
+An eyeball is a piece around its joint, all at nearly one distance from it: it turns on the spot.
 """
 
 from __future__ import annotations
@@ -11,10 +11,8 @@ from usdrigui.character import Body, Floats, Indices, Record
 from usdrigui.character.joint_tree import Tree
 from usdrigui.character.skinning import bound_points
 from usdrigui.character.surface import components, mesh_triangles
-from usdrigui.layout.shares import NEARLY_ALL
+from usdrigui.layout.shares import HARDLY_ANY, NEARLY_ALL
 
-_ROUND = 0.15
-"""Deviation of an eyeball's distances from its joint, as a share of their mean, at most."""
 _AROUND = 0.85
 """Distance of an eyeball's middle from its joint, as a share of its radius, at most: the front of a
 ball still is around it."""
@@ -61,4 +59,4 @@ def is_eye(pieces: Pieces, joint: int) -> bool:
     distances = np.linalg.norm(ways, axis=1)
     radius = float(distances.mean())
     off = float(np.linalg.norm(ways.mean(axis=0)))
-    return float(distances.std()) <= _ROUND * radius and off <= _AROUND * radius
+    return float(distances.std()) <= HARDLY_ANY * radius and off <= _AROUND * radius

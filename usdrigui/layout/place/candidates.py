@@ -9,7 +9,7 @@ from scipy.spatial import cKDTree
 
 from usdrigui.character import Flags, Floats, Indices, LeftOff
 from usdrigui.layout.canonical_face import Expectation
-from usdrigui.layout.face import Face
+from usdrigui.layout.face import HELD, Face
 from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.tracks import polylines
 from usdrigui.layout.place.handle_width import KEPT
@@ -30,9 +30,6 @@ _OWN_IN_THE_MIDDLE = 0.45
 is to stand there."""
 _BESIDE = 1.25
 """Distance from a joint's hidden skin, as a share of the least, within which its handle stands."""
-_NOTABLE = 1.0 / 3.0
-"""Share of its visible peak that a control must reach in the region where it is expected for that
-to hold."""
 _FAR = 1.0 / 3.0
 """Distance from the places of all other controls, in face sizes, from which a peak is far."""
 
@@ -207,7 +204,7 @@ def _off_strands(face: Face, motion: Motion, seen: Flags) -> Flags:
     control moves; all of them where the rest moves too little."""
     pieces = face.pieces[motion.points]
     by_piece = np.bincount(pieces, face.surface.areas[motion.points] * motion.arc_length * seen)
-    return _kept_in(motion, seen, (by_piece >= HARDLY_ANY * by_piece.max())[pieces], _NOTABLE)
+    return _kept_in(motion, seen, (by_piece >= HARDLY_ANY * by_piece.max())[pieces], HELD)
 
 
 def _among_others(face: Face, motion: Motion, seen: Flags) -> Flags:
@@ -239,7 +236,7 @@ def _where_expected(face: Face, motion: Motion, seen: Flags, expected: Expectati
         return _among_others(face, motion, seen)
     near, around = expected.regions(face.surface.points[motion.points])
     close = _kept_in(motion, seen, near, KEPT)
-    return close if close is not seen else _kept_in(motion, seen, around, _NOTABLE)
+    return close if close is not seen else _kept_in(motion, seen, around, HELD)
 
 
 def _kept_in(motion: Motion, seen: Flags, region: Flags, least: float) -> Flags:
