@@ -18,6 +18,9 @@ from usdrigui.ties import first_largest
 
 AROUND = 4.0
 """Handle widths: what is nearer than this to a handle is around it."""
+FAR = 3.0 * AROUND
+"""Handle widths: what is farther is elsewhere, of another region; a control leaves the face rather
+than go so far from its earlier place."""
 
 HELD = CandidateSettings().least_kept
 """Share of its visible peak that any control keeps at its place: what two that share one, or one

@@ -12,12 +12,9 @@ import numpy as np
 from scipy.spatial.distance import cdist
 
 from usdrigui.character import Floats
-from usdrigui.layout.face import AROUND, Face
+from usdrigui.layout.face import AROUND, FAR, Face
 from usdrigui.layout.place.handle_width import wanted
 from usdrigui.model import Group
-
-_REACH = 3.0 * AROUND
-"""Handle widths: what is farther from the element of a region is not of that region."""
 
 
 class _Standing(NamedTuple):
@@ -47,7 +44,7 @@ def crowded_regions(
         near = (
             region
             for region in regions
-            if region[0].region == each.region and _apart([each], region[:1]).min() <= _REACH
+            if region[0].region == each.region and _apart([each], region[:1]).min() <= FAR
         )
         home = next(near, [])
         home.append(each)

@@ -14,6 +14,7 @@ from typing import cast
 import numpy as np
 
 from usdrigui.character import Floats, Indices, Record, Rig
+from usdrigui.layout.face import FAR
 from usdrigui.layout.reuse.carrying import Today, carried
 from usdrigui.model import Category, Element, Layout
 from usdrigui.model.levels import inner_names, outer_first
@@ -32,10 +33,6 @@ class KeptGroup:
     """Pairs of positions in `controls`."""
     doubled: bool = False
     """Whether it had a handle on either side of the middle."""
-
-
-_FAR = 8.0
-"""Handle widths that a control goes at most, rather than to leave the face."""
 
 
 class Place(Record):
@@ -70,7 +67,7 @@ class PriorLayout(Record):
     @property
     def leaving_penalty(self) -> float:
         """Cost of leaving the face, per copy: what an earlier place costs so far away."""
-        return self.penalty * (1.0 if self.cutoff_distance else _FAR**2)
+        return self.penalty * (1.0 if self.cutoff_distance else FAR**2)
 
     def stood_on_face(self, controls: Sequence[int]) -> bool:
         """Whether any of these controls had its place on the face."""
