@@ -31,7 +31,7 @@ from usdrigui.model import (
 )
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import Progress, cheap_labels, milp, quadruplets, reduce, solve
+from usdrigui.solve import Progress, cheap_labels, exact, milp, quadruplets, reduce, solve
 from usdrigui.solve.assignment import assignment
 from usdrigui.solve.budget import LOWERED_AIM, Budget
 from usdrigui.solve.exact import infeasible_penalty, solve_whole
@@ -106,8 +106,10 @@ def by_few(monkeypatch: pytest.MonkeyPatch, most: int = 8) -> None:
 
 
 def by_triplets(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Triplets are looked for before labels are joined."""
+    """Few labels are taken first, and then all that these leave open; triplets are looked for before labels are
+    joined."""
     by_bounds(monkeypatch)
+    monkeypatch.setattr(exact, "FEW", 1)
     honest = reduce.Reduction._thinned
     monkeypatch.setattr(reduce.Reduction, "_thinned", lambda left: left.tightened() and honest(left))
 

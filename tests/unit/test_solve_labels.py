@@ -14,7 +14,6 @@ from layout_problems import crowd, random_problem
 from usdrigui.model import ExtraPairs, LayoutProblem, MeanOverlap, Overlap
 from usdrigui.overlap import Drawn, drawn_costs, pair_costs
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import cheap_labels as choice
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.cheap_labels import CheapLabels, cheap_labels
 from usdrigui.solve.label_geometry import LabelGeometry, all_labels
@@ -81,9 +80,7 @@ def test_too_small_an_extent_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
 def taken(problem: LayoutProblem, most: int) -> CheapLabels:
     """Of all labels so many, and one for the others of each variable."""
     labels = all_labels(problem)
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(choice, "BYTES_PER_PAIR", budget().settings.memory_limit * 2**21 / (most + 0.5) ** 2)
-        return cheap_labels(problem, labels, np.ones(len(labels.cost), dtype=bool), np.array([0]), budget())
+    return cheap_labels(problem, labels, np.ones(len(labels.cost), dtype=bool), np.array([0]), most, budget())
 
 
 @cache

@@ -61,14 +61,17 @@ class CheapLabels(Record):
 
 
 def cheap_labels(
-    problem: LayoutProblem, every: LabelSet, alive: Flags, wanted: Indices, budget: Budget
+    problem: LayoutProblem,
+    every: LabelSet,
+    alive: Flags,
+    wanted: Indices,
+    most: float,
+    budget: Budget,
 ) -> CheapLabels:
-    """The cheapest of the labels that are `alive` (n,), and `wanted` ones: as many as have room in
-    the memory, and as have their pairs worked out in a quarter of the work that is left."""
-    most, limit = (
-        int(np.sqrt(budget.settings.memory_limit * 2**21 / BYTES_PER_PAIR)),
-        "memory limit",
-    )
+    """The cheapest of the labels that are `alive` (n,), and `wanted` ones: `most` at most, as many
+    as have room in the memory, and as have their pairs worked out in a quarter of the work left."""
+    room, limit = np.sqrt(budget.settings.memory_limit * 2**21 / BYTES_PER_PAIR), "memory limit"
+    most = int(min(most, room))
     above = np.where(alive, every.cost - every.best[every.variable], np.inf)
     order = np.argsort(above, kind="stable")[: int(alive.sum())]
     while True:

@@ -14,6 +14,9 @@ from usdrigui.solve.label_geometry import LabelSet, all_labels
 from usdrigui.solve.local_search import KnownRows, LazyRows, LocalSearch
 from usdrigui.solve.reduce import SLOW, Reduction
 
+FEW = 80
+"""Labels a variable that the first bounds are worked out for: of tens of thousands they leave a
+part, sooner than tables of all."""
 TRAPS = 0.5
 """How much worse the first local search may get on its way: a crowd has many traps."""
 
@@ -38,18 +41,18 @@ def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
     budget.ceiling = least + penalty - 0.5
     budget.found("linear costs", bound=least)
     alive, chosen = np.ones(len(labels.cost), dtype=bool), np.empty(0, dtype=np.int64)
+    most, wide = FEW * len(problem.variables) + 0.0, False
     while True:
-        taken = cheap_labels(problem, labels, alive, chosen, budget)
+        taken = cheap_labels(problem, labels, alive, chosen, most, budget)
         rows, best = KnownRows(taken.pairs), np.searchsorted(taken.place, chosen)
         incumbent = _layout_of(taken.labels, rows, best, budget, penalty)
-        if taken.stands.any() and not len(chosen):
-            best = taken.place[incumbent.chosen]
-            wide = _layout_of(labels, LazyRows(problem, labels, budget), best, budget, penalty)
-            chosen = wide.chosen
+        if most == np.inf and not wide and taken.stands.any():
+            every, best = LazyRows(problem, labels, budget), taken.place[incumbent.chosen]
+            chosen, wide = _layout_of(labels, every, best, budget, penalty).chosen, True
             continue  # Their labels are taken, too.
         budget.note("local search", cost=incumbent.cost, labels=len(taken.place), work=budget.work)
         left = Reduction(taken, budget, incumbent)
-        any_left = left.done()
+        any_left = left.done() and (most < np.inf or left.exact or left.tightened())
         figures = left.figures() if any_left else {"labels": 0}
         found = {"cutoff": budget.cutoff, "cost": incumbent.cost, "bound": budget.bound}
         budget.note("reduce", **figures, **found, work=budget.work)
@@ -59,10 +62,10 @@ def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
         if not any_left or left.exact or budget.over():
             break
         opened = taken.opened(labels, left.problem.labels, left.spare())
-        if opened.sum() > (1.0 - SLOW) * alive.sum():
+        if most == np.inf and opened.sum() > (1.0 - SLOW) * alive.sum():
             budget.reach(taken.limit)
             break
-        alive = opened
+        alive, most = opened, np.inf
     return assignment(problem, labels, labels.candidate[chosen], budget, method)
 
 

@@ -97,13 +97,15 @@ class Reduction:
         }
 
     def done(self) -> bool:
-        """Sweep and tighten, as far as that pays; whether anything is left."""
-        if not (self._swept() and (not self.exact or self._thinned())):
+        """Sweep, and where no label stands for others thin out and look for a better layout;
+        whether anything is left."""
+        if not self._swept():
             return False
-        self._search()
-        if self.exact or self._budget.over():
-            return True
-        return self.tightened() and (not self.exact or self._thinned())
+        if self.exact:
+            if not self._thinned():
+                return False
+            self._search()
+        return True
 
     # --- local search -----------------------------------------------------------------------------
 
@@ -114,8 +116,7 @@ class Reduction:
         linear, penalty = self.linear[left.labels], self._incumbent.penalty
         found = LocalSearch(left.start, linear, KnownRows(self.pairs), self._budget, penalty)
         found.improve_from(first)
-        if self.exact:
-            found.search()
+        found.search()
         self._incumbent.improve_from(self.representatives(found.chosen))
 
     # --- bounds -----------------------------------------------------------------------------------

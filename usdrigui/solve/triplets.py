@@ -9,8 +9,6 @@ T. Jaakkola, "Fixing max-product", 2007), for the triplets that raise the bound 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from usdrigui.character import Floats
@@ -38,10 +36,6 @@ VISITS = ((0, 3), (1, 2), (2, 1), (1, 1), (0, 1))
 
 def raise_bound(problem: ReducedProblem, budget: Budget) -> None:
     """Raise the bound of a problem, in place, by its triplets and those that help it most."""
-    few = len(problem.costs) <= 2 * LARGEST_TESTED
-    # The first three raise it nearly as far, each time from another table on; of few labels what
-    # the others add excludes more.
-    visits = VISITS if few else VISITS[:3]
     problem.normalize()
     sizes = np.diff(problem.start)
     for triplet in _best_triplets(problem):
@@ -49,11 +43,11 @@ def raise_bound(problem: ReducedProblem, budget: Budget) -> None:
         ab, ac, bc = (np.zeros(shape, dtype=np.float32) for shape in ((a, b), (a, c), (b, c)))
         problem.messages[triplet] = ab, ac, bc
     cubes = sum(int(sizes[list(each)].prod()) for each in problem.messages)
-    work = len(visits) * cubes // 1500 + 200 * len(problem.messages) + problem.entries // 24
+    work = len(VISITS) * cubes // 1500 + 200 * len(problem.messages) + problem.entries // 24
     for turn in range(PASSES if len(problem.costs) <= LARGEST_TESTED else PASSES // 3):
         problem.spread()
         for first, triplet in enumerate(problem.messages, turn):
-            _visit(problem, triplet, visits, 0 if few else first)
+            _visit(problem, triplet, first)
         problem.normalize()
         problem.sweep()
         budget.spend(work)
@@ -62,17 +56,15 @@ def raise_bound(problem: ReducedProblem, budget: Budget) -> None:
     problem.normalize()
 
 
-def _visit(
-    problem: ReducedProblem, triplet: Triplet, visits: Sequence[tuple[int, int]], first: int
-) -> None:
+def _visit(problem: ReducedProblem, triplet: Triplet, first: int) -> None:
     """Give each of a triplet's tables, from the `first` on, an even part of what its pairs cost at
-    least together with a label of the third, and then all that is left of it."""
+    least together with a label of the third: the last one all that is left of it."""
     a, b, c = triplet
     tables = (problem.table(a, b), problem.table(a, c), problem.table(b, c))
     messages = problem.messages[triplet]
     before = [table - message for table, message in zip(tables, messages, strict=True)]
     left, given = [each.copy() for each in before], [np.zeros_like(each) for each in before]
-    for at, share in visits:
+    for at, share in VISITS:
         side, (ab, ac, bc) = (first + at) % 3, left
         one, other = ((ac, bc), (ab, bc.T), (ab.T, ac.T))[side]
         least = (least_sums(one, other) + left[side]) / share
