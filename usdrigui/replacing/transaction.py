@@ -183,7 +183,7 @@ def check_own(target: Path, what: str, mark: str) -> None:
     hold, which has the `mark`; raises FILE_TARGET and OSError."""
     if target.suffix != ".usda":
         raise refuse("FILE_TARGET", target, f"{what} is USD text and ends in .usda")
-    held = whole_content(target, 256) if target.is_file() else b""
+    held = whole_content(target, 256) if target.exists() else b""
     if held and mark.encode() not in held:
         raise refuse("FILE_TARGET", target, f"exists and is not {what}")
 

@@ -54,8 +54,14 @@ def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
         left = Reduction(taken, budget, incumbent)
         any_left = left.done() and (most < np.inf or left.exact or left.tightened())
         figures = left.figures() if any_left else {"labels": 0}
-        found = {"cutoff": budget.cutoff, "cost": incumbent.cost, "bound": budget.bound}
-        budget.note("reduce", **figures, **found, work=budget.work)
+        budget.note(
+            "reduce",
+            **figures,
+            cutoff=budget.cutoff,
+            cost=incumbent.cost,
+            bound=budget.bound,
+            work=budget.work,
+        )
         if any_left and left.exact and not budget.over():
             method = _solve_reduced(left, incumbent, budget)
         chosen = taken.place[incumbent.chosen]

@@ -84,14 +84,14 @@ def stale(
 
 
 def reshaped(rig: Rig, layout: Layout, found: Sequence[Issue]) -> tuple[Issue, ...]:
-    """`found`, behind LAYOUT_RESHAPED if most elements lie or move elsewhere than in the
+    """`found`, behind LAYOUT_RESHAPED if most of several elements lie or move elsewhere than in the
     layout: then the character has another shape now, and what the code covers follows from that."""
     off = max(
         len({each.path for each in found if each.code == code})
         for code in ("LAYOUT_ANCHOR_MOVED", "LAYOUT_TRACK")
     )
     placed = sum(not element.anchor.on_board for element in layout.elements)
-    if 2 * off <= placed:
+    if off == 1 or 2 * off <= placed:  # A single one may have been edited by hand.
         return tuple(found)
     covered = [e.severity for e in found if e.code in catalogue()["LAYOUT_RESHAPED"].covers]
     what = (
