@@ -18,7 +18,7 @@ from usdrigui.character import Flags, Floats, Record, Rig
 from usdrigui.character.joint_tree import level, unit
 from usdrigui.conventions import Action, Meaning, actions
 from usdrigui.layout.motion.coverage import NOTABLE
-from usdrigui.layout.shares import MOST, NOTHING
+from usdrigui.layout.shares import HARDLY_ANY, MOST, NOTHING
 from usdrigui.layout.symmetry.front import moving_normals
 from usdrigui.layout.symmetry.lobes import ASIDE
 from usdrigui.layout.symmetry.sides_of_joints import ONE_WAY, legs_point
@@ -59,7 +59,7 @@ def _up_of_face(up: Floats, plane: MirrorPlane, face: Trajectories) -> Floats:
     upright = unit(across)
     if _stands(upright, up):
         return _leveled(up, plane)
-    if not across.any():
+    if np.linalg.norm(across) < HARDLY_ANY * len(face.motions):  # They face every way.
         return up
     upright = _along_axis(upright, plane)
     surface = face.surface
@@ -254,7 +254,9 @@ def _fit(clues: Sequence[_Clue]) -> _Fit | None:
     middles = np.array([clue.middle for clue in clues]).reshape(-1, 2)
     places = np.array([clue.place for clue in clues]).reshape(-1, 2)
     each, which = np.unique(places, axis=0, return_inverse=True)
-    if len(each) < LEAST or not np.ptp(each[:, 1]):
+    # Controls of the mouth alone fix nothing of the brows: of a distance of the pupils their
+    # heights must spread over most.
+    if len(each) < LEAST or np.ptp(each[:, 1]) < MOST:
         return None
     typical = np.array(
         [

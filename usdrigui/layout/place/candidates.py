@@ -30,6 +30,9 @@ _OWN_IN_THE_MIDDLE = 0.45
 is to stand there."""
 _BESIDE = 1.25
 """Distance from a joint's hidden skin, as a share of the least, within which its handle stands."""
+_ENOUGH = 2.0 / 3.0
+"""Share of its visible peak from which a control leaves that, far from all others, for a place
+among them."""
 _FAR = 1.0 / 3.0
 """Distance from the places of all other controls, in face sizes, from which a peak is far."""
 
@@ -127,8 +130,9 @@ def _with_prior(
         return places
     apart = np.linalg.norm(face.surface.points[motion.points] - place.position, axis=1)
     here = motion.points == place.point
-    if float(apart[here][0]) > NOTHING * face.handle_width:
-        reach = float(apart[here][0]) + face.handle_width
+    (off,) = apart[here]
+    if off > NOTHING * face.handle_width:
+        reach = off + face.handle_width
         far = motion.arc_length >= MOVES * motion.peak
         here |= far & (apart <= reach) & face.views.anywhere[motion.points]
     points = np.union1d(points, motion.points[here])
@@ -210,7 +214,7 @@ def _off_strands(face: Face, motion: Motion, seen: Flags) -> Flags:
 def _among_others(face: Face, motion: Motion, seen: Flags) -> Flags:
     """(p,) which points count where nothing is expected: those `seen`, or, where the largest motion
     is far from all that other controls are for, as on ears that go with the brows, those at most
-    half as far from that, if it keeps most of its motion there."""
+    half as far from that, if it moves them enough."""
     surface, top = face.surface, first_largest(motion.arc_length * seen)
     others = [
         peak
@@ -222,7 +226,7 @@ def _among_others(face: Face, motion: Motion, seen: Flags) -> Flags:
     apart, _ = cKDTree(surface.points[others]).query(surface.points[motion.points])
     if apart[top] <= _FAR * surface.face_size:
         return seen
-    return _kept_in(motion, seen, apart <= MOST * apart[top], MOST)
+    return _kept_in(motion, seen, apart <= MOST * apart[top], _ENOUGH)
 
 
 def _where_expected(face: Face, motion: Motion, seen: Flags, expected: Expectation | None) -> Flags:

@@ -16,9 +16,8 @@ from usdrigui.character import Control, Floats, Rig
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.tracks import resampled
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.layout.shares import NOTHING
 from usdrigui.model import AnyOverlap, Candidates, Element, Layout, LayoutProblem, Variable
-from usdrigui.overlap import pair_costs
+from usdrigui.overlap import ROUNDING, pair_costs
 
 
 def layout_of(layouts: tuple[Layout, ...], rig: Rig) -> Layout | None:
@@ -48,7 +47,7 @@ def drawn_width(layout: Layout | None, part: str) -> float:
     """The width of a part's handles in the existing layout; 0 where there is none, or it has none
     of that part."""
     width = layout.frame.handle_width_of(part) if layout is not None else 0.0
-    return width * (1.0 - NOTHING)  # they are exactly as far apart as they were, but for rounding
+    return width * (1.0 - ROUNDING)  # they are exactly as far apart as they were, but for that
 
 
 def of_new_controls(face: Face, requests: Requests, candidates: Candidates) -> Candidates:

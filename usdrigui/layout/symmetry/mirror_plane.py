@@ -27,6 +27,10 @@ _SAMPLE = 2000
 """Points of the moving region that the search for the plane looks at."""
 _THINNED = 8
 """Of so many points of the sample one is looked at to choose among candidate planes."""
+_FINALISTS = 6
+"""Candidate planes that are fitted to an end, at least: all of them take four times as long."""
+_EQUAL = 0.01
+"""In tolerances: planes whose misfits differ by less fit equally well."""
 _LEVELS = (0.3, 0.5, 0.7)
 """Shares of the region's weight below a candidate plane: hair on one side moves the middle."""
 _TRIM = 0.7
@@ -51,7 +55,7 @@ def mirrored(
         named = plane_of_names(rig.body.skeletons, rig.body.joints)
         plane = _best(trajectories, tolerance, rig.up)
         # A robot may be as symmetric from front to back.
-        if named and not (plane and abs(float(named.normal @ plane.normal)) >= ONE_WAY):
+        if named and not (plane and abs(named.normal @ plane.normal) >= ONE_WAY):
             plane = named
     if plane is None:
         return MirrorPlane(np.zeros(3), np.zeros(3)), np.full(count, -1, dtype=np.int64)
@@ -136,13 +140,13 @@ class _Search(Record):
 
     def ranked(self, planes: list[MirrorPlane]) -> tuple[list[MirrorPlane], int]:
         """The distinct planes, the best first: those that fit as well as the best, of which the
-        number is told, and the rest."""
+        number is told, and no fewer than the finalists."""
         misfits = {id(plane): self._misfit(plane) for plane in planes}
-        slack = NOTHING * self.tolerance
+        slack = _EQUAL * self.tolerance
         order = sorted(planes, key=lambda plane: round(misfits[id(plane)] / slack, 3))
         distinct = self._distinct(order)
         equal = sum(misfits[id(plane)] <= misfits[id(order[0])] + slack for plane in distinct)
-        return distinct, equal
+        return distinct[: max(_FINALISTS, equal)], equal
 
     def _starts(self) -> Iterator[MirrorPlane]:
         """Candidate planes in all directions, for heads tilt and lie, and along the principal axes:
@@ -199,7 +203,7 @@ class _Search(Record):
         kept, images = list[MirrorPlane](), [self.sample]
         for plane in planes:
             image = plane.reflected(self.sample)
-            if all(np.abs(image - other).max() > NOTHING * self.tolerance for other in images):
+            if all(np.abs(image - other).max() > _EQUAL * self.tolerance for other in images):
                 kept.append(plane)
                 images.append(image)
         return kept
