@@ -23,7 +23,6 @@ from usdrigui.reader.reader_process import (
 )
 from usdrigui.replacing.transaction import State, check_own, commit, same_file
 from usdrigui.settings import ControlSettings, ReadSettings, Settings, literal, load
-from usdrigui.stages.schema import CORRECTION
 
 
 def pin(
@@ -104,8 +103,11 @@ def _existing(
     """What a layer of corrections holds already; raises FILE_TARGET for another file."""
     if same_file(output, layer):
         raise refuse("FILE_TARGET", output, "is the layout itself, which stays as it is")
-    check_own(output, "a layer of corrections", CORRECTION)
+    if output.suffix != ".usda":
+        raise refuse("FILE_TARGET", output, "a layer of corrections ends in .usda")
     held = read_layer_isolated(output, opening).corrections if output.is_file() else ()
+    if output.is_file() and not held:
+        raise refuse("FILE_TARGET", output, "exists and is no layer of corrections")
     return {(each.root, each.control): each for each in held}
 
 

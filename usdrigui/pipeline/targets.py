@@ -13,6 +13,7 @@ from usdrigui.replacing.transaction import (
     State,
     Transaction,
     check_not_read,
+    commit,
     file_error,
     same_file,
 )
@@ -36,10 +37,8 @@ def write_file(content: bytes, target: Path, read: Iterable[Path | str]) -> Stat
     Raises FILE_TARGET for one of those and for a USD file, so that no slip of the hand replaces a
     character.
     """
-    with Transaction(read) as files:
-        state = stage_file(files, content, target)
-        files.commit()
-    return state
+    check_outputs([target])
+    return commit(content, target, read=read)
 
 
 def stage_file(files: Transaction, content: bytes, target: Path) -> State:
