@@ -69,15 +69,21 @@ class Views(Record):
         """(3, 3) unit vectors to the right, up and to the viewer of the layout's own view."""
         return seen_from(self.directions[0], self.up, self.ahead)
 
+    @property
+    def screen(self) -> Floats:
+        """(2, 3) unit vectors to the right and up as seen by the viewer of the layout's own
+        view."""
+        return self.axes[:2]
+
     def drawing_axes(self, flat: bool) -> Floats:
         """(d, 3) the axes along which drawn elements are measured: those of the screen where the
         layout is `flat`, else all three."""
-        return self.axes[:2] if flat else self.axes
+        return self.screen if flat else self.axes
 
     def one_sided(self, normal: Floats) -> bool:
         """Whether the only view looks across the plane of symmetry, of which it may see one side
         only."""
-        return len(self.directions) == 1 and abs(float(self.directions[0] @ normal)) > NOTHING
+        return len(self.directions) == 1 and abs(self.directions[0] @ normal) > NOTHING
 
 
 def find_views(
@@ -222,11 +228,6 @@ def clear_handles(views: Views, base: Floats, normals: Floats, width: float) -> 
         ]
         found[ask] = np.sum(seen, axis=0) >= _RIM_SEEN
     return found
-
-
-def screen(views: Views) -> Floats:
-    """(2, 3) unit vectors to the right and up as seen by the viewer of the layout's own view."""
-    return views.axes[:2]
 
 
 def _directions(rig: Rig, view: str, ahead: Floats) -> Floats:

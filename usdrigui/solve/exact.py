@@ -41,7 +41,8 @@ def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
     budget.ceiling = least + penalty - 0.5
     budget.found("linear costs", bound=least)
     alive, chosen = np.ones(len(labels.cost), dtype=bool), np.empty(0, dtype=np.int64)
-    most, wide = FEW * len(problem.variables) + 0.0, False
+    most: float = FEW * len(problem.variables)
+    wide = False
     while True:
         taken = cheap_labels(problem, labels, alive, chosen, most, budget)
         rows, best = KnownRows(taken.pairs), np.searchsorted(taken.place, chosen)

@@ -99,11 +99,9 @@ class Reduction:
     def done(self) -> bool:
         """Sweep, and where no label stands for others thin out and look for a better layout;
         whether anything is left."""
-        if not self._swept():
+        if not self._swept() or (self.exact and not self._thinned()):
             return False
         if self.exact:
-            if not self._thinned():
-                return False
             self._search()
         return True
 

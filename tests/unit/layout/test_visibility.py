@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from usdrigui.errors import RigUIError
-from usdrigui.layout.visibility import clear_handles, find_views, mostly_hidden, screen
+from usdrigui.layout.visibility import clear_handles, find_views, mostly_hidden
 from usdrigui.settings import CandidateSettings
 
 POINTS, QUADS = makers.mask()
@@ -41,7 +41,7 @@ def test_the_screen_is_upright_even_from_above():
     face = chain.face_of(makers.face())
     for view, right, up in (("front", [1, 0, 0], [0, 1, 0]), ("0,90", [1, 0, 0], [0, 0, -1])):
         views = find_views(face.rig, face.trajectories, face.symmetry.plane, CandidateSettings(view=view))
-        assert np.allclose(screen(views), [right, up], atol=1e-6)
+        assert np.allclose(views.screen, [right, up], atol=1e-6)
 
 
 def test_what_lies_behind_the_face_is_not_seen_unless_occlusion_is_off():

@@ -20,7 +20,6 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.glyph_fitting import fitted_glyph
 from usdrigui.layout.names import common_label, element_name
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.layout.visibility import screen
 from usdrigui.model import Anchor, Element, Group, Member, Side
 
 CATEGORIES = (
@@ -63,7 +62,7 @@ def board_elements(
     rows = _rows(face.rig.controls, board)
     width, height = face.handle_width, _TALL * face.surface.face_size
     middle = face.symmetry.plane.projected(face.trajectories.middle)
-    frame = screen(face.views)
+    frame = face.views.screen
     columns = _columns(rows, max(1, int(height / (_ROW * width))))
     left = silhouette(face, middle, frame, 0.5 * height) + _MARGIN * width
     others = _boards(requests, middle @ frame[1], 0.5 * height, frame[1])

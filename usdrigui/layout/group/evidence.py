@@ -22,7 +22,6 @@ from usdrigui.conventions import joysticks
 from usdrigui.layout.face import HELD, Face
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.layout.shares import MOST, NOTHING
-from usdrigui.layout.visibility import screen
 from usdrigui.ties import first_largest
 
 Relation = Literal["convention", "open", ""]
@@ -135,7 +134,7 @@ class Evidence:
         """The pair with the end first that goes to the left or down as seen by the viewer."""
         fields = self.similarity.fields
         along = fields.weights @ (fields.vectors[pair[1]] - fields.vectors[pair[0]])
-        flat = screen(self.face.views) @ along
+        flat = self.face.views.screen @ along
         return pair if flat[first_largest(np.abs(flat))] >= 0.0 else pair[::-1]
 
     def _flatness(self, index: int) -> float:
@@ -149,7 +148,7 @@ class Evidence:
     def uprightness(self, index: int) -> float:
         """Share of a motion that runs upright on the screen."""
         fields = self.similarity.fields
-        across, upright = fields.weights @ np.abs(fields.vectors[index] @ screen(self.face.views).T)
+        across, upright = fields.weights @ np.abs(fields.vectors[index] @ self.face.views.screen.T)
         return float(upright / max(float(across + upright), 1e-300))
 
     # --- in words ---------------------------------------------------------------------------------

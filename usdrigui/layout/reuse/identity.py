@@ -158,21 +158,21 @@ def _joined(before: Sequence[str], kept: tuple[Match, ...], found: Matching) -> 
 def _matched(before: Sequence[str], after: Sequence[str], evidence: Floats) -> Matching:
     """The assignment of greatest evidence (before, after); a pair below what chance may give is
     none."""
-    excess = np.maximum(
-        rounded(evidence - CHANCE) * np.abs(evidence - CHANCE).max(initial=0.0), 0.0
-    )
+    odds = evidence - CHANCE
+    excess = np.maximum(rounded(odds) * np.abs(odds).max(initial=0.0), 0.0)
     pairs = _assigned(excess)
     spelt_as, means = (spellings(before), spellings(after)), same_meaning(before, after)
     matches = []
     for i, j, confidence in pairs:
-        spelt = (
-            "spelling"
+        reason = (
+            "name"
+            if before[i] == after[j]
+            else "spelling"
             if spelt_as[0][i] == spelt_as[1][j]
             else "meaning"
             if means[i, j]
             else "motion"
         )
-        reason = "name" if before[i] == after[j] else spelt
         matches.append(Match(before[i], after[j], confidence, reason))
     rows, columns = {i for i, _, _ in pairs}, {j for _, j, _ in pairs}
     left = tuple(name for i, name in enumerate(before) if i not in rows)
@@ -185,10 +185,10 @@ def _assigned(evidence: Floats) -> list[tuple[int, int, float]]:
     """Rows and columns of the assignment of greatest total, and how sure each pair is: the logistic
     of what the total would lose without it."""
     rows, columns = linear_sum_assignment(-evidence)
-    total = float(evidence[rows, columns].sum())
+    total = evidence[rows, columns].sum()
     return [
-        (int(i), int(j), _confidence(evidence, i, j, total))
-        for i, j in zip(rows, columns, strict=True)
+        (i, j, _confidence(evidence, i, j, total))
+        for i, j in zip(rows.tolist(), columns.tolist(), strict=True)
         if evidence[i, j] > 0.0
     ]
 
@@ -201,11 +201,11 @@ def _confidence(evidence: Floats, row: int, column: int, total: float) -> float:
     """
     without = evidence.copy()
     without[row, column] = 0.0
-    least = float(evidence[row, column] - without[row].max() - without[:, column].max())
+    least = evidence[row, column] - without[row].max() - without[:, column].max()
     if _logistic(least) == 1.0:
         return 1.0
     i, j = linear_sum_assignment(-without)
-    return _logistic(float(total - without[i, j].sum()))
+    return _logistic(total - without[i, j].sum())
 
 
 def _logistic(odds: float) -> float:

@@ -33,7 +33,7 @@ def up_of(layout: Layout) -> Floats | None:
 def other_up(layout: Layout, up: Floats) -> Floats | None:
     """(3,) the up direction that a layout was made for, where that is another than `up`."""
     before = up_of(layout)
-    return None if before is None or abs(float(before @ up)) > ONE_WAY else before
+    return None if before is None or abs(before @ up) > ONE_WAY else before
 
 
 def turn_between(before: Floats, after: Floats) -> Floats:

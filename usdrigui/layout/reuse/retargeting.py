@@ -192,7 +192,7 @@ def _thin_plate(source: Floats, target: Floats, smoothing: float, points: Floats
     """`points` moved as a thin-plate spline moves `source` to `target`; in units of the source's
     own size."""
     middle = source.mean(axis=0)
-    unit = float(np.linalg.norm(source - middle, axis=1).max())
+    unit = np.linalg.norm(source - middle, axis=1).max()
     _, first = np.unique(np.round((source - middle) / unit, 6), axis=0, return_index=True)
     if not _spans(source[first], 3):
         return points

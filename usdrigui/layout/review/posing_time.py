@@ -20,7 +20,6 @@ from scipy.spatial.distance import cdist
 from usdrigui.character import Floats
 from usdrigui.layout.face import Face
 from usdrigui.layout.review.legibility import SCREEN_HEIGHT, first_level, on_screen
-from usdrigui.layout.visibility import screen
 from usdrigui.model import Element
 
 _CONTROLS = 30
@@ -50,7 +49,7 @@ def posing_times(
 ) -> PosingTimes:
     """Of the elements of a part, at least one of which is on it, and the width of their handles;
     `controls` are in the list."""
-    handles, _, lengths, pixels = on_screen(first_level(elements), screen(face.views))
+    handles, _, lengths, pixels = on_screen(first_level(elements), face.views.screen)
     return predicted(handles, lengths, pixels * handle_width, controls)
 
 
