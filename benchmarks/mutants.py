@@ -7,9 +7,10 @@ A mutant is one change of one expression: a number, a comparison, `+` for `-`, `
 last for the first. The kind is drawn first, then the place, so that no kind crowds out the others.
 All is done in a copy of the checkout. The quick tests of `--record` run there once with the places
 of the mutants marked (mutants_seen.py): what reaches a place is known, and what it takes. Then each
-mutant is made, and the tests that reach it run until one fails: those of its file first, the quick
-before the slow, as many as took `--seconds` of processor time. A mutant is killed when a test fails
-or when they take five times as long as they did. The test that kills must pass without the mutant.
+mutant is made, and the tests that reach it run until one fails: those of its file first, then the
+laws, the quick before the slow, as many as took `--seconds` of processor time. A mutant is killed
+when a test fails or when they take five times as long as they did. The test that kills must pass
+without the mutant.
 Prints a line for each and the share killed; exit 1 below `--least`.
 
 Shares: `--only-record FILE` writes what one share of `--record` reached; `--reached FILE ...` takes
@@ -222,7 +223,8 @@ class Reached:
         return reached
 
     def by(self, mutant: Mutant, seconds: float) -> list[str]:
-        """Tests that reach the mutant, those of its file first, the quick before the slow.
+        """Tests that reach the mutant, those of its file first, then the laws, the quick before the
+        slow.
 
         What importing reaches is judged by the tests that reach a function of the file which names
         it; where none does, by those that reach any.
@@ -233,8 +235,9 @@ class Reached:
             tests = set().union(*(self.tests_at.get(each, set()) for each in functions))
         near = Path(mutant.path).stem
 
-        def rank(test: str) -> tuple[bool, float, str]:
-            return near not in Path(test.partition("::")[0]).stem, self.seconds[test], test
+        def rank(test: str) -> tuple[bool, bool, float, str]:
+            file = Path(test.partition("::")[0])
+            return near not in file.stem, "laws" not in file.parts, self.seconds[test], test
 
         chosen, total = [], 0.0
         for test in sorted(tests, key=rank):
@@ -313,6 +316,11 @@ def record(copy: Path, mutants: Sequence[Mutant], tests: Sequence[str], file: Pa
         of_file = [each for each in mutants if each.path == path]
         (copy / path).write_text(marked(path, of_file), encoding="utf-8")
     file.unlink(missing_ok=True)
+    places = sorted(
+        {each.place for each in mutants} | {at for path in before for at, _ in _functions(path)}
+    )
+    file.with_suffix(".places").write_text("\n".join(places), encoding="utf-8")
+    file.with_suffix(".bytes").write_bytes(bytes(len(places)))
     environment = {"MUTANTS_SEEN": str(file.resolve())}
     done = _pytest(copy, ["-p", "usdrigui._seen", *tests], environment, None)
     print(done.stdout.strip().splitlines()[-1], flush=True)

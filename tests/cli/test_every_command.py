@@ -3,6 +3,7 @@
 import json
 from pathlib import Path
 
+import figures
 import pytest
 
 from usdrigui.cli import main
@@ -40,8 +41,8 @@ def test_each_command_is_among_them_and_in_the_documents():
 
 
 @pytest.mark.parametrize("command", LINES)
-def test_it_prints_its_closing_line_alone_or_one_document(command, laid_out, monkeypatch, capsys):
-    monkeypatch.chdir(laid_out)
+def test_it_prints_its_closing_line_alone_or_one_document(command, folder, monkeypatch, capsys):
+    monkeypatch.chdir(folder)
     line = [command, *LINES[command].split()]
     main([*line, "--quiet"])
     told = capsys.readouterr()
@@ -50,3 +51,4 @@ def test_it_prints_its_closing_line_alone_or_one_document(command, laid_out, mon
     main([*line, "--json"])
     document = json.loads(capsys.readouterr().out)
     assert (document["format"][:9], document["version"]) == ("usdrigui.", 1)
+    assert figures.other_than_kept(f"{command}_document", document) == {}

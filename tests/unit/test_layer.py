@@ -15,7 +15,7 @@ from pxr import Sdf, Tf, Usd, UsdGeom
 
 from usdrigui.character import LeftOff
 from usdrigui.errors import Exit, RigUIError
-from usdrigui.layer.read_layout import element_prims, read_layout, source_of
+from usdrigui.layer.read_layout import read_layout, source_of
 from usdrigui.layer.write_layout import layer_bytes, layer_for, relative_asset_path, stage_metadata, write_layout
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
@@ -153,32 +153,6 @@ def staged(source, rig, layout, folder):
     target = folder / "a.usda"
     write_layout([(rig, layout)], source, target, metadata(source))
     return Usd.Stage.Open(str(target))
-
-
-def test_everything_is_a_guide_below_the_character_and_nothing_is_of_a_type_of_ours(char, tmp_path):
-    rig, stage = char[1], staged(*char, tmp_path)
-    scope = stage.GetPrimAtPath(rig.path).GetChild("RigUI")
-    kinds = {prim.GetTypeName() for prim in Usd.PrimRange(scope)}
-    assert kinds == {"Scope", "GeomSubset", "Mesh", "BlendShape"}
-    for prim in Usd.PrimRange(scope):
-        if prim.IsA(UsdGeom.Gprim):
-            assert UsdGeom.Imageable(prim).ComputePurpose() == "guide"
-            extent = np.array(UsdGeom.Boundable(prim).GetExtentAttr().Get())
-            points = np.array(prim.GetAttribute("points").Get())
-            assert (points >= extent[0] - 1e-6).all()
-            assert (points <= extent[1] + 1e-6).all()
-
-
-def test_few_prims_draw_all_elements(char, tmp_path):
-    """One mesh for what hangs on the skeleton in one way, a subset per element, a shape per channel."""
-    rig, stage = char[1], staged(*char, tmp_path)
-    scope = stage.GetPrimAtPath(rig.path).GetChild("RigUI")
-    kinds = [str(prim.GetTypeName()) for prim in Usd.PrimRange(scope)]
-    assert kinds.count("Mesh") <= 2
-    assert kinds.count("BlendShape") <= len(rig.body.channels) * kinds.count("Mesh")
-    assert [prim.GetName() for prim in element_prims(scope)] == [
-        "smile_L_sneer_L", "jawLeft_jawRight", "half", "pucker_chin_brow_L", "_25_jaw_rx"
-    ]  # fmt: skip
 
 
 def test_the_default_prim_is_the_top_of_the_first_character_where_the_source_names_none(char):

@@ -48,11 +48,11 @@ def test_a_mutant_answers_to_the_tests_that_reach_it_those_of_its_file_first(job
     places = [each.place for each in (constant, compared)]
     told = tmp_path / "told"
     told.write_text(
-        f"S {places[0]}\nT a/test_law.py::one\nS code.py:f\nS {places[1]}\nE 0.5\n"
-        f"T a/test_law.py::failed\nS {places[1]}\n"
-        f"T a/test_code.py::two\nS code.py:f\nS {places[1]}\nE 3\nT a/test_law.py::three\nE 1\n"
+        f"S {places[0]}\nT laws/test_law.py::one\nS code.py:f\nS {places[1]}\nE 0.5\n"
+        f"T laws/test_law.py::failed\nS {places[1]}\nT a/test_far.py::far\nS code.py:f\nS {places[1]}\nE 0.4\n"
+        f"T a/test_code.py::two\nS code.py:f\nS {places[1]}\nE 3\nT laws/test_law.py::three\nE 1\n"
     )
     reached = job.Reached.read([told])
     for mutant in (constant, compared):
-        assert reached.by(mutant, 60.0) == ["a/test_code.py::two", "a/test_law.py::one"]
+        assert reached.by(mutant, 60.0) == ["a/test_code.py::two", "laws/test_law.py::one", "a/test_far.py::far"]
         assert reached.by(mutant, 3.2) == ["a/test_code.py::two"]

@@ -8,7 +8,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from pxr import Usd, UsdGeom, UsdSkel
+from pxr import Usd
 
 SAMPLES = Path(__file__).resolve().parents[2] / "sample_assets"
 ENTRY = SAMPLES / "char.usda"
@@ -18,10 +18,6 @@ FILES = ("char.usda", "char_geometry.usda")
 @cache
 def stage() -> Usd.Stage:
     return Usd.Stage.Open(str(ENTRY))
-
-
-def meshes() -> dict[str, UsdGeom.Mesh]:
-    return {prim.GetName(): UsdGeom.Mesh(prim) for prim in stage().Traverse() if prim.IsA(UsdGeom.Mesh)}
 
 
 # --- the files ---------------------------------------------------------------------------------------
@@ -37,15 +33,9 @@ def test_script_makes_the_committed_bytes(tmp_path: Path) -> None:
 
 def test_stays_small() -> None:
     assert sum((SAMPLES / name).stat().st_size for name in FILES) < 1_500_000
-    assert 3000 <= sum(len(mesh.GetPointsAttr().Get()) for mesh in meshes().values()) <= 6000
 
 
-def test_stage_metadata() -> None:
-    assert UsdGeom.GetStageUpAxis(stage()) == UsdGeom.Tokens.y
-    assert UsdGeom.GetStageMetersPerUnit(stage()) == 0.01
-    root = stage().GetDefaultPrim()
-    assert root.GetPath() == "/Char"
-    assert root.IsA(UsdSkel.Root)
+def test_it_may_be_passed_on() -> None:
     assert stage().GetRootLayer().customLayerData["licence"] == "Apache-2.0"
 
 
@@ -54,9 +44,3 @@ def test_validators_find_no_error() -> None:
     registry = validation.ValidationRegistry()
     found = validation.ValidationContext(registry.GetOrLoadAllValidators()).Validate(stage())
     assert [each.GetMessage() for each in found] == []
-
-
-# --- the controls ------------------------------------------------------------------------------------
-
-
-# --- the skeleton and the clip -----------------------------------------------------------------------

@@ -123,7 +123,7 @@ def _resampled(line: Floats) -> Floats:
     """A projected polyline (k, 3) with vertices at most two pixels apart."""
     parts = [line[:1]]
     for start, end in pairwise(line):
-        steps = int(np.clip(np.ceil(np.linalg.norm((end - start)[:2]) / 2.0), 1, 2000))
+        steps = int(np.clip(np.ceil(np.linalg.norm((end - start)[:2]) / 1.9), 1, 2000))
         share = np.arange(1, steps + 1)[:, None] / steps
         parts.append(start + share * (end - start))
     return np.concatenate(parts)
