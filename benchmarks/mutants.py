@@ -4,7 +4,9 @@
     [--record tests/unit tests/laws] [--reached FILE ...] [--seconds 60] [--json FILE]
 
 A mutant is one change of one expression: a number, a comparison, `+` for `-`, `max` for `min`, the
-last for the first. The kind is drawn first, then the place, so that no kind crowds out the others.
+last for the first. A comparison changes at its boundary, one with a number that is not whole is
+turned round: what is measured is never at the boundary. The kind is drawn first, then the place, so
+that no kind crowds out the others.
 All is done in a copy of the checkout. The quick tests of `--record` run there once with the places
 of the mutants marked (mutants_seen.py): what reaches a place is known, and what it takes. Then each
 mutant is made, and the tests that reach it run until one fails: those of its file first, then the
@@ -34,6 +36,7 @@ import tempfile
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -44,6 +47,7 @@ ROOMS = sorted(
 )
 RECORDED = ("tests/unit", "tests/laws", "tests/cli", "tests/clients")
 COMPARED = {ast.Lt: "<=", ast.LtE: "<", ast.Gt: ">=", ast.GtE: ">", ast.Eq: "!=", ast.NotEq: "=="}
+TURNED = {ast.Lt: ">", ast.LtE: ">", ast.Gt: "<", ast.GtE: "<"}
 REPLACED = {ast.Add: "-", ast.Sub: "+", ast.Mult: "/", ast.Div: "*"}
 NAMES = {
     "max": "min",
@@ -133,7 +137,8 @@ def _changes(
             yield "number", *span, ".+", repr(value * 1.5 or 1.0)
         case ast.Compare(left=left, ops=[op], comparators=[right]) if type(op) in COMPARED:
             between = end(left), offset(right.lineno, right.col_offset)
-            yield "comparison", *between, "[<>=!]=?", COMPARED[type(op)]
+            new = TURNED if type(op) in TURNED and _measured(left, right) else COMPARED
+            yield "comparison", *between, "[<>=!]=?", new[type(op)]
         case ast.BinOp(left=left, op=op, right=right) if type(op) in REPLACED:
             between = end(left), offset(right.lineno, right.col_offset)
             yield "arithmetic", *between, r"[-+*/]", REPLACED[type(op)]
@@ -141,6 +146,35 @@ def _changes(
             yield "choice", end(callee) - len(name), end(callee), name, NAMES[name]
         case ast.Subscript(slice=ast.Constant(value=0) as at):
             yield "choice", end(at) - 1, end(at), "0", "-1"
+
+
+def _measured(*sides: ast.expr) -> bool:
+    """Whether one of the sides has a number that is not whole, or a constant of ours that is none.
+
+    What is compared with it was measured and stands nowhere but by luck at the boundary.
+    """
+    names = {each.id for side in sides for each in ast.walk(side) if isinstance(each, ast.Name)}
+    return bool(names & _fractions()) or any(
+        _fraction(each) for side in sides for each in ast.walk(side)
+    )
+
+
+def _fraction(node: ast.AST | None) -> bool:
+    return isinstance(node, ast.Constant) and isinstance(node.value, float) and node.value % 1 != 0
+
+
+@cache
+def _fractions() -> frozenset[str]:
+    """Names of the constants of the package that are numbers which are not whole."""
+    trees = [ast.parse(path.read_text("utf-8")) for path in ROOT.joinpath("usdrigui").rglob("*.py")]
+    return frozenset(
+        target.id
+        for tree in trees
+        for line in tree.body
+        if isinstance(line, ast.Assign) and _fraction(line.value)
+        for target in line.targets
+        if isinstance(target, ast.Name)
+    )
 
 
 def _expressions(

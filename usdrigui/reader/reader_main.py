@@ -201,7 +201,7 @@ def _plays_values(stage: Usd.Stage, settings: Settings) -> bool:
     except RigUIError:
         return False  # A check says why.
     layer.timeCodesPerSecond = stage.GetTimeCodesPerSecond()  # Else USD scales its times.
-    stage.GetSessionLayer().subLayerPaths.insert(0, layer.identifier)
+    stage.GetSessionLayer().subLayerPaths.append(layer.identifier)
     return True
 
 

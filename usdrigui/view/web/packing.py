@@ -251,7 +251,7 @@ def _quantised_positions(points: Floats) -> tuple[Floats, Floats, NDArray[np.int
 def _shape(arrays: _Arrays, shape: Shape) -> Json:
     """Offsets in steps of the largest; points that round to no offset at all are left out."""
     largest = float(np.abs(shape.offsets).max(initial=0.0))
-    step = largest / _OFFSET_STEPS if largest > 0.0 else 1.0
+    step = (largest or 1.0) / _OFFSET_STEPS
     grid = np.rint(shape.offsets.astype(np.float64) / step).astype(np.int64)
     kept = np.flatnonzero(grid.any(axis=(0, 2)))
     return {
