@@ -14,7 +14,7 @@ from pxr import Usd
 from valid_rigs import SMALL, make_rig
 from written_rigs import write_rig
 
-from usdrigui import process
+from usdrigui import load_settings, process
 from usdrigui.cli import main
 from usdrigui.clients import picker
 from usdrigui.pipeline.joining import joined
@@ -30,21 +30,39 @@ def sample(folder):
     return folder / "char.usda"
 
 
-ASSETS = {
-    "skinned": lambda folder: skinned_stages.character(folder / "char.usda", moved=True, reordered=True, meshes=2),
-    "drawn": lambda folder: make_rig(0, folder / "char.usda", SMALL),
-    "written": lambda folder: write_rig(0, folder),
-    "sample": sample,
+def skinned(folder):
+    return skinned_stages.character(folder / "char.usda", moved=True, reordered=True, meshes=2)
+
+
+ASKED = {
+    "controls": {
+        "chin": {"glyph": "/World/Char/face0"},
+        "half": {"place": "board"},
+        "brow_L": {"near": "/World/Char/face0#40"},
+    },
+    "groups": {"groups": {"mouth": ["smile_L", "sneer_L"], "middle": ["pucker", "jaw:open"]}},
+    "joints": {"Hips/Head/Jaw": {"axes": ["x", "y"], "minimum": -20, "maximum": 20}},
+    "levels": {"groups": True, "poses": True},
+    "poses": {"grin": {"weights": {"smile_L": 1.0, "smile_R": 0.5}}},
+    "read": {"pose": {"brow_L": 0.5}},
 }
+CASES = {
+    "skinned": (skinned, load_settings()),
+    "asked": (skinned, load_settings(ASKED)),
+    "printed": (skinned, load_settings(preset="paper")),
+    "drawn": (lambda folder: make_rig(0, folder / "char.usda", SMALL), load_settings()),
+    "written": (lambda folder: write_rig(0, folder), load_settings()),
+    "sample": (sample, load_settings()),
+}
+"""Makers of assets, and settings."""
 
 
 def shown(rig, layout):
-    """A layout and what views show of it, at its base pose and half of the way to the end of every control."""
+    """What views show of a layout, at its base pose and half of the way to the end of every control."""
     half = [(control.default + control.maximum) / 2.0 for control in rig.controls]
     picture = scene(rig, layout, None, WANTED)
     page = zlib.decompress(pack([(rig, layout)], "Title"))
     return {
-        "layout": layout,
         "picture": picture,
         "painted": painted(picture),
         "posed": scene(rig, layout, half, WANTED),
@@ -56,20 +74,29 @@ def shown(rig, layout):
 
 def test_a_character_in_parts():
     rig = limbs.whole_body()
-    assert figures.other_than_kept("parts", shown(rig, joined(chain.laid_parts(rig)))) == {}
+    layout = joined(chain.laid_parts(rig))
+    assert figures.other_than_kept("parts", {"layout": layout, **shown(rig, layout)}) == {}
 
 
-@pytest.mark.parametrize("name", ASSETS)
+@pytest.mark.parametrize("name", CASES)
 def test_a_character(name, tmp_path):
-    asset = ASSETS[name](tmp_path)
+    make, settings = CASES[name]
     layer = tmp_path / "char.rigui.usda"
-    (character,) = process(asset, output=layer).characters
+    (character,) = process(make(tmp_path), settings, output=layer).characters
     stage = Usd.Stage.Open(str(layer))
     drawn = [prim for prim in stage.Traverse() if "/RigUI" in str(prim.GetPath())]
     outcome = {
-        "rig": character.rig,
+        "character": character,
         "prims": [f"{prim.GetTypeName()} {prim.GetName()} {prim.GetAppliedSchemas()}" for prim in drawn],
         "layer": [{each.GetName(): each.Get() for each in prim.GetAuthoredAttributes()} for prim in drawn],
         **shown(character.rig, character.layout),
     }
     assert figures.other_than_kept(name, outcome) == {}
+
+
+def test_characters_beside_an_earlier_layout(tmp_path):
+    asset, layer = sample(tmp_path), tmp_path / "char.rigui.usda"
+    process(asset, load_settings({"objective": {"handle_size": 0.08}}), output=layer)
+    heeding = (asset, "previous"), (asset.with_name("hero.usda"), "like")
+    made = [process(each, dry_run=True, **{option: layer}).characters for each, option in heeding]
+    assert figures.other_than_kept("earlier", made) == {}

@@ -186,11 +186,9 @@ def composed_layouts(stage: Usd.Stage) -> dict[str, str]:
     or not."""
     found: dict[str, str] = {}
     for scope in _scopes(stage):
-        layers = [spec.layer for spec in scope.GetPrimStack() if _is_layout(spec)]
-        if layers and stage.GetRootLayer() not in layers:
-            found[str(scope.GetPath().GetParentPath())] = str(
-                layers[0].realPath or layers[0].identifier
-            )
+        layer = next((spec.layer for spec in scope.GetPrimStack() if _is_layout(spec)), None)
+        if layer and layer != stage.GetRootLayer():
+            found[str(scope.GetPath().GetParentPath())] = str(layer.realPath or layer.identifier)
     return found
 
 

@@ -37,11 +37,6 @@ def reviewed(line, layout):
     return review(inputs.measured, inputs.candidates, layout)
 
 
-def test_without_a_word_of_levels_nothing_changes():
-    assert not inner_names(lay_out(FACE).layout.elements)
-    assert {variable.states for variable in problem_of(FACE).problem.variables} == {frozenset({0})}
-
-
 def test_a_coarse_control_has_the_named_members_on_both_sides():
     line = lay_out(with_pose(), mouth())
     assert by_name(line)["grin"].inner == ("pucker", "smile_L", "smile_R")
