@@ -149,18 +149,27 @@ def _changes(
 
 
 def _measured(*sides: ast.expr) -> bool:
-    """Whether one of the sides has a number that is not whole, or a constant of ours that is none.
+    """Whether one of the sides has a number that is not whole, or a constant of ours that is none,
+    or asks a clock.
 
     What is compared with it was measured and stands nowhere but by luck at the boundary.
     """
-    names = {each.id for side in sides for each in ast.walk(side) if isinstance(each, ast.Name)}
-    return bool(names & _fractions()) or any(
-        _fraction(each) for side in sides for each in ast.walk(side)
-    )
+    parts = [each for side in sides for each in ast.walk(side)]
+    names = {each.id for each in parts if isinstance(each, ast.Name)}
+    return bool(names & {*_fractions(), "time"}) or any(map(_fraction, parts))
 
 
 def _fraction(node: ast.AST | None) -> bool:
-    return isinstance(node, ast.Constant) and isinstance(node.value, float) and node.value % 1 != 0
+    match node:
+        case ast.Constant(value=float(value)):
+            return value % 1 != 0
+        case ast.Call(func=ast.Attribute(attr="cos" | "sin" | "sqrt")):
+            return True
+        case ast.BinOp(left=left, right=right):
+            return isinstance(node.op, ast.Div) or _fraction(left) or _fraction(right)
+        case ast.Call(func=ast.Name(id="float"), args=[value]):
+            return _fraction(value)
+    return False
 
 
 @cache
@@ -389,7 +398,7 @@ def failing(copy: Path, tests: Sequence[str], seconds: float) -> str:
         return "time"
     if done.returncode == 0:
         return ""
-    named = re.search(r"^(?:FAILED|ERROR) (.+?)(?: - .*)?$", done.stdout, re.MULTILINE)
+    named = re.search(r"^(?:FAILED|ERROR) (?:at \w+: )?(.+?)(?: - .*)?$", done.stdout, re.MULTILINE)
     return named.group(1) if named else f"exit {done.returncode}"
 
 

@@ -71,8 +71,8 @@ def mirrored_joints(body: Body, plane: MirrorPlane) -> dict[int, int]:
     """The mirror image of each joint that has one; itself in the middle.
 
     From the roots down, the joints on a joint of the middle mirror each other, those on a joint of
-    one side those of its pair.  Names with sides come first, then what is nearest to the mirror
-    image and has as many joints below.
+    one side those of its pair.  Where names have sides they decide, else what is nearest to the
+    mirror image and has as many joints below.
     """
     if not body.joints:
         return {}
@@ -84,10 +84,10 @@ def mirrored_joints(body: Body, plane: MirrorPlane) -> dict[int, int]:
     below = [len(tree.below((joint,))) for joint in range(len(body.joints))]
     found: dict[int, int] = {}
 
-    def cost(pair: tuple[int, int]) -> tuple[bool, float]:
+    def cost(pair: tuple[int, int]) -> float:
         a, b = pair
         unlike = 0.5 if below[a] != below[b] else 0.0
-        return named.get(a) != b, round(unlike + float(apart[a, b]) / reach, 3)
+        return round(unlike + float(apart[a, b]) / reach, 3)
 
     roots = [joint for joint, parent in enumerate(tree.parents) if parent < 0]
     pending = [(roots, roots)]

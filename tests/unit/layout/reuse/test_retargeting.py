@@ -60,12 +60,12 @@ def widths_off(theirs, ours, names=None):
     return apart
 
 
-def test_nine_in_ten_stand_within_two_handle_widths_of_the_corresponding_place(theirs):
+def test_nine_in_ten_stand_within_a_handle_width_of_the_corresponding_place(theirs):
     rig = other_face()
     ours = chain.lay_out(rig, prior=of_another(theirs.layout, found(theirs.face.rig), found(rig), {}, 1.0))
     apart = np.array(list(widths_off(theirs, ours).values()))
     assert len(apart) == 12
-    assert (apart <= 2.0).mean() >= 0.9
+    assert (apart <= 1.0).mean() >= 0.9
     assert {frozenset(m.control for m in e.members) for e in ours.layout.elements} == {
         frozenset(m.control for m in e.members) for e in theirs.layout.elements
     }
