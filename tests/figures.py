@@ -18,8 +18,20 @@ from pathlib import Path
 import numpy as np
 
 KEPT = Path(__file__).with_name("figures")
-PASSING = {"added", "asset", "at", "element", "hash", "identity", "layoutDigest", "output", "seconds", "seen"}
-PASSING |= {"topology_hash", "version"}
+PASSING = {
+    "added",
+    "asset",
+    "at",
+    "element",
+    "hash",
+    "identity",
+    "layoutDigest",
+    "output",
+    "seconds",
+    "seen",
+    "topology_hash",
+    "version",
+}
 """Fields that another machine, version or processor has otherwise, that have no order, or stand there already."""
 
 

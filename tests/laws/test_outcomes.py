@@ -14,7 +14,7 @@ from pxr import Usd
 from valid_rigs import SMALL, make_rig
 from written_rigs import write_rig
 
-from usdrigui import load_settings, process
+from usdrigui import check, load_settings, process
 from usdrigui.cli import main
 from usdrigui.clients import picker
 from usdrigui.pipeline.joining import joined
@@ -43,6 +43,7 @@ ASKED = {
     "groups": {"groups": {"mouth": ["smile_L", "sneer_L"], "middle": ["pucker", "jaw:open"]}},
     "joints": {"Hips/Head/Jaw": {"axes": ["x", "y"], "minimum": -20, "maximum": 20}},
     "levels": {"groups": True, "poses": True},
+    "parts": {"controls": {"brow_R": "muzzle"}},
     "poses": {"grin": {"weights": {"smile_L": 1.0, "smile_R": 0.5}}},
     "read": {"pose": {"brow_L": 0.5}},
 }
@@ -58,8 +59,8 @@ CASES = {
 
 
 def shown(rig, layout):
-    """What views show of a layout, at its base pose and half of the way to the end of every control."""
-    half = [(control.default + control.maximum) / 2.0 for control in rig.controls]
+    """What views show of a layout, at its base pose and at half of the largest value of every control."""
+    half = [0.5 * control.maximum for control in rig.controls]
     picture = scene(rig, layout, None, WANTED)
     page = zlib.decompress(pack([(rig, layout)], "Title"))
     return {
@@ -87,7 +88,8 @@ def test_a_character(name, tmp_path):
     drawn = [prim for prim in stage.Traverse() if "/RigUI" in str(prim.GetPath())]
     outcome = {
         "character": character,
-        "prims": [f"{prim.GetTypeName()} {prim.GetName()} {prim.GetAppliedSchemas()}" for prim in drawn],
+        "review": check(layer).characters,
+        "prims": [f"{prim.GetTypeName()} {prim.GetName()}" for prim in drawn],
         "layer": [{each.GetName(): each.Get() for each in prim.GetAuthoredAttributes()} for prim in drawn],
         **shown(character.rig, character.layout),
     }

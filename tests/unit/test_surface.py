@@ -10,7 +10,7 @@ SQUARE = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
 """Seen from +z, counter-clockwise."""
 RING = np.array([[np.cos(turn), np.sin(turn), 0.0] for turn in np.linspace(0.0, 6.0, 10)])
 L = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
-DART = [(0, 0), (2, 0), (0.5, 0.5), (0, 2)]
+DART = [(0, 0), (0.2, 0), (0.05, 0.05), (0, 0.2)]
 STAR = [
     ((2 - turn % 2) * np.cos(0.2 * np.pi * turn), (2 - turn % 2) * np.sin(0.2 * np.pi * turn)) for turn in range(10)
 ]
