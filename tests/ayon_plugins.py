@@ -4,8 +4,6 @@ Order and keys are those of CollectUSDLayerContributions, CollectAnatomyInstance
 the server, the anatomy and the layers that they write are left out.
 """
 
-from __future__ import annotations
-
 import pyblish.api
 
 CONTRIBUTION = {

@@ -1,7 +1,5 @@
 """A folder of small assets for batches: sound ones, a broken one, and one that another layer completes."""
 
-from __future__ import annotations
-
 import shutil
 
 import skinned_stages

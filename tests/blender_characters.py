@@ -1,7 +1,5 @@
 """Characters with layouts for Blender, and where USD says that their points are in Blender's world."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import laid_out

@@ -1,7 +1,5 @@
 """Chromium for the viewer's tests and benchmarks; tests skip, saying so, where it or Playwright is missing."""
 
-from __future__ import annotations
-
 import io
 import shutil
 import time

@@ -1,7 +1,5 @@
 """Prints each failure as it happens: a run that is cut, or fails late, would name none until its end."""
 
-from __future__ import annotations
-
 import pytest
 
 

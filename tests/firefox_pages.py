@@ -4,8 +4,6 @@ Firefox draws WebGL without a graphics card only under an X server (Xvfb will do
 drivers; headless it has none.  `Firefox` starts both kinds.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import shutil

@@ -1,7 +1,5 @@
 """Layouts without an optimiser: elements at points picked at random, and what UsdSkel makes of them."""
 
-from __future__ import annotations
-
 import operator
 from dataclasses import fields
 

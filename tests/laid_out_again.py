@@ -1,7 +1,5 @@
 """Real rigs laid out with earlier layouts to heed, as the pipeline does but without files."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Characters driven by joints alone, as `Rig` records: tubes of skin along chains of joints."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import makers

@@ -4,8 +4,6 @@
 with named bumps, whose correct layout is known by construction.
 """
 
-from __future__ import annotations
-
 from dataclasses import fields, is_dataclass, replace
 
 import numpy as np

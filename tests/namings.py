@@ -1,7 +1,5 @@
 """Other names for the controls of a rig: what tools count, what studios prefix, and names that are wrong."""
 
-from __future__ import annotations
-
 import numpy as np
 import rig_copies
 

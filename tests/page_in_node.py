@@ -1,7 +1,5 @@
 """The page's own sources in Node.js and its server, without a browser."""
 
-from __future__ import annotations
-
 import json
 import shutil
 import subprocess

@@ -1,7 +1,5 @@
 """Processes of a test: waiting for them, and those that they have started."""
 
-from __future__ import annotations
-
 import contextlib
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Random animated characters, and how far what the viewer shows of one is from what USD evaluates."""
 
-from __future__ import annotations
-
 import numpy as np
 from pxr import Sdf, Usd, UsdSkel
 from skel_stages import add_animation, add_mesh, add_shape, add_skeleton, add_skin, matrix, new_stage

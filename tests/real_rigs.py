@@ -1,7 +1,5 @@
 """The real rigs as tests use them: laid out once a run, turned and scaled copies, shapes added to them."""
 
-from __future__ import annotations
-
 from functools import cache
 from pathlib import Path
 

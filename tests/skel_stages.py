@@ -5,8 +5,6 @@ shared tokens in different orders, in-betweens below 0 and above 1, geomBindTran
 rotated and scaled SkelRoot, Z up, metres.  `head` is a plain one to break or vary.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel, Vt
 

@@ -4,8 +4,6 @@ Slow is what drives a browser, Blender or another program, a real rig, a kill, a
 search.  A test says so by the marker `slow`, by the marker `real`, or by a fixture of `PROGRAMS`.
 """
 
-from __future__ import annotations
-
 SUITES = ("quick", "slow", "sample", "all")
 PROGRAMS = {"playwright", "firefox", "bpy_python", "run_inside", "window"}
 """Fixtures that start a browser or Blender."""

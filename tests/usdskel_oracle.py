@@ -5,8 +5,6 @@
 the session layer of their own stage.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel, Vt
 

@@ -1,7 +1,5 @@
 """Layouts made by hand for the viewer's tests: every control at the point that it moves furthest."""
 
-from __future__ import annotations
-
 import makers
 import numpy as np
 

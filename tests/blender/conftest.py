@@ -1,7 +1,5 @@
 """The extension, built, and the interpreters with Blender's bpy that USDRIGUI_BPY names."""
 
-from __future__ import annotations
-
 import json
 import os
 import subprocess

@@ -1,7 +1,5 @@
 """The controls in Blender's own window, under a real mouse: what an animator does, step by step."""
 
-from __future__ import annotations
-
 import sys
 
 import blender_characters as characters

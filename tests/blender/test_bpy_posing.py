@@ -1,7 +1,5 @@
 """Blender's own evaluated meshes under the extension's controls, against UsdSkel."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import blender_characters as characters

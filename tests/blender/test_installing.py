@@ -1,7 +1,5 @@
 """The archive through Blender's own installers, and what lasts in a saved file."""
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 from pathlib import Path

@@ -1,8 +1,6 @@
 """Characters that are native to Blender: one button lays them out on their own shape keys and bones, and their
 animation goes home as a small layer."""
 
-from __future__ import annotations
-
 import sys
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Our layers in programs that know nothing of us: Blender's importer, Hydra Storm, the USD inside bpy."""
 
-from __future__ import annotations
-
 import blender_characters as characters
 import numpy as np
 import usd_versions

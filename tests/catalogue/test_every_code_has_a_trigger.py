@@ -5,8 +5,6 @@ To add a code: an edit in minimal_assets.py or a trigger in triggers.py, then
 ``USDRIGUI_GOLDEN=write pytest tests/catalogue`` and a look at the new line of golden.json.
 """
 
-from __future__ import annotations
-
 import ast
 import json
 import os

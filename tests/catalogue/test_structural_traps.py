@@ -1,7 +1,5 @@
 """Every structural trap ends as it should: refused with its code, or laid out with what is strange about it said."""
 
-from __future__ import annotations
-
 import pytest
 import traps
 import triggers

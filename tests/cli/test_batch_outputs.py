@@ -1,7 +1,5 @@
 """What a batch writes: every name is checked before any work, and no two jobs write the same file."""
 
-from __future__ import annotations
-
 import json
 import shutil
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """A batch that is told to end: none of its processes goes on, and the signals' handlers are what they were."""
 
-from __future__ import annotations
-
 import json
 import os
 import signal

@@ -1,7 +1,5 @@
 """Limits and signals on the real command: the best so far or a typed error, quickly, nothing half-written."""
 
-from __future__ import annotations
-
 import json
 import os
 import resource

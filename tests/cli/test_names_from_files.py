@@ -1,7 +1,5 @@
 """Names come from files: they steer no terminal, break no page, and fit through every locale."""
 
-from __future__ import annotations
-
 import json
 import os
 import subprocess

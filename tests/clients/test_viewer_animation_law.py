@@ -4,8 +4,6 @@ The viewer's sources run in Node.js, without a browser, on sessions of random ke
 over the source and evaluates it.
 """
 
-from __future__ import annotations
-
 import base64
 import json
 

@@ -1,7 +1,5 @@
 """The page in Firefox, with WebGL and without, and in a Chromium that has no WebGL at all."""
 
-from __future__ import annotations
-
 import time
 
 import pytest

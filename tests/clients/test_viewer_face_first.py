@@ -1,7 +1,5 @@
 """The face fills the view, the board is a strip beside it, nothing overlaps under the pointer, fingers pose."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import makers

@@ -1,7 +1,5 @@
 """The viewer under a real mouse and keyboard: handles, skin, selection, history, poses, rearranging."""
 
-from __future__ import annotations
-
 import json
 
 import makers

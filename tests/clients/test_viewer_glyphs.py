@@ -1,7 +1,5 @@
 """Custom handles in the viewer: where the library has them, and drawn."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import laid_out

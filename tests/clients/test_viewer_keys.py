@@ -1,7 +1,5 @@
 """Keys and poses by hand: rows of keys, tweens, one side on the other; undo takes everything back."""
 
-from __future__ import annotations
-
 import wave
 
 import makers

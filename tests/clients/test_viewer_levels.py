@@ -1,7 +1,5 @@
 """A layout of two levels in the viewer: coarse handles first, their members in their place on demand."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import makers

@@ -4,8 +4,6 @@ Both run the viewer's own sources in Node.js.  Their law: what both have keyed i
 evaluates from the file over the source what they show.
 """
 
-from __future__ import annotations
-
 import base64
 import json
 

@@ -1,7 +1,5 @@
 """Real rigs in the viewer, with the layouts that `usdrigui process` gives them: sizes, drags, pulls, playback."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

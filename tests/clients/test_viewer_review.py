@@ -1,7 +1,5 @@
 """A review: a pose, strokes and words at a frame go out as a small USD layer and open on another page."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 import makers

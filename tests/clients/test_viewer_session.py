@@ -1,7 +1,5 @@
 """An animator's session in the viewer: fans, time, the clipboard, what is shown, and reaching all by keyboard."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 

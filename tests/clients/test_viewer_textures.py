@@ -1,7 +1,5 @@
 """An asset's own textures on the page: of a small one made here, and of one given."""
 
-from __future__ import annotations
-
 import tempfile
 from pathlib import Path
 

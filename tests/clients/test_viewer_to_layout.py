@@ -1,7 +1,5 @@
 """What an animator changes in the viewer goes back into the pipeline: a moved element, and a saved pose."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import skinned_stages

@@ -1,7 +1,5 @@
 """Nothing that an animator does in the viewer is lost without a word: other characters, scrubbing, reloads, closing."""
 
-from __future__ import annotations
-
 import laid_out
 import makers
 import numpy as np

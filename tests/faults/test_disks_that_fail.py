@@ -3,8 +3,6 @@
 Real file systems where the machine lets us mount them or change the user, `os` functions that fail elsewhere.
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

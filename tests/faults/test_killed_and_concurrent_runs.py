@@ -3,8 +3,6 @@
 The long versions are commands, ends.py, killing.py and saving.py, with the last figures in docs/reliability.md.
 """
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys

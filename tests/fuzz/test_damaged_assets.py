@@ -3,8 +3,6 @@
 80 per format here; the long run and its last figures are in docs/reliability.md.
 """
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys

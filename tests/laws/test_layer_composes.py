@@ -1,7 +1,5 @@
 """A layout behind every composition arc: it is read where it is composed, and its handles are on the moving skin."""
 
-from __future__ import annotations
-
 import laid_out
 import numpy as np
 import pytest

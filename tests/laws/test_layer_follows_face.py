@@ -1,7 +1,5 @@
 """A written layer, baked by UsdSkel alone: handles stay on the skin, tracks ignore their own controls."""
 
-from __future__ import annotations
-
 import laid_out
 import numpy as np
 import pytest

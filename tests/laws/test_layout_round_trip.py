@@ -1,7 +1,5 @@
 """read(write(layout)) == layout to single precision, whatever names and numbers it holds."""
 
-from __future__ import annotations
-
 import itertools
 import string
 from dataclasses import replace

@@ -4,8 +4,6 @@ The layer lies over its character and plays the character's own animation; the p
 layouts are such that UsdSkel can say all of it: no joint that an element turns, nor one below it, is turned by another.
 """
 
-from __future__ import annotations
-
 import base64
 import functools
 import json

@@ -1,7 +1,5 @@
 """A layout posed without USD stands where UsdSkel puts the written layer's gprims."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import laid_out

@@ -1,7 +1,5 @@
 """The layer is a function of the asset and the settings: of no clock, seed, locale, place or number of processors."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

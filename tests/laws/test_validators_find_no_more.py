@@ -1,7 +1,5 @@
 """USD's and NVIDIA's validators find no more on a layout than on the character below it."""
 
-from __future__ import annotations
-
 from collections import Counter
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """What is installed beside usdrigui: no USD where there is one already, and clear words where there is none or two."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess

@@ -1,7 +1,5 @@
 """Nothing that a file holds is ever executed or unpacked: no module of the package has the means."""
 
-from __future__ import annotations
-
 import ast
 from pathlib import Path
 

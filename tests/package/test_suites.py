@@ -1,7 +1,5 @@
 """The suites take what they say: nothing falls between quick and slow, and the sample meets every slow file."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

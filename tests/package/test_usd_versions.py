@@ -1,7 +1,5 @@
 """USD reads our layers in silence, and moves the handles as we say; other versions by the command usd_versions.py."""
 
-from __future__ import annotations
-
 import json
 import sys
 from pathlib import Path

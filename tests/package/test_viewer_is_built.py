@@ -1,7 +1,5 @@
 """The committed script of the viewer is built from the committed sources; told without Node.js."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import re

@@ -1,7 +1,5 @@
 """Points of every control of every real rig equal UsdSkel's, at the knots and between them."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

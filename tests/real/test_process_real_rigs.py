@@ -1,7 +1,5 @@
 """The main job on real rigs: every control accounted for, handles apart, and on the skin when baked."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """No command parses what others made in its own process: where USD crashes, the command ends with the code."""
 
-from __future__ import annotations
-
 import json
 
 import minimal_assets

@@ -1,8 +1,6 @@
 # ruff: noqa: E501  (pieces of text: one piece, one line)
 """NaN and infinity wherever a character can hold a number: refused by code and prim, or without any effect."""
 
-from __future__ import annotations
-
 from dataclasses import fields, is_dataclass
 
 import minimal_assets

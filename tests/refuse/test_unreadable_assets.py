@@ -1,7 +1,5 @@
 """Every asset that cannot be read is refused with its code and prim path, and USD prints nothing."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel, Vt

@@ -4,8 +4,6 @@ Every property that a full character or a layout authors is replaced by one of a
 type may be one that USD does not know) and as a crate (where the value need not be of the type named beside it).
 """
 
-from __future__ import annotations
-
 import json
 import tempfile
 import zipfile

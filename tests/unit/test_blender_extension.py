@@ -1,7 +1,5 @@
 """The Blender extension as far as it goes without Blender: its archive, its mathematics, its reading of layers."""
 
-from __future__ import annotations
-
 import importlib
 import json
 import re

@@ -1,7 +1,5 @@
 """Colours of a face: as USD says them, and found by layout and form where it says nothing."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

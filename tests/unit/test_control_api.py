@@ -1,7 +1,5 @@
 """What the layer says of a control's drive and of the ranges of weights, worked out by hand."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from types import SimpleNamespace
 

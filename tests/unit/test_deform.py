@@ -1,7 +1,5 @@
 """`usdrigui.character.deform` gives UsdSkel's points on a stage that has everything."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

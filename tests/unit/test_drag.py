@@ -1,7 +1,5 @@
 """Handles dragged on screen: sliders, curved sliders, patches, fans, joysticks and two-way sliders."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

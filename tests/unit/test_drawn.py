@@ -1,7 +1,5 @@
 """usdrigui.layer.drawn: areas, handles and value-showing sliders, worked out by hand."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import makers

@@ -1,7 +1,5 @@
 """Layouts at a pose: what follows the skin, what does not, and what is refused."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import laid_out

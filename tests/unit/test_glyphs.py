@@ -1,7 +1,5 @@
 """Custom handles: curves and meshes from USD, fitted to their elements, in the layer, in pictures, in the page."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import chain

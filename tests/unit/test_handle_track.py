@@ -1,7 +1,5 @@
 """How drawings go with their anchors and handles slide on tracks, worked out by hand."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

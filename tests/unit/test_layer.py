@@ -1,7 +1,5 @@
 """Layers: what is written is read back, the same from the same, and says what USD and clients need."""
 
-from __future__ import annotations
-
 import tempfile
 from dataclasses import replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Faces of meshes that a transform mirrors (USD's scale of -1) look outward all the same, as a renderer shows them."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from pxr import UsdGeom

@@ -1,7 +1,5 @@
 """Side by colour: apart from skin and from each other for every kind of colour vision, by measure."""
 
-from __future__ import annotations
-
 import re
 from itertools import combinations
 from pathlib import Path

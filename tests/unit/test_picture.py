@@ -1,7 +1,5 @@
 """Pictures: what is where, what is hidden, what is named, and that both ways of casting rays give the same picture."""
 
-from __future__ import annotations
-
 import io
 import itertools
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """usdrigui.layer.polyline, against all choices of points."""
 
-from __future__ import annotations
-
 import itertools
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Whatever becomes of the process that reads an asset, the one that asked gets a record or a code."""
 
-from __future__ import annotations
-
 import ast
 import contextlib
 import errno

@@ -1,7 +1,5 @@
 """What becomes a control, between which values, under which name, and what is left off."""
 
-from __future__ import annotations
-
 import json
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The edit of an asset's root layer: nothing stays behind."""
 
-from __future__ import annotations
-
 import pytest
 from pxr import Sdf
 

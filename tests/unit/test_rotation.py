@@ -1,7 +1,5 @@
 """Rotations agree with USD's own and with each other."""
 
-from __future__ import annotations
-
 import numpy as np
 from hypothesis import given, settings, strategies as st
 from hypothesis.extra.numpy import arrays

@@ -1,7 +1,5 @@
 """Every number of the settings has bounds, and what lies outside is refused by name before anything is read."""
 
-from __future__ import annotations
-
 import dataclasses
 import json
 import math

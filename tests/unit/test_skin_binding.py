@@ -1,7 +1,5 @@
 """usdrigui.layer.skin_binding: which joints carry what, worked out by hand on small skeletons."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import makers

@@ -1,7 +1,5 @@
 """Both skinning methods equal `UsdSkel.SkinPoints` for joint matrices of every sort."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from pxr import Gf, UsdSkel, Vt

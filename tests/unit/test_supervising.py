@@ -1,7 +1,5 @@
 """Whatever becomes of a worker, its supervisor has one closing line with a documented code, and the worker is gone."""
 
-from __future__ import annotations
-
 import json
 import os
 import signal

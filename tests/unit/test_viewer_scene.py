@@ -1,7 +1,5 @@
 """The packed scene and the page around it."""
 
-from __future__ import annotations
-
 import base64
 import hashlib
 import html

@@ -1,7 +1,5 @@
 """The loopback server of the viewer: one page at one secret address, nothing else."""
 
-from __future__ import annotations
-
 import http.client
 import re
 import socket

@@ -1,7 +1,5 @@
 """A request to stop interrupts a worker once, and what it breaks is not taken for a bug."""
 
-from __future__ import annotations
-
 import os
 import signal
 import sys

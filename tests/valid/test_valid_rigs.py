@@ -1,7 +1,5 @@
 """A dozen valid rigs and a dozen written ones, laid out, checked and viewed; docs/reliability.md has the thousand."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys

@@ -1,8 +1,6 @@
 """What a character is: its meshes, joints and controls, and how it deforms.  numpy and scipy
 only."""
 
-from __future__ import annotations
-
 from usdrigui.character.controls import (
     Channel as Channel,
     Control as Control,

@@ -1,8 +1,6 @@
 """What counts as nothing, as hardly any, as most and as nearly all of something, and as beyond all
 others."""
 
-from __future__ import annotations
-
 NOTHING = 1e-3
 """Share below which a difference is none: layers hold single precision, fits and hands leave more.
 Of a unit vector across a direction, of a handle's width between two places, of the tolerance that a

@@ -9,8 +9,6 @@ convention (``p' = p @ M``).  *Point* means an index into the concatenation of a
 in the order of `Body.meshes`; *local* point means an index into one mesh.
 """
 
-from __future__ import annotations
-
 from usdrigui.model.assignment import (
     GAP_FLOOR as GAP_FLOOR,
     Assignment as Assignment,

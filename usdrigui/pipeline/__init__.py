@@ -8,8 +8,6 @@ back, `check` and `diff` review layers.  Nothing here prints; the record that it
 results.
 """
 
-from __future__ import annotations
-
 from usdrigui.pipeline.configuration import (
     with_faults_of_asset as with_faults_of_asset,
 )

@@ -5,8 +5,6 @@ file, command line.  Parts are plain dataclasses; `load` builds them from TOML a
 keys.
 """
 
-from __future__ import annotations
-
 from usdrigui.settings.bounds import (
     view_angles as view_angles,
 )

@@ -1,8 +1,6 @@
 """Characters that are native to Blender: given rigs through Blender's own importer, then renamed, parented, put
 into collections and given modifiers, as a file of an animator has them; and what may not change in them."""
 
-from __future__ import annotations
-
 import hashlib
 
 import bpy

@@ -1,7 +1,5 @@
 """What the scripts that run inside Blender share: their job, the import, the world points of meshes."""
 
-from __future__ import annotations
-
 import json
 import sys
 from pathlib import Path

@@ -3,8 +3,6 @@
 The character is built from arrays, so that Blenders without a USD importer of their own can show it.
 """
 
-from __future__ import annotations
-
 import contextlib
 import io
 import json
