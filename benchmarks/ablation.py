@@ -44,7 +44,7 @@ from usdrigui.reader.reader_process import read_rigs_isolated
 from usdrigui.settings import SolveSettings, load
 from usdrigui.solve import solve
 from usdrigui.solve.clusters import Linkage
-from usdrigui.view.picture import contact_sheet, render
+from usdrigui.view.picture import Wanted, contact_sheet, render
 
 SAMPLE = Path(__file__).resolve().parents[1] / "sample_assets" / "char.usda"
 MOST = 3
@@ -406,7 +406,7 @@ def picture(inputs: ProblemInputs, rows: list[Row]) -> Image.Image:
     for figure in dict.fromkeys(row.figure for row in rows):
         mine = [row for row in rows if row.figure == figure]
         fronts = [
-            render(inputs.face.rig, row.layout, azimuth=0.0, size=CELL, title=row.name)
+            render(inputs.face.rig, row.layout, wanted=Wanted(0.0, CELL, title=row.name))
             for row in mine
         ]
         titles = [

@@ -24,7 +24,7 @@ from PIL import Image
 
 from usdrigui.pipeline import load_layer, process
 from usdrigui.settings import Settings
-from usdrigui.view.picture import render
+from usdrigui.view.picture import Wanted, render
 
 DOCS = Path(__file__).resolve().parent
 IMAGES, PAGE, ROWS = (
@@ -107,7 +107,7 @@ def _result(name: str, asset: Path, judge: Path | None) -> Result:
 def _picture(layer: Path) -> Image.Image:
     (rig, layout), *_ = load_layer(layer, Settings()).characters
     parts = len(layout.frame.parts) > 1
-    return render(rig, layout, azimuth=None if parts else 0.0, size=PANEL)
+    return render(rig, layout, wanted=Wanted(None if parts else 0.0, PANEL))
 
 
 def _judged(layer: Path, judge: Path | None) -> str:

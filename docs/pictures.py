@@ -26,7 +26,7 @@ from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
 from usdrigui.pipeline import process
 from usdrigui.report.run_report import CharacterReport
 from usdrigui.settings import load
-from usdrigui.view.picture import render
+from usdrigui.view.picture import Wanted, render
 
 DOCS = Path(__file__).resolve().parent
 SAMPLE = DOCS.parent / "sample_assets" / "char.usda"
@@ -127,15 +127,8 @@ def _panel(scene: Scene, panel: Panel, folder: Path) -> Image.Image:
     made = laid_out(scene, panel, folder)
     values = np.array([dict(panel.pose).get(each.name, each.default) for each in made.rig.controls])
     given = values if panel.pose else None
-    return render(
-        made.rig,
-        made.layout,
-        given,
-        azimuth=panel.azimuth,
-        size=PANEL,
-        labels=scene.labels,
-        title=panel.title,
-    )
+    wanted = Wanted(panel.azimuth, PANEL, scene.labels, panel.title)
+    return render(made.rig, made.layout, given, wanted)
 
 
 def _whole_config(scene: Scene, panel: Panel, asset: Path) -> str:

@@ -24,7 +24,7 @@ from PIL import Image, ImageDraw, ImageSequence
 
 from usdrigui.pipeline import load_layer, process
 from usdrigui.settings import Settings, load
-from usdrigui.view.picture import render
+from usdrigui.view.picture import Wanted, render
 
 DOCS = Path(__file__).resolve().parent
 IMAGES = DOCS / "images"
@@ -128,7 +128,7 @@ def glyphs(folder: Path, target: Path) -> None:
     settings = load(tomllib.loads(WITH_GLYPHS))
     made = process(folder / "char.usda", settings, output=folder / "glyphs.rigui.usda")
     (character, *_) = made.characters
-    picture = render(character.rig, character.layout, azimuth=0.0, size=(640, 640))
+    picture = render(character.rig, character.layout, wanted=Wanted(0.0, (640, 640)))
     picture.save(target, optimize=True)
 
 
@@ -156,7 +156,7 @@ def shot(folder: Path, target: Path) -> None:
     layer = folder / "shot.rigui.usda"
     _command("process", folder / "shot.usda", "--base", folder / "char.rigui.usda", "-o", layer)
     (rig, made), *_ = load_layer(layer, Settings()).characters
-    render(rig, made, azimuth=0.0, size=(760, 740), title="shot").save(target, quality=QUALITY)
+    render(rig, made, wanted=Wanted(0.0, (760, 740), title="shot")).save(target, quality=QUALITY)
 
 
 # --- the page -------------------------------------------------------------------------------------

@@ -47,12 +47,12 @@ def test_serves_and_says_where(layer, monkeypatch, capsys):
             html,
             open_browser=open_browser,
             announce=lambda address: threading.Thread(target=told, args=[address]).start(),
-            stop=stop,
             name=name,
             live=live,
         )
 
     monkeypatch.setattr(serve, "serve", once)
+    monkeypatch.setattr("usdrigui.isolation.worker.stop_requested", stop.is_set)
     assert main(["view", str(layer), "--no-browser"]) == 0
     assert "http://127.0.0.1:" in capsys.readouterr().out
 

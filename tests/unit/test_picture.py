@@ -56,7 +56,7 @@ def layout(rig):
 
 @pytest.fixture(scope="module")
 def front(rig, layout):
-    return render(rig, layout, azimuth=0.0, size=SMALL)
+    return render(rig, layout, wanted=Wanted(0.0, SMALL))
 
 
 def captions(page):
@@ -335,11 +335,11 @@ def test_several_characters_are_each_named_once(rig, layout, front, monkeypatch)
 
 def test_refuses_what_it_cannot_draw(layout):
     with pytest.raises(RigUIError, match="LAYOUT_STALE"):
-        render(makers.face(columns=21), layout, size=SMALL)
+        render(makers.face(columns=21), layout)
 
 
 def test_a_layout_without_elements_shows_the_character(rig, layout):
-    assert picture.render(rig, replace(layout, elements=()), azimuth=0.0, size=SMALL).size == SMALL
+    assert render(rig, replace(layout, elements=()), wanted=Wanted(0.0, SMALL)).size == SMALL
 
 
 @pytest.mark.parametrize("count", [3, 12, 30])

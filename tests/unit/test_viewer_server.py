@@ -94,14 +94,15 @@ def test_what_is_no_request_gets_one_line(server, line):
     assert re.fullmatch(rb"[45]\d\d [\w -]+\n", content)
 
 
-def test_serve_announces_and_stops():
+def test_serve_announces_and_stops(monkeypatch):
     told, stop = [], threading.Event()
+    monkeypatch.setattr("usdrigui.isolation.worker.stop_requested", stop.is_set)
 
     def announce(address):
         told.append(address)
         stop.set()
 
-    serve(PAGE, open_browser=False, announce=announce, stop=stop)
+    serve(PAGE, open_browser=False, announce=announce)
     assert told[0].startswith("http://127.0.0.1:")
 
 
@@ -237,7 +238,8 @@ def test_the_command_line_of_the_browser_does_not_have_the_address(monkeypatch):
         stop.set()
 
     monkeypatch.setattr("webbrowser.open", open_browser)
-    serve("page", announce=told.append, stop=stop)
+    monkeypatch.setattr("usdrigui.isolation.worker.stop_requested", stop.is_set)
+    serve("page", announce=told.append)
     [(url, page, mode)] = opened
     assert told[0] not in url
     assert told[0].split("/")[-2] not in url

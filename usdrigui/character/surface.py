@@ -138,7 +138,7 @@ def mean_edge_length(points: Floats, corners: Indices, places: Indices) -> float
 def components(corners: Indices, places: Indices) -> Indices:
     """``(n,)`` number of the connected piece of surface that each point belongs to, over welded
     points."""
-    _, labels = connected_components(_graph(edges(places[corners]), len(places)), directed=False)
+    _, labels = connected_components(graph(edges(places[corners]), len(places)), directed=False)
     return np.asarray(labels[places], dtype=np.int64)
 
 
@@ -161,8 +161,8 @@ def surface_distances(
     bridges = np.sort(across[across[:, 0] != across[:, 1]], axis=1)
     pairs = np.unique(np.concatenate([edges(corners), bridges]), axis=0)
     lengths = np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1)
-    graph = _graph(pairs, len(points), lengths)
-    found = dijkstra(graph, directed=False, indices=np.unique(places[sources]), min_only=True)
+    ways = graph(pairs, len(points), lengths)
+    found = dijkstra(ways, directed=False, indices=np.unique(places[sources]), min_only=True)
     return np.asarray(found[places])
 
 
@@ -223,7 +223,8 @@ def _cells(points: Floats) -> Indices:
     return np.asarray(np.round((points - low) / (extent * _GRID)), dtype=np.int64)
 
 
-def _graph(pairs: Indices, count: int, lengths: Floats | None = None) -> csr_array:
+def graph(pairs: Indices, count: int, lengths: Floats | None = None) -> csr_array:
+    """What `count` points joined by pairs (p, 2) are to scipy; `lengths` (p,) of the ways."""
     # The only index type that every graph routine of scipy takes.
     first, second = pairs.astype(np.int32).T
     values = np.ones(len(pairs)) if lengths is None else lengths

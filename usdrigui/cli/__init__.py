@@ -40,24 +40,19 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def _interrupted(arguments: argparse.Namespace) -> int:
     worker.discard_result()
-    return _refused(refuse("INTERRUPTED", "", "stopped before there was a result"), arguments)
+    return refused(refuse("INTERRUPTED", "", "stopped before there was a result"), arguments)
 
 
 def _failed(error: Exception, arguments: argparse.Namespace) -> int:
     """How a command ends that has raised an error."""
     if isinstance(error, RigUIError):
-        return _refused(error, arguments)
+        return refused(error, arguments)
     if isinstance(error, MemoryError):
-        return _refused(refuse("RUN_MEMORY_LIMIT", "", "the machine has no free memory"), arguments)
+        return refused(refuse("RUN_MEMORY_LIMIT", "", "the machine has no free memory"), arguments)
     if isinstance(error, BrokenPipeError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return int(Exit.FILE)
     if isinstance(error, OSError):
         reason = error.strerror or str(error)
-        return _refused(refuse("FILE_ACCESS", error.filename or "", reason), arguments)
+        return refused(refuse("FILE_ACCESS", error.filename or "", reason), arguments)
     return broken(error, arguments)
-
-
-def _refused(error: RigUIError, arguments: argparse.Namespace) -> int:
-    refused(error, arguments)
-    return int(error.exit_code)

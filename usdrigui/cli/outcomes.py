@@ -59,8 +59,9 @@ def strict(issues: Sequence[Any], arguments: argparse.Namespace) -> Exit:
     return Exit.REFUSED if arguments.strict and warned else Exit.OK
 
 
-def refused(error: RigUIError, arguments: argparse.Namespace) -> None:
-    """Print a refusal, its repair and the closing line; as JSON too if that was asked for."""
+def refused(error: RigUIError, arguments: argparse.Namespace) -> int:
+    """Print a refusal, its repair and the closing line, as JSON too if that was asked for; returns
+    the exit code."""
     asset, found = _subject(error, arguments), error.issue
     worker.hold_errors()
     if getattr(arguments, "json", False):
@@ -80,6 +81,7 @@ def refused(error: RigUIError, arguments: argparse.Namespace) -> None:
     )
     written = getattr(arguments, "written", "nothing was written")
     _complain(f"usdrigui: {closing}{'; ' * bool(written)}{written}")
+    return int(error.exit_code)
 
 
 def _complain(line: str) -> None:
@@ -107,8 +109,8 @@ def broken(error: Exception, arguments: argparse.Namespace) -> int:
     traceback."""
     if os.environ.get("USDRIGUI_TRACEBACK"):
         raise error
-    refused(refuse("BUG", "", f"{type(error).__name__}: {error}{raised_at(error)}"), arguments)
-    return int(Exit.BUG)
+    what = f"{type(error).__name__}: {error}{raised_at(error)}"
+    return refused(refuse("BUG", "", what), arguments)
 
 
 def prepare_streams(*, machine: bool) -> None:

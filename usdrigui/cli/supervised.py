@@ -46,8 +46,8 @@ def _outcome(argv: Sequence[str], arguments: argparse.Namespace, events: Events)
     if getattr(arguments, "light", False):
         return _alone(argv)
     prepare_streams(machine=getattr(arguments, "json", False))
-    screens = Screens()
-    outcome = supervise(argv, screens.show, events, terminals=screens.terminals)
+    terminals = (_is_terminal(sys.stdout), _is_terminal(sys.stderr))
+    outcome = supervise(argv, _show, events, terminals=terminals)
     if account := _account(outcome):
         arguments.written = account
     if outcome.death is not None:
@@ -80,23 +80,17 @@ def _captured() -> Iterator[tuple[io.StringIO, io.StringIO]]:
 def _refusal(error: RigUIError, arguments: argparse.Namespace) -> Outcome:
     """The closing line of a command whose worker has none."""
     with _captured() as (out, err):
-        refused(error, arguments)
-    return Outcome(int(error.exit_code), out.getvalue(), err.getvalue())
+        code = refused(error, arguments)
+    return Outcome(code, out.getvalue(), err.getvalue())
 
 
 # --- the streams ----------------------------------------------------------------------------------
 
 
-class Screens:
-    """Standard output and error, either of which may be closed or full."""
-
-    def __init__(self) -> None:
-        self.terminals = (_is_terminal(sys.stdout), _is_terminal(sys.stderr))
-
-    def show(self, name: str, text: str) -> None:
-        """Print what comes before the end, as far as that is possible."""
-        with contextlib.suppress(OSError):
-            _write(name, text)
+def _show(name: str, text: str) -> None:
+    """Print what comes before the end, as far as that is possible."""
+    with contextlib.suppress(OSError):
+        _write(name, text)
 
 
 def _is_terminal(stream: object) -> bool:

@@ -48,37 +48,36 @@ _BETWEEN = "   ·   "
 
 @dataclass(frozen=True)
 class Wanted:
-    """What a picture is to be, as `render` says."""
+    """What a picture is to be."""
 
     azimuth: float | None = None
+    """Of the only view, in degrees about the up axis, from `LayoutFrame.view` toward the
+    character's own left; None for the usual ones."""
     size: tuple[int, int] = (1800, 1000)
+    """Width and height, pixels; it is higher where there are insets or a board."""
     labels: bool = False
+    """Whether the elements on the character are named, too, in the layout's own view."""
     title: str = ""
+    """By default the path of the character."""
+
+
+_USUAL = Wanted()
 
 
 def render(
-    rig: Rig,
-    layout: Layout,
-    values: ArrayLike | None = None,
-    azimuth: float | None = None,
-    size: tuple[int, int] = (1800, 1000),
-    labels: bool = False,
-    title: str = "",
+    rig: Rig, layout: Layout, values: ArrayLike | None = None, wanted: Wanted = _USUAL
 ) -> Image.Image:
-    """Picture of a character and its layout, RGB, of ``size`` (width, height) pixels; higher where
-    there are insets or a board.
+    """Picture of a character and its layout, RGB.
 
-    A character in several parts has a close-up of that size for each part, one below the other,
-    unless there is to be one view alone, from the ``azimuth`` in degrees about the up axis, from
-    `LayoutFrame.view` toward the character's own left. ``values`` (controls,) is the pose, by
+    A character in several parts has a close-up for each part, one below the other, unless there is
+    to be one view alone.  ``values`` (controls,) is the pose, by
     default the layout's base pose.  By default there are the view that the layout was made for, and
     of front and three-quarter views the nearest two that show what it sees, with an inset where
     more elements meet than can be told apart.  The board has a panel of its own below, as high as
-    it needs, with the names of its elements; ``labels`` names those on the character, too, in the
-    layout's own view.  Raises RigUIError LAYOUT_STALE when the layout does not belong to the rig,
-    POSE_VALUE for a pose that is not one.
+    it needs, with the names of its elements.  Raises RigUIError LAYOUT_STALE when the layout does
+    not belong to the rig, POSE_VALUE for a pose that is not one.
     """
-    return painted(scene(rig, layout, values, Wanted(azimuth, size, labels, title)))
+    return painted(scene(rig, layout, values, wanted))
 
 
 def scene(rig: Rig, layout: Layout, values: ArrayLike | None, wanted: Wanted) -> Page:

@@ -16,7 +16,7 @@ from usdrigui.pose.evaluate import values_of
 from usdrigui.view.clip import clip_values
 from usdrigui.view.flat import lettering
 from usdrigui.view.flat.pillow import png
-from usdrigui.view.picture import contact_sheet, film, render
+from usdrigui.view.picture import Wanted, contact_sheet, film, render
 
 _FRAME = 80
 """Milliseconds that a frame of an animation is shown."""
@@ -43,7 +43,7 @@ def sheet_png(
             if name in rig.control_names or name not in known
         }
         values = values_of(rig, own, layout.base_values) if own else None
-        images.append(render(rig, layout, values, labels=labels))
+        images.append(render(rig, layout, values, Wanted(labels=labels)))
     # Each names its character itself.
     return png(images[0] if len(images) == 1 else contact_sheet(images))
 

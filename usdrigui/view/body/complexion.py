@@ -16,13 +16,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import KDTree
 
 from usdrigui.character import Flags, Floats, Indices, Record, Rig, RigMesh
 from usdrigui.character.deform import Posed, posed, sweep
-from usdrigui.character.surface import components, mesh_triangles, vertex_normals, weld
+from usdrigui.character.surface import components, graph, mesh_triangles, vertex_normals, weld
 from usdrigui.conventions import Action, meanings
 from usdrigui.model import Element, Layout
 from usdrigui.view.body.shading import (
@@ -399,8 +398,7 @@ def _stretches(at: Floats, reach: float) -> list[Indices]:
     if not len(at):
         return []
     pairs = KDTree(at).query_pairs(reach, output_type="ndarray")
-    graph = csr_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(len(at), len(at)))
-    count, labels = connected_components(graph, directed=False)
+    count, labels = connected_components(graph(pairs, len(at)), directed=False)
     return [np.flatnonzero(labels == each) for each in range(count)]
 
 

@@ -40,7 +40,7 @@ from usdrigui.character.palette import SIDES
 from usdrigui.character.surface import mesh_triangles, triangles
 from usdrigui.errors import Issue, refuse
 from usdrigui.following import following, shared
-from usdrigui.model import Element, Layout, Member
+from usdrigui.model import Element, Layout
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.settings import OutputSettings
 from usdrigui.version import __version__
@@ -122,9 +122,11 @@ class _Arrays:
 
     def numbers(self, array: ArrayLike, kind: str = "f4") -> Json:
         """Store numbers of the little-endian `kind` (u1, u2, i2, u4, i4, f4, f8)."""
-        return self._planes(
-            np.ascontiguousarray(array, dtype=np.dtype(kind).newbyteorder("<")), kind
-        )
+        stored = np.ascontiguousarray(array, dtype=np.dtype(kind).newbyteorder("<"))
+        at, width = len(self.content), stored.dtype.itemsize
+        self.content += stored.reshape(-1).view(np.uint8).reshape(-1, width).T.tobytes()
+        self.content += bytes(-len(self.content) % 4)
+        return {"at": at, "kind": kind, "shape": list(stored.shape)}
 
     def ascending(self, array: ArrayLike) -> Json:
         """Store an ascending list of indices as differences."""
@@ -136,13 +138,6 @@ class _Arrays:
         values = np.asarray(array, dtype=np.int64)
         stored = self.numbers(np.diff(values.ravel(), prepend=0), "i4")
         return {**stored, "sum": True, "shape": list(values.shape)}
-
-    def _planes(self, array: NDArray[Any], kind: str) -> Json:
-        at = len(self.content)
-        width = array.dtype.itemsize
-        self.content += array.reshape(-1).view(np.uint8).reshape(-1, width).T.tobytes()
-        self.content += bytes(-len(self.content) % 4)
-        return {"at": at, "kind": kind, "shape": list(array.shape)}
 
 
 # --- the rig --------------------------------------------------------------------------------------
@@ -282,20 +277,17 @@ def _controls(controls: tuple[Control, ...], layout: Layout) -> list[Json]:
     members = [each for element in layout.elements for each in element.members]
     attributes = {each.control: each.attribute for each in reversed(members)}
     return [
-        {**_control(control, label), "attribute": attributes.get(control.name, "")}
+        {
+            **_fields(control, "name kind source minimum default maximum"),
+            "label": label,
+            "drive": _fields(
+                control.drive, "values channels weights joints rotations translations scales"
+            ),
+            "reading": _reading(reading(control)),
+            "attribute": attributes.get(control.name, ""),
+        }
         for control, label in zip(controls, labels, strict=True)
     ]
-
-
-def _control(control: Control, label: str) -> Json:
-    return {
-        **_fields(control, "name kind source minimum default maximum"),
-        "label": label,
-        "drive": _fields(
-            control.drive, "values channels weights joints rotations translations scales"
-        ),
-        "reading": _reading(reading(control)),
-    }
 
 
 def _reading(found: ClipReading | None) -> Json | None:
@@ -320,8 +312,6 @@ def _clip(arrays: _Arrays, clip: Clip | None, issues: tuple[Issue, ...]) -> Json
 
 
 def _layout(rig: Rig, layout: Layout) -> Json:
-    controls = rig.control_indices
-    meshes = {mesh.path: index for index, mesh in enumerate(rig.body.meshes)}
     looked_at = _sections(rig, layout)  # refuses a layout of another version of the rig
     return {
         "planeOrigin": _list(layout.frame.plane.origin),
@@ -329,7 +319,7 @@ def _layout(rig: Rig, layout: Layout) -> Json:
         **_fields(layout, "base_values"),
         "leastTrack": OutputSettings().min_track,
         "colours": {side: f"#{bytes(colour).hex()}" for side, colour in SIDES.items()},
-        "elements": _elements(rig, meshes, controls, layout),
+        "elements": _elements(rig, layout),
         "sections": looked_at,
         "leftOff": [[each.control, each.stage, each.reason] for each in layout.left_off],
     }
@@ -357,9 +347,9 @@ def _sections(rig: Rig, layout: Layout) -> list[Json]:
     return packed
 
 
-def _elements(
-    rig: Rig, meshes: dict[str, int], controls: Mapping[str, int], layout: Layout
-) -> list[Json]:
+def _elements(rig: Rig, layout: Layout) -> list[Json]:
+    controls = rig.control_indices
+    meshes = {mesh.path: index for index, mesh in enumerate(rig.body.meshes)}
     found = [_element(meshes, controls, each) for each in layout.elements]
     own = [np.array([each["control"] for each in packed["members"]]) for packed in found]
     rows = [rig.body.starts[packed["mesh"]] + packed["point"] for packed in found]
@@ -386,7 +376,10 @@ def _element(meshes: dict[str, int], controls: Mapping[str, int], element: Eleme
         **_fields(element, "kind axes mirror reversed"),
         **_fields(anchor, "point position normal on_board"),
         **_fields(element, "side inner category reason"),
-        "members": [_member(controls, each) for each in element.members],
+        "members": [
+            {"control": controls[each.control], **_fields(each, "values track magnification")}
+            for each in element.members
+        ],
         "mesh": meshes[anchor.mesh],
         "rank": rank(element.category),
         "heading": _capitalised(heading(element.category, element.part)),
@@ -408,13 +401,6 @@ def _glyph(glyph: Glyph | None) -> Json | None:
         "points": _list(glyph.points),
         "parts": [part.tolist() for part in parts],
         "closed": glyph.form == "mesh",
-    }
-
-
-def _member(controls: Mapping[str, int], member: Member) -> Json:
-    return {
-        "control": controls[member.control],
-        **_fields(member, "values track magnification"),
     }
 
 

@@ -9,6 +9,7 @@ import secrets
 import sys
 import tempfile
 import threading
+import time
 import webbrowser
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -34,11 +35,10 @@ def serve(
     html: str,
     open_browser: bool = True,
     announce: Callable[[str], None] | None = None,
-    stop: threading.Event | None = None,
     name: str = "",
     live: LiveFile | None = None,
 ) -> None:
-    """Serve `html` on 127.0.0.1 until interrupted (Ctrl-C) or until `stop` is set.
+    """Serve `html` on 127.0.0.1 until interrupted (Ctrl-C).
 
     The page has the one address ``http://127.0.0.1:PORT/TOKEN/`` with a random token of 256 bits
     and a port that `name` chooses: browsers keep what a page stores by its port, so that a page of
@@ -54,7 +54,9 @@ def serve(
             with _leading_to(server.address) as page:
                 if open_browser:
                     webbrowser.open(page)
-                _wait(stop or threading.Event())
+                # A request that comes amid a write interrupts nothing.
+                while not worker.stop_requested():
+                    time.sleep(_ASKED_AGAIN)
         except KeyboardInterrupt:
             pass
         finally:
@@ -71,13 +73,6 @@ def _leading_to(address: str) -> Iterator[str]:
         page = Path(folder, "view.html")
         page.write_text(f'<!doctype html><meta http-equiv="refresh" content="0; url={address}">\n')
         yield page.as_uri()
-
-
-def _wait(stop: threading.Event) -> None:
-    """Until `stop` is set or the run is to end: a request that comes amid a write interrupts
-    nothing."""
-    while not stop.wait(_ASKED_AGAIN) and not worker.stop_requested():
-        pass
 
 
 class PageServer(ThreadingHTTPServer):
@@ -196,16 +191,18 @@ class _Handler(BaseHTTPRequestHandler):
     def _send(
         self, status: HTTPStatus, content: bytes, kind: str = "text/plain", tag: str = ""
     ) -> None:
+        headers = {
+            "Content-Type": f"{kind}; charset=utf-8",
+            "Content-Length": str(len(content)),
+            "Allow": "GET" if status == HTTPStatus.METHOD_NOT_ALLOWED else "",
+            "ETag": tag,
+            "Cache-Control": "no-store",
+            "Referrer-Policy": "no-referrer",
+            "X-Content-Type-Options": "nosniff",
+        }
         self.send_response(status)
-        self.send_header("Content-Type", f"{kind}; charset=utf-8")
-        self.send_header("Content-Length", str(len(content)))
-        if status == HTTPStatus.METHOD_NOT_ALLOWED:
-            self.send_header("Allow", "GET")
-        if tag:
-            self.send_header("ETag", tag)
-        self.send_header("Cache-Control", "no-store")
-        self.send_header("Referrer-Policy", "no-referrer")
-        self.send_header("X-Content-Type-Options", "nosniff")
+        for name in filter(headers.get, headers):
+            self.send_header(name, headers[name])
         self.end_headers()
         self.wfile.write(content)
 
