@@ -271,8 +271,7 @@ def _of_mirror(
     if _OPPOSITE.get(element.side) != other.side and not named:
         yield doubtful_at(prim, f"{where} is on the side {other.side}")
     reflect = layout.frame.plane.reflected
-    free = element.anchor.on_board or other.anchor.on_board or element.kind == "fan"
-    if free:
+    if element.anchor.on_board or other.anchor.on_board or element.kind == "fan":
         return
     width = layout.frame.handle_width_of(element.part)
     away = np.linalg.norm(reflect(element.anchor.position) - other.anchor.position)

@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from pxr import Sdf, Usd
 
 from usdrigui.errors import Issue, issue, listed, meant
 from usdrigui.layer.properties import element_name, instances_applied
 from usdrigui.layer.read_layout import element_prims, layout_scopes
 from usdrigui.stages import schema
+from usdrigui.stages.opening import spec_paths
 
 
 def ignored_opinions(stage: Usd.Stage) -> tuple[Issue, ...]:
     """OPINION_IGNORED for each prim of the stage's own layers with properties of our schemas where
     nothing is defined, with the element that is likely meant."""
-    known, specs = _elements(stage), list(_specs(stage))
+    known = _elements(stage)
+    specs = [
+        layer.GetPrimAtPath(path)
+        for layer in stage.GetLayerStack(includeSessionLayers=False)
+        for path in spec_paths(layer)
+        if path.IsPrimPath()
+    ]
     defined = {_plain(spec) for spec in specs if spec.specifier == Sdf.SpecifierDef}
     found: dict[Issue, None] = {}
     for spec in specs:
@@ -42,14 +47,6 @@ def _elements(stage: Usd.Stage) -> dict[str, str]:
     }
     own = {n: str(p.GetPath()) for p in prims for n in (p.GetName(), element_name(p))}
     return controls | own
-
-
-def _specs(stage: Usd.Stage) -> Iterator[Sdf.PrimSpec]:
-    """The prims of every layer of the stage's own, sublayers included."""
-    for layer in stage.GetLayerStack(includeSessionLayers=False):
-        paths: list[Sdf.Path] = []
-        layer.Traverse(Sdf.Path.absoluteRootPath, paths.append)
-        yield from (layer.GetPrimAtPath(each) for each in paths if each.IsPrimPath())
 
 
 def _plain(spec: Sdf.PrimSpec) -> Sdf.Path:

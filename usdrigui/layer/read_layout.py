@@ -53,7 +53,7 @@ from usdrigui.model import (
 )
 from usdrigui.reading.character import metres_per_unit
 from usdrigui.stages import schema
-from usdrigui.stages.opening import open_stage
+from usdrigui.stages.opening import open_stage, spec_paths
 from usdrigui.stages.variant_paths import asset_selections, with_sets
 from usdrigui.stages.variants import variant_path
 
@@ -164,9 +164,7 @@ def element_prims(scope: Usd.Prim) -> tuple[Usd.Prim, ...]:
 
 def layout_paths(layer: Sdf.Layer) -> tuple[Sdf.Path, ...]:
     """The scopes of the layouts that a layer itself has, with the variants that hold them."""
-    found: list[Sdf.Path] = []
-    layer.Traverse(Sdf.Path.absoluteRootPath, found.append)
-    named = (each for each in found if each.IsPrimPath() and each.name == schema.SCOPE)
+    named = (each for each in spec_paths(layer) if each.IsPrimPath() and each.name == schema.SCOPE)
     return tuple(each for each in named if _is_layout(layer.GetPrimAtPath(each)))
 
 

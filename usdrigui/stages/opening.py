@@ -58,6 +58,13 @@ def open_layer(path: Path) -> Sdf.Layer:
     return layer
 
 
+def spec_paths(layer: Sdf.Layer, top: str = "/") -> list[Sdf.Path]:
+    """Of all that a layer itself says at a path and below it, variants among it."""
+    found: list[Sdf.Path] = []
+    layer.Traverse(Sdf.Path(top), found.append)
+    return found
+
+
 def composition_issues(stage: Usd.Stage, roots: tuple[Usd.Prim, ...]) -> tuple[Issue, ...]:
     """What USD could not compose; what is muted need not be there.
 

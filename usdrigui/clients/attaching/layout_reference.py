@@ -16,6 +16,7 @@ from pxr import Sdf
 from usdrigui.errors import refuse
 from usdrigui.layer.write_layout import author_variant
 from usdrigui.stages import schema
+from usdrigui.stages.opening import spec_paths
 from usdrigui.stages.variant_paths import asset_selections
 
 
@@ -30,20 +31,14 @@ class ReferenceOf:
 
 def references_of(asset: Sdf.Layer, leads: Callable[[str], bool]) -> tuple[ReferenceOf, ...]:
     """The references in variants ``rigUI = ui`` of a layer whose asset path `leads` to a layout."""
-    found: list[ReferenceOf] = []
-
-    def look(path: Sdf.Path) -> None:
-        if not path.IsPrimVariantSelectionPath():
-            return
-        if path.GetVariantSelection() == (schema.VARIANTS, schema.WITH):
-            found.extend(
-                ReferenceOf(str(path.StripAllVariantSelections()), each.assetPath)
-                for each in asset.GetPrimAtPath(path).referenceList.GetAddedOrExplicitItems()
-                if leads(each.assetPath)
-            )
-
-    asset.Traverse(Sdf.Path.absoluteRootPath, look)
-    return tuple(found)
+    return tuple(
+        ReferenceOf(str(path.StripAllVariantSelections()), each.assetPath)
+        for path in spec_paths(asset)
+        if path.IsPrimVariantSelectionPath()
+        and path.GetVariantSelection() == (schema.VARIANTS, schema.WITH)
+        for each in asset.GetPrimAtPath(path).referenceList.GetAddedOrExplicitItems()
+        if leads(each.assetPath)
+    )
 
 
 def check_reachable(layer: Path, opened: Sdf.Layer, variant_path: str, root: str) -> None:
@@ -53,11 +48,9 @@ def check_reachable(layer: Path, opened: Sdf.Layer, variant_path: str, root: str
     if asset_selections(str(above.GetPrimPath().GetParentPath())):
         raise refuse("ATTACH_OUTSIDE", layer, f"is authored in a variant above {root}")
 
-    def look(path: Sdf.Path) -> None:
+    for path in spec_paths(opened, root):
         if path.IsTargetPath() and not path.targetPath.HasPrefix(Sdf.Path(root)):
             raise refuse("ATTACH_OUTSIDE", layer, f"refers to {path.targetPath}")
-
-    opened.Traverse(Sdf.Path(root), look)
 
 
 # --- of specs -------------------------------------------------------------------------------------
