@@ -4,6 +4,7 @@ import functools
 import os
 import shutil
 import signal
+from dataclasses import replace
 
 import failures_at_once
 import pytest
@@ -23,12 +24,11 @@ settings.load_profile("same")
 def small_pictures():
     """Commands draw a tenth of the pixels, in a fraction of the time; what pictures look like is told where they are
     drawn without a command."""
-    full = {name: getattr(sheet, name) for name in ("render", "film")}
-    for name, draw in full.items():
-        setattr(sheet, name, functools.partial(draw, size=(480, 320)))
-    yield
-    for name, draw in full.items():
-        setattr(sheet, name, draw)
+    draw, size = sheet.render, (480, 320)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(sheet, "render", lambda *given: draw(*given[:3], replace(given[3], size=size)))
+        patch.setattr(sheet, "film", functools.partial(sheet.film, size=size))
+        yield
 
 
 @pytest.fixture(scope="module")

@@ -11,6 +11,7 @@ import pytest
 from pxr import Usd, UsdGeom
 
 from usdrigui.cli import main
+from usdrigui.isolation import worker
 from usdrigui.view.web import serve
 from usdrigui.view.web.live import revision
 
@@ -34,25 +35,16 @@ def test_what_is_no_review_is_refused(layer, tmp_path, content, capsys):
     assert not (tmp_path / "page.html").exists()
 
 
-def test_serves_and_says_where(layer, monkeypatch, capsys):
-    real, stop = serve.serve, threading.Event()
+def test_serves_says_where_and_stops_when_asked(layer, monkeypatch, capsys):
+    stop, tell = threading.Event(), worker.print_now
 
-    def once(html, open_browser, announce, name, live):
-        def told(address):
-            announce(address)
-            assert urllib.request.urlopen(address, timeout=10).status == 200
-            stop.set()
+    def told(address):
+        tell(address)
+        assert urllib.request.urlopen(address, timeout=10).status == 200
+        stop.set()
 
-        real(
-            html,
-            open_browser=open_browser,
-            announce=lambda address: threading.Thread(target=told, args=[address]).start(),
-            name=name,
-            live=live,
-        )
-
-    monkeypatch.setattr(serve, "serve", once)
-    monkeypatch.setattr("usdrigui.isolation.worker.stop_requested", stop.is_set)
+    monkeypatch.setattr(worker, "print_now", told)
+    monkeypatch.setattr(worker, "stop_requested", stop.is_set)
     assert main(["view", str(layer), "--no-browser"]) == 0
     assert "http://127.0.0.1:" in capsys.readouterr().out
 

@@ -94,18 +94,6 @@ def test_what_is_no_request_gets_one_line(server, line):
     assert re.fullmatch(rb"[45]\d\d [\w -]+\n", content)
 
 
-def test_serve_announces_and_stops(monkeypatch):
-    told, stop = [], threading.Event()
-    monkeypatch.setattr("usdrigui.isolation.worker.stop_requested", stop.is_set)
-
-    def announce(address):
-        told.append(address)
-        stop.set()
-
-    serve(PAGE, open_browser=False, announce=announce)
-    assert told[0].startswith("http://127.0.0.1:")
-
-
 # --- the file of a live link -------------------------------------------------------------------------
 
 EDIT = b"""#usda 1.0
