@@ -26,7 +26,6 @@ import numpy as np
 from layout_problems import at_one_spot
 from processes import impostor
 
-import usdrigui
 from usdrigui import pipeline, stages
 from usdrigui.cli import distributions, main, supervised
 from usdrigui.clients import blender_extension
@@ -441,9 +440,12 @@ def _empty_page(*_: object) -> Found:
     return refused(lambda: page_html([], "none"))
 
 
-def _schema_gone(folder: Path, patch: Any) -> Found:
-    patch.setattr(schema, "__file__", str(folder / "usdrigui" / "usd" / "schema.py"))
-    return refused(schema.schema_path)
+def _not_shipped(asked: Callable[[], object]) -> Callable[[Path, Any], Found]:
+    def found(folder: Path, patch: Any) -> Found:
+        patch.setattr(schema, "__file__", str(folder / "usdrigui" / "stages" / "schema.py"))
+        return refused(asked)
+
+    return found
 
 
 def _no_usd(_: Path, patch: Any) -> Found:
@@ -461,11 +463,6 @@ def _two_usds(folder: Path, patch: Any) -> Found:
     patch.delitem(sys.modules, "pxr")
     patch.setattr(sys, "path", [str(folder)])
     return 0, [asdict(each) for each in distributions.colliding()]
-
-
-def _extension_gone(folder: Path, patch: Any) -> Found:
-    patch.setattr(usdrigui, "__file__", str(folder / "usdrigui" / "__init__.py"))
-    return refused(blender_extension.extension_files)
 
 
 def _schema_late(*_: object) -> Found:
@@ -623,8 +620,8 @@ TRIGGERS: Mapping[str, Trigger] = {
     ),
     "USD_MISSING": _no_usd,
     "USD_TWICE": _two_usds,
-    "EXTENSION_MISSING": _extension_gone,
-    "SCHEMA_MISSING": _schema_gone,
+    "EXTENSION_MISSING": _not_shipped(blender_extension.extension_files),
+    "SCHEMA_MISSING": _not_shipped(schema.schema_path),
     "SCHEMA_TOO_LATE": _schema_late,
     "VIEW_MISMATCH": _empty_page,
     "LAYOUT_MISSING": _viewed(_no_layout),

@@ -6,22 +6,18 @@ from __future__ import annotations
 import argparse
 import shlex
 from importlib.resources import files
-from pathlib import Path
 
 from usdrigui.errors import Exit, refuse
 
 
 def sample(arguments: argparse.Namespace) -> Exit:
     """Copy the sample character into a folder."""
-    import usdrigui
     from usdrigui.isolation.foreign_file import whole_content
     from usdrigui.replacing.transaction import commit
+    from usdrigui.stages.schema import shipped
 
-    # In an installed package it lies inside the package, in a source tree beside it.
-    package = Path(usdrigui.__file__).resolve().parent
-    folders = (package / "sample_assets", package.parent / "sample_assets")
-    sources = next(filter(None, (sorted(each.glob("*.usda")) for each in folders)))
-    contents = {arguments.folder / each.name: each.read_bytes() for each in sources}
+    sources = shipped("sample_assets", "char.usda", "BUG").glob("*.usda")
+    contents = {arguments.folder / each.name: each.read_bytes() for each in sorted(sources)}
     for target, content in contents.items():
         if target.exists() and whole_content(target) != content:
             raise refuse("FILE_TARGET", target, "is not the sample's, and is left as it is")

@@ -51,8 +51,8 @@ def _check_apart(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.
             (state.state_path(job.output), f"the batch record of {job.asset}"),
         ]
         files += [(Path(job.picture), f"the picture of {job.asset}")] if job.picture else []
-    files += [(arguments.sheet, "the contact sheet")] if arguments.sheet is not None else []
-    files += [(arguments.summary, "the summary")] if arguments.summary is not None else []
+    named = ((arguments.sheet, "the contact sheet"), (arguments.summary, "the summary"))
+    files += [each for each in named if each[0] is not None]
     places.check_apart(files)
     layers = {Path(job.output) for job in jobs}  # `process` decides which layer may be replaced
     pipeline.check_outputs((path for path, _ in files if path not in layers), read)

@@ -17,9 +17,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import usdrigui
-from usdrigui.errors import refuse
 from usdrigui.pipeline import write_file
-from usdrigui.stages.schema import schema_path
+from usdrigui.stages.schema import schema_path, shipped
 from usdrigui.version import __version__
 
 NAME = "usdrigui_controls"
@@ -106,9 +105,4 @@ def _requirements() -> list[str]:
 
 
 def _sources() -> Path:
-    """In an installed package inside it, in a source tree beside it."""
-    package = Path(usdrigui.__file__).resolve().parent
-    for folder in (package / "blender" / NAME, package.parent / "blender" / NAME):
-        if (folder / "blender_manifest.toml").is_file():
-            return folder
-    raise refuse("EXTENSION_MISSING", package / "blender", "the package holds no Blender extension")
+    return shipped(f"blender/{NAME}", "blender_manifest.toml", "EXTENSION_MISSING")

@@ -65,7 +65,7 @@ def picker(characters: Sequence[tuple[Rig, Layout]], *, labels: bool = False) ->
         if not rows or sum(before.size[0] for before in rows[-1]) + page.size[0] > wide:
             rows.append([])
         rows[-1].append(page)
-    return stacked([_beside(row) for row in rows])
+    return stacked([stacked(row, 0) for row in rows])
 
 
 def to_dwpicker(page: Page, name: str, background: str = "") -> str:
@@ -167,16 +167,6 @@ def _enlarged(mark: Mark) -> float:
     """How much longer the tracks of a mark are drawn than they are seen."""
     ways = np.linalg.norm(np.concatenate(mark.tracks) - mark.handle, axis=1)
     return max(1.0, _LEAST / float(ways.max(initial=1.0)))
-
-
-def _beside(pages: Sequence[Page]) -> Page:
-    """The pages in a row, as one."""
-    panels: list[Panel] = []
-    left = 0
-    for page in pages:
-        panels += page.placed(left, 0)
-        left += page.size[0]
-    return Page((left, max(page.size[1] for page in pages)), tuple(panels))
 
 
 # --- rectangles that do not overlap ---------------------------------------------------------------

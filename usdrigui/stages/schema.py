@@ -47,17 +47,20 @@ def is_later(applied: str) -> bool:
     return family in APIS and version.isdigit()
 
 
-def schema_path() -> Path:
-    """Folder with plugInfo.json and generatedSchema.usda, for ``PXR_PLUGINPATH_NAME``.
-
-    In an installed package it lies inside the package, in a source tree beside it.  Raises
-    SCHEMA_MISSING when it is in neither place.
-    """
+def shipped(name: str, mark: str, code: str) -> Path:
+    """A folder that comes with us, and has the file `mark`: in an installed package inside it, in a
+    source tree beside it.  Raises the `code` when it is in neither place."""
     package = Path(__file__).resolve().parents[1]
-    for folder in (package / "schemas", package.parent / "schemas"):
-        if (folder / "plugInfo.json").is_file():
+    for folder in (package / name, package.parent / name):
+        if (folder / mark).is_file():
             return folder
-    raise refuse("SCHEMA_MISSING", package / "schemas", "has no plugInfo.json")
+    raise refuse(code, package / name, f"has no {mark}")
+
+
+def schema_path() -> Path:
+    """Folder with plugInfo.json and generatedSchema.usda, for ``PXR_PLUGINPATH_NAME``; raises
+    SCHEMA_MISSING."""
+    return shipped("schemas", "plugInfo.json", "SCHEMA_MISSING")
 
 
 def register() -> None:

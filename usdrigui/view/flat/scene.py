@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
 from PIL import Image
 
 from usdrigui.character import Flags, Floats, Record
@@ -107,11 +108,11 @@ class Page(Record):
         )
 
 
-def stacked(pages: Sequence[Page]) -> Page:
-    """The pages below each other, as one."""
+def stacked(pages: Sequence[Page], axis: int = 1) -> Page:
+    """The pages below each other, or beside each other along axis 0, as one."""
     panels: list[Panel] = []
-    height = 0
+    corner, (width, height) = [0, 0], np.max([page.size for page in pages], axis=0).tolist()
     for page in pages:
-        panels += page.placed(0, height)
-        height += page.size[1]
-    return Page((max(page.size[0] for page in pages), height), tuple(panels))
+        panels += page.placed(*corner)
+        corner[axis] += page.size[axis]
+    return Page((corner[0] or width, corner[1] or height), tuple(panels))
