@@ -11,6 +11,7 @@ from usdrigui.character import LeftOff
 from usdrigui.character.deform import channel_state, knots, posed, sweep
 from usdrigui.layer.properties import element_name
 from usdrigui.layer.read_layout import element_prims, points_by_role
+from usdrigui.layer.write_layout import layer_for, stage_metadata
 from usdrigui.model import (
     Anchor,
     Element,
@@ -131,6 +132,14 @@ def keyed(path, rig, poses):
     stage.SetStartTimeCode(0)
     stage.SetEndTimeCode(len(poses) - 1)
     return stage
+
+
+def written(source, rig, layout, name="char.rigui.usda"):
+    """The layer of one layout, saved over its source."""
+    path = source.with_name(name)
+    metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
+    layer_for([(rig, layout)], f"./{source.name}", metadata).Export(str(path))
+    return Sdf.Layer.FindOrOpen(str(path))
 
 
 def baked(layer, rig, poses):

@@ -8,6 +8,9 @@ import makers
 import numpy as np
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel, Vt
 
+from usdrigui.reading.character import read_rigs
+from usdrigui.settings import Settings
+
 JOINTS = ("Hips", "Hips/Head", "Hips/Head/Jaw", "Hips/Head/Eye")
 _PLACES = {
     "Hips": (0, -3, 0),
@@ -175,3 +178,10 @@ def _shapes(stage, path, binding, tokens, shapes, points):
             offsets = offsets[moving]
         shape.CreateOffsetsAttr(Vt.Vec3fArray.FromNumpy(offsets.astype(np.float32)))
     binding.CreateBlendShapeTargetsRel().SetTargets(targets)
+
+
+def read(folder, settings=None, **kind):
+    """Such a character in a folder, and its rig."""
+    source = character(folder / "char.usda", **kind)
+    (rig,) = read_rigs(source, settings or Settings())
+    return source, rig

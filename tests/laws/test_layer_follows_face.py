@@ -4,10 +4,10 @@ import laid_out
 import numpy as np
 import pytest
 import skinned_stages
-from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel
+from laid_out import written
+from pxr import Gf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.character.deform import deform
-from usdrigui.layer.write_layout import layer_for, stage_metadata
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings, load
 
@@ -39,21 +39,6 @@ KINDS = {
 }
 
 
-def written(folder, rig, layout, source):
-    """The layer of one layout, saved over its source."""
-    path = folder / "char.rigui.usda"
-    metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
-    layer = layer_for([(rig, layout)], f"./{source.name}", metadata)
-    layer.Export(str(path))
-    return Sdf.Layer.FindOrOpen(str(path))
-
-
-def read(folder, settings=None, **kind):
-    source = skinned_stages.character(folder / "char.usda", **kind)
-    (rig,) = read_rigs(source, settings or Settings())
-    return source, rig
-
-
 def diagonal(rig):
     return float(np.linalg.norm(np.ptp(deform(rig), axis=0)))
 
@@ -75,11 +60,11 @@ def track_of(stage, rig, element, time, member=0):
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_handles_are_centred_on_their_deformed_anchors(tmp_path, kind):
-    source, rig = read(tmp_path, **KINDS[kind])
+    source, rig = skinned_stages.read(tmp_path, **KINDS[kind])
     layout = laid_out.layout_of(rig)
     rng = np.random.default_rng(5)
     poses = [laid_out.defaults(rig), *(laid_out.random_values(rig, rng) for _ in range(3))]
-    stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, poses)
+    stage = laid_out.baked(written(source, rig, layout), rig, poses)
     assert len(layout.elements) == len(rig.controls)
     travel = 0.0
     for element in layout.elements:
@@ -110,16 +95,14 @@ def with_far_shape(source, far):
 
 @pytest.mark.parametrize("far", [1e4, 1e6])
 def test_a_shape_that_hides_the_face_far_away_moves_no_handle(tmp_path, far):
-    source, plain = read(tmp_path)
+    source, plain = skinned_stages.read(tmp_path)
     names = [control.name for control in plain.controls]
-    alone = laid_out.baked(
-        written(tmp_path, plain, laid_out.layout_of(plain), source), plain, [laid_out.defaults(plain)]
-    )
+    alone = laid_out.baked(written(source, plain, laid_out.layout_of(plain)), plain, [laid_out.defaults(plain)])
     rig = with_far_shape(source, far)
     layout = laid_out.layout_of(rig, only=names)
     rng = np.random.default_rng(9)
     poses = [laid_out.defaults(rig), *(posed(rig, laid_out.random_values(rig, rng), {"hide": 0.0}) for _ in range(3))]
-    stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, poses)
+    stage = laid_out.baked(written(source, rig, layout), rig, poses)
     for element in layout.elements:
         drawn = handle_of(stage, rig, element, 0)
         assert np.abs(drawn - handle_of(alone, plain, element, 0)).max() < 1e-6 * diagonal(plain), element.name
@@ -130,9 +113,9 @@ def test_a_shape_that_hides_the_face_far_away_moves_no_handle(tmp_path, far):
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_tracks_do_not_move_with_their_own_controls(tmp_path, kind):
-    source, rig = read(tmp_path, **KINDS[kind])
+    source, rig = skinned_stages.read(tmp_path, **KINDS[kind])
     layout = laid_out.layout_of(rig, seed=3)
-    layer = written(tmp_path, rig, layout, source)
+    layer = written(source, rig, layout)
     around = laid_out.random_values(rig, np.random.default_rng(6))
     ends = [(each.name, value) for each in rig.controls for value in (each.minimum, each.maximum)]
     stage = laid_out.baked(layer, rig, [around, *(posed(rig, around, dict([end])) for end in ends)])
@@ -146,7 +129,7 @@ def test_tracks_do_not_move_with_their_own_controls(tmp_path, kind):
 
 @pytest.mark.parametrize("kind", [name for name in KINDS if "all at once" not in name])
 def test_handles_stay_on_their_tracks_whatever_else_moves(tmp_path, kind):
-    source, rig = read(tmp_path, **KINDS[kind])
+    source, rig = skinned_stages.read(tmp_path, **KINDS[kind])
     shapes = [control.name for control in rig.controls if control.kind == "blendShape"]
     layout = laid_out.layout_of(rig, seed=4, only=shapes)
     around = laid_out.random_values(rig, np.random.default_rng(8))
@@ -155,7 +138,7 @@ def test_handles_stay_on_their_tracks_whatever_else_moves(tmp_path, kind):
         for k, value in enumerate(element.members[0].values):
             times[element.name, k] = len(poses)
             poses.append(posed(rig, around, {element.name: value}))
-    stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, poses)
+    stage = laid_out.baked(written(source, rig, layout), rig, poses)
     for element in layout.elements:
         for k in range(len(element.members[0].values)):
             time = times[element.name, k]
@@ -167,13 +150,13 @@ def test_handles_stay_on_their_tracks_whatever_else_moves(tmp_path, kind):
 @pytest.mark.parametrize("moved", [False, True])
 def test_joint_tracks_follow_shapes_and_parents_exactly_on_a_hinge(tmp_path, moved):
     """Skin of head and jaw alone: the jaw's track is carried by the head and turned shapes ride along."""
-    source, rig = read(tmp_path, animated_joints=("Hips/Head", *JAW), hinged=True, moved=moved)
+    source, rig = skinned_stages.read(tmp_path, animated_joints=("Hips/Head", *JAW), hinged=True, moved=moved)
     layout = laid_out.layout_of(rig, seed=1, only=["Jaw:rx"])
     (element,) = layout.elements
     around = laid_out.random_values(rig, np.random.default_rng(9))
     closed = {name: 0.0 for name in rig.control_names if name.startswith("Jaw:")}
     poses = [posed(rig, around, {**closed, "Jaw:rx": value}) for value in element.members[0].values]
-    stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, poses)
+    stage = laid_out.baked(written(source, rig, layout), rig, poses)
     assert len(poses) > 2
     for time in range(len(poses)):
         centre = handle_of(stage, rig, element, time)[0]
@@ -184,12 +167,12 @@ def test_joint_tracks_follow_shapes_and_parents_exactly_on_a_hinge(tmp_path, mov
 
 def test_pose_controls_leave_their_own_tracks_alone(tmp_path):
     settings = load({"poses": {"talk": {"frame": 10.0}, "mix": {"weights": {"brow_L": 0.6, "chin": 1.0}}}})
-    source, rig = read(tmp_path, settings, animated_joints=JAW)
+    source, rig = skinned_stages.read(tmp_path, settings, animated_joints=JAW)
     layout = laid_out.layout_of(rig, only=["talk", "mix"])
     assert [element.name for element in layout.elements] == ["talk", "mix"]
     base = laid_out.defaults(rig)
     poses = [base, *(posed(rig, base, {name: 1.0}) for name in ("talk", "mix"))]
-    stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, poses)
+    stage = laid_out.baked(written(source, rig, layout), rig, poses)
     for time, element in enumerate(layout.elements, start=1):
         assert np.abs(track_of(stage, rig, element, time) - track_of(stage, rig, element, 0)).max() < 1e-6
         end = handle_of(stage, rig, element, time)[0]
@@ -198,13 +181,13 @@ def test_pose_controls_leave_their_own_tracks_alone(tmp_path):
 
 
 def test_patches_are_still_under_all_their_controls_and_span_an_area(tmp_path):
-    source, rig = read(tmp_path, animated_joints=JAW)
+    source, rig = skinned_stages.read(tmp_path, animated_joints=JAW)
     group = ("smile_L", "sneer_L")
     layout = laid_out.layout_of(rig, seed=2, groups=[group, ("jawLeft", "chin", "jaw:open")])
     around = laid_out.random_values(rig, np.random.default_rng(3))
     corners = ((0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0))
     poses = [posed(rig, around, dict(zip(group, corner, strict=True))) for corner in corners]
-    stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, poses)
+    stage = laid_out.baked(written(source, rig, layout), rig, poses)
     patch = layout.elements[0]
     still = laid_out.tracks(stage, rig.path, patch, 0)
     for time in range(4):
@@ -232,14 +215,14 @@ def drawn_faces(stage, rig, element):
 @pytest.mark.parametrize("adapt", ["deform", "static"])
 @pytest.mark.parametrize("skinned", [False, True])
 def test_elements_beside_the_face_or_static_do_not_deform_but_show_their_value(tmp_path, adapt, skinned):
-    source, rig = read(tmp_path, skinned=skinned, animated_joints=("Hips",))
+    source, rig = skinned_stages.read(tmp_path, skinned=skinned, animated_joints=("Hips",))
     beside = ("brow_L", "chin") if adapt == "deform" else ()
     layout = laid_out.layout_of(rig, beside=beside, adapt=adapt, only=["brow_L", "chin", "half"])
     rng = np.random.default_rng(2)
     hips = [name for name in rig.control_names if name.startswith("Hips:")]
     shapes_only = posed(rig, laid_out.random_values(rig, rng), dict.fromkeys(hips, 0.0))
     turned = laid_out.random_values(rig, rng)
-    stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, [laid_out.defaults(rig), shapes_only, turned])
+    stage = laid_out.baked(written(source, rig, layout), rig, [laid_out.defaults(rig), shapes_only, turned])
     for element in layout.elements:
         if adapt == "deform" and element.name not in beside:
             continue
@@ -255,10 +238,10 @@ def test_elements_beside_the_face_or_static_do_not_deform_but_show_their_value(t
 
 
 def test_layouts_of_another_base_pose_stand_where_the_pose_puts_them(tmp_path):
-    source, rig = read(tmp_path, animated_joints=("Hips/Head", *JAW), moved=True)
+    source, rig = skinned_stages.read(tmp_path, animated_joints=("Hips/Head", *JAW), moved=True)
     base = 0.5 * laid_out.random_values(rig, np.random.default_rng(1))
     layout = laid_out.layout_of(rig, base_values=base)
-    stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, [base, laid_out.defaults(rig)])
+    stage = laid_out.baked(written(source, rig, layout), rig, [base, laid_out.defaults(rig)])
     for element in layout.elements:
         assert np.abs(track_of(stage, rig, element, 0) - element.members[0].track).max() < CLOSE * diagonal(rig)
         rim = handle_of(stage, rig, element, 0)[2:] - element.anchor.position

@@ -6,13 +6,10 @@ import laid_out
 import numpy as np
 import pytest
 import skinned_stages
-from pxr import Sdf
+from laid_out import written
 from scipy.spatial.distance import cdist
 
-from usdrigui.layer.write_layout import layer_for, stage_metadata
 from usdrigui.pose.evaluate import evaluate, prepare
-from usdrigui.reading.character import read_rigs
-from usdrigui.settings import Settings
 
 pytestmark = pytest.mark.usefixtures("every_point_drawn")
 KINDS = {
@@ -29,15 +26,11 @@ CLOSE = 1e-5
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_meshes_handles_and_tracks(tmp_path, kind):
-    source = skinned_stages.character(tmp_path / "char.usda", **KINDS[kind])
-    (rig,) = read_rigs(source, Settings())
+    source, rig = skinned_stages.read(tmp_path, **KINDS[kind])
     layout = laid_out.layout_of(rig, seed=6)
     rng = np.random.default_rng(7)
     poses = [laid_out.random_values(rig, rng) for _ in range(3)]
-    metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
-    layer = layer_for([(rig, layout)], f"./{source.name}", metadata)
-    layer.Export(str(tmp_path / "layout.usda"))
-    stage = laid_out.baked(Sdf.Layer.FindOrOpen(str(tmp_path / "layout.usda")), rig, poses)
+    stage = laid_out.baked(written(source, rig, layout), rig, poses)
     poser = prepare(rig, layout)
     shapes = {control.name for control in rig.controls if control.kind == "blendShape"}
     followed = 0
@@ -59,16 +52,12 @@ def test_meshes_handles_and_tracks(tmp_path, kind):
 
 @pytest.mark.parametrize("kind", ["linear", "dual quaternion", "joint controls"])
 def test_static_elements_and_those_beside_the_face(tmp_path, kind):
-    source = skinned_stages.character(tmp_path / "char.usda", **KINDS[kind])
-    (rig,) = read_rigs(source, Settings())
+    source, rig = skinned_stages.read(tmp_path, **KINDS[kind])
     shapes = [control.name for control in rig.controls if control.kind == "blendShape"]
-    metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
     values = laid_out.random_values(rig, np.random.default_rng(8))
     for number, given in enumerate(({"adapt": "static"}, {"beside": shapes})):
         layout = laid_out.layout_of(rig, seed=2, only=shapes, **given)
-        layer = layer_for([(rig, layout)], f"./{source.name}", metadata)
-        layer.Export(str(tmp_path / f"layout{number}.usda"))
-        stage = laid_out.baked(Sdf.Layer.FindOrOpen(str(tmp_path / f"layout{number}.usda")), rig, [values])
+        stage = laid_out.baked(written(source, rig, layout, f"layout{number}.usda"), rig, [values])
         ours = evaluate(prepare(rig, layout), values)
         diagonal = float(np.linalg.norm(np.ptp(ours.points, axis=0)))
         for element, at in zip(layout.elements, ours.elements, strict=True):
@@ -79,14 +68,11 @@ def test_static_elements_and_those_beside_the_face(tmp_path, kind):
 
 
 def test_a_board_with_joint_controls_stays_in_one_piece_in_plain_usd(tmp_path):
-    source = skinned_stages.character(tmp_path / "char.usda", **KINDS["joint controls"])
-    (rig,) = read_rigs(source, Settings())
+    source, rig = skinned_stages.read(tmp_path, **KINDS["joint controls"])
     everything = [control.name for control in rig.controls]
     layout = on_one_board(laid_out.layout_of(rig, seed=2, beside=everything))
-    layer = layer_for([(rig, layout)], f"./{source.name}", stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
-    layer.Export(str(tmp_path / "layout.usda"))
     poses = [layout.base_values, laid_out.random_values(rig, np.random.default_rng(8))]
-    stage = laid_out.baked(Sdf.Layer.FindOrOpen(str(tmp_path / "layout.usda")), rig, poses)
+    stage = laid_out.baked(written(source, rig, layout), rig, poses)
     ends = [
         np.array([laid_out.tracks(stage, rig.path, element, time)[0][0] for element in layout.elements])
         for time in range(len(poses))

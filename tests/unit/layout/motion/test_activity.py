@@ -3,6 +3,7 @@
 import makers
 import numpy as np
 import pytest
+from viewer_layouts import MIRRORS
 
 from usdrigui.character import Performance
 from usdrigui.errors import RigUIError
@@ -15,7 +16,6 @@ from usdrigui.layout.motion.activity import (
 from usdrigui.settings import ControlSettings
 
 FACE = makers.face()
-TWINS = {f"{name}_{a}": f"{name}_{b}" for name in makers.LEFT_BUMPS for a, b in (("L", "R"), ("R", "L"))}
 RAMP = np.array([0.0, 0.5, 1.0, 0.5, 0.0, 0.0, 0.0, 0.0])
 LATER = RAMP[::-1]
 
@@ -40,16 +40,16 @@ def test_activity_is_the_share_of_the_way_from_the_default():
 
 def test_importance_goes_with_use():
     done = activity(FACE, [clip(chin=RAMP, pucker=0.5 * RAMP)])
-    found = importances(done, TWINS, 0.5)
+    found = importances(done, MIRRORS, 0.5)
     mean = 1.5 / (len(FACE.controls) - len(makers.LEFT_BUMPS))  # of what pairs and single controls do
     assert found["smile_L"] == found["smile_R"] == 0.5
     assert found["pucker"] == round(1.0 + 0.5 * (0.5 / mean - 1.0), 2)
     assert found["chin"] == 2.0  # more than three times the mean
-    assert set(importances(done, TWINS, 0.0).values()) == {1.0}
+    assert set(importances(done, MIRRORS, 0.0).values()) == {1.0}
 
 
 def test_a_pair_matters_as_one():
-    found = importances(activity(FACE, [clip(smile_L=RAMP)]), TWINS, 0.5)
+    found = importances(activity(FACE, [clip(smile_L=RAMP)]), MIRRORS, 0.5)
     assert found["smile_L"] == found["smile_R"] > 1.0
 
 
