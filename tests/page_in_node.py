@@ -24,14 +24,30 @@ def corrections_of_the_page(scene, control, mesh, point):
 
 def answer(script, asked):
     """What a script of tests/clients prints that is given a question as JSON."""
-    if shutil.which("node") is None:
-        pytest.skip("Node.js is not installed")
-    path = Path(__file__).with_name("clients") / script
-    done = subprocess.run(
-        ["node", str(path)], input=json.dumps(asked), capture_output=True, text=True, timeout=120, check=False
-    )
+    asked = json.dumps(asked)
+    done = subprocess.run(node(script), input=asked, capture_output=True, text=True, timeout=120, check=False)
     assert done.returncode == 0, done.stderr
     return done.stdout
+
+
+def node(script):
+    if shutil.which("node") is None:
+        pytest.skip("Node.js is not installed")
+    return ["node", str(Path(__file__).with_name("clients") / script)]
+
+
+@contextmanager
+def conversation(script):
+    """A function that tells a script of tests/clients a line of JSON and returns the line that it answers."""
+    with subprocess.Popen(node(script), stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+
+        def told(asked):
+            process.stdin.write(json.dumps(asked) + "\n")
+            process.stdin.flush()
+            return json.loads(process.stdout.readline())
+
+        yield told
+        process.stdin.close()
 
 
 @contextmanager

@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from usdrigui import pipeline
     from usdrigui.character import Rig
     from usdrigui.model import Layout
-    from usdrigui.view.web.live import LiveFile
 
 
 def study(arguments: argparse.Namespace) -> Exit:
@@ -62,6 +61,7 @@ def view(arguments: argparse.Namespace) -> Exit:
     """Pose the character in a browser by its layout."""
     from usdrigui import pipeline
     from usdrigui.view.web import page, serve
+    from usdrigui.view.web.live import LiveFile
 
     more = (*arguments.review, *arguments.targets)
     reviews = [page.read_review(path) for path in more]
@@ -69,7 +69,13 @@ def view(arguments: argparse.Namespace) -> Exit:
     loaded = pipeline.load_layer(arguments.layer, settings)
     read = _spared((arguments.html,), loaded, arguments, more)
     name = Path(arguments.layer).name
-    live = _live(arguments, read)
+    live = None
+    if arguments.live is not None:
+        if arguments.html or arguments.study or arguments.targets:
+            raise refuse(
+                "CONFIG_VALUE", "--live", "needs the page to be served, and not as a study"
+            )
+        live = LiveFile(arguments.live, read, settings.read)
     html = page.page_html(
         loaded.characters,
         name,
@@ -85,17 +91,6 @@ def view(arguments: argparse.Namespace) -> Exit:
         html, open_browser=not arguments.no_browser, announce=worker.print_now, name=name, live=live
     )
     return wrote(arguments, {}, [f"showed {arguments.layer}"])
-
-
-def _live(arguments: argparse.Namespace, read: Sequence[Path]) -> LiveFile | None:
-    """The file of the live link, if there is to be one."""
-    from usdrigui.view.web.live import LiveFile
-
-    if arguments.live is None:
-        return None
-    if arguments.html or arguments.study or arguments.targets:
-        raise refuse("CONFIG_VALUE", "--live", "needs the page to be served, and not as a study")
-    return LiveFile(arguments.live, read)
 
 
 def picture(arguments: argparse.Namespace) -> Exit:

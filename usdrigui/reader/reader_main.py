@@ -15,6 +15,7 @@ from pxr import Ar, Sdf, Usd
 
 from usdrigui.errors import Issue, RigUIError, issue, raised_at, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_unchanged, hashed
+from usdrigui.layer import shared_animation
 from usdrigui.layer.baking import bake
 from usdrigui.layer.contradictions import contradictions
 from usdrigui.layer.corrections import own_corrections, read_corrections
@@ -59,6 +60,9 @@ def answer(request: Request) -> Response:
     """Do what is asked; every exception becomes a refusal."""
     peak = _peak()
     try:
+        if request.texts:
+            shared = getattr(shared_animation, request.task)
+            return Response(text=shared(request.path, *request.texts))
         return _TASKS[request.task](Path(request.path), request.settings)
     except RigUIError as error:
         return _refusal(
@@ -119,7 +123,7 @@ def _composed(path: Path, settings: Settings) -> Response:
 
 def _bake(path: Path, settings: Settings) -> Response:
     stage = open_stage(path, settings.read.variants)
-    return Response(baked=bake(stage, settings.read).ExportToString())
+    return Response(text=bake(stage, settings.read).ExportToString())
 
 
 def _faults(path: Path, settings: Settings) -> Response:

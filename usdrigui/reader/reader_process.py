@@ -99,7 +99,14 @@ def read_variants_isolated(path: Path, opening: ReadSettings) -> Mapping[str, tu
 
 def read_baked_isolated(path: Path, opening: ReadSettings) -> str:
     """As `usdrigui.layer.baking.bake`, as text, in a reader; raises as `read_rigs_isolated`."""
-    return _understood(_asked("bake", path, opening).baked, path)
+    return _understood(_asked("bake", path, opening).text, path)
+
+
+def shared_isolated(task: Task, path: Path, opening: ReadSettings, *contents: bytes) -> str:
+    """As the function `task` of `usdrigui.layer.shared_animation`, of contents of the file at
+    `path`, in a reader; raises FILE_NOT_USD and SOURCE_ codes."""
+    texts = tuple(each.decode(errors="surrogateescape") for each in contents)
+    return _understood(_response(task, path, Settings(read=opening), texts).text, path)
 
 
 def _understood(part: _Part | None, path: Path) -> _Part:
@@ -115,9 +122,9 @@ def _asked(task: Task, path: Path, opening: ReadSettings) -> Response:
     return _response(task, path, Settings(read=opening))
 
 
-def _response(task: Task, path: Path, settings: Settings) -> Response:
+def _response(task: Task, path: Path, settings: Settings, texts: tuple[str, ...] = ()) -> Response:
     # It keeps symbolic links, where resolve() would follow them.
-    request = Request(task, os.path.abspath(path), settings)  # noqa: PTH100
+    request = Request(task, os.path.abspath(path), settings, texts)  # noqa: PTH100
     response = answered(request, _PROGRAM, Response)
     if response.refusal is not None:
         raise RigUIError(response.refusal, Exit(response.exit_code), response.others)

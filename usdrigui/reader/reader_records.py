@@ -13,7 +13,9 @@ from usdrigui.isolation.foreign_file import SourceFile
 from usdrigui.model import Correction, ExistingPrim, Layout
 from usdrigui.settings import Settings
 
-Task = Literal["rigs", "layouts", "composed", "clips", "faults", "layer", "variants", "bake"]
+Task = Literal[
+    "rigs", "layouts", "composed", "clips", "faults", "layer", "variants", "bake", "told", "merged"
+]
 
 
 class ReadResult(Record):
@@ -101,6 +103,8 @@ class Request(Record):
     task: Task
     path: str
     settings: Settings
+    texts: tuple[str, ...] = ()
+    """What `usdrigui.layer.shared_animation.told` or `merged` are given."""
 
     @property
     def seconds(self) -> float:
@@ -124,8 +128,8 @@ class Response(Record):
     layer: LayerResult | None = None
     variants: Mapping[str, tuple[str, ...]] | None = None
     """By the name of the set."""
-    baked: str | None = None
-    """Text of a layer, as `usdrigui.layer.baking.bake` makes it."""
+    text: str | None = None
+    """Of a layer, as `usdrigui.layer.baking.bake` makes it, or what `told` and `merged` answer."""
     refusal: Issue | None = None
     exit_code: int = 0
     others: tuple[Issue, ...] = ()

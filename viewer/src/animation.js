@@ -126,11 +126,13 @@ export class Animation {
     return (weights[channel] - this.character.baseWeights[channel]) / rise;
   }
 
-  /** The component along the control's own turn of the rotation from the rig's base. */
-  awayOfJoint({ joint, turn }, locals) {
-    const rotation = (local) => matrix.polar(local).rotation;
-    const base = rotation(this.character.base.subarray(16 * joint, 16 * joint + 16));
-    const now = rotation(locals.subarray(16 * joint, 16 * joint + 16));
+  awayOfJoint(reading, locals) {
+    return this.turned(reading, matrix.polar(locals.subarray(16 * reading.joint, 16 * reading.joint + 16)).rotation);
+  }
+
+  /** The component along the control's own turn of a rotation from the rig's base. */
+  turned({ joint, turn }, now) {
+    const base = matrix.polar(this.character.base.subarray(16 * joint, 16 * joint + 16)).rotation;
     const turned = matrix.rotationVector(matrix.multiply3(now, matrix.transposed3(base)));
     return dot(turned, turn) / dot(turn, turn);
   }

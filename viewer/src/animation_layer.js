@@ -5,7 +5,7 @@
 // the sphere: weights are exact at all times, joints at every whole frame and every sample of the clip and the keys.
 
 import { decomposed } from './matrix.js';
-import { keysFrom, sayKeys } from './by_name.js';
+import { keysFrom, parsed, sayKeys } from './by_name.js';
 import { posed } from './notes.js';
 import { nested, number, quoted, rendered, stringsNamed } from './usda.js';
 
@@ -18,9 +18,9 @@ export function animationLayer(session) {
   return { text: animations.size ? layerOf([rest]) : '', unwritten };
 }
 
-/** One layer of all characters, each with its work; equal works give equal text. */
-export function animationLayerOf(sessions, workOf) {
-  return layerOf(sessions.map((session) => animated(session, workOf(session))));
+/** One layer of all characters, each with its work, and works of what none of them has; equal works give equal text. */
+export function animationLayerOf(sessions, workOf, others) {
+  return layerOf(sessions.map((session) => animated(session, workOf(session))), others);
 }
 
 /** A session's keys and what stands at all frames, by name. */
@@ -72,11 +72,16 @@ export function keysFromLayer(text, session) {
 }
 
 /** The works in a layer that the viewer wrote, whatever program saved it since: {root, keys, standing, span if set by hand} per character. */
-export function worksOf(text) {
+function worksOf(text) {
   const [work] = stringsNamed('work', text);
   if (!text.startsWith('#usda') || !work) throw new Error('This layer was not written by the viewer.');
-  const stored = JSON.parse(work);
-  return (stored.characters ?? [stored]).map(({ root, keys = {}, standing = {}, span }) => ({ root, keys, standing, ...(span && { span }) }));
+  return worksIn(work);
+}
+
+/** The works in what a layer keeps of them. */
+export function worksIn(work) {
+  const stored = parsed(work);
+  return (stored?.characters ?? [stored]).filter(Boolean).map(({ root, keys = {}, standing = {}, span }) => ({ root, keys, standing, ...(span && { span }) }));
 }
 
 // --- states ------------------------------------------------------------------------------------------
@@ -102,7 +107,7 @@ function crossings(knots, [start, from], [end, to]) {
 }
 
 /** Channel weights and local joint transforms at times. */
-function statesAt(session, times, at) {
+export function statesAt(session, times, at) {
   const { deformer, character } = session;
   const states = times.map((time) => {
     const { values, weights, locals } = at(time);
@@ -123,7 +128,7 @@ function statesAt(session, times, at) {
 
 // --- what is written where ---------------------------------------------------------------------------
 
-/** What a layer says of one character: {animations, unwritten, prims, range, rate, root, work}. */
+/** What a layer says of one character: {animations, unwritten, prims, range, rate, own, work}; `own` is how paths begin that it may write. */
 function contentOf(session, controls, states, range, work) {
   const { character, animation } = session;
   const { animations, unwritten } = animationsOf(session, controls);
@@ -136,7 +141,8 @@ function contentOf(session, controls, states, range, work) {
     const [prim, name] = character.controls[control].attribute.split('.');
     put(prims, prim, { type: 'over', lines: valueLines(name, control, states) });
   }
-  return { animations, unwritten, prims, range, rate: animation.rate, work: { root: character.root, ...work } };
+  const own = [`${character.root}/`, ...character.skeletons.map((each) => `${animationOf(each)}.`)];
+  return { animations, unwritten, prims, range, rate: animation.rate, own, work: { root: character.root, ...work } };
 }
 
 /** Whether a clip leaves nothing in the weights of a control beside its value, as one does that moves them apart. */
@@ -157,10 +163,15 @@ function withValues(all, written) {
   return found.length === written.length ? found : withValues(all, found);
 }
 
-/** The parts of all characters as one layer. */
-function layerOf(parts) {
+/** The parts of all characters as one layer, and works of other characters and controls. */
+function layerOf(parts, others = []) {
   const [{ rate, work }] = parts;
-  const works = parts.map((each) => each.work);
+  const works = new Map(others.map((each) => [each.root, each]));
+  for (const { work: own } of parts) {
+    const { keys, standing } = works.get(own.root) ?? {};
+    works.set(own.root, { ...own, keys: { ...own.keys, ...keys }, standing: { ...own.standing, ...standing } });
+  }
+  const all = [...works.values()];
   return [
     '#usda 1.0',
     '(',
@@ -171,7 +182,8 @@ function layerOf(parts) {
     `    framesPerSecond = ${number(rate)}`,
     '    customLayerData = {',
     '        dictionary usdrigui = {',
-    `            string work = ${quoted(JSON.stringify(works.length > 1 ? { characters: works } : work))}`,
+    `            string work = ${quoted(JSON.stringify(all.length > 1 ? { characters: all } : all[0]))}`,
+    `            string[] own = [${parts.flatMap(({ own }) => own).map(quoted).join(', ')}]`,
     '        }',
     '    }',
     ')',
@@ -187,7 +199,7 @@ function layerOf(parts) {
  */
 function animationsOf({ character, controls: all }, controls) {
   const { channels, joints, skeletons } = character;
-  const paths = skeletons.map(({ path, animation }) => animation || `${path}/usdrigui_animation`);
+  const paths = skeletons.map(animationOf);
   const homes = channels.map((channel, index) => homesOf(character, paths, channel, index));
   const found = new Map();
   const at = (path) => {
@@ -211,6 +223,9 @@ function animationsOf({ character, controls: all }, controls) {
   }
   return { animations: found, unwritten };
 }
+
+/** The SkelAnimation of a Skeleton, its own or one to be made. */
+export const animationOf = ({ path, animation }) => animation || `${path}/usdrigui_animation`;
 
 const emptyAnimation = ({ skeletons, channels }, paths, path) => ({
   skeletons: [...skeletons.keys()].filter((index) => paths[index] === path),

@@ -1,12 +1,13 @@
 // The live link: what is animated on the page is kept in one USD layer, by the server that the page comes from.
 // The layer's revision is told with every write, so that pages and programs that share it see each other's changes
-// before they replace it; changes of both sides are merged per control and frame (merging.js).
+// before they replace them; changes of both sides are merged per control and frame (merging.js).  What else programs have
+// written there the server keeps.
 
-import { animationLayerOf, saidKeys, worksOf } from './animation_layer.js';
+import { animationLayerOf, saidKeys, worksIn } from './animation_layer.js';
 import { button, make } from './dom.js';
 import { NOTHING, differing, merged } from './merging.js';
 import { keysFrom, sayKeys } from './by_name.js';
-import { sameContent } from './usda.js';
+import { withChanges } from './from_programs.js';
 
 const EVERY = 300; // milliseconds between writes, at least
 const LOOKS = 3; // a look at the file, or another try after a refusal, comes after so many turns
@@ -16,13 +17,11 @@ const WORDS = {
   saved: 'saved',
   unsaved: 'saving',
   lost: 'link lost: save before you close',
-  foreign: 'changed by another program, not replaced',
 };
 
 const TITLES = {
   saved: 'Every change is in this layer',
   lost: 'The command that serves this page has ended; the browser keeps your work, and Save animation layer downloads it',
-  foreign: 'It holds more than the keys shown here, which a write would lose',
 };
 
 export class Live {
@@ -33,8 +32,11 @@ export class Live {
     this.say = say;
     this.address = address;
     this.base = new Map(); // session -> work, as the file was when both sides last agreed
+    this.others = []; // works in the file of what the sessions do not have
+    this.asked = []; // {session, conflicts, here, there} of the changes here and elsewhere that exclude each other
     this.revision = '';
     this.changed = false;
+    this.isAhead = false; // somebody has changed samples in the file that its works do not say yet
     this.waited = 0;
     this.state = 'open';
     this.refusal = '';
@@ -43,7 +45,7 @@ export class Live {
   /** What the bar shows of the link. */
   makeNode() {
     this.words = make('output', { class: 'link', role: 'status' });
-    this.button = button('Replace', 'Write the keys of this page over it', () => this.replace(), { hidden: true });
+    this.button = button('Take theirs', 'What was changed here and elsewhere is as here now', () => this.takeTheirs(), { hidden: true });
     this.tell(this.state);
     return make('div', { class: 'group live' }, this.words, this.button);
   }
@@ -64,7 +66,7 @@ export class Live {
     if (this.isBusy) return;
     try {
       const isDue = this.waited++ % LOOKS === 0;
-      if (this.changed && this.revision && this.state !== 'foreign' && (isDue || !this.refusal)) await this.push();
+      if (this.changed && this.revision && (isDue || !this.refusal)) await this.push();
       else if (isDue) await this.pull();
     } catch (error) {
       if (!(error instanceof TypeError)) throw error; // what fetch throws without a server
@@ -91,19 +93,21 @@ export class Live {
   async push() {
     this.changed = false;
     const works = new Map(this.sessions.map((session) => [session, saidKeys(session)]));
-    if (this.sessions.every((session) => this.agrees(session, works.get(session)))) {
-      this.tell('saved');
+    if (!this.isAhead && this.sessions.every((session) => this.agrees(session, works.get(session)))) {
+      this.tell();
       return;
     }
     if (!this.refusal) this.tell('unsaved');
-    const answer = await this.ask('PUT', { 'If-Match': this.revision }, animationLayerOf(this.sessions, (session) => works.get(session)));
+    const layer = animationLayerOf(this.sessions, (session) => works.get(session), this.others);
+    const answer = await this.send('PUT', { 'If-Match': this.revision }, layer);
     if (answer.status === 412) {
       this.changed = true;
       await this.pull();
     } else if (answer.ok) {
       this.revision = answer.headers.get('ETag') ?? '';
+      this.isAhead = false;
       this.base = works;
-      this.tell(this.changed ? 'unsaved' : 'saved');
+      this.tell();
     } else {
       this.changed = true;
       await this.refuse(answer);
@@ -117,20 +121,19 @@ export class Live {
     this.tell('refused', why);
   }
 
-  /** Write over what another program has made of the file. */
-  replace() {
-    this.base.clear();
+  /** Answer what is asked: as elsewhere. */
+  takeTheirs() {
+    this.asked.splice(0).forEach(({ session, here, there }) => bring(session, here, there));
     this.changed = true;
-    this.tell('unsaved');
+    this.tell();
   }
 
   // --- reading ---------------------------------------------------------------------------------------
 
   async pull() {
-    const answer = await this.ask('GET', { 'If-None-Match': this.revision });
+    const answer = await this.send('GET', { 'If-None-Match': this.revision });
     if (answer.status === 304) {
-      // Also after a refusal: the file can be read again, and is as it was.
-      if (this.state !== 'foreign') this.tell(this.changed ? 'unsaved' : 'saved');
+      this.tell(); // also after a refusal: the file is as it was
     } else if (answer.ok) {
       const text = await answer.text();
       if (this.isBusy) return; // a drag has begun meanwhile: it is read after it
@@ -148,28 +151,35 @@ export class Live {
       this.tell('saved');
       return;
     }
-    const works = readable(text);
-    const workOf = ({ character }) => works.find(({ root }) => root === character.root) ?? NOTHING;
-    const read = new Map(this.sessions.map((session) => [session, sayKeys(session, keysFrom(workOf(session), session))]));
-    // A page may be opened on another clip or layout than the file was written on; while it is open, all is written alike.
-    const isWhole = isFirst
-      ? works.length && works.every(({ root }) => this.sessions.some(({ character }) => character.root === root)) &&
-        this.sessions.every((session) => !differing(workOf(session), read.get(session)).length)
-      : sameContent(text, animationLayerOf(this.sessions, (session) => read.get(session)));
-    if (works.length) this.sessions.forEach((session) => this.merge(session, read.get(session), isFirst));
-    this.tell(isWhole ? (this.changed ? 'unsaved' : 'saved') : 'foreign');
+    const told = JSON.parse(text);
+    this.isAhead = Object.keys(told.changed).length > 0;
+    this.others = worksIn(told.work);
+    for (const session of this.sessions) {
+      const stored = this.others.find(({ root }) => root === session.character.root) ?? NOTHING;
+      const found = this.others.length ? stored : this.baseOf(session);
+      this.merge(session, sayKeys(session, withChanges(session, found, told)), isFirst);
+      for (const { name } of session.controls) {
+        delete stored.keys[name];
+        delete stored.standing[name];
+      }
+    }
+    this.tell();
   }
 
+  /** Take up what others have made of the last agreement; where both changed one thing it is as here, until somebody says that it is as theirs. */
   merge(session, theirs, isFirst) {
     const base = this.baseOf(session);
-    const { conflicts, taken } = merged(base, saidKeys(session), theirs);
+    const mine = saidKeys(session);
+    const { work: here, conflicts, taken } = merged(base, mine, theirs);
     if (taken.length) {
-      session.rebase((state) => keysFrom(merged(base, sayKeys(session, state), theirs).work, session));
+      bring(session, base, theirs);
       if (!isFirst) this.say(`${this.name} changed elsewhere: ${few(taken.map((name) => labelOf(session, name)))}`);
     }
     this.base.set(session, theirs);
-    this.changed ||= !this.agrees(session);
-    if (conflicts.length) this.say(`Changed here and elsewhere, as here now: ${few(conflicts.map((each) => worded(session, each)))}`);
+    this.changed ||= this.isAhead || !this.agrees(session);
+    if (!conflicts.length) return;
+    this.say(`Changed here and elsewhere, as here now: ${few(conflicts.map((each) => worded(session, each)))}`);
+    this.asked.push({ session, conflicts, here, there: merged(base, theirs, mine).work });
   }
 
   baseOf(session) {
@@ -178,28 +188,24 @@ export class Live {
 
   // --- the server ------------------------------------------------------------------------------------
 
-  ask(method, headers, body) {
+  send(method, headers, body) {
     return fetch(this.address, { method, headers, body, cache: 'no-store', credentials: 'omit', redirect: 'error' });
   }
 
-  tell(state, refusal = '') {
+  tell(state = this.changed ? 'unsaved' : 'saved', refusal = '') {
+    // A question is open as long as its answer would change something.
+    this.asked = this.asked.filter(({ session, here, there }) => merged(here, saidKeys(session), there).taken.length);
     Object.assign(this, { state, refusal });
     if (!this.words) return;
     this.words.textContent = `${this.name}: ${refusal || WORDS[state]}`;
     this.words.title = TITLES[state] ?? '';
-    this.words.classList.toggle('wrong', !['open', 'saved', 'unsaved'].includes(state));
-    this.button.hidden = state !== 'foreign';
+    this.words.classList.toggle('wrong', ['lost', 'refused'].includes(state));
+    this.button.hidden = !this.asked.length;
   }
 }
 
-/** The works that a layer holds; none of one that the viewer did not write. */
-function readable(text) {
-  try {
-    return worksOf(text);
-  } catch {
-    return [];
-  }
-}
+/** What others have made of `base` comes to a session's present state and to all that undo and redo give back. */
+const bring = (session, base, theirs) => session.rebase((state) => keysFrom(merged(base, sayKeys(session, state), theirs).work, session));
 
 const few = (names) => (names.length > 4 ? `${names.slice(0, 3).join(', ')} and ${names.length - 3} more` : names.join(', '));
 const labelOf = ({ controls }, name) => controls.find((control) => control.name === name)?.label ?? name;

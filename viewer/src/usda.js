@@ -1,5 +1,6 @@
 // USD as text: prims nested by path, quoted strings, numbers; and the strings of a name out of a layer.
 
+import { parsed } from './by_name.js';
 import { rounded } from './vectors.js';
 
 /** Prims nested by path, those that share ancestors sharing the overs. */
@@ -34,38 +35,21 @@ export function quoted(text) {
 
 const unquoted = (quotation) => quotation.slice(1, -1).replace(/\\(.)/g, (_, character) => (character === 'n' ? '\n' : character));
 
-/** Values of the strings of a name in a layer, as the page or USD itself has quoted them. */
-export function stringsNamed(name, text) {
-  const found = text.matchAll(new RegExp(`string ${name} = ("(?:[^"\\\\]|\\\\.)*"|'(?:[^'\\\\]|\\\\.)*')`, 'g'));
+/** Values of the strings after `before` in a text, as the page or USD itself has quoted them. */
+export function stringsIn(text, before = '') {
+  const found = text.matchAll(new RegExp(`${before}("(?:[^"\\\\]|\\\\.)*"|'(?:[^'\\\\]|\\\\.)*')`, 'g'));
   return [...found].map(([, quotation]) => unquoted(quotation));
 }
 
-/**
- * Whether two layers say the same, whichever program wrote them: metadata of the layer in any order, strings in any quotes,
- * numbers to the digits of their type.
- */
-export function sameContent(one, other) {
-  const [a, b] = [one, other].map(statements);
-  let digits = 1e-6;
-  return a.length === b.length && a.every((words, i) => {
-    if (typeof words[0] !== 'number') digits = words[0] === 'half3' ? 1e-3 : 1e-6;
-    return words.length === b[i].length && words.every((word, k) => alike(word, b[i][k], digits));
-  });
-}
+/** Values of the strings of a name in a layer. */
+export const stringsNamed = (name, text) => stringsIn(text, `string ${name} = `);
 
-/** The words and numbers of each line. */
-function statements(text) {
-  const lines = text.split('\n').map((line) => line.trim()).filter(Boolean);
-  const head = lines.indexOf(')');
-  return [...lines.slice(0, head).sort(), ...lines.slice(head)].map(wordsOf);
+/** What the text of an attribute says: the [time, value] of its samples or knots, tuples and arrays as arrays; and the number for all times, if any. */
+export function valuesIn(text) {
+  const value = (words) => parsed(words.replaceAll('(', '[').replaceAll(')', ']'));
+  const samples = [...text.matchAll(/^ +([-+.\de]+): (.*?)(?:;.*)?,$/gm)].map(([, time, words]) => [Number(time), value(words)]);
+  return { samples, one: value(/^[^\n=]* = ([-+.\de]+)/.exec(text)?.[1] ?? '') };
 }
-
-function wordsOf(line) {
-  const words = line.match(/"(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*'|[^\s,:()[\]"']+|\S/g) ?? [];
-  return words.map((word) => (/^["']./.test(word) ? unquoted(word) : Number.isFinite(Number(word)) ? Number(word) : word));
-}
-
-const alike = (a, b, digits) => a === b || (typeof a === 'number' && Math.abs(a - b) <= digits * Math.max(1, Math.abs(a)));
 
 export const number = (value) => String(rounded(value) + 0);
 export const tuple = (values) => `(${[...values].map(number).join(', ')})`;

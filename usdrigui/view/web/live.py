@@ -1,5 +1,5 @@
-"""The file of a live link: pages read it and replace it whole, each with the revision that it means
-to replace.
+"""The file of a live link: what pages save is put into it, each with the revision that it means to
+replace.
 
 A revision is the digest of the content, so that a change by any program is seen, and one page
 never replaces what another has written without having seen it (docs/decisions/079).
@@ -13,52 +13,39 @@ import threading
 from collections.abc import Iterable
 from pathlib import Path
 
+from usdrigui.errors import refuse
 from usdrigui.isolation.foreign_file import whole_content
+from usdrigui.reader.reader_process import shared_isolated
 from usdrigui.replacing.transaction import check_not_read, check_own, commit, file_error
+from usdrigui.settings import ReadSettings
 
-_STRING = r'"(?:[^"\\\x00-\x1f\x7f]|\\["\\n])*"'
-_NUMBER = r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?"
-_ITEM = rf"(?:{_NUMBER}|\({_NUMBER}(?:, {_NUMBER}){{2,3}}\))"
-_HEADER = re.compile(
-    rf"""#usda 1\.0
-\(
-    defaultPrim = {_STRING}
-    startTimeCode = {_NUMBER}
-    endTimeCode = {_NUMBER}
-    timeCodesPerSecond = {_NUMBER}
-    framesPerSecond = {_NUMBER}
-    customLayerData = {{
-        dictionary usdrigui = {{
-            string work = {_STRING}
-        }}
-    }}
-\)
-
-"""
+_STRING = r'"(?:[^"\\\x00-\x1f\x7f\ud800-\udfff]|\\["\\n])*"'
+_STRINGS = rf"\[(?:{_STRING}(?:, {_STRING})*)?\]"
+_NUMBERS = r"[-+.,e\d ()\[\]]+"
+"""Numbers, tuples and arrays of them, and what USD reads as none."""
+_LINE = re.compile(
+    rf"(?:#usda 1\.0|\(| *(?:[{{}})]?|defaultPrim = {_STRING}"
+    rf"|(?:startTimeCode|endTimeCode|timeCodesPerSecond|framesPerSecond) = {_NUMBERS}"
+    rf"|customLayerData = {{|dictionary usdrigui = {{|string work = {_STRING}"
+    rf"|(?:string\[\] own|uniform token\[\] (?:blendShapes|joints)) = {_STRINGS}"
+    rf"|(?:over|def SkelAnimation) {_STRING}(?: \()?"
+    r'|prepend apiSchemas = \["SkelBindingAPI"\]|rel skel:animationSource = <(?:/\w+)+>'
+    r"|(?:float\[\] blendShapeWeights|quatf\[\] rotations|half3\[\] scales|float3\[\] translations"
+    r"|double rigUI:control:\w+:value)"
+    rf"(?: = {_NUMBERS}|\.timeSamples = {{)|{_NUMBERS}: {_NUMBERS}))"
 )
-_CONTROL = r"double rigUI:control:\w+:value"
-_PRIM = re.compile(rf"(?:over|def SkelAnimation) {_STRING}( \()?")
-_BINDING = 'prepend apiSchemas = ["SkelBindingAPI"]'
-_PROPERTY = re.compile(
-    rf"uniform token\[\] (?:blendShapes|joints) = \[(?:{_STRING}(?:, {_STRING})*)?\]"
-    r"|rel skel:animationSource = <(?:/\w+)+>"
-    rf"|{_CONTROL} = {_NUMBER}"
-)
-_SAMPLED = re.compile(
-    r"(?:float\[\] blendShapeWeights|quatf\[\] rotations|half3\[\] scales|float3\[\] translations"
-    rf"|{_CONTROL})\.timeSamples = \{{"
-)
-_SAMPLE = re.compile(rf"{_NUMBER}: (?:{_NUMBER}|\[{_ITEM}(?:, {_ITEM})*\]),")
+"""Lines that viewer/src/animation_layer.js writes: overs, SkelAnimations, their bindings and
+samples.  No layer, asset or plug-in can be named in them."""
 
 
 class LiveFile:
-    """One file that pages share.  `read` are the files that the run has read, none of which is ever
-    replaced."""
+    """One file that pages and programs share.  `read` are the files that the run has read, none of
+    which is ever replaced."""
 
-    def __init__(self, path: Path, read: Iterable[Path | str]) -> None:
+    def __init__(self, path: Path, read: Iterable[Path | str], opening: ReadSettings) -> None:
         """Raises FILE_TARGET for a file that was read, is not named .usda, or is no animation layer
         of the viewer."""
-        self.path, self._read = path, tuple(read)
+        self.path, self._read, self._opening = path, tuple(read), opening
         self._lock = threading.Lock()
         self._closed = False
         check_not_read([path], self._read)
@@ -74,17 +61,31 @@ class LiveFile:
         except OSError as error:
             raise file_error(self.path, error) from error
 
-    def replace(self, text: bytes, known: str) -> str:
-        """Let the file hold `text` if its revision is `known`, and return the new one; nothing
-        where it is not.
+    def told(self, content: bytes) -> str:
+        """What a page needs of the content, by `usdrigui.layer.shared_animation.told`; nothing of
+        none.  Raises RigUIError with a FILE_ or SOURCE_ code."""
+        return shared_isolated("told", self.path, self._opening, content) if content else ""
 
-        Raises RigUIError with a FILE_ code; what the file held is untouched then.
+    def replace(self, part: bytes, known: str) -> str:
+        """Put what a page saves into the file if its revision is `known`, and return the new one;
+        nothing where it is not.
+
+        Raises RigUIError with a FILE_ or SOURCE_ code, FILE_NOT_USD where `part` is no animation;
+        what the file held is untouched then.
         """
         with self._lock:
-            if self._closed or revision(self.content()) != known:
+            held = self.content()
+            if self._closed or revision(held) != known:
                 return ""
-            commit(text, self.path, read=self._read)
-            return revision(text)
+            # In whatever order: USD reads them afterwards.
+            lines = part.decode(errors="surrogateescape").split("\n")
+            if b" own = " not in part or not all(map(_LINE.fullmatch, lines)):
+                raise refuse("FILE_NOT_USD", self.path, "is to get what is no animation layer")
+            made = shared_isolated("merged", self.path, self._opening, held, part).encode()
+            if self.content() != held:
+                return ""
+            commit(made, self.path, read=self._read)
+            return revision(made)
 
     def close(self) -> None:
         """Let a replacement that has begun end, and none begin."""
@@ -95,46 +96,3 @@ class LiveFile:
 def revision(content: bytes) -> str:
     """Digest of what the file holds, as HTTP has it."""
     return f'"{hashlib.sha256(content).hexdigest()}"'
-
-
-def animation(content: bytes) -> bytes | None:
-    """The animation layer that a page saves, written anew from the lines in which it was read; None
-    for anything else.
-
-    Those are the lines that viewer/src/animation_layer.js writes: overs, SkelAnimations, their
-    bindings and samples.  No layer, asset or plug-in can be named in them.
-    """
-    try:
-        text = content.decode()
-    except UnicodeDecodeError:
-        return None
-    header = _HEADER.match(text)
-    if header is None or not text.endswith("\n"):
-        return None
-    lines = text[header.end() :].split("\n")[:-1]
-    return "\n".join([header.group()[:-1], *lines, ""]).encode() if _are_prims(lines) else None
-
-
-def _are_prims(lines: Iterable[str]) -> bool:
-    """Whether the lines are prims of an animation, each below the one that it belongs to."""
-    depth, rest = 0, iter(lines)
-    for line in rest:
-        margin = "    " * depth
-        words = line.removeprefix(margin)
-        prim = _PRIM.fullmatch(words)
-        if prim is not None:
-            metadata = [f"{margin}    {_BINDING}", f"{margin})"] if prim.group(1) else []
-            if [next(rest, "") for _ in metadata] != metadata or next(rest, "") != f"{margin}{{":
-                return False
-            depth += 1
-        elif depth and line == "    " * (depth - 1) + "}":
-            depth -= 1
-        elif depth and _SAMPLED.fullmatch(words):
-            row = next(rest, "")
-            while _SAMPLE.fullmatch(row.removeprefix(f"{margin}    ")):
-                row = next(rest, "")
-            if row != f"{margin}}}":
-                return False
-        elif not depth or not _PROPERTY.fullmatch(words):
-            return False
-    return depth == 0

@@ -20,7 +20,7 @@ from typing import Any
 
 from usdrigui.errors import RigUIError, sentences
 from usdrigui.isolation import worker
-from usdrigui.view.web.live import LiveFile, animation, revision
+from usdrigui.view.web.live import LiveFile, revision
 
 _MOST_DRAINED = 1 << 20
 _MOST_WRITTEN = 1 << 28
@@ -137,11 +137,7 @@ class _Handler(BaseHTTPRequestHandler):
             )
             return
         text = self.rfile.read(int(length))
-        layer = animation(text) if len(text) == int(length) else None
-        if layer is None:
-            self._send(HTTPStatus.BAD_REQUEST, b"this is no animation layer\n")
-            return
-        self._with_file(lambda: self._replaced(live, layer))
+        self._with_file(lambda: self._replaced(live, text if len(text) == int(length) else b""))
 
     def _is_asked(self, name: str) -> bool:
         """Whether a name below the address is asked for, of this host: no other site's name can be
@@ -155,14 +151,14 @@ class _Handler(BaseHTTPRequestHandler):
         if self.headers.get("If-None-Match") == tag:
             self._send(HTTPStatus.NOT_MODIFIED, b"", tag=tag)
         else:
-            self._send(HTTPStatus.OK, found, tag=tag)
+            self._send(HTTPStatus.OK, live.told(found).encode(), tag=tag)
 
     def _replaced(self, live: LiveFile, text: bytes) -> None:
         made = live.replace(text, self.headers.get("If-Match", ""))
         self._send(HTTPStatus.OK if made else HTTPStatus.PRECONDITION_FAILED, b"", tag=made)
 
     def _with_file(self, act: Callable[[], None]) -> None:
-        """Read or write the file; the page receives what the disk refuses."""
+        """Read or write the file; the page receives what is refused."""
         try:
             act()
         except RigUIError as error:
