@@ -279,7 +279,6 @@ FAULTS = {
         "a track twice as long": control("arcLength", lambda old: 2.0 * old),
         "another magnification": control("magnification", 3.0),
         "the plane the other way": layout("planeNormal", lambda old: -old),
-        "the plane elsewhere": layout("planeOrigin", Gf.Vec3f(5, 0, 0)),
         "a normal aside": element("anchor:normal", lambda old: Gf.Cross(old, Gf.Vec3f.YAxis()).GetNormalized()),
         "a side without a plane": layout("planeNormal", Gf.Vec3f()),
         "a peak too low": control("peak", lambda old: 0.3 * old),
@@ -292,6 +291,7 @@ FAULTS = {
         "a shape of the board left out": without_shape(SQUASH),
     },
     (INVALID, SCOPE): {
+        "the plane elsewhere": layout("planeOrigin", Gf.Vec3f(5, 0, 0)),
         "a purpose of render": lambda each: each.set("purpose", "render", SCOPE),
         "handles wider than those of a part": elbows("elbows"),
         "the view of no part": both(

@@ -123,11 +123,20 @@ def _of_layout(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
         axes = len(element.axes)
         if not least <= axes <= most:
             yield invalid_at(prim, f"rigUI:element:elementType does not fit its {axes} axes")
-        yield from _of_side(prim, element, layout)
-        mirror = element.mirror
-        if mirror in by_name:
-            yield from _of_mirror(prim, element, *by_name[mirror], layout)
+        copies = [element.anchor.position]
+        if element.mirror in by_name:
+            other_prim, other = by_name[element.mirror]
+            copies.append(other.anchor.position)
+            yield from _of_mirror(prim, element, other_prim, other, layout)
+        yield from _of_side(prim, element, np.array(copies), layout)
     yield from _unpaired(by_name, layout)
+    away = [
+        layout.frame.plane.distance(each.anchor.position)
+        for each in layout.elements
+        if each.mirror and layout.frame.mirrors(each.part)
+    ]
+    if away and min(away) * max(away) >= 0.0:
+        yield invalid_at(scope, "rigUI:layout:planeOrigin: all pairs are on one side of the plane")
 
 
 def _of_prims(scope: Usd.Prim) -> Iterator[Issue]:
@@ -232,9 +241,9 @@ def _of_drawing(mesh: Usd.Prim, parts: Sequence[str]) -> Iterator[Issue]:
         yield invalid_at(mesh, why)
 
 
-def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue]:
-    """Whether an element on the character is on the side that it names, and has nothing of those
-    on the board, which face the viewer."""
+def _of_side(prim: Usd.Prim, element: Element, copies: Floats, layout: Layout) -> Iterator[Issue]:
+    """Whether an element on the character, with its mirror at `copies` (c, 3), is on the side that
+    it names, and has nothing of those on the board, which face the viewer."""
     plane, side = layout.frame.plane, element.side
     on_board, part, normal = element.anchor.on_board, element.part, element.anchor.normal
     if on_board and normal @ layout.frame.view_of(part) < CLEAR * normal.any():
@@ -245,7 +254,7 @@ def _of_side(prim: Usd.Prim, element: Element, layout: Layout) -> Iterator[Issue
         yield invalid_at(prim, f"rigUI:element:side is {side}: rigUI:layout:planeNormal is missing")
     if not layout.frame.mirrors(part):
         return
-    away = plane.distance(element.anchor.position)
+    away = plane.aside(copies)[0]
     # Far from the origin the layer tells places less exactly than a handle is wide.
     told = 2.0 * author.TOLD * np.abs(element.anchor.position).max()
     width = layout.frame.handle_width_of(part)
@@ -268,7 +277,7 @@ def _of_mirror(
         return
     pairs = list(zip(element.members, other.members, strict=True))
     named = all(hints_at_twin(one.control, twin.control) for one, twin in pairs)
-    if _OPPOSITE.get(element.side) != other.side and not named:
+    if _OPPOSITE.get(element.side) != other.side:
         yield doubtful_at(prim, f"{where} is on the side {other.side}")
     reflect = layout.frame.plane.reflected
     if element.anchor.on_board or other.anchor.on_board or element.kind == "fan":

@@ -165,6 +165,12 @@ class MirrorPlane(Record):
         left."""
         return np.asarray((points - self.origin) @ self.normal)
 
+    def aside(self, copies: Floats) -> Floats:
+        """(c,) how far on the left each copy of an element at `copies` (c, 3) is: one alone from
+        the plane, a pair from the middle of both, as in a pose both may stand on one side."""
+        apart = self.distance(copies)
+        return apart - apart.mean() if len(copies) == 2 else apart
+
     def reflected(self, points: Floats) -> Floats:
         """(..., 3) mirror images of `points`."""
         return points - 2.0 * self.distance(points)[..., None] * self.normal

@@ -39,7 +39,6 @@ from usdrigui.layout.symmetry.base_pose import (
     NeutralPose,
     neutral_pose,
     symmetry_at_pose,
-    symmetry_of_part,
 )
 from usdrigui.layout.visibility import find_views
 from usdrigui.model import Assignment, Element, Layout, Symmetry, Trajectories
@@ -88,14 +87,16 @@ def _parts(
     rig: Rig, found: Trajectories, mirror: tuple[Symmetry, NeutralPose | None], settings: Settings
 ) -> tuple[CharacterPart, ...]:
     """The parts of a character with their own trajectories and symmetry; `mirror` is the symmetry
-    of the whole, and its neutral pose."""
+    of the whole, and its neutral pose.  A face has a plane of its own."""
     divided, sampling = divide(rig, found, settings), settings.trajectories
-    parts = []
+    (whole, neutral), parts = mirror, []
     for part in divided:
-        own, symmetry = found, mirror[0]
+        own, symmetry = found, whole
         if len(divided) > 1:
             own = of_controls(rig, found, (part.controls, part.excluded), sampling)
-            symmetry = symmetry_of_part(rig, own, (part.name, *mirror), settings)
+        if len(divided) > 1 and part.name == FACE:
+            of_face = symmetry_at_pose(rig, own, neutral, settings)
+            symmetry = of_face if of_face.plane.normal.any() else whole
         if part.name in OF_SIDES:
             own = at_scale_of_a_side(own, symmetry.plane)
         parts.append(CharacterPart(part.name, own, symmetry))

@@ -7,7 +7,7 @@ from dataclasses import asdict, replace
 
 import numpy as np
 
-from usdrigui.character import Floats, Rig
+from usdrigui.character import Floats, Indices, Rig
 from usdrigui.layout.board.board import BoardEntry, board_elements
 from usdrigui.layout.element.fans import fan_order
 from usdrigui.layout.face import Face
@@ -124,14 +124,14 @@ def _on_face(known: Measured, group: Group, choice: Choice, label: int) -> list[
     face, requests, settings = known.face, known.requests, known.settings.output
     names = names_of_copies(face.rig, group, choice)
     least = settings.min_track * face.handle_width
-    made = []
+    made, sides = [], _sides(face, choice.anchors[label])
     for copy, controls in enumerate(choice.controls):
         point, source = int(choice.anchors[label, copy]), int(choice.sources[label, copy])
         overrides = [requests.overrides[control] for control in controls]
         drawn = tuple(_member(face, control, point, source, least) for control in controls)
         members, opposed = _ordered(group, drawn, _normal(face, point))
         middle = own_mirror_image(face, group)
-        anchor, side = anchor_at(face, point), "middle" if middle else _side(face, point)
+        anchor, side = anchor_at(face, point), "middle" if middle else sides[copy]
         mirror = names[1 - copy] if len(names) == 2 else ""
         made.append(
             Element(
@@ -198,11 +198,13 @@ def anchor_at(face: Face, point: int) -> Anchor:
     return Anchor(mesh.path, local, len(mesh.points), mesh.topology.hash, base, normal, False)
 
 
-def _side(face: Face, point: int) -> Side:
-    """The side of the character on which a point lies."""
-    if not face.symmetry.plane.normal.any():
-        return "none"
-    apart = float(face.symmetry.plane.distance(face.surface.points[point]))
-    if abs(apart) <= MIDDLE * face.surface.face_size:
-        return "middle"
-    return "left" if apart > 0.0 else "right"
+def _sides(face: Face, points: Indices) -> list[Side]:
+    """The side of the character on which each copy of an element at `points` lies."""
+    plane, surface = face.symmetry.plane, face.surface
+    if not plane.normal.any():
+        return ["none"] * len(points)
+    near = MIDDLE * surface.face_size
+    return [
+        "middle" if abs(apart) <= near else "left" if apart > 0.0 else "right"
+        for apart in plane.aside(surface.points[points])
+    ]

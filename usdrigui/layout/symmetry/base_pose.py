@@ -9,14 +9,18 @@ from functools import cached_property
 
 import numpy as np
 
-from usdrigui.character import Floats, Indices, Record, Rig
+from usdrigui.character import Body, Floats, Indices, Record, Rig
+from usdrigui.layout.motion.owned_skin import joint_places
 from usdrigui.layout.motion.similarity import displacement_fields
 from usdrigui.layout.motion.trajectory import of_controls, trajectories
-from usdrigui.layout.parts.joint_regions import FACE
 from usdrigui.layout.symmetry.mirror_plane import mirrored
-from usdrigui.layout.symmetry.sides_of_joints import plane_between
+from usdrigui.layout.symmetry.sides_of_joints import (
+    mirrored_joints,
+    plane_between,
+    plane_of_pairs,
+)
 from usdrigui.layout.symmetry.twins import paired
-from usdrigui.model import BaseSurface, Motion, Symmetry, Trajectories
+from usdrigui.model import BaseSurface, MirrorPlane, Motion, Symmetry, Trajectories
 from usdrigui.settings import Settings, TrajectorySettings
 
 
@@ -55,7 +59,7 @@ def symmetry_at_pose(
     A pose with one eye closed or one arm raised has no mirror image there: pairs would find no
     common candidate and leave the character.
     """
-    mirror, at = mirrored(rig, found, settings), found
+    mirror = mirrored(rig, found, settings)
     missed = _missed(mirror[1], found.motions)
     if neutral is not None and (missed or neutral.preferred):
         rig_there = replace(neutral.rig, up=rig.up)
@@ -63,32 +67,19 @@ def symmetry_at_pose(
         there = of_controls(rig_there, neutral.trajectories, chosen, neutral.sampling)
         other = mirrored(rig_there, there, settings)
         if _missed(other[1], found.motions) < missed + neutral.preferred:
-            mirror, at, rig = other, there, rig_there
-    symmetry = paired(rig, at.motions, (displacement_fields(at), *mirror), settings)
-    return symmetry if at is found else _at_pose(symmetry, at.surface, found.surface.points)
+            fields = displacement_fields(there)
+            symmetry = paired(rig_there, there.motions, (fields, *other), settings)
+            plane = _between_joints(rig.body, rig_there.body, symmetry.plane)
+            if plane is None:
+                plane = _between_points(symmetry, there.surface, found.surface.points)
+            origin = plane.projected(found.surface.points.mean(axis=0))
+            return replace(symmetry, plane=replace(plane, origin=origin))
+    return paired(rig, found.motions, (displacement_fields(found), *mirror), settings)
 
 
 def _missed(partner: Indices, motions: Sequence[Motion]) -> int:
     """How often a control moves a point without a partner."""
     return sum(int((partner[each.points] < 0).sum()) for each in motions)
-
-
-def symmetry_of_part(
-    rig: Rig,
-    found: Trajectories,
-    of_whole: tuple[str, Symmetry, NeutralPose | None],
-    settings: Settings,
-) -> Symmetry:
-    """The symmetry of one part, whose name is given with the symmetry of the whole character and
-    its neutral pose: a face has a plane of its own, a hand by itself is nearly symmetric about its
-    middle finger."""
-    part, whole, neutral = of_whole
-    if part == FACE or not whole.plane.normal.any():
-        own = symmetry_at_pose(rig, found, neutral, settings)
-        if own.plane.normal.any():
-            return own
-    mirror = displacement_fields(found), whole.plane, whole.partner
-    return paired(rig, found.motions, mirror, settings)
 
 
 def _bind_pose(rig: Rig, sampling: TrajectorySettings) -> NeutralPose | None:
@@ -111,16 +102,22 @@ def _bind_pose(rig: Rig, sampling: TrajectorySettings) -> NeutralPose | None:
     return NeutralPose(replace(rig, body=replace(rig.body, joints=turned)), sampling, False)
 
 
-def _at_pose(symmetry: Symmetry, surface: BaseSurface, base: Floats) -> Symmetry:
-    """The same partners with the plane where most pairs now have it: what one side does must not
-    tilt it."""
+def _between_joints(body: Body, neutral: Body, plane: MirrorPlane) -> MirrorPlane | None:
+    """The plane of the neutral pose where the joints that mirror each other there have it now."""
+    twins = mirrored_joints(neutral, plane)
+    side = plane.distance(joint_places(neutral.skeletons, neutral.joints))
+    return plane_of_pairs(body, {i: twin for i, twin in twins.items() if side[i] > side[twin]})
+
+
+def _between_points(symmetry: Symmetry, surface: BaseSurface, base: Floats) -> MirrorPlane:
+    """The plane where most pairs of points of `surface` have it at the `base` places (n, 3): what
+    one side does must not tilt it."""
     side = symmetry.plane.distance(surface.points)
     # Joints may bring together what is apart at the bind pose.
     apart = (base != base[symmetry.partner]).any(axis=1)
     left = np.flatnonzero((symmetry.partner >= 0) & (side > 0.0) & apart)
     if not len(left):
-        return symmetry
+        return symmetry.plane
     # Pairs near the middle determine the plane badly.
     left = left[side[left] >= np.median(side[left])]
-    plane, _ = plane_between(base[left], base[symmetry.partner[left]])
-    return replace(symmetry, plane=replace(plane, origin=plane.projected(base.mean(axis=0))))
+    return plane_between(base[left], base[symmetry.partner[left]])[0]

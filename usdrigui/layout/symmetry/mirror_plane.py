@@ -16,9 +16,9 @@ from scipy.spatial import cKDTree
 from usdrigui.character import Flags, Floats, Indices, Record, Rig
 from usdrigui.character.rays import AROUND
 from usdrigui.layout.motion.trajectory import total_motion
-from usdrigui.layout.shares import MOST, NOTHING, OUTLIER
+from usdrigui.layout.shares import MOST, NEARLY_ALL, NOTHING, OUTLIER
 from usdrigui.layout.symmetry.front import moving_normals
-from usdrigui.layout.symmetry.sides_of_joints import ONE_WAY, plane_of_names
+from usdrigui.layout.symmetry.sides_of_joints import plane_of_names
 from usdrigui.model import MirrorPlane, Trajectories
 from usdrigui.settings import Settings
 from usdrigui.ties import rounded, towards
@@ -52,10 +52,10 @@ def mirrored(
     tolerance = mirror.tolerance * trajectories.surface.face_size
     plane = named = None
     if mirror.enabled and trajectories.motions:
-        named = plane_of_names(rig.body.skeletons, rig.body.joints)
+        named = plane_of_names(rig.body)
         plane = _best(trajectories, tolerance, rig.up)
-        # A robot may be as symmetric from front to back.
-        if named and not (plane and abs(named.normal @ plane.normal) >= ONE_WAY):
+        # A robot may be as symmetric from front to back, one arm in a pose as the other.
+        if named and not (plane and abs(named.normal @ plane.normal) >= NEARLY_ALL):
             plane = named
     if plane is None:
         return MirrorPlane(np.zeros(3), np.zeros(3)), np.full(count, -1, dtype=np.int64)

@@ -5,12 +5,13 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Mapping
 from itertools import product
 
 import numpy as np
 from scipy.spatial.distance import cdist
 
-from usdrigui.character import Body, Floats, Joint, Skeleton
+from usdrigui.character import Body, Floats, Joint
 from usdrigui.character.joint_tree import Tree, unit
 from usdrigui.conventions.sides import mirrored, side_of
 from usdrigui.layout.motion.owned_skin import joint_places
@@ -24,21 +25,32 @@ _COUNT = re.compile(r"[ _.-]*\d+$")
 """What an exporter counts the joints with."""
 
 
-def plane_of_names(
-    skeletons: tuple[Skeleton, ...], joints: tuple[Joint, ...]
-) -> MirrorPlane | None:
+def plane_of_names(body: Body) -> MirrorPlane | None:
     """The plane between the joints whose names have left and right, at the base pose; None where
     too few do or they do not agree."""
-    places = joint_places(skeletons, joints)
-    pairs = [
-        (places[i], places[other])
-        for i, other in _twins(joints).items()
-        if side_of(joints[i].name) == "left" and (places[i] != places[other]).any()
-    ]
-    if len(pairs) < 2:
+    twins = _twins(body.joints)
+    pairs = {i: twins[i] for i in twins if side_of(body.joints[i].name) == "left"}
+    return plane_of_pairs(body, pairs) if len(pairs) > 1 else None
+
+
+def plane_of_pairs(body: Body, pairs: Mapping[int, int]) -> MirrorPlane | None:
+    """The plane, at the base pose, between joints on the left and those that mirror them: between
+    hips and shoulders, for what hangs on a pair swings as it likes, and what is still their mirror
+    image.  None where they do not agree."""
+    tree, places = Tree(body.joints, body.meshes), joint_places(body.skeletons, body.joints)
+    with_skin = [i for i in pairs if tree.owners & tree.below((i,))]
+    left, right = places[with_skin], places[[pairs[i] for i in with_skin]]
+    apart = np.linalg.norm(left - right, axis=1)
+    tops = [i for i in with_skin if pairs.keys().isdisjoint(tree.above(i))]
+    first = np.isin(with_skin, tops) & (apart > 0.0)
+    if not first.any():
         return None
-    plane, agreement = plane_between(*np.array(pairs).transpose(1, 0, 2))
-    return plane if agreement >= ONE_WAY else None
+    plane, agreement = plane_between(left[first], right[first])
+    if agreement < ONE_WAY:
+        return None
+    missed = np.linalg.norm(plane.reflected(left) - right, axis=1)
+    near = (apart > 0.0) & (missed <= HARDLY_ANY * apart)
+    return plane_between(left[near], right[near])[0] if near.any() else plane
 
 
 def plane_between(left: Floats, right: Floats) -> tuple[MirrorPlane, float]:
