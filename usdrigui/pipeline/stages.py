@@ -94,9 +94,8 @@ def _parts(
         own, symmetry = found, whole
         if len(divided) > 1:
             own = of_controls(rig, found, (part.controls, part.excluded), sampling)
-        if len(divided) > 1 and part.name == FACE:
-            of_face = symmetry_at_pose(rig, own, neutral, settings)
-            symmetry = of_face if of_face.plane.normal.any() else whole
+            if part.name == FACE:
+                symmetry = symmetry_at_pose(rig, own, neutral, settings)
         if part.name in OF_SIDES:
             own = at_scale_of_a_side(own, symmetry.plane)
         parts.append(CharacterPart(part.name, own, symmetry))

@@ -29,28 +29,30 @@ def plane_of_names(body: Body) -> MirrorPlane | None:
     """The plane between the joints whose names have left and right, at the base pose; None where
     too few do or they do not agree."""
     twins = _twins(body.joints)
-    pairs = {i: twins[i] for i in twins if side_of(body.joints[i].name) == "left"}
-    return plane_of_pairs(body, pairs) if len(pairs) > 1 else None
+    left = (i for i in twins if side_of(body.joints[i].name) == "left")
+    return plane_of_pairs(body, {i: twins[i] for i in left})
 
 
 def plane_of_pairs(body: Body, pairs: Mapping[int, int]) -> MirrorPlane | None:
     """The plane, at the base pose, between joints on the left and those that mirror them: between
-    hips and shoulders, for what hangs on a pair swings as it likes, and what is still their mirror
-    image.  None where they do not agree."""
+    hips and shoulders, for what hangs on a pair swings as it likes, and all that are mirrored as
+    they are.  None where too few are or they do not agree."""
     tree, places = Tree(body.joints, body.meshes), joint_places(body.skeletons, body.joints)
-    with_skin = [i for i in pairs if tree.owners & tree.below((i,))]
-    left, right = places[with_skin], places[[pairs[i] for i in with_skin]]
-    apart = np.linalg.norm(left - right, axis=1)
-    tops = [i for i in with_skin if pairs.keys().isdisjoint(tree.above(i))]
-    first = np.isin(with_skin, tops) & (apart > 0.0)
-    if not first.any():
+    apart = [
+        (i, other)
+        for i, other in pairs.items()
+        if tree.owners & tree.below((i,)) and (places[i] != places[other]).any()
+    ]
+    first = [k for k, (i, _) in enumerate(apart) if pairs.keys().isdisjoint(tree.above(i))]
+    if not first or len(apart) < 2:
         return None
+    left, right = places[np.transpose(apart)]
     plane, agreement = plane_between(left[first], right[first])
-    if agreement < ONE_WAY:
-        return None
     missed = np.linalg.norm(plane.reflected(left) - right, axis=1)
-    near = (apart > 0.0) & (missed <= HARDLY_ANY * apart)
-    return plane_between(left[near], right[near])[0] if near.any() else plane
+    near = missed <= HARDLY_ANY * np.linalg.norm(left - right, axis=1)
+    if near.any():
+        plane, _ = plane_between(left[near], right[near])
+    return plane if agreement >= ONE_WAY else None
 
 
 def plane_between(left: Floats, right: Floats) -> tuple[MirrorPlane, float]:
