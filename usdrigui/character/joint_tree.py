@@ -15,7 +15,7 @@ from scipy.spatial.distance import cdist
 
 from usdrigui.character import Floats, Joint, Record, RigMesh
 from usdrigui.character.rotation import rotation_part
-from usdrigui.character.skinning import base_locals, bound_points, in_skeleton_space
+from usdrigui.character.skinning import base_locals, bind_poses, bound_points, in_skeleton_space
 
 FINGERS = 3
 """Chains of a fan, at least; and joints of a finger that curl, at most."""
@@ -126,7 +126,7 @@ class Tree(Record):
     def world(self) -> Floats:
         """(joints, 4, 4)"""
         if self.bound:
-            return np.array([joint.bind for joint in self.joints])
+            return bind_poses(self.joints)
         return in_skeleton_space(self.joints, base_locals(self.joints))
 
     @cached_property

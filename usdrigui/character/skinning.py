@@ -30,20 +30,36 @@ _FACE_SHARE = 0.9
 def skinning_matrices(joints: tuple[Joint, ...], local: Floats) -> Floats:
     """(..., joints, 4, 4) inverse bind times pose, in skeleton space, for local transforms of that
     shape."""
-    bind = np.array([joint.bind for joint in joints]).reshape(-1, 4, 4)
-    return np.linalg.inv(bind) @ in_skeleton_space(joints, local)
+    return np.linalg.inv(bind_poses(joints)) @ in_skeleton_space(joints, local)
 
 
 def in_skeleton_space(joints: Sequence[Joint], local: Floats) -> Floats:
     """(..., joints, 4, 4) local transforms times those of all joints above, one generation after
     the other."""
-    parents = np.array([joint.parent for joint in joints], dtype=np.int64)
+    parents = parents_of(joints)
     pose, done = local.copy(), parents < 0
     while not done.all():
         ready = np.flatnonzero(~done & done[parents])
         pose[..., ready, :, :] = local[..., ready, :, :] @ pose[..., parents[ready], :, :]
         done[ready] = True
     return pose
+
+
+def parents_of(joints: Sequence[Joint]) -> Indices:
+    """(joints,) the joint above each, -1 for roots."""
+    return np.array([joint.parent for joint in joints], dtype=np.int64)
+
+
+def under_parents(world: Floats, parents: Indices) -> Floats:
+    """(joints, 4, 4) local transforms of those in skeleton space; -1 is the parent of a root."""
+    local, inner = world.copy(), np.flatnonzero(parents >= 0)
+    local[inner] = world[inner] @ np.linalg.inv(world[parents[inner]])
+    return local
+
+
+def bind_poses(joints: Sequence[Joint]) -> Floats:
+    """(joints, 4, 4) bind transforms in skeleton space."""
+    return np.array([joint.bind for joint in joints]).reshape(-1, 4, 4)
 
 
 def base_locals(joints: Sequence[Joint]) -> Floats:

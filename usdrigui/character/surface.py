@@ -132,7 +132,7 @@ def mean_edge_length(points: Floats, corners: Indices, places: Indices) -> float
     pairs = edges(places[corners])
     if not len(pairs):
         return 0.0
-    return float(np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1).mean())
+    return float(_lengths(points, pairs).mean())
 
 
 def components(corners: Indices, places: Indices) -> Indices:
@@ -160,10 +160,15 @@ def surface_distances(
     across = np.stack([opposite[order[twins]], opposite[order[twins + 1]]], axis=1)
     bridges = np.sort(across[across[:, 0] != across[:, 1]], axis=1)
     pairs = np.unique(np.concatenate([edges(corners), bridges]), axis=0)
-    lengths = np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1)
-    ways = graph(pairs, len(points), lengths)
+    ways = graph(pairs, len(points), _lengths(points, pairs))
     found = dijkstra(ways, directed=False, indices=np.unique(places[sources]), min_only=True)
     return np.asarray(found[places])
+
+
+def _lengths(points: Floats, pairs: Indices) -> Floats:
+    """(e,) distances between the two points of each of `pairs` (e, 2)."""
+    apart: Floats = np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1)
+    return apart
 
 
 def _left_by_fan(points: Floats, corners: Indices, faces: Indices, count: int) -> Indices:

@@ -13,7 +13,6 @@ import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel
 
 from usdrigui.character import Floats, Rig
-from usdrigui.conventions.sides import hints_at_twin
 from usdrigui.errors import Issue, RigUIError, of_character
 from usdrigui.layer import author
 from usdrigui.layer.agreement import CLEAR, disagreements, drawings
@@ -269,14 +268,11 @@ def _of_side(prim: Usd.Prim, element: Element, copies: Floats, layout: Layout) -
 def _of_mirror(
     prim: Usd.Prim, element: Element, other_prim: Usd.Prim, other: Element, layout: Layout
 ) -> Iterator[Issue]:
-    """Whether the element on the other side is one.  Where it lies is a warning, unless the names
-    of the controls call them twins: on a character in a pose these mirror each other anywhere."""
+    """Whether the element on the other side is one."""
     where = f"rigUI:element:mirror {other_prim.GetPath()}"
     if other.mirror != element.name or len(other.members) != len(element.members):
         yield invalid_at(prim, f"{where} does not mirror it back, with as many controls")
         return
-    pairs = list(zip(element.members, other.members, strict=True))
-    named = all(hints_at_twin(one.control, twin.control) for one, twin in pairs)
     if _OPPOSITE.get(element.side) != other.side:
         yield doubtful_at(prim, f"{where} is on the side {other.side}")
     reflect = layout.frame.plane.reflected
@@ -284,12 +280,9 @@ def _of_mirror(
         return
     width = layout.frame.handle_width_of(element.part)
     away = np.linalg.norm(reflect(element.anchor.position) - other.anchor.position)
-    if away > 3.0 * width:
-        # The plane is that of the main part: others may turn from it.
-        if layout.frame.mirrors(element.part) and not named:
-            yield doubtful_at(prim, f"{where} is {away:.3g} from its mirror image")
+    if away > 3.0 * width:  # In a pose the ends of a pair go any way.
         return
-    for index, (one, twin) in enumerate(pairs):
+    for index, (one, twin) in enumerate(zip(element.members, other.members, strict=True)):
         mine, theirs = (track[-1] - track[0] for track in (reflect(one.track), twin.track))
         clear = CLEAR * np.linalg.norm(mine) * np.linalg.norm(theirs)
         reversed_ = index in element.reversed

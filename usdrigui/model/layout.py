@@ -284,7 +284,7 @@ class Anchor(Record):
         has where one of the two hashes is not known (empty)."""
         return "" in (self.topology_hash, topology_hash) or self.topology_hash == topology_hash
 
-    def mesh_change(self, topology_hash: str, points: int = 0) -> str:
+    def mesh_change(self, topology_hash: str, points: int) -> str:
         """A clause on its mesh, which has this hash and so many points (0: not known) now; empty
         where it fits."""
         if self.fits(topology_hash):

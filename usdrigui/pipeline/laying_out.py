@@ -116,8 +116,8 @@ def process_stage(
     stage: Usd.Stage | Sdf.Layer,
     settings: Settings,
     *,
-    progress: ProgressCallback | None = None,
-    stop: Callable[[], bool] | None = None,
+    progress: ProgressCallback | None,
+    stop: Callable[[], bool] | None,
 ) -> Report:
     """Lay out every character of an open stage or layer, in memory: nothing is written.
 

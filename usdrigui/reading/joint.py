@@ -15,6 +15,7 @@ import numpy as np
 from usdrigui.character import Floats, Record
 from usdrigui.character.joint_tree import FINGERS, Fan, Tree, fans, level, unit
 from usdrigui.character.rotation import rotation_part, rotations
+from usdrigui.character.skinning import parents_of, under_parents
 
 _THUMB = 0.85
 """A finger whose cosine to the others is less is a thumb."""
@@ -247,8 +248,8 @@ def posed_locals(tree: Tree, turn: Turn, degrees: Floats) -> Floats:
     return np.array([_turned(tree, turn, value) for value in degrees.tolist()])
 
 
-def _turned(tree: Tree, turn: Turn, degrees: float) -> list[Floats]:
-    """(4, 4) local transforms of all joints, which go along with those that turn."""
+def _turned(tree: Tree, turn: Turn, degrees: float) -> Floats:
+    """(joints, 4, 4) local transforms of all joints, which go along with those that turn."""
     world = tree.world.copy()
     for joint in tree.from_the_ends()[::-1]:
         parent = tree.parents[joint]
@@ -257,5 +258,4 @@ def _turned(tree: Tree, turn: Turn, degrees: float) -> list[Floats]:
         if joint in turn.joints:
             spin[:3, :3] = rotations(np.radians(degrees) * turn.axes[turn.joints.index(joint)])
         world[joint] = spin @ tree.world[joint] @ np.linalg.inv(before) @ after
-    above = [joint.parent for joint in tree.joints]
-    return [world[i] @ np.linalg.inv(world[p]) if p >= 0 else world[i] for i, p in enumerate(above)]
+    return under_parents(world, parents_of(tree.joints))

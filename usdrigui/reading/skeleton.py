@@ -11,6 +11,7 @@ import numpy as np
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.character import Channel, Floats, Joint, Skeleton
+from usdrigui.character.skinning import under_parents
 from usdrigui.errors import Issue, issue, refuse
 from usdrigui.stages.arrays import quaternions, tokens, vector_count
 
@@ -108,9 +109,7 @@ def _joints(armature: Armature, time: float | None, issues: list[Issue]) -> list
         raise refuse("SKELETON_INVALID", path, "a bind transform cannot be inverted")
     rest = _matrices(query.ComputeJointLocalTransforms(Usd.TimeCode.Default(), True), len(names))
     if rest is None or not query.HasRestPose():
-        rest = bind.copy()
-        inner = np.flatnonzero(parents >= 0)
-        rest[inner] = bind[inner] @ np.linalg.inv(bind[parents[inner]])
+        rest = under_parents(bind, parents)
         issues.append(issue("REST_MISSING", path, f"{len(names)} joints"))
     base = rest if time is None else locals_at(armature, time, rest)
     if not (np.isfinite(rest).all() and np.isfinite(base).all()):

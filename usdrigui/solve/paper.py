@@ -7,7 +7,6 @@ bound.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -22,11 +21,7 @@ from usdrigui.solve.exact import solve_whole
 from usdrigui.solve.label_geometry import all_labels
 
 
-def solve_by_clusters(
-    problem: LayoutProblem,
-    budget: Budget,
-    solve_cluster: Callable[[LayoutProblem, Budget], Assignment] = solve_whole,
-) -> Assignment:
+def solve_by_clusters(problem: LayoutProblem, budget: Budget) -> Assignment:
     """Place cluster after cluster, the largest first, each over a sample of its candidates.
 
     Elements placed before are fixed: they have one label in the problems of later clusters.  All
@@ -45,7 +40,7 @@ def solve_by_clusters(
         labels = dict(zip(cluster, kept, strict=True)) | {at: chosen[[at]] for at in placed}
         part = _restricted(problem, labels, np.flatnonzero(chosen >= 0))
         mine = budget.part(len(cluster) / (len(problem.variables) - len(placed)))
-        solution = solve_cluster(part, mine)
+        solution = solve_whole(part, mine)
         budget.spend(mine.work)
         limits.add(mine.limit)
         count, cost = sum(map(len, kept)), solution.cost

@@ -95,13 +95,11 @@ def scene(rig: Rig, layout: Layout, values: ArrayLike | None, wanted: Wanted) ->
     return stacked(pages)
 
 
-def film(
-    rig: Rig, layout: Layout, poses: ArrayLike, size: tuple[int, int] = (760, 820)
-) -> Iterator[Image.Image]:
+def film(rig: Rig, layout: Layout, poses: ArrayLike) -> Iterator[Image.Image]:
     """One picture from the front per row of ``poses`` (frames, controls), all framed as the base
     pose is; raises as `render`."""
     poser, colours = prepare(rig, layout), complexion(rig, layout)
-    section, wanted = undivided(layout, evaluate(poser)), Wanted(0.0, size)
+    section, wanted = undivided(layout, evaluate(poser)), Wanted(0.0, (760, 820))
     subject = subject_of(rig.body.meshes, section.posed.points, colours)
     placed = _arranged(rig, section, subject.skin, wanted)
     for values in np.asarray(poses, dtype=np.float64):

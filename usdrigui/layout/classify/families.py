@@ -50,7 +50,7 @@ def find_families(
     names: Sequence[str],
     meanings: Sequence[Meaning | None],
     cosine: Floats,
-    lost: Sequence[str] = (),
+    lost: Sequence[str],
 ) -> tuple[Family, ...]:
     """The families of a rig; a motion is in one at most.
 

@@ -42,7 +42,7 @@ def handle_width(
     placed: Flags,
     axes: Floats,
     settings: ObjectiveSettings,
-    levels: bool = False,
+    levels: bool,
 ) -> tuple[float, bool]:
     """Diameter of a handle in scene units, and whether there is a crowd.
 

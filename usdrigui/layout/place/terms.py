@@ -106,7 +106,7 @@ def displacement_unit(peak: float, typical: float, terms: LinearTerms) -> float:
     return float(typical ** (1.0 - share) * own**share)
 
 
-def off_plane(face: Face, points: Indices, weight: float, *, of_joint: bool = False) -> Floats:
+def off_plane(face: Face, points: Indices, weight: float, *, of_joint: bool) -> Floats:
     """(p,) An element symmetric about the mirror plane should lie on it (paper section 3.3,
     symmetric deformations): the weight times the distance in handle widths, counted from the
     nearest of `points`, so that an element with none on the plane is not driven off the face; of

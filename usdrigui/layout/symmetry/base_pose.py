@@ -10,6 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from usdrigui.character import Body, Floats, Indices, Record, Rig
+from usdrigui.character.skinning import base_locals, bind_poses, parents_of, under_parents
 from usdrigui.layout.motion.owned_skin import joint_places
 from usdrigui.layout.motion.similarity import displacement_fields
 from usdrigui.layout.motion.trajectory import of_controls, trajectories
@@ -40,10 +41,7 @@ class NeutralPose(Record):
 
 def neutral_pose(rig: Rig, settings: Settings) -> NeutralPose | None:
     """The pose at the controls' defaults where the base pose is another, which is preferred, else
-    the bind pose of a character that rests in a pose; None for all others, and where no symmetry is
-    asked for."""
-    if not settings.symmetry.enabled:
-        return None
+    the bind pose of a character that rests in a pose; None for all others."""
     pose = settings.read.pose
     if any(pose.get(each.name, each.default) != each.default for each in rig.controls):
         return NeutralPose(rig, settings.trajectories, True)
@@ -66,7 +64,8 @@ def symmetry_at_pose(
         chosen = {each.control for each in found.motions}, {each.control for each in found.excluded}
         there = of_controls(rig_there, neutral.trajectories, chosen, neutral.sampling)
         other = mirrored(rig_there, there, settings)
-        if _missed(other[1], found.motions) < missed + neutral.preferred:
+        better = _missed(other[1], found.motions) < missed + neutral.preferred
+        if better and other[0].normal.any():
             fields = displacement_fields(there)
             symmetry = paired(rig_there, there.motions, (fields, *other), settings)
             plane = _between_joints(rig.body, rig_there.body, symmetry.plane)
@@ -83,20 +82,10 @@ def _missed(partner: Indices, motions: Sequence[Motion]) -> int:
 
 
 def _bind_pose(rig: Rig, sampling: TrajectorySettings) -> NeutralPose | None:
-    """The rig in its bind pose; None where that is its base pose, or has no inverse."""
+    """The rig in its bind pose; None where that is its base pose."""
     joints = rig.body.joints
-    try:
-        local = [
-            (
-                joint.bind @ np.linalg.inv(joints[joint.parent].bind)
-                if joint.parent >= 0
-                else joint.bind
-            )
-            for joint in joints
-        ]
-    except np.linalg.LinAlgError:
-        return None
-    if all(np.allclose(at, joint.base, atol=1e-4) for at, joint in zip(local, joints, strict=True)):
+    local = under_parents(bind_poses(joints), parents_of(joints))
+    if np.allclose(local, base_locals(joints), atol=1e-4):
         return None
     turned = tuple(replace(joint, base=at) for at, joint in zip(local, joints, strict=True))
     return NeutralPose(replace(rig, body=replace(rig.body, joints=turned)), sampling, False)

@@ -38,27 +38,21 @@ def plane_of_pairs(body: Body, pairs: Mapping[int, int]) -> MirrorPlane | None:
     hips and shoulders, for what hangs on a pair swings as it likes, and all that are mirrored as
     they are.  None where too few are or they do not agree."""
     tree, places = Tree(body.joints, body.meshes), joint_places(body.skeletons, body.joints)
-    apart = [
-        (i, other)
-        for i, other in pairs.items()
-        if tree.owners & tree.below((i,)) and (places[i] != places[other]).any()
-    ]
-    first = [k for k, (i, _) in enumerate(apart) if pairs.keys().isdisjoint(tree.above(i))]
-    if not first or len(apart) < 2:
+    chosen = [i for i in pairs if tree.depth[i]]  # Helpers bear no skin.
+    if len(chosen) < 2:
         return None
-    left, right = places[np.transpose(apart)]
+    first = np.array([pairs.keys().isdisjoint(tree.above(i)) for i in chosen])
+    left, right = places[chosen], places[[pairs[i] for i in chosen]]
     plane, agreement = plane_between(left[first], right[first])
     missed = np.linalg.norm(plane.reflected(left) - right, axis=1)
-    near = missed <= HARDLY_ANY * np.linalg.norm(left - right, axis=1)
-    if near.any():
-        plane, _ = plane_between(left[near], right[near])
-    return plane if agreement >= ONE_WAY else None
+    near = first | (missed <= HARDLY_ANY * np.linalg.norm(left - right, axis=1))
+    return plane_between(left[near], right[near])[0] if agreement >= ONE_WAY else None
 
 
 def plane_between(left: Floats, right: Floats) -> tuple[MirrorPlane, float]:
     """The plane between points (p, 3) on the left and those that mirror them, in the middle, and
     the mean cosine of the lines between them to its normal."""
-    across = (left - right) / np.linalg.norm(left - right, axis=1)[:, None]
+    across = (left - right) / np.maximum(np.linalg.norm(left - right, axis=1), 1e-30)[:, None]
     normal = unit(np.median(across, axis=0))
     offset = float(np.median(0.5 * (left + right) @ normal))
     return MirrorPlane(offset * normal, normal), (across @ normal).mean()

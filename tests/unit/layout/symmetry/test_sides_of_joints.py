@@ -82,17 +82,15 @@ def test_names_of_joints_tell_the_front_before_hair_behind_the_head():
     assert face.views.ahead == pytest.approx([0.0, 0.0, 1.0], abs=0.05)
 
 
-@pytest.mark.parametrize(
-    "turns", [{"a0": (0.0, -1.4, 0.0)}, {"a0": (0.0, 0.0, 1.2), "b0": (0.0, 0.0, 1.2)}, {"s": (0.0, 0.0, 0.4)}]
-)
+@pytest.mark.parametrize("turns", [{"a0": (0, 0, 1.2), "b0": (0, 0, 1.2)}, {"s": (0, 0, 0.4)}])
 def test_a_body_in_a_pose_has_the_pairs_and_sides_of_its_bind_pose(turns):
-    """An arm ahead, one up and one down, a trunk that leans: also where no name tells a side."""
+    """One arm up and one down, a trunk that leans: also where no name tells a side."""
     bound, posed = (
         {
             member.control: each.side
             for part in chain.laid_parts(rig)
             for each in part.layout.elements
-            if each.mirror and not each.anchor.on_board
+            if each.mirror
             for member in each.members
         }
         for rig in (limbs.whole_body(), limbs.resting(limbs.whole_body(), turns))
@@ -153,6 +151,7 @@ def modelled(rig):
 
 @pytest.mark.parametrize("turn", [(0.0, 0.0, 0.2), (0.0, 0.6, 0.0)])
 def test_an_arm_in_the_pose_it_was_modelled_in_loses_no_handle(turn):
-    parts = chain.laid_parts(modelled(limbs.resting(with_sides(limbs.whole_body()), {"l_arm0": turn})))
-    aside = {each.name for part in parts for each in part.layout.elements if each.anchor.on_board}
-    assert aside == {"l_arm2:rx", "r_arm2:rx"}, "too crowded, as it is upright"
+    rig = modelled(limbs.resting(with_sides(limbs.whole_body()), {"l_arm0": turn}))
+    elements = (each for part in chain.laid_parts(rig) for each in part.layout.elements)
+    # Too crowded, as it is upright.
+    assert {each.name for each in elements if each.anchor.on_board} == {"l_arm2:rx", "r_arm2:rx"}
