@@ -20,7 +20,7 @@ HERE = Path(__file__).parent
 @pytest.mark.skipif(sys.platform != "linux", reason="readers are forked, which needs Linux")
 @pytest.mark.parametrize("kind", ["--small", "--written"])
 def test_every_valid_rig_is_laid_out_checked_and_viewed(kind):
-    command = [sys.executable, str(HERE / "many_rigs.py"), kind, "--count", "5"]
+    command = [sys.executable, "-W", "error::RuntimeWarning", str(HERE / "many_rigs.py"), kind, "--count", "5"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=900, check=False)
     assert done.stdout, f"the process under test died ({done.returncode}): {done.stderr[-2000:]}"
     found = json.loads(done.stdout)

@@ -68,7 +68,7 @@ def check_target(asset: Path, target: Path) -> None:
         raise refuse("FILE_TARGET", target, "a layout layer ends in .usda, .usdc or .usd")
 
 
-def check_replaceable(target: Path, opening: ReadSettings, asset: Path | None = None) -> None:
+def check_replaceable(target: Path, opening: ReadSettings, asset: Path | None) -> None:
     """A file at the target must be a layout layer of ours: no other work is replaced by a
     slip of the hand.
 

@@ -148,7 +148,7 @@ def _by_shapes(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
     for motion in found.motions:
         if rig.controls[motion.control].kind == "blendShape":
             mass = found.surface.areas[motion.points] * motion.arc_length
-            share += np.bincount(owners[motion.points], mass / mass.sum(), len(share))
+            share += np.bincount(owners[motion.points], mass / (mass.sum() or 1.0), len(share))
     least = NEARLY_ALL * share.sum()
     for joint in tree.from_the_ends():
         share[tree.parents[joint]] += share[joint]

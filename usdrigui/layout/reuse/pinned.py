@@ -78,7 +78,7 @@ class Pins:
         return Pins(tuple(rest), (*self.issues, *lost))
 
 
-def pins_of(layout: Layout, today: Today, corrections: Sequence[Correction] = ()) -> Pins:
+def pins_of(layout: Layout, today: Today, corrections: Sequence[Correction]) -> Pins:
     """The pins of an earlier layout of a character, by its names of today, of whose points at rest
     `today` tells; but for those that corrections replace or take back.
 
