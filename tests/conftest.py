@@ -1,6 +1,5 @@
 """What tests of several folders share."""
 
-import functools
 import os
 import shutil
 import signal
@@ -13,7 +12,7 @@ import suites
 from hypothesis import settings
 
 from usdrigui.cli import main
-from usdrigui.view import sheet
+from usdrigui.view import picture, sheet
 
 # Every run draws the same examples, so that a change is judged by itself; `--hypothesis-profile=default` draws others.
 settings.register_profile("same", derandomize=True)
@@ -27,7 +26,7 @@ def small_pictures():
     draw, size = sheet.render, (480, 320)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(sheet, "render", lambda *given: draw(*given[:3], replace(given[3], size=size)))
-        patch.setattr(sheet, "film", functools.partial(sheet.film, size=size))
+        patch.setattr(picture, "FILM", size)
         yield
 
 

@@ -167,8 +167,7 @@ def surface_distances(
 
 def _lengths(points: Floats, pairs: Indices) -> Floats:
     """(e,) distances between the two points of each of `pairs` (e, 2)."""
-    apart: Floats = np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1)
-    return apart
+    return np.asarray(np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1))
 
 
 def _left_by_fan(points: Floats, corners: Indices, faces: Indices, count: int) -> Indices:

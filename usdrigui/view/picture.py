@@ -34,6 +34,8 @@ _TITLE, _CAPTION, _LEGEND, _GAP, _EDGE = 66, 24, 42, 14, 22
 around, in pixels."""
 _INSETS, _ENLARGED = 0.62, 3.0
 """Height of the row of insets, of that of the views, and how much larger they are at most."""
+FILM = (760, 820)
+"""Pixels of a picture of a film, across and down."""
 _MIN_BOARD = 400
 """Width of a board beside insets, pixels."""
 _SIDES = {
@@ -99,7 +101,7 @@ def film(rig: Rig, layout: Layout, poses: ArrayLike) -> Iterator[Image.Image]:
     """One picture from the front per row of ``poses`` (frames, controls), all framed as the base
     pose is; raises as `render`."""
     poser, colours = prepare(rig, layout), complexion(rig, layout)
-    section, wanted = undivided(layout, evaluate(poser)), Wanted(0.0, (760, 820))
+    section, wanted = undivided(layout, evaluate(poser)), Wanted(0.0, FILM)
     subject = subject_of(rig.body.meshes, section.posed.points, colours)
     placed = _arranged(rig, section, subject.skin, wanted)
     for values in np.asarray(poses, dtype=np.float64):

@@ -203,8 +203,7 @@ def _sides(face: Face, points: Indices) -> list[Side]:
     plane, surface = face.symmetry.plane, face.surface
     if not plane.normal.any():
         return ["none"] * len(points)
-    near = MIDDLE * surface.face_size
     return [
-        "middle" if abs(apart) <= near else "left" if apart > 0.0 else "right"
+        "middle" if abs(apart) <= MIDDLE * surface.face_size else "left" if apart > 0.0 else "right"
         for apart in plane.aside(surface.points[points])
     ]
