@@ -23,6 +23,18 @@ def elements(stage):
     return [prim for prim in element_prims(scope) if prim.GetRelationship("rigUI:anchor:prim").GetTargets()]
 
 
+def test_a_fresh_layout_is_silent(layer, capsys):
+    assert codes(layer, capsys) == set()
+
+
+def test_rates_every_element_on_the_face(layer, capsys):
+    capsys.readouterr()
+    main(["check", str(layer), "--json"])
+    rated = json.loads(capsys.readouterr().out)["characters"][0]["elements"]
+    assert len(rated) == len(elements(Usd.Stage.Open(str(layer))))
+    assert all(0.0 < each["kept"] <= 1.0 + 1e-6 for each in rated)
+
+
 def test_a_sculpt_after_the_layout_was_made_is_one_finding(layer, capsys):
     source = str(layer.with_name("char.usda"))
     stage = Usd.Stage.Open(source)

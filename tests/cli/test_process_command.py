@@ -75,6 +75,16 @@ def test_inspecting_and_a_dry_run_write_nothing(character, tmp_path, capsys):
     assert "dry run" in capsys.readouterr().out
 
 
+def test_json_accounts_for_every_control(character, capsys):
+    assert main(["process", str(character), "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    (only,) = document["characters"]
+    laid = {name for element in only["elements"] for name in element["controls"]}
+    assert laid == {row["control"] for row in only["controls"] if row["place"] != "left off"}
+    assert all(row["reason"] for row in only["controls"] if row["place"] == "left off")
+    assert only["solution"]["bound"] <= only["solution"]["cost"] + 1e-9
+
+
 def test_report_and_preview_are_written(character, tmp_path):
     report, picture = tmp_path / "deep" / "out.json", tmp_path / "out.png"
     assert main(["process", str(character), "--report", str(report), "--preview", str(picture)]) == 0

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from usdrigui.character import palette
 from usdrigui.character.deform import deform
 from usdrigui.errors import RigUIError
 from usdrigui.pipeline.joining import joined
@@ -26,6 +27,7 @@ from usdrigui.view.picture import Wanted, contact_sheet, render
 from usdrigui.view.sections import sections
 
 SMALL = (640, 400)
+BLUE, RED = palette.SIDES["left"], palette.SIDES["right"]
 CAMERA = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
 
 
@@ -57,6 +59,20 @@ def layout(rig):
 @pytest.fixture(scope="module")
 def front(rig, layout):
     return render(rig, layout, wanted=Wanted(0.0, SMALL))
+
+
+def pixels_like(image, colour, tolerance=60):
+    """Columns of the pixels of a colour, above the legend."""
+    away = np.abs(np.asarray(image, dtype=np.int64)[: image.height - 60] - np.array(colour)).max(axis=2)
+    return np.nonzero(away < tolerance)[1]
+
+
+def test_the_characters_left_is_on_the_right_and_blue(front):
+    blue, red = pixels_like(front, BLUE), pixels_like(front, RED)
+    assert len(blue) > 100
+    assert len(red) > 100
+    assert blue.min() > red.max() - 40
+    assert np.median(blue) > 320 > np.median(red)
 
 
 def captions(page):

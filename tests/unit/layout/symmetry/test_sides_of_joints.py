@@ -82,6 +82,13 @@ def test_names_of_joints_tell_the_front_before_hair_behind_the_head():
     assert face.views.ahead == pytest.approx([0.0, 0.0, 1.0], abs=0.05)
 
 
+def test_a_character_that_rests_in_a_pose_has_the_pairs_of_its_bind_pose():
+    rig = limbs.whole_body()
+    plain, posed = chain.face_of(rig), chain.face_of(limbs.anyhow(rig, 5))
+    assert twins(plain)["a0:rx"] == "b0:rx"
+    assert len(twins(posed)) >= 0.9 * len(twins(plain))
+
+
 @pytest.mark.parametrize("turns", [{"a0": (0, 0, 1.2), "b0": (0, 0, 1.2)}, {"s": (0, 0, 0.4)}])
 def test_a_body_in_a_pose_has_the_pairs_and_sides_of_its_bind_pose(turns):
     """One arm up and one down, a trunk that leans: also where no name tells a side."""
@@ -150,8 +157,11 @@ def modelled(rig):
 
 
 @pytest.mark.parametrize("turn", [(0.0, 0.0, 0.2), (0.0, 0.6, 0.0)])
-def test_an_arm_in_the_pose_it_was_modelled_in_loses_no_handle(turn):
-    rig = modelled(limbs.resting(with_sides(limbs.whole_body()), {"l_arm0": turn}))
-    elements = (each for part in chain.laid_parts(rig) for each in part.layout.elements)
-    # Too crowded, as it is upright.
-    assert {each.name for each in elements if each.anchor.on_board} == {"l_arm2:rx", "r_arm2:rx"}
+@pytest.mark.parametrize("mirrors", [True, False])
+def test_an_arm_in_a_pose_loses_no_handle_and_no_mirror_that_the_bind_pose_shows(turn, mirrors):
+    rests = limbs.resting(with_sides(limbs.whole_body()), {"l_arm0": turn})
+    parts = chain.laid_parts(rests if mirrors else modelled(rests))
+    elements = {each.name: each for part in parts for each in part.layout.elements}
+    aside = {name for name, each in elements.items() if each.anchor.on_board}
+    assert aside == {"l_arm2:rx", "r_arm2:rx"}, "too crowded, as it is upright"
+    assert (elements["l_arm0:ry_l_arm0:rz"].mirror == "r_arm0:ry_r_arm0:rz") == mirrors
