@@ -261,8 +261,11 @@ def _of_side(prim: Usd.Prim, element: Element, copies: Floats, layout: Layout) -
     astray = towards < -_ASIDE * width - told or abs(towards) < _UPON * width - told
     if side == "none" or (astray and not on_board):
         where = f"{abs(away):.3g} on the {'left' if away > 0.0 else 'right'}"
-        what = f"its anchor is {where} of the plane of symmetry"
-        yield invalid_at(prim, f"rigUI:element:side is {side}, and {what}")
+        yield invalid_at(
+            prim,
+            f"rigUI:element:side is {side}, and its anchor is {where} of the middle, that of its"
+            " pair where it has one",
+        )
 
 
 def _of_mirror(
@@ -276,11 +279,10 @@ def _of_mirror(
     if _OPPOSITE.get(element.side) != other.side:
         yield doubtful_at(prim, f"{where} is on the side {other.side}")
     reflect = layout.frame.plane.reflected
-    if element.anchor.on_board or other.anchor.on_board or element.kind == "fan":
-        return
-    width = layout.frame.handle_width_of(element.part)
+    free = element.anchor.on_board or other.anchor.on_board or element.kind == "fan"
     away = np.linalg.norm(reflect(element.anchor.position) - other.anchor.position)
-    if away > 3.0 * width:  # In a pose the ends of a pair go any way.
+    # In a pose the ends of a pair go any way.
+    if free or away > 3.0 * layout.frame.handle_width_of(element.part):
         return
     for index, (one, twin) in enumerate(zip(element.members, other.members, strict=True)):
         mine, theirs = (track[-1] - track[0] for track in (reflect(one.track), twin.track))

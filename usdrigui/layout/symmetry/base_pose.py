@@ -41,7 +41,10 @@ class NeutralPose(Record):
 
 def neutral_pose(rig: Rig, settings: Settings) -> NeutralPose | None:
     """The pose at the controls' defaults where the base pose is another, which is preferred, else
-    the bind pose of a character that rests in a pose; None for all others."""
+    the bind pose of a character that rests in a pose; None for all others, and where no symmetry is
+    asked for."""
+    if not settings.symmetry.enabled:
+        return None
     pose = settings.read.pose
     if any(pose.get(each.name, each.default) != each.default for each in rig.controls):
         return NeutralPose(rig, settings.trajectories, True)
@@ -64,8 +67,9 @@ def symmetry_at_pose(
         chosen = {each.control for each in found.motions}, {each.control for each in found.excluded}
         there = of_controls(rig_there, neutral.trajectories, chosen, neutral.sampling)
         other = mirrored(rig_there, there, settings)
-        better = _missed(other[1], found.motions) < missed + neutral.preferred
-        if better and other[0].normal.any():
+        if other[0].normal.any() and (
+            _missed(other[1], found.motions) < missed + neutral.preferred
+        ):
             fields = displacement_fields(there)
             symmetry = paired(rig_there, there.motions, (fields, *other), settings)
             plane = _between_joints(rig.body, rig_there.body, symmetry.plane)

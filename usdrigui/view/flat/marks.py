@@ -121,6 +121,7 @@ def _outlines(glyph: Glyph, points: Floats, centre: Floats, enlarged: float) -> 
 
 def _resampled(line: Floats) -> Floats:
     """A projected polyline (k, 3) with vertices at most two pixels apart."""
+    # Not two: pieces of a board are whole pixels long, and a last bit would decide.
     parts = [line[:1]]
     for start, end in pairwise(line):
         steps = int(np.clip(np.ceil(np.linalg.norm((end - start)[:2]) / 1.9), 1, 2000))
