@@ -1,17 +1,6 @@
 """In-situ rig controls: handles on the face, from the layout layer that usdrigui writes beside a
 character."""
 
-bl_info = {
-    "name": "In-situ Rig Controls",
-    "author": "usdrigui",
-    "version": (0, 1, 0),
-    "blender": (3, 4, 0),
-    "location": "View3D > Sidebar > Rig UI; File > Import",
-    "description": "Drag controls on the face itself, from a usdrigui layout layer",
-    "category": "Animation",
-}
-
-
 def register():
     """Called by Blender when the add-on is switched on."""
     from . import gizmos, importing, interface, visibility

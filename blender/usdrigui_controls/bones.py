@@ -100,8 +100,7 @@ def make_bones(context, holder):
         size = 0.5 * placed[handle.element].scale * element.width
         bone.custom_shape_scale_xyz = [size] * 3
         bone.lock_rotation = bone.lock_scale = [True] * 3
-        if hasattr(bone, "color"):  # since Blender 4.0
-            bone.color.palette = _PALETTES.get(element.side, "THEME03")
+        bone.color.palette = _PALETTES.get(element.side, "THEME03")
         _limit(bone, handle)
         _carry(bone, anchors.spots[handle.element])
         _drive(character, made, handle)

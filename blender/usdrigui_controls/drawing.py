@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import blf
-import bpy
 import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
@@ -12,8 +11,6 @@ from .maths.palette import SIDES
 
 _HOT = (1.0, 1.0, 1.0)
 _CORNERS = np.array([(np.cos(a), np.sin(a)) for a in np.linspace(0.0, 2.0 * np.pi, 17)[:-1]])
-# Blender before 4.0 asks for one and has other names for what is in space.
-_DOTS_PER_INCH, _SPACE = ((), "") if bpy.app.version >= (4, 0, 0) else ((72,), "3D_")
 
 
 def draw_elements(screen, shown, radii, opacity, lit):
@@ -41,7 +38,7 @@ def _side_colour(side):
 def draw_label(at, text):
     """A line of text in pixels, y upwards, with a shadow so that it reads on any ground."""
     font = 0
-    blf.size(font, 13, *_DOTS_PER_INCH)
+    blf.size(font, 13)
     blf.enable(font, blf.SHADOW)
     blf.shadow(font, 3, 0.0, 0.0, 0.0, 1.0)
     blf.color(font, 1.0, 1.0, 1.0, 1.0)
@@ -77,7 +74,7 @@ def _draw(primitive, parts, width=0.0, viewport=None):
     colours = np.concatenate([np.tile(colour, (len(points), 1)) for points, colour in parts])
     columns = {"pos": points.astype(np.float32), "color": colours.astype(np.float32)}
     kind = "POLYLINE_SMOOTH_COLOR" if width else "SMOOTH_COLOR"
-    shader = gpu.shader.from_builtin(_SPACE + kind)
+    shader = gpu.shader.from_builtin(kind)
     batch = batch_for_shader(shader, primitive, columns)
     shader.bind()
     if width:

@@ -77,7 +77,7 @@ def environment_commands(context):
     home = _home()
     wheels = bpy.path.abspath(preferences(context).wheels)
     need_room(home.parent, NEEDED, "name a Python that has usdrigui")
-    if not wheels and not getattr(bpy.app, "online_access", True):
+    if not wheels and not bpy.app.online_access:
         raise LayoutError(
             "Blender may not use the network: allow it in Preferences > System > Network, or name"
             " a folder of wheels"
@@ -103,7 +103,7 @@ def need_room(folder, needed, otherwise):
 
 
 def _home():
-    if hasattr(bpy.utils, "extension_path_user") and __package__.startswith("bl_ext."):
+    if __package__.startswith("bl_ext."):
         folder = Path(bpy.utils.extension_path_user(__package__, create=True))
     else:
         folder = Path(bpy.utils.user_resource("DATAFILES", path="usdrigui", create=True))

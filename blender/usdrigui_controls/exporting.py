@@ -25,17 +25,8 @@ _CUTTING = {"MIRROR", "DECIMATE", "REMESH", "WELD", "MASK", "BOOLEAN", "BUILD", 
 """Modifiers that leave other vertices, or a face of which the mesh is one half."""
 _OPTIONS = {
     "selected_objects_only": True,
-    "export_animation": False,
-    "export_hair": False,
-    "export_lights": False,
-    "export_cameras": False,
-    "export_curves": False,
-    "export_points": False,
-    "export_volumes": False,
-    "use_instancing": False,
     "convert_world_material": False,
     "allow_unicode": True,
-    "export_textures": False,
     "export_textures_mode": "KEEP",
     "evaluation_mode": "VIEWPORT",
 }

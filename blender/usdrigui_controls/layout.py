@@ -53,8 +53,6 @@ class Control:
     itself."""
     shapes: tuple
     joints: tuple
-    peak: float
-    """Length of the longest path that it gives any point; 0 where that is not known."""
 
     @property
     def plain(self):
@@ -101,8 +99,6 @@ class Element:
     """Joints and weights that carry an element which does not follow the skin."""
     skeleton: str
     side: str
-    category: str
-    """Why it is on the board; empty on the face."""
     mirror: str
     reversed: tuple
     """Positions of members that mirror those of `mirror` with the opposite sign."""

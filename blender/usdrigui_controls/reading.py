@@ -132,7 +132,6 @@ def _control(prim, instance, base):
             for i, token in enumerate(tokens)
         ),
         joints=_joints(prim, instance, of, len(keys)),
-        peak=of("peak", 0.0),
     )
 
 
@@ -178,7 +177,6 @@ def _element(prim, mine, width):
         carriers=held,
         skeleton=skeleton,
         side=get(prim, "rigUI:element:side", "none"),
-        category=get(prim, "rigUI:element:category", ""),
         mirror="".join(others("mirror")[:1]),
         reversed=tuple(i for i, each in enumerate(flags) if each),
         inner=others("members"),

@@ -46,7 +46,7 @@ def pose(found, question):
 
 def drag(_, question):
     ranges = zip(*(question[name] for name in ("minimum", "default", "maximum", "base")), strict=True)
-    rest = {"keys": (), "shapes": (), "joints": (), "peak": 0.0}
+    rest = {"keys": (), "shapes": (), "joints": ()}
     controls = tuple(layout.Control(str(i), "", *each, **rest) for i, each in enumerate(ranges))
     tracks = [tuple((x, y, 0.0) for x, y in track) for track in question["tracks"]]
     members = tuple(

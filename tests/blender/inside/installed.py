@@ -7,14 +7,9 @@ import numpy as np
 from scene import job, refusal
 
 task = job()
-if bpy.app.version >= (4, 2, 0):
-    bpy.ops.preferences.addon_enable(module="bl_pkg")
-    bpy.ops.extensions.package_install_files(filepath=task["archive"], repo="user_default", enable_on_install=True)
-    module = "bl_ext.user_default.usdrigui_controls"
-else:
-    bpy.ops.preferences.addon_install(filepath=task["archive"])
-    bpy.ops.preferences.addon_enable(module="usdrigui_controls")
-    module = "usdrigui_controls"
+bpy.ops.preferences.addon_enable(module="bl_pkg")
+bpy.ops.extensions.package_install_files(filepath=task["archive"], repo="user_default", enable_on_install=True)
+module = "bl_ext.user_default.usdrigui_controls"
 assert module in bpy.context.preferences.addons
 assert hasattr(bpy.types.Scene, "usdrigui")
 
