@@ -1,6 +1,7 @@
 """In-situ rig controls: handles on the face, from the layout layer that usdrigui writes beside a
 character."""
 
+
 def register():
     """Called by Blender when the add-on is switched on."""
     from . import gizmos, importing, interface, visibility

@@ -1,5 +1,4 @@
-"""Every element's anchor in Blender: the evaluated mesh, the bones, the shape keys at one vertex;
-and where controls would take any vertex."""
+"""Where the elements are in Blender: the evaluated place, bones and shape keys of one vertex."""
 
 from __future__ import annotations
 
@@ -7,7 +6,7 @@ import numpy as np
 
 from .character import basis_of
 from .inbetweens import offsets_at
-from .joints import JointFrame
+from .layout import gained
 from .maths.handle_track import along
 from .tracking import drawing_of, place
 
@@ -17,49 +16,16 @@ class Anchors:
 
     def __init__(self, character):
         self.layout = character.layout
-        self.drawings = [
-            drawing_of(element, character.controls) for element in self.layout.elements
-        ]
         self.bones = {
             path: Bones(character, path, armature) for path, armature in character.armatures.items()
         }
-        self.spots = [
-            Spot(
-                character,
-                self.bones,
-                element.mesh if element.follows else "",
-                element.point,
-                [member.control for member in element.members],
-                element,
-            )
-            for element in self.layout.elements
-        ]
-        self.to_skin = [
-            np.linalg.inv(_to_root(self.layout, *each))
-            for each in zip(self.spots, self.layout.elements, strict=True)
-        ]
+        self.spots = [Spot(character, self.bones, each) for each in self.layout.elements]
 
     def place(self, depsgraph, values):
         """`Placed` elements at these values of all controls, None for those whose mesh is not
         shown."""
-        posed = self.posed()
-        return [
-            self._place(depsgraph, values, posed, *each)
-            for each in zip(self.drawings, self.spots, self.to_skin, strict=True)
-        ]
-
-    def posed(self):
-        """By skeleton and bone, the pose matrices in armature space."""
-        return {path: bones.posed() for path, bones in self.bones.items()}
-
-    def _place(self, depsgraph, values, posed, drawing, spot, to_skin):
-        point = spot.shown(depsgraph)
-        if point is None and drawing.element.follows:
-            return None
-        quiet = {name: control.base for name, control in spot.controls.items()}
-        anchor, skin = spot.carried(posed, point, values, quiet)
-        mine = [values[member.control] for member in drawing.element.members]
-        return place(drawing, point, anchor, skin @ to_skin, mine)
+        posed = {path: bones.posed() for path, bones in self.bones.items()}
+        return [spot.place(depsgraph, posed, values) for spot in self.spots]
 
 
 class Bones:
@@ -67,7 +33,6 @@ class Bones:
 
     def __init__(self, character, skeleton, armature):
         self.armature = armature
-        rests = character.layout.skeleton(skeleton)
         self.to_root = character.layout.to_root(skeleton)
         bones = armature.data.bones
         self.rest = {bone.name: matrix_of(bone.matrix_local) for bone in bones}
@@ -75,36 +40,34 @@ class Bones:
         self.above = {
             bone.name: [each.name for each in (bone, *bone.parent_recursive)] for bone in bones
         }
-        self.joints = {each.path: character.bone_name(skeleton, each.path) for each in rests.joints}
-        self.frames = {
-            self.joints[each.path]: JointFrame(each.bind, each.rest) for each in rests.joints
-        }
-        self.moves = {name: np.zeros((3, 3)) for name in self.frames}
+        frames = character.layout.frames.items()
+        mine = {joint: frame for (path, joint), frame in frames if path == skeleton}
+        self.joints = {joint: character.bone_name(skeleton, joint) for joint in mine}
+        self.frames = {self.joints[joint]: frame for joint, frame in mine.items()}
+        moves = {name: np.zeros((3, 3)) for name in self.frames}
         for control in character.layout.controls:
             for joint in control.joints:
                 if joint.skeleton == skeleton:
-                    self.moves[self.joints[joint.joint]] += control.at(joint.moves, control.base)
+                    moves[self.joints[joint.joint]] += control.at(joint.moves, control.base)
         self.base = {}
         for name, matrix in self.rest.items():
             line, found = self.above[name], matrix
             if len(line) > 1:
                 found = self.base[line[1]] @ self.unbound[line[1]] @ matrix
-            if name in self.moves:
-                found = found @ composed(*self.frames[name].basis(self.moves[name]))
+            if name in moves:
+                found = found @ composed(*self.frames[name].basis(moves[name]))
             self.base[name] = found
 
     def posed(self):
         """By bone, the pose matrix in armature space."""
         return {bone.name: matrix_of(bone.matrix) for bone in self.armature.pose.bones}
 
-    def move(self, name):
-        """(3, 3) the move of the joint of a bone now, as `layout.JointDrive` has them."""
-        return self.frames[name].move(*basis_of(self.armature.pose.bones[name]))
-
-    def turned(self, pose, name, move, change):
+    def turned(self, pose, name, change):
         """(4, 4) what takes a bone at ``pose`` and all below it along, once a ``change`` (3, 3) is
-        added to its ``move``."""
-        now, then = (composed(*self.frames[name].basis(each)) for each in (move, move + change))
+        added to its move."""
+        frame = self.frames[name]
+        move = frame.move(*basis_of(self.armature.pose.bones[name]))
+        now, then = (composed(*frame.basis(each)) for each in (move, move + change))
         return pose[name] @ np.linalg.inv(now) @ then @ np.linalg.inv(pose[name])
 
     def blend(self, matrices, influences):
@@ -118,24 +81,45 @@ class Bones:
 
 
 class Spot:
-    """A vertex of a mesh, or for an ``element`` off the skin what carries it; and where the
-    controls of some names take it."""
+    """One element: the vertex that it follows, or what carries it off the skin."""
 
-    def __init__(self, character, bones, path, point, names, element=None):
-        self.mesh, self.point = character.meshes.get(path), point
-        self.controls = {name: character.controls[name] for name in names}
+    def __init__(self, character, bones, element):
+        self.drawing, self.point = drawing_of(element, character.controls), element.point
+        self.controls = [character.controls[member.control] for member in element.members]
+        self.base = {control.name: control.base for control in self.controls}
+        self.mesh = character.meshes.get(element.mesh) if element.follows else None
+        # Without bones it goes with its mesh, or off the skin with the character as a whole.
+        path = element.mesh if self.mesh else next(iter(character.objects))
+        self.carrier = character.objects[path]
         self.skeleton = skeleton_of(self.mesh, bones) if self.mesh else element.skeleton
         self.bones = bones.get(self.skeleton)
-        self.influences = self._influences(element)
-        self.into = self._into()
+        self.influences = self._influences()
         self.turning = self._turning()
-        self.near = {*self.turning, *(name for name, _ in self.influences)}
-        self.keys = {}
-        for control in self.controls.values() if self.mesh else ():
-            for shape in control.shapes:
-                key = character.shape_key(path, shape.token)
-                if key is not None:
-                    self.keys[shape.token] = (key, *offsets_at(self.mesh, key, point))
+        self.into = self._into()
+        self.to_skin = np.linalg.inv(self._to_root(character.layout.to_root(path)))
+        tokens = {shape.token for control in self.controls for shape in control.shapes}
+        keys = {token: character.shape_key(path, token) for token in tokens} if self.mesh else {}
+        self.keys = {
+            token: (key, *offsets_at(self.mesh, key, self.point))
+            for token, key in keys.items()
+            if key is not None
+        }
+
+    def place(self, depsgraph, posed, values):
+        """The `Placed` element at these values of all controls; ``posed`` are the pose matrices by
+        skeleton and bone.  None where its mesh is not shown."""
+        point, anchor = self.shown(depsgraph), None
+        if point is None and self.drawing.element.follows:
+            return None
+        weights, moves = gained(self.controls, values, self.base)
+        pose = posed.get(self.skeleton)
+        skin = self._skin(self._turned(pose, moves))
+        if point is not None:
+            now = self._skin(pose)
+            before = np.linalg.pinv(now[:3, :3]) @ (point - now[:3, 3]) + self._added(weights)
+            anchor = skin[:3, :3] @ before + skin[:3, 3]
+        mine = [values[name] for name in self.base]
+        return place(self.drawing, point, anchor, skin @ self.to_skin, mine)
 
     def shown(self, depsgraph):
         """(3,) where Blender has the vertex, in the world; None where its mesh is not shown."""
@@ -146,58 +130,41 @@ class Spot:
             return None
         return np.array(mesh.matrix_world @ mesh.data.vertices[self.point].co, dtype=np.float64)
 
-    def carried(self, posed, point, values, to, now=None):
-        """(3,) where the skin that is at ``point``, or None off the skin, would be, and (4, 4) its
-        map from before skinning to the world, once some controls go from ``values`` to those of
-        ``to``, by name; ``posed`` is that of `Anchors` now, and ``now`` the map there."""
-        now = self.skin(posed, values, {}) if now is None else now
-        turns = any(control.name in to for drives in self.turning.values() for control, _ in drives)
-        there = self.skin(posed, values, to) if turns else now
-        if point is None:
-            return None, there
-        before = np.linalg.pinv(now[:3, :3]) @ (point - now[:3, 3]) + self._gained(values, to)
-        return there[:3, :3] @ before + there[:3, 3], there
-
-    def skin(self, posed, values, to):
-        """(4, 4) its map, as of `carried`."""
+    def _skin(self, pose):
+        """(4, 4) the map of the skin from before skinning to the world."""
         if self.bones is None:
-            return matrix_of(self.mesh.matrix_world) if self.mesh else np.eye(4)
-        pose = dict(posed[self.skeleton])
-        for name, drives in self.turning.items():
-            steps = [
-                control.step(drive.moves, values[control.name], to[control.name])
-                for control, drive in drives
-                if control.name in to
-            ]
-            change = sum(steps, np.zeros((3, 3)))
-            if change.any():
-                along_it = self.bones.turned(pose, name, self.bones.move(name), change)
-                for other in self.near:
-                    if name in self.bones.above[other]:
-                        pose[other] = along_it @ pose[other]
+            return matrix_of(self.carrier.matrix_world)
         world = matrix_of(self.bones.armature.matrix_world)
         return world @ self.bones.blend(pose, self.influences) @ self.into
 
-    def _gained(self, values, to):
-        """(3,) what shapes add before skinning."""
-        steps = {}
-        for name in to:
-            control = self.controls[name]
-            for shape in control.shapes:
-                step = control.step(shape.weights, values[name], to[name])
-                steps[shape.token] = steps.get(shape.token, 0.0) + step
+    def _turned(self, pose, moves):
+        """A pose, once ``moves`` by joint are added."""
+        if not self.turning:
+            return pose
+        pose = dict(pose)
+        for name, joint in self.turning.items():
+            if moves[joint].any():
+                along_it = self.bones.turned(pose, name, moves[joint])
+                for other in {*self.turning, *(name for name, _ in self.influences)}:
+                    if name in self.bones.above[other]:
+                        pose[other] = along_it @ pose[other]
+        return pose
+
+    def _added(self, weights):
+        """(3,) what ``weights`` that are added, by token, do before skinning."""
         found = np.zeros(3)
-        for token in steps.keys() & self.keys.keys():
-            key, knots, offsets = self.keys[token]
-            found += along(knots, offsets, key.value + steps[token])
+        for token, (key, knots, offsets) in self.keys.items():
+            found += along(knots, offsets, key.value + weights[token])
             found -= along(knots, offsets, key.value)
         return found
 
-    def _influences(self, element):
+    def _influences(self):
+        """(bone, weight) pairs of what carries it."""
         if self.bones is None:
             return ()
         if self.mesh is None:
-            named = [(self.bones.joints[joint], weight) for joint, weight in element.carriers]
+            carriers = self.drawing.element.carriers
+            named = [(self.bones.joints[joint], weight) for joint, weight in carriers]
         else:
             groups = self.mesh.vertex_groups
             mine = self.mesh.data.vertices[self.point].groups
@@ -205,17 +172,14 @@ class Spot:
         return tuple(pair for pair in named if pair[0] in self.bones.rest)
 
     def _turning(self):
-        """Bones above the influences that the controls move, parents first, with (control, drive)
-        pairs."""
-        found = {}
-        if self.bones is not None:
-            lines = [self.bones.above[name] for name, _ in self.influences]
-            for control in self.controls.values():
-                for drive in control.joints:
-                    name = self.bones.joints.get(drive.joint)
-                    if drive.skeleton == self.skeleton and any(name in line for line in lines):
-                        found.setdefault(name, []).append((control, drive))
-        return {name: found[name] for name in self.bones.rest if name in found} if found else {}
+        """By bone, parents first, the joints above the influences that the element's controls
+        move."""
+        if self.bones is None:
+            return {}
+        moved = {joint.at for control in self.controls for joint in control.joints}
+        joints = {self.bones.joints[at[1]]: at for at in moved if at[0] == self.skeleton}
+        above = {name for each, _ in self.influences for name in self.bones.above[each]}
+        return {name: joints[name] for name in self.bones.rest if name in {*joints} & above}
 
     def _into(self):
         """The mesh's space to the armature's."""
@@ -224,12 +188,12 @@ class Spot:
         world = matrix_of(self.bones.armature.matrix_world)
         return np.linalg.inv(world) @ matrix_of(self.mesh.matrix_world)
 
-
-def _to_root(layout, spot, element):
-    """Before skinning to root space, in the base pose."""
-    if spot.bones is None:
-        return layout.to_root(element.mesh)
-    return spot.bones.to_root @ spot.bones.blend(spot.bones.base, spot.influences) @ spot.into
+    def _to_root(self, stands):
+        """Before skinning to root space, in the base pose; ``stands`` is that of what carries it
+        without bones."""
+        if self.bones is None:
+            return stands
+        return self.bones.to_root @ self.bones.blend(self.bones.base, self.influences) @ self.into
 
 
 def skeleton_of(mesh, bones):

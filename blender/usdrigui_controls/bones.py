@@ -90,7 +90,7 @@ def make_bones(context, holder):
     with _editing(context, made):
         for handle in handles:
             _add_bone(made, handle, anchors, placed[handle.element])
-    carrier = character.objects[0]
+    carrier = next(iter(character.objects.values()))
     made.parent = carrier
     made.matrix_parent_inverse = carrier.matrix_world.inverted()
     shape = _circle()
@@ -177,7 +177,8 @@ def _editing(context, armature):
 
 def _add_bone(made, handle, anchors, placed):
     """A bone along its first axis, flat on the skin, where the bone that carries it rests."""
-    drawing, spot = anchors.drawings[handle.element], anchors.spots[handle.element]
+    spot = anchors.spots[handle.element]
+    drawing = spot.drawing
     names = [member.control for member in drawing.element.members]
     ways = []
     for axis in handle.axes:

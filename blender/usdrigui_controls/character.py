@@ -16,8 +16,8 @@ import bpy
 import mathutils
 import numpy as np
 
-from .joints import JointFrame, values_behind
-from .layout import LayoutError, from_json, to_json
+from .joints import values_behind
+from .layout import LayoutError, from_json, gained, to_json
 
 LAYOUT = "usdrigui_layout"
 """Custom property of the holder with the layout as JSON."""
@@ -65,7 +65,7 @@ def _stand_in(thing):
 def holder_of(objects):
     """The object that holds the layout of some of these, or None."""
     for holder in holders(bpy.context.scene):
-        if {*objects} & {*Character(holder).objects}:
+        if {*objects} & {*Character(holder).objects.values()}:
             return holder
     return None
 
@@ -129,7 +129,7 @@ class Character:
         self.controls = {control.name: control for control in self.layout.controls}
         self.meshes = _objects(holder, _MESHES, self.layout.meshes)
         self.armatures = _objects(holder, _ARMATURES, self.layout.skeletons)
-        self.objects = [*self.armatures.values(), *self.meshes.values()]
+        self.objects = {**self.armatures, **self.meshes}
         self.names = json.loads(holder.get(_NAMES, "{}"))
 
     # --- values -----------------------------------------------------------------------------------
@@ -138,7 +138,7 @@ class Character:
         """The value of every control, by name."""
         found, turning = {}, {}
         for control in self.layout.controls:
-            bone = self.bone(control.joints[0]) if is_single_joint(control) else None
+            bone = self.bone(*control.joints[0].at) if is_single_joint(control) else None
             if control.plain:
                 keys = self.shape_keys(control.shapes[0].token)
                 found[control.name] = keys[0].value if keys else control.base
@@ -152,22 +152,17 @@ class Character:
 
     def set_values(self, changed):
         """Give some controls, by name, new values; all else stays."""
-        before = self.values()
-        weights, moves = {}, {}
+        before, others = self.values(), []
         for name, value in changed.items():
             control = self.controls[name]
             if control.plain:
                 for key in self.shape_keys(control.shapes[0].token):
                     key.value = value
                 continue
-            for shape in control.shapes:
-                step = control.step(shape.weights, before[name], value)
-                weights[shape.token] = weights.get(shape.token, 0.0) + step
-            for joint in control.joints:
-                moved = moves.setdefault((joint.skeleton, joint.joint), np.zeros((3, 3)))
-                moved += control.step(joint.moves, before[name], value)
+            others.append(control)
             if not is_single_joint(control):
                 self.holder[_VALUE + name] = float(value)
+        weights, moves = gained(others, before, changed)
         if BONES in self.holder:
             from .bones import move_bones
 
@@ -175,8 +170,8 @@ class Character:
         for token, step in weights.items():
             for key in self.shape_keys(token):
                 key.value += step
-        for (skeleton, joint), move in moves.items():
-            self._add_move(skeleton, joint, move)
+        for joint, move in moves.items():
+            self._add_move(joint, move)
 
     def channels(self, name):
         """(owner, property) of all that holds the value of a control, in the order of its drive."""
@@ -189,7 +184,7 @@ class Character:
         control = self.controls[name]
         found = [(key, "value") for shape in control.shapes for key in self.shape_keys(shape.token)]
         for joint in control.joints:
-            bone = self.bone(joint)
+            bone = self.bone(*joint.at)
             if bone is not None:
                 moved = np.any(joint.moves, axis=(0, 2))
                 parts = (_rotation_path(bone), "location", "scale")
@@ -231,13 +226,11 @@ class Character:
     def take_rest_pose(self):
         """Put bones that the import left in the bind pose into the rest pose, where USD has
         them."""
-        for skeleton in self.layout.skeletons:
-            for joint in skeleton.joints:
-                bone = self.bone_of(skeleton.path, joint.path)
-                if bone is not None and _near(bone.matrix_basis, np.eye(4), 1e-7):
-                    frame = JointFrame(joint.bind, joint.rest)
-                    bone.location, rotation, bone.scale = frame.basis(np.zeros((3, 3)))
-                    _set_rotation(bone, rotation)
+        for joint, frame in self.layout.frames.items():
+            bone = self.bone(*joint)
+            if bone is not None and _near(bone.matrix_basis, np.eye(4), 1e-7):
+                bone.location, rotation, bone.scale = frame.basis(np.zeros((3, 3)))
+                _set_rotation(bone, rotation)
 
     def place_meshes(self):
         """Put skinned meshes where the skeleton has them: Blender's import passes over its own
@@ -264,11 +257,7 @@ class Character:
         block = self.meshes[path].data.shape_keys
         return block and block.key_blocks.get(self.names.get(path, {}).get(token, token))
 
-    def bone(self, joint):
-        """The pose bone of a `layout.JointDrive`, or None."""
-        return self.bone_of(joint.skeleton, joint.joint)
-
-    def bone_of(self, skeleton, joint):
+    def bone(self, skeleton, joint):
         """The pose bone of a joint, or None."""
         armature = self.armatures.get(skeleton)
         return armature.pose.bones.get(self.bone_name(skeleton, joint)) if armature else None
@@ -277,36 +266,30 @@ class Character:
         """The name that the bone of a joint has, if there is one."""
         return self.names.get(skeleton, {}).get(joint, joint.rpartition("/")[2])
 
-    def frame(self, skeleton, joint):
-        """The `JointFrame` of a joint."""
-        joints = self.layout.skeleton(skeleton).joints
-        rest = next(each for each in joints if each.path == joint)
-        return JointFrame(rest.bind, rest.rest)
-
     def missing(self):
         """Names of the controls that nothing in the scene answers to."""
         return [
             control.name
             for control in self.layout.controls
             if not any(self.shape_keys(shape.token) for shape in control.shapes)
-            and not any(self.bone(joint) for joint in control.joints)
+            and not any(self.bone(*joint.at) for joint in control.joints)
         ]
 
     # --- joints -----------------------------------------------------------------------------------
 
     def _joint_values(self, controls):
         """Values of the controls that move one joint, read off its bone."""
-        joint = controls[0].joints[0]
-        move = self.frame(joint.skeleton, joint.joint).move(*basis_of(self.bone(joint)))
+        joint = controls[0].joints[0].at
+        move = self.layout.frames[joint].move(*basis_of(self.bone(*joint)))
         defaults = [control.default for control in controls]
         values = values_behind(move.ravel(), defaults, [_slope(control) for control in controls])
         return dict(zip((control.name for control in controls), values.tolist(), strict=True))
 
-    def _add_move(self, skeleton, joint, move):
-        bone = self.bone_of(skeleton, joint)
+    def _add_move(self, joint, move):
+        bone = self.bone(*joint)
         if bone is None:
             return
-        frame = self.frame(skeleton, joint)
+        frame = self.layout.frames[joint]
         location, rotation, scale = frame.basis(frame.move(*basis_of(bone)) + move)
         if move[0].any():
             _set_rotation(bone, rotation)

@@ -146,7 +146,7 @@ class MirrorPose(Posing, bpy.types.Operator):
         """Of these, what the mirror changes."""
         layout, values = character.layout, character.values()
         if self.side == "both":
-            found = flipped(layout, values, crossing(character, visibility.anchors_of(character)))
+            found = flipped(layout, values, crossing(character))
         else:
             found = mirrored_from(layout, values, self.side)
         return {

@@ -8,10 +8,13 @@ row-vector convention, as nested tuples.  Nothing here knows Blender or USD.
 from __future__ import annotations
 
 import json
+from collections import defaultdict
 from dataclasses import asdict, dataclass
+from functools import cached_property
 
 import numpy as np
 
+from .joints import JointFrame
 from .maths.handle_track import along
 
 
@@ -27,6 +30,11 @@ class JointDrive:
     joint: str
     moves: tuple
     """Per key, the rotation vector, the translation and the logarithms of the scales."""
+
+    @property
+    def at(self):
+        """Which joint it is: its skeleton and its path."""
+        return self.skeleton, self.joint
 
 
 @dataclass(frozen=True)
@@ -67,6 +75,19 @@ class Control:
     def step(self, parts, before, after):
         """What that gains from one value to another."""
         return self.at(parts, after) - self.at(parts, before)
+
+
+def gained(controls, before, after):
+    """What some controls add to weights, by token, and to moves (3, 3), by (skeleton, joint), from
+    the values ``before``, by name, to those ``after``."""
+    weights, moves = defaultdict(float), defaultdict(lambda: np.zeros((3, 3)))
+    for control in controls:
+        values = before[control.name], after[control.name]
+        for shape in control.shapes:
+            weights[shape.token] += control.step(shape.weights, *values)
+        for joint in control.joints:
+            moves[joint.at] += control.step(joint.moves, *values)
+    return weights, moves
 
 
 @dataclass(frozen=True)
@@ -160,6 +181,15 @@ class Layout:
     def element(self, name):
         """An element by its name, if there is one."""
         return next((each for each in self.elements if each.name == name), None)
+
+    @cached_property
+    def frames(self):
+        """The `JointFrame` of each joint, by skeleton and path."""
+        return {
+            (skeleton.path, joint.path): JointFrame(joint.bind, joint.rest)
+            for skeleton in self.skeletons
+            for joint in skeleton.joints
+        }
 
     def skeleton(self, path):
         """The `SkeletonRest` at a prim path."""

@@ -149,7 +149,7 @@ def _places(character, stage):
     from pxr import UsdGeom
 
     found = {}
-    for path, thing in {**character.meshes, **character.armatures}.items():
+    for path, thing in character.objects.items():
         prim = stage.GetPrimAtPath(path)
         above = prim.GetParent()
         if not blender_name(above):

@@ -80,13 +80,13 @@ def _placed(context):
             anchors = anchors_of(character)
             values = character.values()
             placed = anchors.place(depsgraph, values)
-        except (LayoutError, ReferenceError, KeyError):
+        except (LayoutError, ReferenceError, KeyError, StopIteration):
             _anchors.pop(holder.name, None)
             continue
         members = _members(character.layout.elements)
         open_here = {name for where, name in opened if where == holder.name}
-        for drawing, where in zip(anchors.drawings, placed, strict=True):
-            element = drawing.element
+        for spot, where in zip(anchors.spots, placed, strict=True):
+            drawing, element = spot.drawing, spot.drawing.element
             if (
                 where is not None
                 and is_visible(element.name, members, open_here)

@@ -129,7 +129,7 @@ def test_a_bone_turns_under_its_handle(window):
     assert turned.keys() == {"EyeLeft:ry"}
     assert abs(turned["EyeLeft:ry"]) > 10.0
     assert window.ask(
-        "result = abs(character().bone_of('/Char/Skeleton', 'Neck/Head/EyeLeft').rotation_quaternion[2]) > 0.05"
+        "result = abs(character().bone('/Char/Skeleton', 'Neck/Head/EyeLeft').rotation_quaternion[2]) > 0.05"
     )
     window.picture("eye")
 

@@ -41,6 +41,7 @@ def test_install_import_key_save_and_load(run_inside, usd_python, archive, tmp_p
     home = {"BLENDER_USER_RESOURCES": str(tmp_path / "home")}
     found = run_inside([usd_python], "installed", home, archive=archive, layer=str(layer), source=str(source))
     assert found["keyed"] == pytest.approx(np.array([[0.25, 2.5], [0.75, 7.5]]), abs=1e-4)
+    assert found["flipped"] == pytest.approx([0.0, 0.5])
     assert found["rest"] < 1e-4
     assert found["loaded"] == 11
     no_layout, other_points = found["refused"].tolist()
@@ -51,4 +52,5 @@ def test_install_import_key_save_and_load(run_inside, usd_python, archive, tmp_p
 @pytest.mark.skipif(shutil.which("blender") is None, reason="blender is not installed")
 def test_install_in_the_blender_on_the_path(run_inside, archive, tmp_path):
     home = {"BLENDER_USER_RESOURCES": str(tmp_path / "home"), "HOME": str(tmp_path / "home")}
-    run_inside(["blender", "-b", "--factory-startup", "-P"], "installed", home, archive=archive)
+    start = ["blender", "-b", "--factory-startup", "--python-use-system-env", "-P"]
+    run_inside(start, "installed", home, archive=archive)

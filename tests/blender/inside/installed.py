@@ -37,6 +37,10 @@ if "layer" in task:
         keyed.append([character().values()[name] for name in ("mouthSmileLeft", "EyeLeft:ry")])
     bpy.context.scene.frame_set(60)
     bpy.ops.usdrigui.reset(everything=True)
+    character().set_values({"jawLeft": 0.5})
+    bpy.ops.usdrigui.mirror(side="both")
+    flipped = [character().values()[name] for name in ("jawLeft", "jawRight")]
+    bpy.ops.usdrigui.reset(everything=True)
     rest = np.abs(list(character().values().values())).max()
     bpy.ops.usdrigui.remove_layout()
     assert not rooms["character"].holders(bpy.context.scene)
@@ -47,5 +51,5 @@ if "layer" in task:
     mesh.shape_key_clear()
     mesh.data.vertices.add(1)
     refused.append(refusal(bpy.ops.usdrigui.save_animation, filepath=task["result"] + ".usda"))
-    np.savez(task["result"], keyed=keyed, rest=rest, loaded=loaded, refused=refused)
+    np.savez(task["result"], keyed=keyed, flipped=flipped, rest=rest, loaded=loaded, refused=refused)
     bpy.ops.preferences.addon_disable(module=module)
