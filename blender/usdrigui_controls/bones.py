@@ -16,7 +16,7 @@ import bpy
 import mathutils
 import numpy as np
 
-from .anchors import Anchors, matrix_of
+from .anchors import Anchors
 from .character import BONES, Character, at_frames, curves_of, frames_of, holders
 from .exporting import selection_kept
 from .inbetweens import drive
@@ -30,8 +30,13 @@ class Handle:
 
     name: str
     element: int
-    axes: tuple
-    """Per component of the location, y first: (control, +1 or -1) pairs."""
+    axes: dict
+    """By component of the location, y first: (control, +1 or -1) pairs."""
+
+    @property
+    def controls(self):
+        """Those of all axes."""
+        return [control for axis in self.axes.values() for control, _ in axis]
 
 
 def handles_of(layout):
@@ -50,7 +55,7 @@ def handles_of(layout):
         parts = [axes] if len(axes) < 3 else [[axis] for axis in axes]
         for axes_here in parts if axes else ():
             label = element.name if len(parts) == 1 else axes_here[0][-1][0].name
-            found.append(Handle(label, number, tuple(axes_here)))
+            found.append(Handle(label, number, dict(zip((1, 0), axes_here, strict=False))))
     return found
 
 
@@ -59,7 +64,7 @@ def move_bones(character, values):
     bones = character.holder[BONES].pose.bones
     for handle in (each for each in handles_of(character.layout) if each.name in bones):
         bone = bones[handle.name]
-        for component, axis in zip((1, 0), handle.axes, strict=False):
+        for component, axis in handle.axes.items():
             bone.location[component] = bone.bone.length * sum(
                 sign * _share(control, values[control.name]) for control, sign in axis
             )
@@ -71,8 +76,7 @@ def bones_of(character):
     return {
         control.name: bones[handle.name]
         for handle in handles_of(character.layout)
-        for axis in handle.axes
-        for control, _ in axis
+        for control in handle.controls
         if handle.name in bones
     }
 
@@ -84,15 +88,13 @@ def make_bones(context, holder):
     anchors = Anchors(character)
     placed = anchors.place(context.evaluated_depsgraph_get(), values)
     handles = [each for each in handles_of(character.layout) if placed[each.element] is not None]
+    carriers = [_carrier(spot) for spot in anchors.spots]
     made = bpy.data.objects.new(f"{holder.name} controls", bpy.data.armatures.new("Controls"))
     made.show_in_front = True
     context.scene.collection.objects.link(made)
     with _editing(context, made):
         for handle in handles:
             _add_bone(made, handle, anchors, placed[handle.element])
-    carrier = next(iter(character.objects.values()))
-    made.parent = carrier
-    made.matrix_parent_inverse = carrier.matrix_world.inverted()
     shape = _circle()
     for handle in handles:
         bone, element = made.pose.bones[handle.name], anchors.layout.elements[handle.element]
@@ -102,7 +104,8 @@ def make_bones(context, holder):
         bone.lock_rotation = bone.lock_scale = [True] * 3
         bone.color.palette = _PALETTES.get(element.side, "THEME03")
         _limit(bone, handle)
-        _carry(bone, anchors.spots[handle.element])
+        child = bone.constraints.new("CHILD_OF")
+        child.target, child.subtarget, child.inverse_matrix = carriers[handle.element]
         _drive(character, made, handle)
     holder[BONES] = made
     for frame in frames_of(tracks.values()):
@@ -115,7 +118,7 @@ def make_bones(context, holder):
 def remove_bones(context, holder):
     """Take the armature away; the shape keys have its values, and the keys that they lack."""
     character, made = Character(holder), holder[BONES]
-    driven = [c for each in handles_of(character.layout) for axis in each.axes for c, _ in axis]
+    driven = [each for handle in handles_of(character.layout) for each in handle.controls]
     seen = at_frames(context.scene, frames_of(curves_of(made)), character.values)
     now = character.values()
     for control in driven:
@@ -176,12 +179,12 @@ def _editing(context, armature):
 
 
 def _add_bone(made, handle, anchors, placed):
-    """A bone along its first axis, flat on the skin, where the bone that carries it rests."""
+    """A bone along its first axis, flat on the skin."""
     spot = anchors.spots[handle.element]
     drawing = spot.drawing
     names = [member.control for member in drawing.element.members]
     ways = []
-    for axis in handle.axes:
+    for axis in handle.axes.values():
         member = names.index(axis[-1][0].name)
         track, values = placed.tracks[member], drawing.values[member]
         base = np.array([np.interp(drawing.base[member], values, part) for part in track.T])
@@ -190,32 +193,23 @@ def _add_bone(made, handle, anchors, placed):
     normal = mathutils.Vector(placed.normal)
     if len(ways) > 1 and normal.dot(mathutils.Vector(np.cross(ways[1][1], along))) < 0.0:
         normal.negate()
-    back = mathutils.Matrix(np.linalg.inv(_carried(spot)).tolist())
     length = max(float(np.linalg.norm(along)), 1e-4 * placed.scale)
     bone = made.data.edit_bones.new(handle.name)
-    bone.head = back @ mathutils.Vector(base)
-    bone.tail = bone.head + (back.to_3x3() @ mathutils.Vector(along)).normalized() * length
-    bone.align_roll(back.to_3x3() @ normal)
+    bone.head = base
+    bone.tail = bone.head + mathutils.Vector(along).normalized() * length
+    bone.align_roll(normal)
     bone.use_deform = False
 
 
-def _carried(spot):
-    """(4, 4) where the bone that carries an element has taken it from its rest, in the world."""
-    if not spot.influences:
-        return np.eye(4)
-    world = matrix_of(spot.bones.armature.matrix_world)
-    moved = spot.bones.blend(spot.bones.posed(), [(_carrier(spot), 1.0)])
-    return world @ moved @ np.linalg.inv(world)
-
-
 def _carrier(spot):
-    return max(spot.influences, key=lambda pair: pair[1])[0]
-
-
-def _carry(bone, spot):
-    if spot.influences:
-        target = bone.constraints.new("ARMATURE").targets.new()
-        target.target, target.subtarget = spot.bones.armature, _carrier(spot)
+    """What carries an element, mostly a bone, as the target of a constraint: its object, the bone's
+    name, and the inverse of where it is now."""
+    if not spot.influences:
+        return spot.carrier, "", spot.carrier.matrix_world.inverted()
+    armature = spot.bones.armature
+    name = max(spot.influences, key=lambda pair: pair[1])[0]
+    place = armature.matrix_world @ armature.pose.bones[name].matrix
+    return armature, name, place.inverted()
 
 
 def _limit(bone, handle):
@@ -226,7 +220,8 @@ def _limit(bone, handle):
     for part in "xyz":
         setattr(limit, f"use_min_{part}", True)
         setattr(limit, f"use_max_{part}", True)
-    for part, axis in zip("yx", handle.axes, strict=False):
+    for component, axis in handle.axes.items():
+        part = "xyz"[component]
         low = min(_share(control, control.minimum) if s > 0.0 else -1.0 for control, s in axis)
         setattr(limit, f"min_{part}", low * bone.bone.length)
         setattr(limit, f"max_{part}", bone.bone.length)
@@ -239,7 +234,7 @@ def _share(control, value):
 def _drive(character, made, handle):
     """Drivers from the location to the shape keys, within the ranges."""
     bone = made.pose.bones[handle.name]
-    for component, axis in zip((1, 0), handle.axes, strict=False):
+    for component, axis in handle.axes.items():
         path = f"{bone.path_from_id('location')}[{component}]"
         for control, sign in axis:
             ends = (control.base if len(axis) > 1 else control.minimum, control.maximum)

@@ -32,15 +32,16 @@ _VALUE = "rig: "
 """Prefix of the custom properties that hold the values of poses."""
 
 
-def bind(layout, match):
-    """Store a layout with the objects that it means, a `matching.Match`; returns the holder.
+def bind(layout, objects, names):
+    """Store a layout with the ``objects`` that it means, by prim path, and the ``names`` that
+    differ there, as of `matching.names_of`; returns the holder.
 
     The holder is the armature, or the first mesh where there is none; for a library override, which
     keeps no properties of its own when it is saved, an empty.  Raises LayoutError when a mesh that
     carries controls is missing or has another number of points.
     """
-    check_meshes(layout, match.objects)
-    here = {path: match.objects[path] for path in layout.paths if path in match.objects}
+    check_meshes(layout, objects)
+    here = {path: objects[path] for path in layout.paths if path in objects}
     if not here:
         raise LayoutError(f"no object of the scene belongs to {layout.root}")
     mine = [*here.values()]
@@ -50,7 +51,7 @@ def bind(layout, match):
         holder[name] = {
             str(i): here[each.path] for i, each in enumerate(records) if each.path in here
         }
-    holder[_NAMES] = json.dumps({path: match.names[path] for path in match.names if path in here})
+    holder[_NAMES] = json.dumps({path: names[path] for path in names if path in here})
     Character(holder).widen_ranges()
     return holder
 

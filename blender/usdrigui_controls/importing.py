@@ -11,7 +11,7 @@ import bpy
 from . import inbetweens
 from .character import SOURCE, Character, bind
 from .layout import LayoutError
-from .matching import Match, match, names_of
+from .matching import match, names_of
 
 
 def add_controls(stage, objects=None, fresh=False):
@@ -29,16 +29,16 @@ def add_controls(stage, objects=None, fresh=False):
         raise LayoutError("this file holds no layout: choose the .rigui.usda of the character")
     mine = (each for each in bpy.context.scene.objects if not each.library)
     objects = objects or match(stage, layouts, [*mine])
-    found = Match(objects, names_of(stage, layouts, objects))
+    names = names_of(stage, layouts, objects)
     built = []
     for layout in layouts:
-        added = inbetweens.build(stage, layout, found)
-        holder = bind(layout, found)
+        added = inbetweens.build(stage, layout, objects, names)
+        holder = bind(layout, objects, names)
         holder[SOURCE] = stage.GetRootLayer().realPath
         if fresh:
             Character(holder).take_rest_pose()
             Character(holder).place_meshes()
-        _hide_guides(found.objects, layout.root)
+        _hide_guides(objects, layout.root)
         built.append((holder, added))
     return built
 

@@ -15,21 +15,21 @@ _KNOTS = "usdrigui_inbetweens"
 """Custom property of the Key: per name of a key, the weights and names of the keys added."""
 
 
-def build(stage, layout, match):
-    """Add the in-betweens of the meshes of a layout that a `matching.Match` has; returns how many
-    keys were added.
+def build(stage, layout, objects, names):
+    """Add the in-betweens of the meshes of a layout that are among ``objects``, by prim path, to
+    the keys that have their ``names``, as of `matching.names_of`; returns how many keys were added.
 
     Meshes that have their in-betweens already keep them.
     """
     added = 0
-    for path in (each.path for each in layout.meshes if each.path in match.objects):
-        mesh, names = match.objects[path], match.names.get(path, {})
+    for path in (each.path for each in layout.meshes if each.path in objects):
+        mesh = objects[path]
         block = mesh.data.shape_keys
         if block is None or _KNOTS in block:
             continue
         found = {}
         for token, shape in blend_shapes(stage.GetPrimAtPath(path)):
-            key = block.key_blocks.get(names.get(token, token))
+            key = block.key_blocks.get(names[path].get(token, token))
             keys = _add(mesh, key, shape) if key else []
             if keys:
                 found[key.name] = keys

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass, field
 
 import numpy as np
 from mathutils import Vector
@@ -18,17 +17,6 @@ from .inbetweens import coordinates, shape_keys, tokens_of
 
 _CLOSE = 1e-4
 """Of the size of a mesh: points so near are the same."""
-
-
-@dataclass(frozen=True)
-class Match:
-    """What the scene has of the characters of a stage."""
-
-    objects: dict
-    """Prim paths of meshes and skeletons to objects."""
-    names: dict = field(default_factory=dict)
-    """By the same paths, blend-shape tokens to names of shape keys, or joints to names of bones;
-    where they differ from the token or from the last part of the joint's path."""
 
 
 def match(stage, layouts, objects):
@@ -52,7 +40,9 @@ def match(stage, layouts, objects):
 
 
 def names_of(stage, layouts, objects):
-    """Names that differ, as in `Match`, of objects that are known."""
+    """By prim path of the ``objects`` that are known, blend-shape tokens to names of shape keys, or
+    joints to names of bones; where they differ from the token or from the last part of the joint's
+    path."""
     found = {}
     for layout in layouts:
         for path in (each.path for each in layout.meshes if each.path in objects):

@@ -308,27 +308,9 @@ class _Values:
 
 
 def _sample(attribute, frames, values):
-    """Samples of an attribute, without those that lie on a line between others; one default where
-    nothing changes."""
-    kept = needed(np.array(values, dtype=np.float64).reshape(len(frames), -1))
-    for i in kept:
-        attribute.Set(values[i], *([frames[i]] if len(kept) > 1 else []))
+    """Samples of an attribute where it changes; one default where nothing does."""
+    from pxr import UsdUtils
 
-
-def needed(values):
-    """Indices of the rows of (n, m) from which all others follow by linear interpolation; the first
-    alone where all are equal."""
-    last = len(values) - 1
-    close = _SAME * max(1.0, np.abs(values).max(initial=0.0))
-    if np.abs(values - values[0]).max(initial=0.0) <= close:
-        return [0]
-    kept, pieces = {0, last}, [(0, last)]
-    while pieces:
-        start, end = pieces.pop()
-        line = np.linspace(values[start], values[end], end - start + 1)
-        away = np.abs(values[start : end + 1] - line).max(axis=1)
-        middle = start + int(away.argmax())
-        if away.max() > close:
-            kept.add(middle)
-            pieces += [(start, middle), (middle, end)]
-    return sorted(kept)
+    writer = UsdUtils.SparseAttrValueWriter(attribute, values[0])
+    for frame, value in zip(frames, values, strict=True):
+        writer.SetTimeSample(value, frame)

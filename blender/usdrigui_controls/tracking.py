@@ -15,10 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .maths.handle_track import carried, facing, slid
-
-_BESIDE = 0.05
-"""Of the length of a track: its first point is an end of its own where it is so far from the
-handle."""
+from .maths.neighbours import end_of, neighbours
 
 
 @dataclass(frozen=True)
@@ -66,18 +63,11 @@ def drawing_of(element, controls):
 
 
 def _area(element, tracks):
-    """(3 t, 3) triangles between the handle and the ends of neighbouring tracks; none for a slider,
-    and none across half a turn or more."""
+    """(3 t, 3) triangles between the handle and the ends of neighbouring tracks."""
     home, normal = np.array(element.position), np.array(element.normal)
-    first, last = (np.array([line[end] for line in tracks]) - home for end in (0, -1))
-    apart = np.linalg.norm(first, axis=1) > _BESIDE * np.linalg.norm(last, axis=1)
-    ends = np.concatenate([last, first[apart]])
-    if element.kind == "slider" or len(ends) < 2:
-        return np.zeros((0, 3))
-    across = np.cross(normal, ends[0])
-    ends = ends[np.argsort(np.arctan2(ends @ across, ends @ np.cross(across, normal)))]
-    pairs = zip(ends, np.roll(ends, -1, axis=0), strict=True)
-    found = [(home, home + a, home + b) for a, b in pairs if normal @ np.cross(a, b) > 0.0]
+    across = np.cross(np.eye(3)[np.argmin(np.abs(normal))], normal)
+    pairs = neighbours(tracks, home, normal, across, element.axes)
+    found = [(home, *(end_of(tracks, end) for end in pair)) for pair in pairs]
     return np.array(found).reshape(-1, 3)
 
 

@@ -1,6 +1,6 @@
 """The Blender extension as one file to install.
 
-Its sources lie in ``blender/usdrigui_controls``; the rules of drags, tracks, rotations and
+Its sources lie in ``blender/usdrigui_controls``; the rules of drags, tracks, areas, rotations and
 levels and the colours are usdrigui's own files, which need numpy only and go in as they are.  The
 package itself goes in as a wheel, which the extension installs in a Python beside Blender.  The
 extension is under GPL-3.0-or-later, as Blender's Python interface asks; what goes in as it is stays
@@ -28,6 +28,7 @@ _SHARED = (
     "pose/handle_track.py",
     "character/palette.py",
     "character/rotation.py",
+    "model/neighbours.py",
     "model/visible.py",
 )
 _EPOCH = (1980, 1, 1, 0, 0, 0)

@@ -22,14 +22,11 @@ from usdrigui.layer.control_api import slides
 from usdrigui.layer.polyline import fewest_points
 from usdrigui.layer.skin_binding import AnchorBinding, JointBinding, PointShape, SkinBinding
 from usdrigui.model import Element, LayoutFrame, Member
+from usdrigui.model.neighbours import end_of, neighbours
 from usdrigui.ties import axis_across
 
-_FLAT = np.radians(2.0)
-"""Two tracks closer to one line than this span no area."""
 _INSET = 0.05
 """Of the way from a corner of an area to its middle: so far it stays away from the tracks."""
-_BESIDE = 0.05
-"""Of a track's length: it begins at the handle if it begins nearer than this."""
 _TRACK_WIDTH = 0.22
 """Of a handle's."""
 _HAIR = 0.15
@@ -224,10 +221,10 @@ def _values_along(base: Floats, position: int, member: Member) -> Floats:
 
 def _values_at(base: Floats, members: tuple[Member, ...], ends: list[int]) -> Floats:
     """(q, members) the same at the corners of an area; -1 is the handle itself."""
-    rows, count = np.tile(base, (len(ends), 1)), len(members)
+    rows, values = np.tile(base, (len(ends), 1)), [each.values for each in members]
     for row, end in zip(rows, ends, strict=True):
         if end >= 0:
-            row[end % count] = members[end % count].values[-1 if end < count else 0]
+            row[end % len(members)] = end_of(values, end)
     return rows
 
 
@@ -291,14 +288,16 @@ def _spike(line: Floats, normal: Floats, width: float) -> tuple[Floats, Faces]:
 
 
 def _areas(element: Element) -> list[tuple[list[int], Floats]]:
-    """A polygon for each run of neighbouring tracks: its `_ends`, -1 for the handle, and their
-    positions (q, 3).
+    """A polygon for each run of neighbouring tracks: its ends, as in `end_of`, -1 for the handle,
+    and their positions (q, 3).
 
     They end short of the tracks: surfaces that touch in a point make a mesh no manifold, and points
     that are in one place look like a mistake.
     """
+    tracks, anchor = [each.track for each in element.members], element.anchor
+    across = np.cross(axis_across(anchor.normal), anchor.normal)
     polygons: list[list[int]] = []
-    for a, b in _neighbours(element):
+    for a, b in neighbours(tracks, anchor.position, anchor.normal, across, element.axes):
         if polygons and polygons[-1][-1] == a:
             polygons[-1].append(b)
         else:
@@ -306,54 +305,14 @@ def _areas(element: Element) -> list[tuple[list[int], Floats]]:
     if len(polygons) > 1 and polygons[-1][-1] == polygons[0][0]:
         polygons[0] = [*polygons.pop(), *polygons[0][1:]]
     rounded = [each[:-1] if each[0] == each[-1] else [-1, *each] for each in polygons]
-    corners = [np.array([_end(element, end) for end in each]) for each in rounded]
+    corners = [
+        np.array([anchor.position if end < 0 else end_of(tracks, end) for end in each])
+        for each in rounded
+    ]
     return [
         (ends, each + _INSET * (each.mean(axis=0) - each))
         for ends, each in zip(rounded, corners, strict=True)
     ]
-
-
-def _end(element: Element, end: int) -> Floats:
-    """(3,) where one of `_ends` is in the base pose; the handle for -1."""
-    if end < 0:
-        return element.anchor.position
-    members = element.members
-    return np.asarray(members[end % len(members)].track[-1 if end < len(members) else 0])
-
-
-def _ends(element: Element) -> tuple[list[int], Floats]:
-    """The ends of tracks away from the handle, with the angle of each around the normal: i the last
-    point of the track of member i, m + i the first."""
-    tracks, home = [each.track for each in element.members], element.anchor.position
-    away = [track[end] - home for end in (-1, 0) for track in tracks]
-    ends = [
-        end
-        for end, each in enumerate(away)
-        if end < len(tracks)
-        or np.linalg.norm(each) > _BESIDE * np.linalg.norm(away[end - len(tracks)])
-    ]
-    normal = element.anchor.normal
-    first = np.cross(axis_across(normal), normal)
-    along = np.array([away[end] for end in ends])
-    return ends, np.arctan2(along @ np.cross(normal, first), along @ first)
-
-
-def _neighbours(element: Element) -> list[tuple[int, int]]:
-    """Pairs of `_ends` that are next to each other around the normal, at most 180 degrees apart;
-    never the two ends of one axis."""
-    ends, angle = _ends(element)
-    count, axes = len(element.members), element.axes
-    order = np.argsort(angle, kind="stable")
-    rounds = list(zip(order, np.roll(order, -1), strict=True))
-    pairs = []
-    for a, b in rounds[:1] if len(order) == 2 else rounds:
-        between = (angle[b] - angle[a]) % (2.0 * np.pi)
-        if len(order) == 2 and between > np.pi:
-            a, b, between = b, a, 2.0 * np.pi - between
-        members = {ends[a] % count, ends[b] % count}
-        if _FLAT < between < np.pi - _FLAT and not any(members <= set(axis) for axis in axes):
-            pairs.append((ends[a], ends[b]))
-    return pairs
 
 
 # --- handles --------------------------------------------------------------------------------------

@@ -17,7 +17,7 @@ character = Character(holder)
 bones = holder[BONES].pose.bones
 found = {"worst": 0.0, "points": 0.0}
 plain = [each for each in character.controls.values() if each.plain]
-found["driven"] = len({c.name for each in handles_of(character.layout) for axis in each.axes for c, _ in axis})
+found["driven"] = len({c.name for each in handles_of(character.layout) for c in each.controls})
 
 
 def posed(values):
@@ -31,7 +31,7 @@ def free():
     """A pose in which one end of each signed axis is away from its base."""
     values = {each.name: random.uniform(each.minimum, each.maximum) for each in plain}
     for handle in handles_of(character.layout):
-        for axis in handle.axes:
+        for axis in handle.axes.values():
             values.update({axis[0][0].name: axis[0][0].base} if len(axis) > 1 else {})
     return values
 

@@ -145,13 +145,12 @@ def _start():
     import usdrigui_controls
     from usdrigui_controls.character import bind
     from usdrigui_controls.layout import from_json
-    from usdrigui_controls.matching import Match
 
     for each in list(bpy.data.objects):
         bpy.data.objects.remove(each)
     usdrigui_controls.register()
     objects = build(json.loads(Path(TASK["rig"]).read_text()))
-    bind(from_json(Path(TASK["layout"]).read_text()), Match(objects))
+    bind(from_json(Path(TASK["layout"]).read_text()), objects, {})
     area, _, window = view_region()
     with bpy.context.temp_override(window=window, area=area):
         for each in list(window.screen.areas):
