@@ -32,30 +32,29 @@ class Bones:
     """One armature: rest and base poses in its own space."""
 
     def __init__(self, character, skeleton, armature):
-        self.armature = armature
-        self.to_root = character.layout.to_root(skeleton)
+        layout, self.armature = character.layout, armature
+        self.to_root = layout.to_root(skeleton)
         bones = armature.data.bones
         self.rest = {bone.name: matrix_of(bone.matrix_local) for bone in bones}
         self.unbound = {name: np.linalg.inv(matrix) for name, matrix in self.rest.items()}
         self.above = {
             bone.name: [each.name for each in (bone, *bone.parent_recursive)] for bone in bones
         }
-        frames = character.layout.frames.items()
-        mine = {joint: frame for (path, joint), frame in frames if path == skeleton}
-        self.joints = {joint: character.bone_name(skeleton, joint) for joint in mine}
-        self.frames = {self.joints[joint]: frame for joint, frame in mine.items()}
-        moves = {name: np.zeros((3, 3)) for name in self.frames}
-        for control in character.layout.controls:
-            for joint in control.joints:
-                if joint.skeleton == skeleton:
-                    moves[self.joints[joint.joint]] += control.at(joint.moves, control.base)
+        self.joints = {
+            character.bone_name(*each): each for each in layout.frames if each[0] == skeleton
+        }
+        self.frames = layout.frames
+        still = {control.name: control.default for control in layout.controls}
+        base = {control.name: control.base for control in layout.controls}
+        _, moves = gained(layout.controls, still, base)
         self.base = {}
         for name, matrix in self.rest.items():
             line, found = self.above[name], matrix
             if len(line) > 1:
                 found = self.base[line[1]] @ self.unbound[line[1]] @ matrix
-            if name in moves:
-                found = found @ composed(*self.frames[name].basis(moves[name]))
+            joint = self.joints.get(name)
+            if joint:
+                found = found @ composed(*self.frames[joint].basis(moves[joint]))
             self.base[name] = found
 
     def posed(self):
@@ -65,7 +64,7 @@ class Bones:
     def turned(self, pose, name, change):
         """(4, 4) what takes a bone at ``pose`` and all below it along, once a ``change`` (3, 3) is
         added to its move."""
-        frame = self.frames[name]
+        frame = self.frames[self.joints[name]]
         move = frame.move(*basis_of(self.armature.pose.bones[name]))
         now, then = (composed(*frame.basis(each)) for each in (move, move + change))
         return pose[name] @ np.linalg.inv(now) @ then @ np.linalg.inv(pose[name])
@@ -93,7 +92,7 @@ class Spot:
         self.carrier = character.objects[path]
         self.skeleton = skeleton_of(self.mesh, bones) if self.mesh else element.skeleton
         self.bones = bones.get(self.skeleton)
-        self.influences = self._influences()
+        self.influences = self._influences(character)
         self.turning = self._turning()
         self.into = self._into()
         self.to_skin = np.linalg.inv(self._to_root(character.layout.to_root(path)))
@@ -158,13 +157,15 @@ class Spot:
             found -= along(knots, offsets, key.value)
         return found
 
-    def _influences(self):
+    def _influences(self, character):
         """(bone, weight) pairs of what carries it."""
         if self.bones is None:
             return ()
         if self.mesh is None:
             carriers = self.drawing.element.carriers
-            named = [(self.bones.joints[joint], weight) for joint, weight in carriers]
+            named = [
+                (character.bone_name(self.skeleton, joint), weight) for joint, weight in carriers
+            ]
         else:
             groups = self.mesh.vertex_groups
             mine = self.mesh.data.vertices[self.point].groups
@@ -177,9 +178,9 @@ class Spot:
         if self.bones is None:
             return {}
         moved = {joint.at for control in self.controls for joint in control.joints}
-        joints = {self.bones.joints[at[1]]: at for at in moved if at[0] == self.skeleton}
         above = {name for each, _ in self.influences for name in self.bones.above[each]}
-        return {name: joints[name] for name in self.bones.rest if name in {*joints} & above}
+        joints = self.bones.joints.items()
+        return {name: joint for name, joint in joints if joint in moved and name in above}
 
     def _into(self):
         """The mesh's space to the armature's."""

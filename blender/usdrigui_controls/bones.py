@@ -11,7 +11,6 @@ from __future__ import annotations
 from contextlib import contextmanager
 from dataclasses import dataclass
 
-import bmesh
 import bpy
 import mathutils
 import numpy as np
@@ -95,12 +94,14 @@ def make_bones(context, holder):
     with _editing(context, made):
         for handle in handles:
             _add_bone(made, handle, anchors, placed[handle.element])
-    shape = _circle()
+    shape = bpy.data.objects.new("Control", None)  # in no scene
+    shape.empty_display_type = "CIRCLE"
     for handle in handles:
         bone, element = made.pose.bones[handle.name], anchors.layout.elements[handle.element]
         bone.custom_shape, bone.use_custom_shape_bone_size = shape, False
         size = 0.5 * placed[handle.element].scale * element.width
         bone.custom_shape_scale_xyz = [size] * 3
+        bone.custom_shape_rotation_euler.x = 0.5 * np.pi  # flat on the skin
         bone.lock_rotation = bone.lock_scale = [True] * 3
         bone.color.palette = _PALETTES.get(element.side, "THEME03")
         _limit(bone, handle)
@@ -127,7 +128,10 @@ def remove_bones(context, holder):
             animation = key.id_data.animation_data
             if not animation.action and not animation.drivers:
                 key.id_data.animation_data_clear()
-    discard(made)
+    # The shape of its bones goes with it.
+    shapes = {bone.custom_shape for bone in made.pose.bones}
+    bpy.data.armatures.remove(made.data)
+    bpy.data.batch_remove(shapes - {None})
     del holder[BONES]
     tracks = _curves(character)
     for frame, values in seen.items():
@@ -137,15 +141,6 @@ def remove_bones(context, holder):
                 character.set_values({name: values[name]})
                 character.insert_keys([name], frame)
     character.set_values({control.name: now[control.name] for control in driven})
-
-
-def discard(made):
-    """Delete the armature with the shape of its bones."""
-    shape = made.pose.bones[0].custom_shape if made.pose.bones else None
-    for thing in filter(None, (made, shape)):
-        data = thing.data
-        bpy.data.objects.remove(thing)
-        bpy.data.batch_remove([data])
 
 
 def _curves(character):
@@ -242,15 +237,6 @@ def _drive(character, made, handle):
             points = sorted((way * _share(control, end), end) for end in ends)
             for key in character.shape_keys(control.shapes[0].token):
                 drive(key, ("OBJECT", made), path, points, "CONSTANT")
-
-
-def _circle():
-    """What a bone looks like: a ring of a unit's radius, in no scene."""
-    ring, mesh = bmesh.new(), bpy.data.meshes.new("Control")
-    bmesh.ops.create_circle(ring, segments=16, radius=1.0)
-    ring.to_mesh(mesh)
-    ring.free()
-    return bpy.data.objects.new("Control", mesh)
 
 
 class SwitchBones(bpy.types.Operator):

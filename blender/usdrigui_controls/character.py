@@ -16,7 +16,6 @@ import bpy
 import mathutils
 import numpy as np
 
-from .joints import values_behind
 from .layout import LayoutError, from_json, gained, to_json
 
 LAYOUT = "usdrigui_layout"
@@ -206,7 +205,7 @@ class Character:
         none without both."""
         found = []
         for owner, path in self.channels(name):
-            whole = path if owner == owner.id_data else f"{owner.path_from_id()}.{path}"
+            whole = path if owner == owner.id_data else owner.path_from_id(path)
             curves = (each for each in curves_of(owner.id_data) if each.data_path == whole)
             found += frames_of(curves)
         before = [each for each in found if each < frame]
@@ -223,15 +222,6 @@ class Character:
                 for key in self.shape_keys(shape.token):
                     key.slider_min = min(key.slider_min, *ends)
                     key.slider_max = max(key.slider_max, *ends)
-
-    def take_rest_pose(self):
-        """Put bones that the import left in the bind pose into the rest pose, where USD has
-        them."""
-        for joint, frame in self.layout.frames.items():
-            bone = self.bone(*joint)
-            if bone is not None and _near(bone.matrix_basis, np.eye(4), 1e-7):
-                bone.location, rotation, bone.scale = frame.basis(np.zeros((3, 3)))
-                _set_rotation(bone, rotation)
 
     def place_meshes(self):
         """Put skinned meshes where the skeleton has them: Blender's import passes over its own
@@ -279,12 +269,16 @@ class Character:
     # --- joints -----------------------------------------------------------------------------------
 
     def _joint_values(self, controls):
-        """Values of the controls that move one joint, read off its bone."""
+        """Values of the controls that move one joint, read off its bone: those that together make
+        its move, nearest in the least squares."""
         joint = controls[0].joints[0].at
         move = self.layout.frames[joint].move(*basis_of(self.bone(*joint)))
-        defaults = [control.default for control in controls]
-        values = values_behind(move.ravel(), defaults, [_slope(control) for control in controls])
-        return dict(zip((control.name for control in controls), values.tolist(), strict=True))
+        slopes = np.transpose([_slope(control) for control in controls])
+        steps = np.linalg.lstsq(slopes, move.ravel(), rcond=1e-9)[0]
+        return {
+            control.name: control.default + float(step)
+            for control, step in zip(controls, steps, strict=True)
+        }
 
     def _add_move(self, joint, move):
         bone = self.bone(*joint)

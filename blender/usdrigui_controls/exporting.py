@@ -144,12 +144,9 @@ def write_character(context, face, target):
 
     Raises LayoutError where the file cannot be written.
     """
-    known = bpy.ops.wm.usd_export.get_rna_type().properties.keys()
     with _only(context, face):
         try:
-            bpy.ops.wm.usd_export(
-                filepath=str(target), **{name: _OPTIONS[name] for name in _OPTIONS if name in known}
-            )
+            bpy.ops.wm.usd_export(filepath=str(target), **_OPTIONS)
         except RuntimeError as error:
             raise LayoutError(f"{target} cannot be written: {error}") from error
     _finish(face, target)
@@ -223,12 +220,11 @@ def _write_shapes(stage, prim, mesh):
         if child.IsA(UsdSkel.BlendShape):
             stage.RemovePrim(child.GetPath())
     keys = shape_keys(mesh)
-    taken, targets, ranges = set(), [], {}
+    targets, ranges = [], {}
     for key in keys:
         name = identifier(key.name)
-        while name in taken:
+        while prim.GetChild(name):
             name += "_"
-        taken.add(name)
         shape = UsdSkel.BlendShape.Define(stage, prim.GetPath().AppendChild(name))
         offsets = key_offsets(mesh, key).astype(np.float32)
         moved = np.flatnonzero(offsets.any(axis=1))

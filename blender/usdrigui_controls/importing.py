@@ -14,13 +14,13 @@ from .layout import LayoutError
 from .matching import match, names_of
 
 
-def add_controls(stage, objects=None, fresh=False):
+def add_controls(stage, imported=None):
     """Build the controls of every layout on a stage, on the objects of the scene that it means.
 
-    ``objects`` maps prim paths to objects where that is known.  Objects that are ``fresh`` from an
-    import are put where USD has them; all others are left as they are, but for in-betweens that
-    they lack.  Returns (holder, number of in-between keys added) per character.  Raises
-    LayoutError when the stage holds no layout, or one that does not fit the scene.
+    Objects that were ``imported`` just now, by prim path, are put where USD has them; all others
+    are left as they are, but for in-betweens that they lack.  Returns (holder, number of in-between
+    keys added) per character.  Raises LayoutError when the stage holds no layout, or one that does
+    not fit the scene.
     """
     from .reading import read_layouts
 
@@ -28,15 +28,14 @@ def add_controls(stage, objects=None, fresh=False):
     if not layouts:
         raise LayoutError("this file holds no layout: choose the .rigui.usda of the character")
     mine = (each for each in bpy.context.scene.objects if not each.library)
-    objects = objects or match(stage, layouts, [*mine])
+    objects = imported or match(stage, layouts, [*mine])
     names = names_of(stage, layouts, objects)
     built = []
     for layout in layouts:
         added = inbetweens.build(stage, layout, objects, names)
         holder = bind(layout, objects, names)
         holder[SOURCE] = stage.GetRootLayer().realPath
-        if fresh:
-            Character(holder).take_rest_pose()
+        if imported:
             Character(holder).place_meshes()
         _hide_guides(objects, layout.root)
         built.append((holder, added))
@@ -46,8 +45,7 @@ def add_controls(stage, objects=None, fresh=False):
 def has_usd():
     """Whether Python can import the USD that this Blender brings along; some builds leave its
     Python modules out."""
-    if hasattr(bpy.utils, "expose_bundled_modules"):
-        bpy.utils.expose_bundled_modules()  # bpy as a module does not do so by itself
+    bpy.utils.expose_bundled_modules()  # bpy as a module does not do so by itself
     try:
         importlib.import_module("pxr.Usd")
     except ImportError:
@@ -82,12 +80,12 @@ def _hide_guides(objects, root):
 
 def _by_prim(prim_map):
     """The object, if any, among what each prim was imported as."""
-    objects = {}
-    for path, found in prim_map.items():
-        for each in found:
-            if isinstance(each, bpy.types.Object):
-                objects[str(path)] = each
-    return objects
+    return {
+        str(path): each
+        for path, found in prim_map.items()
+        for each in found
+        if isinstance(each, bpy.types.Object)
+    }
 
 
 if hasattr(bpy.types, "USDHook"):
@@ -102,10 +100,8 @@ if hasattr(bpy.types, "USDHook"):
         def on_import(import_context):
             """Called by the importer when the scene is built; never fails the import."""
             stage = import_context.get_stage()
-            has_map = hasattr(import_context, "get_prim_map")
             try:
-                found = _by_prim(import_context.get_prim_map()) if has_map else None
-                built = add_controls(stage, found, fresh=True)
+                built = add_controls(stage, _by_prim(import_context.get_prim_map()))
             except LayoutError as error:
                 print(f"In-situ rig controls: {error}")
                 return False

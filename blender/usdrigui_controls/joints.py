@@ -14,11 +14,13 @@ from .maths.rotation import rotation_vectors, rotations
 class JointFrame:
     """One joint between its bind pose and its rest pose."""
 
-    def __init__(self, bind, rest):
-        """``bind`` and ``rest`` are local transforms in USD's row-vector convention."""
+    def __init__(self, bind, rest, unit=1.0):
+        """``bind`` and ``rest`` are local transforms in USD's row-vector convention; ``unit`` is
+        the scale of the parent in the bind pose, where bones have none."""
         bind, rest = np.array(bind).T, np.array(rest).T
-        self.turn, _ = _parts(bind)
-        rest_turn, self.stretch = _parts(rest)
+        self.turn, self.size = _parts(bind)
+        rest_turn, stretch = _parts(rest)
+        self.unit, self.stretch = unit, stretch / self.size
         self.lead = self.turn.T @ rest_turn
         self.offset = rest[:3, 3] - bind[:3, 3]
 
@@ -26,28 +28,16 @@ class JointFrame:
         """A bone's (location, (3, 3) rotation, scale) for a ``move``: (rotation vector,
         translation, log scale)."""
         rotation, translation, scale = (np.asarray(part, dtype=np.float64) for part in move)
-        location = self.turn.T @ (self.offset + translation)
+        location = self.unit * self.turn.T @ (self.offset + translation)
         return location, self.lead @ rotations(rotation).T, self.stretch * np.exp(scale)
 
     def move(self, location, rotation, scale):
         """The inverse of `basis`: (3, 3), the rows rotation vector, translation and log scale."""
         turned = rotation_vectors((self.lead.T @ rotation).T)
         scales = np.log(np.maximum(np.abs(np.asarray(scale) / self.stretch), 1e-12))
-        return np.array([turned, self.turn @ np.asarray(location) - self.offset, scales])
-
-
-def values_behind(moves, defaults, slopes):
-    """Values of the controls that together make a joint's ``moves`` (9,), nearest in the least
-    squares.
-
-    ``slopes`` (controls, 9) are moves per unit of each control, ``defaults`` (controls,) where they
-    add nothing.
-    """
-    slopes = np.asarray(slopes, dtype=np.float64)
-    return (
-        np.asarray(defaults)
-        + np.linalg.lstsq(slopes.T, np.asarray(moves, dtype=np.float64), rcond=1e-9)[0]
-    )
+        return np.array(
+            [turned, self.turn @ np.asarray(location) / self.unit - self.offset, scales]
+        )
 
 
 def beside_parents(matrices, parents):

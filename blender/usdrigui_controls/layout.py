@@ -185,11 +185,13 @@ class Layout:
     @cached_property
     def frames(self):
         """The `JointFrame` of each joint, by skeleton and path."""
-        return {
-            (skeleton.path, joint.path): JointFrame(joint.bind, joint.rest)
-            for skeleton in self.skeletons
-            for joint in skeleton.joints
-        }
+        found = {}
+        for skeleton in self.skeletons:
+            for joint in skeleton.joints:
+                above = found.get((skeleton.path, joint.path.rpartition("/")[0]))
+                unit = above.unit * np.cbrt(np.prod(above.size)) if above else 1.0
+                found[skeleton.path, joint.path] = JointFrame(joint.bind, joint.rest, unit)
+        return found
 
     def skeleton(self, path):
         """The `SkeletonRest` at a prim path."""

@@ -90,16 +90,10 @@ def _share(wanted, present):
 def _like_names(prim, thing):
     """How many names of a prim and of an object agree: its own, the data's, the parents'."""
     own = [blender_name(prim), blender_name(prim.GetParent())]
-    told = (*own, blender_name(prim, "data"), prim.GetName(), prim.GetParent().GetName())
+    told = [*own, blender_name(prim, "data"), *(each.name for each in prim.GetPath().GetPrefixes())]
     names = {_plain(name) for name in told if name}
-    above = {_plain(each.name) for each in prim.GetParent().GetPath().GetPrefixes()}
-    parent = thing.parent is not None and _plain(thing.parent.name) in above
-    return (
-        2.0 * (thing.name in own)
-        + 2.0 * (_plain(thing.name) in names)
-        + 1.0 * (_plain(thing.data.name) in names)
-        + 0.5 * parent
-    )
+    here = [_plain(each.name) for each in (thing, thing.data, thing.parent) if each]
+    return 2.0 * (thing.name in own) + sum(name in names for name in here)
 
 
 def _nearness(prim, thing, rest):

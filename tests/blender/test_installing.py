@@ -1,6 +1,5 @@
 """The archive through Blender's own installers, and what lasts in a saved file."""
 
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -47,10 +46,3 @@ def test_install_import_key_save_and_load(run_inside, usd_python, archive, tmp_p
     no_layout, other_points = found["refused"].tolist()
     assert "choose the .rigui.usda" in no_layout
     assert "lay it out again" in other_points
-
-
-@pytest.mark.skipif(shutil.which("blender") is None, reason="blender is not installed")
-def test_install_in_the_blender_on_the_path(run_inside, archive, tmp_path):
-    home = {"BLENDER_USER_RESOURCES": str(tmp_path / "home"), "HOME": str(tmp_path / "home")}
-    start = ["blender", "-b", "--factory-startup", "--python-use-system-env", "-P"]
-    run_inside(start, "installed", home, archive=archive)

@@ -13,43 +13,44 @@ module = "bl_ext.user_default.usdrigui_controls"
 assert module in bpy.context.preferences.addons
 assert hasattr(bpy.types.Scene, "usdrigui")
 
-if "layer" in task:
-    rooms = {name: importlib.import_module(f"{module}.{name}") for name in ("character", "interface", "importing")}
+rooms = {name: importlib.import_module(f"{module}.{name}") for name in ("character", "interface", "importing")}
 
-    def character():
-        """The only one in the scene."""
-        (holder,) = rooms["character"].holders(bpy.context.scene)
-        return rooms["character"].Character(holder)
 
-    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=False)
-    for each in list(bpy.data.objects):
-        bpy.data.objects.remove(each)
-    bpy.ops.wm.usd_import(filepath=task["layer"])
-    for frame, value in ((60, 0.25), (70, 0.75)):
-        bpy.context.scene.frame_set(frame)
-        character().set_values({"mouthSmileLeft": value, "EyeLeft:ry": 10 * value})
-        character().insert_keys(["mouthSmileLeft", "EyeLeft:ry"])
-    bpy.ops.wm.save_as_mainfile(filepath=task["result"] + ".blend")
-    bpy.ops.wm.open_mainfile(filepath=task["result"] + ".blend")
-    keyed = []
-    for frame in (60, 70):
-        bpy.context.scene.frame_set(frame)
-        keyed.append([character().values()[name] for name in ("mouthSmileLeft", "EyeLeft:ry")])
-    bpy.context.scene.frame_set(60)
-    bpy.ops.usdrigui.reset(everything=True)
-    character().set_values({"jawLeft": 0.5})
-    bpy.ops.usdrigui.mirror(side="both")
-    flipped = [character().values()[name] for name in ("jawLeft", "jawRight")]
-    bpy.ops.usdrigui.reset(everything=True)
-    rest = np.abs(list(character().values().values())).max()
-    bpy.ops.usdrigui.remove_layout()
-    assert not rooms["character"].holders(bpy.context.scene)
-    assert bpy.ops.usdrigui.load_layout(filepath=task["layer"]) == {"FINISHED"}
-    loaded = len(character().layout.elements)
-    refused = [refusal(bpy.ops.usdrigui.load_layout, filepath=task["source"])]
-    mesh = next(each for each in character().meshes.values() if each.data.shape_keys)
-    mesh.shape_key_clear()
-    mesh.data.vertices.add(1)
-    refused.append(refusal(bpy.ops.usdrigui.save_animation, filepath=task["result"] + ".usda"))
-    np.savez(task["result"], keyed=keyed, flipped=flipped, rest=rest, loaded=loaded, refused=refused)
-    bpy.ops.preferences.addon_disable(module=module)
+def character():
+    """The only one in the scene."""
+    (holder,) = rooms["character"].holders(bpy.context.scene)
+    return rooms["character"].Character(holder)
+
+
+bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=False)
+for each in list(bpy.data.objects):
+    bpy.data.objects.remove(each)
+bpy.ops.wm.usd_import(filepath=task["layer"])
+for frame, value in ((60, 0.25), (70, 0.75)):
+    bpy.context.scene.frame_set(frame)
+    character().set_values({"mouthSmileLeft": value, "EyeLeft:ry": 10 * value})
+    character().insert_keys(["mouthSmileLeft", "EyeLeft:ry"])
+bpy.ops.wm.save_as_mainfile(filepath=task["result"] + ".blend")
+bpy.ops.wm.open_mainfile(filepath=task["result"] + ".blend")
+keyed = []
+for frame in (60, 70):
+    bpy.context.scene.frame_set(frame)
+    keyed.append([character().values()[name] for name in ("mouthSmileLeft", "EyeLeft:ry")])
+bpy.context.scene.frame_set(60)
+bpy.ops.usdrigui.reset(everything=True)
+character().set_values({"jawLeft": 0.5})
+bpy.ops.usdrigui.mirror(side="both")
+flipped = [character().values()[name] for name in ("jawLeft", "jawRight")]
+bpy.ops.usdrigui.reset(everything=True)
+rest = np.abs(list(character().values().values())).max()
+bpy.ops.usdrigui.remove_layout()
+assert not rooms["character"].holders(bpy.context.scene)
+assert bpy.ops.usdrigui.load_layout(filepath=task["layer"]) == {"FINISHED"}
+loaded = len(character().layout.elements)
+refused = [refusal(bpy.ops.usdrigui.load_layout, filepath=task["source"])]
+mesh = next(each for each in character().meshes.values() if each.data.shape_keys)
+mesh.shape_key_clear()
+mesh.data.vertices.add(1)
+refused.append(refusal(bpy.ops.usdrigui.save_animation, filepath=task["result"] + ".usda"))
+np.savez(task["result"], keyed=keyed, flipped=flipped, rest=rest, loaded=loaded, refused=refused)
+bpy.ops.preferences.addon_disable(module=module)
