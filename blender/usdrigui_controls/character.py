@@ -309,7 +309,7 @@ def curves_of(block):
     animation = block.animation_data
     if animation is None or animation.action is None:
         return []
-    if not hasattr(animation.action, "layers"):  # before Blender 4.4
+    if not hasattr(animation.action, "layers"):  # Blender 4.3, in whose window it is tested
         return list(animation.action.fcurves)
     strips = (strip for layer in animation.action.layers for strip in layer.strips)
     bags = (strip.channelbag(animation.action_slot) for strip in strips)
