@@ -547,6 +547,13 @@ def test_half_of_the_work_lowers_the_aim() -> None:
     assert (budget.limit, budget.cutoff) == (LOWERED_AIM, pytest.approx(-17.5))
 
 
+def test_a_crowd_gets_a_long_search(monkeypatch: pytest.MonkeyPatch) -> None:
+    problem, some = crowd(1, variables=24, candidates=60), replace(HIGHS, work_limit=3_000_000)
+    long = solve(problem, some)
+    monkeypatch.setattr(reduce, "LONG", 0)
+    assert long.cost < solve(problem, some).cost - 0.05
+
+
 @pytest.mark.parametrize("share", [0.2, 0.5, 0.9])
 def test_a_lower_aim_is_a_bound(share: float) -> None:
     problem = crowd(3, variables=5, candidates=12)

@@ -5,7 +5,7 @@ Nothing here imports pxr.
 
 from __future__ import annotations
 
-from importlib.util import find_spec
+from importlib.machinery import PathFinder
 from pathlib import Path
 
 from usdrigui.errors import Issue, issue
@@ -41,9 +41,6 @@ def _names(owners: list[Path]) -> list[str]:
 
 
 def _places() -> list[Path]:
-    """The folders that pxr is found in."""
-    try:
-        spec = find_spec("pxr")
-    except ValueError:  # an embedding program put in a module without a spec
-        return []
+    """The folders that pxr is found in, whatever module an embedding program put in its place."""
+    spec = PathFinder.find_spec("pxr")
     return [Path(each).parent for each in spec.submodule_search_locations or ()] if spec else []

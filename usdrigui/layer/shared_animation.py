@@ -25,7 +25,7 @@ _OWN = re.compile(
 """Attributes that a page writes."""
 
 
-def told(name: str, held: str) -> str:
+def told(name: object, held: str) -> str:
     """What a page needs of the layer with the text `held`, as JSON: ``work``, what pages keep in
     it; ``changed``, the text by path of each attribute of a page's kind that is not as pages have
     ``written`` it; ``names``, the texts of those that list names.
@@ -48,7 +48,7 @@ def told(name: str, held: str) -> str:
     return json.dumps(whole, sort_keys=True)
 
 
-def merged(name: str, held: str, part: str) -> str:
+def merged(name: object, held: str, part: str) -> str:
     """The layer with the text `held` with the layer that a page saves, `part`, in place of what
     pages have written there before at paths that begin as the page's ``own`` do.
 
@@ -73,7 +73,7 @@ def merged(name: str, held: str, part: str) -> str:
     return str(given.ExportToString())
 
 
-def _read(text: str, name: str) -> Sdf.Layer:
+def _read(text: str, name: object) -> Sdf.Layer:
     layer = Sdf.Layer.CreateAnonymous(".usda")
     try:
         layer.ImportFromString(text or "#usda 1.0")

@@ -60,10 +60,7 @@ def answer(request: Request) -> Response:
     """Do what is asked; every exception becomes a refusal."""
     peak = _peak()
     try:
-        if request.texts:
-            shared = getattr(shared_animation, request.task)
-            return Response(text=shared(request.path, *request.texts))
-        return _TASKS[request.task](Path(request.path), request.settings)
+        return _TASKS[request.task](Path(request.path), request.settings, *request.texts)
     except RigUIError as error:
         return _refusal(
             _starved(request) if _is_memory(error.issue, _peak() - peak, request.memory) else error
@@ -161,7 +158,7 @@ def _layer(path: Path, _: Settings) -> Response:
     return Response(layer=found)
 
 
-_TASKS: Mapping[Task, Callable[[Path, Settings], Response]] = {
+_TASKS: Mapping[Task, Callable[..., Response]] = {
     "rigs": _rigs,
     "layouts": _layouts,
     "composed": _composed,
@@ -172,6 +169,8 @@ _TASKS: Mapping[Task, Callable[[Path, Settings], Response]] = {
     "variants": lambda path, settings: Response(
         variants=variant_sets(open_stage(path, settings.read.variants))
     ),
+    "told": lambda path, _, *texts: Response(text=shared_animation.told(path, *texts)),
+    "merged": lambda path, _, *texts: Response(text=shared_animation.merged(path, *texts)),
 }
 
 

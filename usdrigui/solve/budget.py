@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from usdrigui.model import GAP_FLOOR, Step
+from usdrigui.model import GAP_FLOOR, Step, gap_of
 from usdrigui.settings import SolveSettings
 
 LOWERED_AIM = "aim of the work limit"
@@ -33,8 +33,7 @@ class Progress:
     @property
     def gap(self) -> float:
         """(cost - bound) / |cost|; inf while either is unknown."""
-        above = max(0.0, self.cost - self.bound)
-        return above / max(abs(self.cost), GAP_FLOOR) if self.cost < np.inf else np.inf
+        return gap_of(self.cost, self.bound) if self.cost < np.inf else np.inf
 
 
 @dataclass(eq=False)
@@ -91,10 +90,14 @@ class Budget:
         """Count work done."""
         self.work += work
 
+    def spent(self, share: float) -> bool:
+        """Whether so much of the work that is allowed is done."""
+        return self.work >= share * self.settings.work_limit
+
     def stopped(self) -> bool:
         """Whether a limit is reached or somebody asked to stop; stays true once it is."""
         if not self.limit:
-            if self.work >= self.settings.work_limit:
+            if self.spent(1.0):
                 self.reach("work limit")
             elif self.seconds_left <= 0:
                 self.reach("time limit")
@@ -110,7 +113,7 @@ class Budget:
         """Once half of the work is done, aim at a bound that the rest of it may come to: what
         cannot be in a layout below that goes, and with it most of what the work would be spent
         on."""
-        if 2 * self.work >= self.settings.work_limit and np.isinf(self.aim):
+        if self.spent(0.5) and np.isinf(self.aim):
             self.aim = self.bound + WITHIN_REACH * (self.cutoff - self.bound)
 
     def closed(self) -> bool:

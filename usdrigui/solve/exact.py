@@ -11,14 +11,12 @@ from usdrigui.solve.assignment import assignment
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.cheap_labels import cheap_labels
 from usdrigui.solve.label_geometry import LabelSet, all_labels
-from usdrigui.solve.local_search import KnownRows, LazyRows, LocalSearch
+from usdrigui.solve.local_search import TRAPS, KnownRows, LazyRows, LocalSearch
 from usdrigui.solve.reduce import SLOW, Reduction
 
 FEW = 80
 """Labels a variable that the first bounds are worked out for: of tens of thousands they leave a
 part, sooner than tables of all."""
-TRAPS = 0.5
-"""How much worse the first local search may get on its way: a crowd has many traps."""
 
 
 def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:

@@ -22,6 +22,8 @@ SAME = 1e-9
 """Costs that differ by no more are of the same layout."""
 TRIES = 20
 """Of the search per variable, each time: thousands take a second where pair costs are at hand."""
+TRAPS = 0.5
+"""How much worse a search among many labels may get on its way: a crowd has many traps."""
 WORSE = 0.01
 """How much more than the best a layout may cost for the search to go on from it, and, in the mean,
 a label put back than the cheapest."""
@@ -65,17 +67,16 @@ class LocalSearch:
         self._set(chosen)
         self._descend()
 
-    def search(self, worse: float = WORSE, most: float = np.inf) -> None:
-        """Iterated local search: `TRIES` per variable from the best layout on, and again as
+    def search(self, worse: float = WORSE, most: float = np.inf, tries: int = TRIES) -> None:
+        """Iterated local search: `tries` per variable from the best layout on, and again as
         long as they help and no more than `most` work is done in all: take a few rivals out, put
         them back in another order, descend; go on from a layout `worse` than the best at most."""
         cost = np.inf
         while self.cost < cost:
             cost = self.cost
             self._set(self.chosen)
-            for _ in range(TRIES * len(self.chosen)):
-                budget = self._budget
-                if budget.over() or budget.work >= most:
+            for _ in range(tries * len(self.chosen)):
+                if self._budget.over() or self._budget.work >= most:
                     return
                 group = self._rivals()
                 for variable in group:

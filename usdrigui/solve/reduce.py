@@ -9,7 +9,7 @@ from usdrigui.character import Floats, Indices
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.cheap_labels import CheapLabels
 from usdrigui.solve.joint_labels import Joint, couples
-from usdrigui.solve.local_search import KnownRows, LocalSearch
+from usdrigui.solve.local_search import TRAPS, KnownRows, LocalSearch
 from usdrigui.solve.reduced_problem import (
     LARGEST_TESTED,
     PlainProblem,
@@ -26,8 +26,12 @@ SLOW = 0.1
 SMALL = 500
 """Labels and pairs that cost anything, of which HiGHS closes nearly all at its root, sooner than
 bounds."""
-FEWER = 0.75
-"""Of the labels of the last local search are left when the next one looks for a better layout."""
+HARD = 1 / 6
+"""Of all work is done where many labels are left after it: a crowd, whose first layouts are up to a
+hundredth too dear.  A long search gets as much of the work that is left, at most."""
+LONG = 320
+"""Tries of it per variable: with a quarter of them layouts end a thousandth dearer (decision
+033)."""
 
 
 class Reduction:
@@ -187,8 +191,7 @@ class Reduction:
         """Raise the bound by triplets and take away what it excludes: of many labels until tests of
         pairs and joining gain more, else as long as it gains more than a share of what the bound
         misses; whether any are left."""
-        searched = len(self.problem.costs)
-        many = searched > LARGEST_TESTED
+        many, long = len(self.problem.costs) > LARGEST_TESTED, False
         while not self._budget.stopped():
             before, bound = len(self.problem.costs), self.problem.bound()
             raise_bound(self.problem, self._budget)
@@ -196,15 +199,16 @@ class Reduction:
                 return False
             now, labels = self.problem.bound(), len(self.problem.costs)
             if self.exact and labels > LARGEST_TESTED:
+                if not long and self._budget.spent(HARD):
+                    long, most = True, self._budget.work + HARD * self._budget.work_left
+                    self._incumbent.search(TRAPS, most, LONG)
                 self._budget.lower_aim()
             elif self.exact and many:
                 return self._thinned()
-            few_gone = labels > (1.0 - SLOW) * before
-            if labels <= FEWER * searched or (self.exact and few_gone and not many):
-                searched = labels
+            few_gone = labels > (1.0 - SLOW) * before and not many
+            if self.exact and few_gone:
                 self._search()  # Of fewer labels a better layout is found, which excludes more.
-            missed = self._budget.cost - now
-            if now - bound <= (SLOW * missed if few_gone and not many else 0.0):
+            if now - bound <= (SLOW * (self._budget.cost - now) if few_gone else 0.0):
                 break
         return True
 

@@ -186,12 +186,10 @@ class ReducedProblem:
         return self.costs - np.minimum.reduceat(self.costs, self.start[:-1])[self.owner]
 
     def table(self, a: int, b: int) -> Floats:
-        """(labels of a, labels of b) pair costs of two variables a < b, to be changed in place
-        where they interact."""
+        """(labels of a, labels of b) pair costs of two variables a < b that interact, to be
+        changed in place."""
         strip = self.tables[a]
         at = int(np.searchsorted(strip.others, b))
-        if at == len(strip.others) or strip.others[at] != b:
-            return np.zeros(np.diff(self.start)[[a, b]])
         low = int(strip.first[at])
         return strip.costs[:, low : low + int(strip.sizes[at])]
 
