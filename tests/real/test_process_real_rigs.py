@@ -9,6 +9,7 @@ import pytest
 from pxr import Gf, Sdf, Usd, UsdSkel
 from scipy.spatial.distance import cdist
 
+from usdrigui import check
 from usdrigui.cli import main
 from usdrigui.layer.read_layout import read_layout
 from usdrigui.model.levels import states
@@ -56,7 +57,8 @@ def test_every_control_of_the_source_is_accounted_for(run):
 
 
 def test_the_bound_holds_and_handles_are_apart(run):
-    """Apart among elements that are visible together: members of a coarse one stand where others do that give way."""
+    """No place is better than a proven one.  Apart among elements that are visible together: members of a coarse one
+    stand where others do that give way."""
     _, layer, document = run
     for character, layout in zip(document["characters"], read_layout(layer), strict=True):
         solution = character["solution"]
@@ -66,6 +68,8 @@ def test_the_bound_holds_and_handles_are_apart(run):
         alone = np.array([[a is b or seen[a.name].isdisjoint(seen[b.name]) for b in elements] for a in elements])
         apart = cdist(spots, spots) + alone * 1e30
         assert apart.min() >= character["handle_width"] * (1.0 - 1e-6)
+    if all(each["solution"]["status"] == "optimal" for each in document["characters"]):
+        assert "LAYOUT_BETTER_PLACE" not in {each.code for each in check(layer).issues}
 
 
 def test_baked_handles_are_centred_on_their_anchors(run):

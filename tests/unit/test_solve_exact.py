@@ -46,6 +46,7 @@ from usdrigui.solve.triplets import raise_bound
 
 Way = Callable[[pytest.MonkeyPatch], None]
 HIGHS = SolveSettings()
+SOME = replace(HIGHS, work_limit=3_000_000)
 PART = int(os.environ.get("USDRIGUI_BRUTE_FORCE", "96")) // 6
 """Random problems compared with enumeration, for each of the ways."""
 ALL_FIT = cheap_labels.BYTES_PER_PAIR
@@ -519,13 +520,12 @@ def test_stopping_at_once_returns_an_honest_layout() -> None:
     found = solve(problem, HIGHS, told.append, stop=lambda: bool(told))
     assert found.status == "stopped"
     assert np.isfinite(found.cost)
-    assert found.bound <= solve(problem, replace(HIGHS, work_limit=3_000_000)).cost
+    assert found.bound <= solve(problem, SOME).cost
 
 
 def test_progress_only_gets_better() -> None:
     told: list[Progress] = []
-    few = replace(HIGHS, work_limit=3_000_000)
-    found = solve(crowd(2, variables=5, candidates=30), few, told.append)
+    found = solve(crowd(2, variables=5, candidates=30), SOME, told.append)
     costs, lower = [each.cost for each in told], [each.bound for each in told]
     assert costs == sorted(costs, reverse=True)
     assert lower == sorted(lower)
@@ -548,10 +548,10 @@ def test_half_of_the_work_lowers_the_aim() -> None:
 
 
 def test_a_crowd_gets_a_long_search(monkeypatch: pytest.MonkeyPatch) -> None:
-    problem, some = crowd(1, variables=24, candidates=60), replace(HIGHS, work_limit=3_000_000)
-    long = solve(problem, some)
+    problem = crowd(1, variables=24, candidates=60)
+    long = solve(problem, SOME)
     monkeypatch.setattr(reduce, "LONG", 0)
-    assert long.cost < solve(problem, some).cost - 0.05
+    assert long.cost < solve(problem, SOME).cost - 0.05
 
 
 @pytest.mark.parametrize("share", [0.2, 0.5, 0.9])

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from usdrigui.cli.options import files_read, passed_on, settings_digest, settings_quietly
 from usdrigui.cli.outcomes import check_ending, screen_of, wrote
-from usdrigui.errors import Exit, RigUIError, counted, refuse
+from usdrigui.errors import Exit, RigUIError, counted
 from usdrigui.isolation import worker
 
 if TYPE_CHECKING:
@@ -29,13 +29,12 @@ def batch(arguments: argparse.Namespace) -> Exit:
 
 
 def _check_names(arguments: argparse.Namespace) -> None:
-    """Refuse what the summary and the sheet cannot be called before the work, not after it."""
+    """Refuse a summary and a sheet that cannot be written before the work, not after it."""
     from usdrigui import pipeline
 
     pipeline.check_outputs((arguments.summary, arguments.sheet))
     for target in filter(None, (arguments.summary, arguments.sheet)):
-        if target.is_dir():
-            raise refuse("FILE_TARGET", target, "is a folder")
+        pipeline.check_place(target)
     check_ending("--sheet", arguments.sheet, ".png")
 
 

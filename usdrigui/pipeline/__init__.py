@@ -45,6 +45,7 @@ from usdrigui.pipeline.stages import (
 )
 from usdrigui.pipeline.targets import (
     check_outputs as check_outputs,
+    check_place as check_place,
     default_output as default_output,
     stage_file as stage_file,
     write_file as write_file,

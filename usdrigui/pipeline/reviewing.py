@@ -257,16 +257,17 @@ def _reviewed(
     settings: Settings,
     clock: Clock,
 ) -> review_stage.Review:
-    """Every part of a layout rated by the problem of that part."""
+    """Every part of a layout rated by the problem of that part, beside the parts before it."""
     # Other views are named by the up of the stage.
     front = settings.candidates.view in ("", "front")
     upright = _upright(rig, layout) if front else rig
     character = character_of(upright, settings, clock=clock)
-    found = []
+    found, before = [], tuple[Element, ...]()
     for part in character.parts:
-        inputs = part_problem(character, part, (), clock)
+        own = _of_part(layout, character, part)
+        inputs = part_problem(character, part, before, clock)
+        before += own.elements
         with clock.stage("review"):
-            own = layout if len(character.parts) == 1 else _of_part(layout, character, part)
             found.append(review_stage.review(inputs.measured, inputs.candidates, own, layout))
     return review_stage.joined(found)
 

@@ -395,7 +395,7 @@ export class Evaluation {
         'div',
         { class: 'actions' },
         button('Save CSV', '', save, { class: 'primary' }),
-        button('Save events', '', () => download(`evaluation-${this.participant}-events.csv`, eventsCsv(this.participant, this.results), 'text/csv')),
+        button('Save events', '', () => download(`events-${this.participant}.csv`, eventsCsv(this.participant, this.results), 'text/csv')),
         button('Close', '', () => this.close()),
       ),
     );

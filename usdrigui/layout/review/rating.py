@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
-from usdrigui.character import Floats, Indices
+from usdrigui.character import Floats, Indices, Record
 from usdrigui.layout.face import Face
 from usdrigui.layout.reuse.partial_layout import place_of
 from usdrigui.model import (
@@ -46,118 +47,118 @@ def ratings(
 ) -> tuple[ElementReview, ...]:
     """The elements of a layout in the order of the variables of the problem that it answers, as
     `as_problem` gives it."""
-    problem, choices, labels = answered
-    mates = _mates(face, elements, problem, choices, labels)
-    given = [_given_others(problem, labels, index) for index in range(len(labels))]
-    return tuple(
-        _rated(face, problem, choices, labels, index, mate, given)
-        for index, mate in enumerate(mates)
-    )
+    rated = _Rated(face, *answered)
+    return tuple(rated.element(*each) for each in enumerate(rated.mates(elements)))
 
 
-def _rated(
-    face: Face,
-    problem: LayoutProblem,
-    choices: tuple[Choice, ...],
-    labels: Indices,
-    index: int,
-    mate: int,
-    given: list[Floats],
-) -> ElementReview:
-    variable, choice, label = problem.variables[index], choices[index], labels[index]
-    alone = given[index].sum(axis=0)
-    whole = _cost_with_mate(face, problem, choices, index, mate, given) if mate >= 0 else alone
-    best = np.argmin(whole)
-    gain = whole[label] - whole[best] if np.isfinite(whole[label]) else np.inf
-    nearest, distance = _neighbour(problem, labels, index)
-    return ElementReview(
-        element=variable.name,
-        kept=_kept(face, choice, label),
-        linear=float(variable.cost[label]),
-        overlap=float(alone[label] - variable.cost[label]),
-        nearest=nearest,
-        distance=float(distance) / face.handle_width,
-        gain=float(gain),
-        better=place_of(face.rig.body, int(choice.anchors[best, 0])) if gain > 0.0 else "",
-    )
+class _Rated(Record):
+    """A layout as an answer to a problem."""
 
+    face: Face
+    problem: LayoutProblem
+    choices: tuple[Choice, ...]
+    labels: Indices
 
-def _mates(
-    face: Face,
-    elements: tuple[Element, ...],
-    problem: LayoutProblem,
-    choices: tuple[Choice, ...],
-    labels: Indices,
-) -> list[int]:
-    """For every element the other one of its pair, where the two are mirror images; else
-    -1."""
-    mirror = {element.name: element.mirror for element in elements}
-    index = {variable.name: i for i, variable in enumerate(problem.variables)}
-    at = [choice.anchors[label, 0] for choice, label in zip(choices, labels, strict=True)]
-    mates = [index.get(mirror[variable.name], -1) for variable in problem.variables]
-    return [
-        j if j >= 0 and face.symmetry.partner[at[i]] == at[j] else -1 for i, j in enumerate(mates)
-    ]
+    def element(self, index: int, mate: int) -> ElementReview:
+        """One element, which moves with its `mate` where it has one: not -1."""
+        variable, choice = self.problem.variables[index], self.choices[index]
+        label = self.labels[index]
+        alone = self._given[index].sum(axis=0)
+        whole = self._with_mate(index, mate) if mate >= 0 else alone
+        best = np.argmin(whole)
+        gain = whole[label] - whole[best] if np.isfinite(whole[label]) else np.inf
+        nearest, distance = self._neighbour(index)
+        return ElementReview(
+            element=variable.name,
+            kept=self._kept(choice, label),
+            linear=float(variable.cost[label]),
+            overlap=float(alone[label] - variable.cost[label]),
+            nearest=nearest,
+            distance=float(distance) / self.face.handle_width,
+            gain=float(gain),
+            better=place_of(self.face.rig.body, int(choice.anchors[best, 0])) if gain > 0.0 else "",
+        )
 
-
-def _cost_with_mate(
-    face: Face,
-    problem: LayoutProblem,
-    choices: tuple[Choice, ...],
-    index: int,
-    mate: int,
-    given: list[Floats],
-) -> Floats:
-    """(R,) cost of every candidate of an element with its mirror image on the mirror image of it;
-    inf where none is."""
-    images = face.symmetry.partner[choices[index].anchors[:, 0]]
-    anchors = choices[mate].anchors[:, 0]
-    order = np.argsort(anchors, kind="stable")
-    rows = order[np.minimum(np.searchsorted(anchors[order], images), len(anchors) - 1)]
-    cost = (
-        np.delete(given[index], mate, axis=0).sum(axis=0)
-        + np.delete(given[mate], index, axis=0).sum(axis=0)[rows]
-        + pair_costs(problem, index, mate, np.arange(len(images)), rows)
-    )
-    return np.where(anchors[rows] == images, cost, np.inf)
-
-
-def _given_others(problem: LayoutProblem, labels: Indices, index: int) -> Floats:
-    """(variables, R) cost of every candidate of one variable: with each of the others where it is,
-    and in its own row by itself."""
-    own = problem.variables[index].cost
-    return np.stack(
-        [
-            own
-            if other == index
-            else pair_costs(problem, index, other, np.arange(len(own)), np.full(len(own), label))
-            for other, label in enumerate(labels)
+    def mates(self, elements: tuple[Element, ...]) -> list[int]:
+        """For every element the other one of its pair, where one is the mirror image of the other;
+        else -1."""
+        mirror = {element.name: element.mirror for element in elements}
+        names = [variable.name for variable in self.problem.variables]
+        index = {name: i for i, name in enumerate(names)}
+        at = [c.anchors[label, 0] for c, label in zip(self.choices, self.labels, strict=True)]
+        mates, images = [index.get(mirror[name], -1) for name in names], self._partner[at]
+        return [
+            j if j >= 0 and (images[i] == at[j] or images[j] == at[i]) else -1
+            for i, j in enumerate(mates)
         ]
-    )
 
+    @property
+    def _partner(self) -> Indices:
+        return self.face.symmetry.partner
 
-def _neighbour(problem: LayoutProblem, labels: Indices, index: int) -> tuple[str, float]:
-    handles = [
-        variable.handles[label] for variable, label in zip(problem.variables, labels, strict=True)
-    ]
-    apart = {
-        problem.variables[other].name: np.linalg.norm(
-            handles[index][:, None] - positions[None], axis=2
-        ).min()
-        for other, positions in enumerate(handles)
-        if other != index and problem.together[index, other]
-    }
-    nearest = min(apart, key=apart.__getitem__, default="")
-    return nearest, apart.get(nearest, np.inf)
+    def _with_mate(self, index: int, mate: int) -> Floats:
+        """(R,) cost of every candidate of an element with its mate on its mirror image, and of the
+        two where they are; inf where no candidate is, or the mirror image of that is another place:
+        then only one of the two could choose it."""
+        mine, anchors = (self.choices[each].anchors[:, 0] for each in (index, mate))
+        images = self._partner[mine]
+        order = np.argsort(anchors, kind="stable")
+        rows = order[np.minimum(np.searchsorted(anchors[order], images), len(anchors) - 1)]
+        mutual = (anchors[rows] == images) & (self._partner[images] == mine)
+        rows[self.labels[index]], mutual[self.labels[index]] = self.labels[mate], True
+        cost = (
+            np.delete(self._given[index], mate, axis=0).sum(axis=0)
+            + np.delete(self._given[mate], index, axis=0).sum(axis=0)[rows]
+            + pair_costs(self.problem, index, mate, np.arange(len(images)), rows)
+        )
+        return np.where(mutual, cost, np.inf)
 
+    @cached_property
+    def _given(self) -> list[Floats]:
+        """For each variable (variables, R) cost of its candidates: with each of the others where it
+        is, and in its own row by itself."""
+        return [
+            np.stack(
+                [
+                    variable.cost
+                    if other == index
+                    else pair_costs(
+                        self.problem,
+                        index,
+                        other,
+                        np.arange(len(variable.cost)),
+                        np.full(len(variable.cost), label),
+                    )
+                    for other, label in enumerate(self.labels)
+                ]
+            )
+            for index, variable in enumerate(self.problem.variables)
+        ]
 
-def _kept(face: Face, choice: Choice, label: int) -> float:
-    reached = (
-        (face.trajectories.motion_of(control), choice.sources[label, copy])
-        for copy, controls in enumerate(choice.controls)
-        for control in controls
-    )
-    return min(
-        float(motion.arc_length[np.searchsorted(motion.points, point)] / motion.arc_length.max())
-        for motion, point in reached
-    )
+    def _neighbour(self, index: int) -> tuple[str, float]:
+        """The element nearest to one, and how far it is."""
+        variables = self.problem.variables
+        handles = [each.handles[label] for each, label in zip(variables, self.labels, strict=True)]
+        apart = {
+            variables[other].name: np.linalg.norm(
+                handles[index][:, None] - positions[None], axis=2
+            ).min()
+            for other, positions in enumerate(handles)
+            if other != index and self.problem.together[index, other]
+        }
+        nearest = min(apart, key=apart.__getitem__, default="")
+        return nearest, apart.get(nearest, np.inf)
+
+    def _kept(self, choice: Choice, label: int) -> float:
+        """Least arc length at the place of a label over the peak, of all controls."""
+        reached = (
+            (self.face.trajectories.motion_of(control), choice.sources[label, copy])
+            for copy, controls in enumerate(choice.controls)
+            for control in controls
+        )
+        return min(
+            float(
+                motion.arc_length[np.searchsorted(motion.points, point)] / motion.arc_length.max()
+            )
+            for motion, point in reached
+        )
