@@ -34,6 +34,7 @@ def idle(monkeypatch, tmp_path):
         (("--sheet", "s.jpg"), "CONFIG_VALUE --sheet"),
         (("--sheet", "s"), "CONFIG_VALUE --sheet"),
         (("--summary", "folder"), "FILE_TARGET folder"),
+        (("--summary", "char.usda/s.json"), "FILE_TARGET char.usda/s.json"),
         (("--sheet", "folder.png"), "FILE_TARGET folder.png"),
         (("--summary", "s.png", "--sheet", "../folder/s.png", "--output-dir", "."), "FILE_TARGET s.png"),
         (("--sheet", "char.rigui.png"), "FILE_TARGET char.rigui.png"),

@@ -283,13 +283,11 @@ def _of_part(layout: Layout, character: Character, part: CharacterPart) -> Layou
     """The elements of a part, known by their first control; the first part has those of controls
     that move nothing."""
     index = character.rig.control_indices
-    others = frozenset[int]().union(
-        *(each.controls for each in character.parts if each is not part)
-    )
+    known = frozenset[int]().union(*(each.controls for each in character.parts))
 
     def own(element: Element) -> bool:
         control = index.get(element.members[0].control, -1)
-        return control in part.controls or (part is character.parts[0] and control not in others)
+        return control in part.controls or (part is character.parts[0] and control not in known)
 
     elements = tuple(element for element in layout.elements if own(element))
     width = layout.frame.handle_width_of(part.name)

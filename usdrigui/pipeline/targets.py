@@ -95,8 +95,8 @@ def check_replaceable(target: Path, opening: ReadSettings, asset: Path | None) -
 
 
 def check_place(target: Path) -> None:
-    """Refuse what could not be written, for a run that writes nothing; raises RigUIError with a
-    FILE_ code."""
+    """Refuse what could not be written, for a run that writes it last, or not at all; raises
+    RigUIError with a FILE_ code."""
     try:
         if target.exists() and not target.is_file():
             raise IsADirectoryError(errno.EISDIR, "exists and is not a file")

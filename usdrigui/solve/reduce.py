@@ -27,8 +27,8 @@ SMALL = 500
 """Labels and pairs that cost anything, of which HiGHS closes nearly all at its root, sooner than
 bounds."""
 HARD = 1 / 6
-"""Of all work is done where many labels are left after it: a crowd, whose first layouts are up to a
-hundredth too dear.  A long search gets as much of the work that is left, at most."""
+"""Of all work is done where many labels are left after it: a crowd, whose first layouts may be half
+a hundredth too dear.  A long search gets as much of the work that is left, at most."""
 LONG = 320
 """Tries of it per variable: with a quarter of them layouts end a thousandth dearer (decision
 033)."""
@@ -190,7 +190,7 @@ class Reduction:
     def tightened(self) -> bool:
         """Raise the bound by triplets and take away what it excludes: of many labels until tests of
         pairs and joining gain more, else as long as it gains more than a share of what the bound
-        misses; whether any are left."""
+        misses.  The layout of a crowd is searched long, once.  Whether any are left."""
         many, long = len(self.problem.costs) > LARGEST_TESTED, False
         while not self._budget.stopped():
             before, bound = len(self.problem.costs), self.problem.bound()

@@ -13,13 +13,13 @@ module = "bl_ext.user_default.usdrigui_controls"
 assert module in bpy.context.preferences.addons
 assert hasattr(bpy.types.Scene, "usdrigui")
 
-rooms = {name: importlib.import_module(f"{module}.{name}") for name in ("character", "interface", "importing")}
+room = importlib.import_module(f"{module}.character")
 
 
 def character():
     """The only one in the scene."""
-    (holder,) = rooms["character"].holders(bpy.context.scene)
-    return rooms["character"].Character(holder)
+    (holder,) = room.holders(bpy.context.scene)
+    return room.Character(holder)
 
 
 bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=False)
@@ -44,7 +44,7 @@ flipped = [character().values()[name] for name in ("jawLeft", "jawRight")]
 bpy.ops.usdrigui.reset(everything=True)
 rest = np.abs(list(character().values().values())).max()
 bpy.ops.usdrigui.remove_layout()
-assert not rooms["character"].holders(bpy.context.scene)
+assert not room.holders(bpy.context.scene)
 assert bpy.ops.usdrigui.load_layout(filepath=task["layer"]) == {"FINISHED"}
 loaded = len(character().layout.elements)
 refused = [refusal(bpy.ops.usdrigui.load_layout, filepath=task["source"])]

@@ -76,7 +76,10 @@ def as_problem(
     elements: tuple[Element, ...],
 ) -> tuple[LayoutProblem, tuple[Choice, ...], Indices]:
     """The problem in which each of the `elements` is one variable, its own anchor among the
-    candidates; `every` element of the layout defines of what they are states and parts."""
+    candidates; `every` element of the layout defines of what they are states and parts.
+
+    Beside the elements of other parts, unless one of them is too near: then beside none.
+    """
     face = known.face
     groups = _as_groups(face.rig.controls, every, elements)
     points = [
@@ -90,6 +93,9 @@ def as_problem(
         if len(at):
             labels.append(int(at[0]))
             kept.append(number)
+    if len(kept) < len(elements) and known.requests.neighbours:
+        alone = replace(known, requests=replace(known.requests, neighbours=()))
+        return as_problem(alone, candidates, every, elements)
     problem = placement.problem
     separation = min(problem.separation, face.handle_width * (1.0 - NOTHING))
     variables = tuple(problem.variables[number] for number in kept)

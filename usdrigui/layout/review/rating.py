@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from scipy.spatial.distance import cdist
 
 from usdrigui.character import Floats, Indices, Record
 from usdrigui.layout.face import Face
@@ -102,10 +103,10 @@ class _Rated(Record):
         then only one of the two could choose it."""
         mine, anchors = (self.choices[each].anchors[:, 0] for each in (index, mate))
         images = self._partner[mine]
-        order = np.argsort(anchors, kind="stable")
-        rows = order[np.minimum(np.searchsorted(anchors[order], images), len(anchors) - 1)]
+        rows = np.minimum(np.searchsorted(anchors, images), len(anchors) - 1)
         mutual = (anchors[rows] == images) & (self._partner[images] == mine)
-        rows[self.labels[index]], mutual[self.labels[index]] = self.labels[mate], True
+        here = self.labels[index]
+        rows[here], mutual[here] = self.labels[mate], True
         cost = (
             np.delete(self._given[index], mate, axis=0).sum(axis=0)
             + np.delete(self._given[mate], index, axis=0).sum(axis=0)[rows]
@@ -140,9 +141,7 @@ class _Rated(Record):
         variables = self.problem.variables
         handles = [each.handles[label] for each, label in zip(variables, self.labels, strict=True)]
         apart = {
-            variables[other].name: np.linalg.norm(
-                handles[index][:, None] - positions[None], axis=2
-            ).min()
+            variables[other].name: cdist(handles[index], positions).min()
             for other, positions in enumerate(handles)
             if other != index and self.problem.together[index, other]
         }

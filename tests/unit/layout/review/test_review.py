@@ -1,5 +1,7 @@
 """A layout rated by the objective."""
 
+from dataclasses import replace
+
 import chain
 import makers
 import numpy as np
@@ -9,9 +11,11 @@ from usdrigui.layout.review.review import review
 
 
 def test_the_nearest_handle_is_named_with_its_distance_in_handle_widths():
+    """Also where handles of another part stand on the same places."""
     line = chain.lay_out(makers.face())
-    inputs = line.inputs
-    rated = review(inputs.measured, line.candidates, line.layout).elements
+    known = line.inputs.measured
+    asked = replace(known.requests, neighbours=line.layout.elements)
+    rated = review(replace(known, requests=asked), line.candidates, line.layout).elements
     seen = line.face.drawing_axes.T
     places = {each.name: each.anchor.position @ seen for each in line.layout.elements if not each.anchor.on_board}
     assert {each.element for each in rated} == set(places)
