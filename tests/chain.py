@@ -12,7 +12,6 @@ from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.reuse.carrying import Today
 from usdrigui.layout.reuse.prior_layout import NO_PRIOR, prior_of_previous
 from usdrigui.pipeline import stages
-from usdrigui.pipeline.progress import Clock
 from usdrigui.pipeline.records import LaidPart
 from usdrigui.pipeline.reference_layouts import ReferenceLayouts
 from usdrigui.settings import PartSettings, Settings, load
@@ -78,7 +77,7 @@ def prior(layout, rig, penalty):
 def measured(rig, settings=None, base_values=None):
     """Up to the classification."""
     whole = _character(rig, settings, base_values)
-    return stages.measured(whole, whole.parts[0], (), Clock())
+    return stages.measured(whole, whole.parts[0], ())
 
 
 def face_of(rig, settings=None, base_values=None):

@@ -60,7 +60,8 @@ def process(
     command, for files.
     `progress` is called with an `Event` when a stage begins (``seconds`` is None), when it has
     ended (``seconds`` is what it took), and now and then while it searches (``detail`` holds cost,
-    bound and gap); `stop` is polled meanwhile, and once it is true the best layout so far is taken.
+    bound and gap, after the name of the part that the stage is about); `stop` is polled meanwhile,
+    and once it is true the best layout so far is taken.
     Raises `RigUIError`; then nothing has been written.
     """
     _check_kind(asset)

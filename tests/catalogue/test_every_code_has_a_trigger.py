@@ -54,7 +54,7 @@ def test_its_golden_report(code, tmp_path, monkeypatch):
     assert report == golden()[code]
     for each in found:
         assert (each["repair"], each["severity"]) == (catalogue()[code].repair, catalogue()[code].severity)
-        assert each["message"]
+        assert each["message"].splitlines() == [each["message"]]
         assert not PYTHONS_WORDS.search(each["message"])
 
 

@@ -600,6 +600,7 @@ TRIGGERS: Mapping[str, Trigger] = {
         "view", folder / "char.rigui.usda", "--review", folder / "none.usda"
     ),
     "STUDY_RESULTS": lambda folder, _: command("study", folder / "none.csv"),
+    "COMMAND_LINE": lambda *_: command("procces"),
     "WORKING_DIRECTORY": _no_working_directory,
     "FILE_ACCESS": _raising(OSError(errno.ENAMETOOLONG, os.strerror(errno.ENAMETOOLONG), "char.usda")),
     "INTERRUPTED": _raising(KeyboardInterrupt()),

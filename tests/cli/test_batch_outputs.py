@@ -1,10 +1,10 @@
 """What a batch writes: every name is checked before any work, and no two jobs write the same file."""
 
-import json
 import shutil
 from dataclasses import replace
 from pathlib import Path
 
+import commands
 import pytest
 
 from usdrigui.cli import main
@@ -112,8 +112,7 @@ def test_names_like_options_are_names(laid_out, monkeypatch, tmp_path, capsys):
     """The process of the asset must not take them for its own options."""
     monkeypatch.chdir(tmp_path)
     shutil.copy(laid_out / "char.usda", tmp_path / "-x.usda")
-    assert main(["batch", "*.usda", "--sheet", "sheet.png", "--json"]) == 0
-    (row,) = json.loads(capsys.readouterr().out)["assets"]
+    (row,) = commands.run(capsys, "batch", "*.usda", "--sheet", "sheet.png")["assets"]
     assert (row["asset"], row["output"], row["picture"]) == ("-x.usda", "-x.rigui.usda", "-x.rigui.png")
     assert {each.name for each in tmp_path.iterdir()} == {
         "-x.usda",

@@ -1,8 +1,7 @@
 """`usdrigui check`: silent on a good layout, names each fault of a spoiled one by its code."""
 
-import json
-
 import pytest
+from commands import run
 from pxr import Usd, UsdGeom, UsdSkel
 
 from usdrigui.cli import main
@@ -12,10 +11,8 @@ from usdrigui.settings import Settings
 
 
 def codes(layer, capsys, expected_exit=0, *options):
-    capsys.readouterr()
-    assert main(["check", str(layer), "--json", *options]) == expected_exit
-    document = json.loads(capsys.readouterr().out)
-    return {each["code"] for each in document["issues"] if each["severity"] != "info"}
+    found = run(capsys, "check", layer, *options, expected=expected_exit)["issues"]
+    return {each["code"] for each in found if each["severity"] != "info"}
 
 
 def elements(stage):
@@ -28,9 +25,7 @@ def test_a_fresh_layout_is_silent(layer, capsys):
 
 
 def test_rates_every_element_on_the_face(layer, capsys):
-    capsys.readouterr()
-    main(["check", str(layer), "--json"])
-    rated = json.loads(capsys.readouterr().out)["characters"][0]["elements"]
+    rated = run(capsys, "check", layer)["characters"][0]["elements"]
     assert len(rated) == len(elements(Usd.Stage.Open(str(layer))))
     assert all(0.0 < each["kept"] <= 1.0 + 1e-6 for each in rated)
 

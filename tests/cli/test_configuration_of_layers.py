@@ -5,6 +5,7 @@ import shutil
 
 import pytest
 import skinned_stages
+from commands import run
 
 from usdrigui.cli import main, parsed
 from usdrigui.cli.options import settings_of
@@ -198,7 +199,5 @@ def test_what_sets_nothing_is_reported_before_the_layer_is_read(tmp_path, text, 
 
 
 def reported(folder, capsys, texts):
-    capsys.readouterr()
     options = [part for text in texts for part in ("--set", text)]
-    assert main(["process", str(folder / "char.usda"), "--dry-run", "--json", *options]) == 0
-    return json.loads(capsys.readouterr().out)["settings"]
+    return run(capsys, "process", folder / "char.usda", "--dry-run", *options)["settings"]

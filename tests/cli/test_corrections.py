@@ -89,6 +89,7 @@ def test_what_cannot_be_held_is_told_with_what_is_meant(folder, capsys):
         (["chim=board"], "CONFIG_UNKNOWN_CONTROL"),
         (["chin=somewhere"], "CONFIG_VALUE"),
         (["chin.maximum=much"], "CONFIG_VALUE"),
+        (["chin.maxmum=free"], "CONFIG_UNKNOWN_KEY"),
         (["chin.twin=nose"], "CONFIG_UNKNOWN_CONTROL"),
         (["chin"], "CONFIG_VALUE"),
         (["chin=/World/Char/face0#0"], "FIXED_IMPOSSIBLE"),

@@ -1,10 +1,10 @@
 """The table of `usdrigui inspect`: shares that are small are not told as nothing."""
 
-import json
 from types import SimpleNamespace
 
 import pytest
 import skinned_stages
+from commands import run
 
 from usdrigui import errors
 from usdrigui.cli import main
@@ -28,8 +28,7 @@ def test_one_is_not_several():
 
 def inspected(path, capsys):
     """What the only character of a file is found to be."""
-    assert main(["inspect", str(path), "--json"]) == 0
-    (only,) = json.loads(capsys.readouterr().out)["characters"]
+    (only,) = run(capsys, "inspect", path)["characters"]
     return only
 
 

@@ -9,6 +9,7 @@ import sys
 import time
 from pathlib import Path
 
+import commands
 import numpy as np
 import pytest
 from processes import children_of, gone, until
@@ -148,8 +149,7 @@ def test_whatever_is_killed_the_command_ends_with_a_code(hanging, which):
 def test_a_time_limit_on_the_search_gives_an_honest_layout(tmp_path, capsys):
     target = tmp_path / "out.usda"
     endless = ("--gap", "0", "--set", "solve.work_limit=2000000000000")
-    assert main(["process", str(SAMPLE), "-o", str(target), "--time-limit", "0.2", *endless, "--json"]) == 0
-    (found,) = json.loads(capsys.readouterr().out)["characters"]
+    (found,) = commands.run(capsys, "process", SAMPLE, "-o", target, "--time-limit", "0.2", *endless)["characters"]
     solution = found["solution"]
     assert solution["status"] == "stopped"
     assert solution["bound"] < solution["cost"]

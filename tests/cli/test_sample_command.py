@@ -13,9 +13,11 @@ def test_the_sample_is_written_and_again_and_takes_no_place_of_another_file(tmp_
     assert main(["sample", str(folder)]) == 0
     assert "unchanged" in capsys.readouterr().out
     assert {path.name: path.read_bytes() for path in folder.iterdir()} == before
-    for path in folder.iterdir():
-        path.unlink()
-    (folder / "char.usda").write_text("#usda 1.0\n")
-    assert main(["sample", str(folder)]) == 3
-    assert "FILE_TARGET" in capsys.readouterr().err
-    assert [(path.name, path.read_text()) for path in folder.iterdir()] == [("char.usda", "#usda 1.0\n")]
+    other = folder.with_name("char.usda")
+    other.write_text("#usda 1.0\n")
+    assert main(["sample", str(other.parent)]) == 3
+    told = capsys.readouterr().err
+    assert f"FILE_TARGET {other}: " in told
+    assert f"refused {other.parent}; " in told
+    assert sorted(other.parent.iterdir()) == [other, folder]
+    assert other.read_text() == "#usda 1.0\n"

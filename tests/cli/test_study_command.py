@@ -1,9 +1,9 @@
 """`usdrigui study`: results of several participants as one table, beside the paper's."""
 
-import json
 from pathlib import Path
 
 import pytest
+from commands import run
 
 from usdrigui.cli import main
 from usdrigui.clients import study
@@ -39,8 +39,7 @@ def measure(found, words, interface):
 
 
 def test_shares_errors_and_answers_are_means_over_participants(two, capsys):
-    assert main(["study", *map(str, two), "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = run(capsys, "study", *two)
     assert found["participants"] == ["1", "2"]
     share = measure(found, "share of time, %", "face")
     assert (share["mean"], share["paper"]) == (pytest.approx((25 + 37.5) / 2), 27.51)

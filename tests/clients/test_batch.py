@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import batch_assets
+import commands
 import minimal_assets
 import pytest
 from PIL import Image
@@ -27,10 +28,7 @@ def folder(tmp_path_factory):
 
 
 def batch(folder, capsys, *options, expected_exit=0, pattern="**/*.usda"):
-    capsys.readouterr()
-    arguments = ["batch", str(folder / pattern), "--jobs", "2", "--json", *options]
-    assert main(arguments) == expected_exit
-    return json.loads(capsys.readouterr().out)
+    return commands.run(capsys, "batch", folder / pattern, "--jobs", "2", *options, expected=expected_exit)
 
 
 def outcomes(document):
@@ -123,6 +121,8 @@ def test_what_a_pattern_matches_and_is_no_file_has_a_row(tmp_path, capsys):
     rows = batch(tmp_path, capsys, expected_exit=3)["assets"]
     codes = {Path(row["asset"]).stem: row["code"] for row in rows}
     assert codes == {"gone": "FILE_NOT_FOUND", "null": "SOURCE_NOT_A_FILE", "pipe": "SOURCE_NOT_A_FILE"}
+    (refused,) = batch(tmp_path, capsys, expected_exit=2, pattern="folder.usda")["issues"]
+    assert f"'{tmp_path / 'folder.usda' / '**' / '*.usd*'}'" in refused["message"]
 
 
 def fake(monkeypatch, tmp_path, text):
@@ -204,8 +204,7 @@ def test_a_broken_configuration_and_a_part_cost_no_other_asset(monkeypatch, tmp_
     monkeypatch.chdir(tmp_path)
     outcomes = []
     for pattern in ("./*.usda", str(tmp_path / "*.usda")):
-        assert main(["batch", pattern, "--jobs", "2", "--json"]) == 2
-        rows = json.loads(capsys.readouterr().out)["assets"]
+        rows = commands.run(capsys, "batch", pattern, "--jobs", "2", expected=2)["assets"]
         outcomes.append({Path(row["asset"]).stem: (row["outcome"], row["code"]) for row in rows})
     rest = {"geo": ("part", ""), "typo": ("refused", "CONFIG_UNKNOWN_KEY")}
     assert outcomes == [{"char": ("written", "")} | rest, {"char": ("skipped", "")} | rest]

@@ -138,6 +138,12 @@ def test_the_notebook_of_the_documents_runs(tmp_path, monkeypatch, capsys):
     assert "FILE_NOT_FOUND" in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("name", ["", "/", "a" * 300])
+def test_what_can_name_no_file_is_refused(name):
+    with pytest.raises(usdrigui.RigUIError, match=r"SOURCE_NOT_A_FILE|FILE_NOT_FOUND"):
+        usdrigui.process(name)
+
+
 USER = """
 from pathlib import Path
 import usdrigui

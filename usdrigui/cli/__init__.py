@@ -20,18 +20,21 @@ from usdrigui.errors import Exit, RigUIError, refuse, sentences
 from usdrigui.isolation import worker
 
 
-def main(argv: Sequence[str] | None = None) -> int:
+def main(argv: Sequence[str]) -> int:
     """Run one command in this process; returns its exit code (see `usdrigui.errors.Exit`).
 
     The command `usdrigui` runs it in a worker (`usdrigui.cli.supervised`).
     """
-    arguments = parsed(argv)
-    prepare_streams(machine=getattr(arguments, "json", False))
-    for found in distributions.colliding():
-        tell(f"warning: {found.code} {sentences(found)}", sys.stderr)
+    arguments = argparse.Namespace(json="--json" in argv)
     try:
+        arguments = parsed(argv)
+        prepare_streams(machine=getattr(arguments, "json", False))
+        for found in distributions.colliding():
+            tell(f"warning: {found.code} {sentences(found)}", sys.stderr)
         module, _, function = arguments.run.partition(":")
         return int(getattr(importlib.import_module(f"{__name__}.{module}"), function)(arguments))
+    except SystemExit as ended:  # --help and --version
+        return int(ended.code or 0)
     except KeyboardInterrupt:
         return _interrupted(arguments)
     except Exception as error:

@@ -43,7 +43,7 @@ def settings_quietly(arguments: argparse.Namespace) -> Settings:
 
     overrides = _said(arguments)
 
-    def load(*weaker: Mapping[str, Any]) -> Settings:
+    def load(*weaker: Path) -> Settings:
         preset = getattr(arguments, "preset", "default")
         return settings.load(
             *weaker, *overrides, preset=preset, environment=settings.environment_settings()
@@ -54,7 +54,7 @@ def settings_quietly(arguments: argparse.Namespace) -> Settings:
     except settings.UnsoundSettingsError as error:
         # Faults of the files are reported with those of the command line.
         try:
-            load(*map(settings.read_toml, _configuration(arguments, error.sound.read)))
+            load(*_configuration(arguments, error.sound.read))
         except RigUIError as all_of_it:
             if isinstance(all_of_it, settings.UnsoundSettingsError):
                 raise
@@ -62,7 +62,7 @@ def settings_quietly(arguments: argparse.Namespace) -> Settings:
     arguments.configuration = files = _configuration(arguments, loaded.read)
     if not files:
         return loaded
-    configured = load(*map(settings.read_toml, files))
+    configured = load(*files)
     return configured if getattr(arguments, "config", []) else settings.limited(configured, loaded)
 
 

@@ -19,6 +19,10 @@ if TYPE_CHECKING:
     from usdrigui.cli.terminal.screen import Screen
 
 
+_SUBJECTS = ("asset", "before", "layer", "patterns", "results", "folder")
+"""Arguments that are files, patterns of files or folders which a command is about."""
+
+
 def screen_of(arguments: argparse.Namespace) -> Screen:
     """Where a command shows its progress and its outcome."""
     from usdrigui.cli.terminal.screen import Screen
@@ -91,17 +95,12 @@ def _complain(line: str) -> None:
 
 
 def _subject(error: RigUIError, arguments: argparse.Namespace) -> str:
-    """What was refused: of several files the one that the finding names, else all of them."""
-    if getattr(arguments, "asset", None) is not None:
-        return str(arguments.asset)
-    named = [
-        str(each)
-        for each in (getattr(arguments, "before", None), getattr(arguments, "layer", None))
-        if each
-    ]
-    several = (getattr(arguments, name, ()) for name in ("patterns", "results"))
-    named = named or [str(each) for given in several for each in given]
-    return error.issue.path if error.issue.path in named else ", ".join(named)
+    """What was refused: of the files that a command is about the one that the finding names, else
+    all of them; of a command that is about none, what the finding names."""
+    given = [getattr(arguments, name, []) for name in _SUBJECTS]
+    named = [str(each) for one in given for each in (one if isinstance(one, list) else [one])]
+    path = error.issue.path
+    return path if path in named else ", ".join(named) or path
 
 
 def broken(error: Exception, arguments: argparse.Namespace) -> int:

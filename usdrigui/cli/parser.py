@@ -12,8 +12,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any, NoReturn
 
-from usdrigui.cli.lines import columns, wrapped
-from usdrigui.errors import Exit, meant
+from usdrigui.errors import meant, refuse
 from usdrigui.version import __version__
 
 _LAYOUT = "LAYER.toml, or else CHAR.rigui.toml beside the CHAR below LAYER"
@@ -27,15 +26,15 @@ def command_table() -> dict[str, Any]:
     return tomllib.loads((files(__package__) / "commands.toml").read_text("utf-8"))
 
 
-def parsed(argv: Sequence[str] | None) -> argparse.Namespace:
-    """The command line; exits with 2 on a wrong one, with the usage of its command and the option
-    that was meant."""
+def parsed(argv: Sequence[str]) -> argparse.Namespace:
+    """The command line.  Raises RigUIError COMMAND_LINE for a wrong one, with the option that was
+    meant, after the usage of its command is printed."""
     whole = parser()
-    words = _with_negative_values(sys.argv[1:] if argv is None else argv)
-    arguments, unknown = whole.parse_known_args(words)
+    arguments, unknown = whole.parse_known_args(_with_negative_values(argv))
     if unknown:
-        own: argparse.ArgumentParser = arguments.parser
-        own.error(f"unrecognized arguments: {' '.join(unknown)}{_hint(own, unknown, whole)}")
+        command = arguments.command
+        what = f"unrecognized arguments: {' '.join(unknown)}{_hint(command, unknown, whole)}"
+        whole.commands[command].error(what)
     return arguments
 
 
@@ -52,17 +51,16 @@ def _with_negative_values(argv: Sequence[str]) -> list[str]:
 
 
 class CommandLine(argparse.ArgumentParser):
-    """As argparse's, with errors in lines as wide as the terminal."""
+    """As argparse's, with errors as all others."""
 
     commands: Mapping[str, argparse.ArgumentParser]
 
     def error(self, message: str) -> NoReturn:
-        """Exit with 2: usage and error."""
+        """Print the usage and raise the error."""
         self.print_usage(sys.stderr)
         misspelt = re.search(r"argument COMMAND: invalid choice: '([^']*)'", message)
         message += meant(misspelt[1], self.commands) if misspelt else ""
-        lines = wrapped(f"{self.prog}: error: {message}", columns(sys.stderr))
-        self.exit(int(Exit.USAGE), "\n".join(lines) + "\n")
+        raise refuse("COMMAND_LINE", self.prog, message)
 
 
 @cache
@@ -91,14 +89,14 @@ def _add_command(commands: Any, name: str, about: Mapping[str, Any]) -> None:
         name, help=summary, description=summary[0].upper() + summary[1:] + "."
     )
     light = about.get("light")
-    command.set_defaults(command=name, run=about["run"], parser=command, light=light)
+    command.set_defaults(command=name, run=about["run"], light=light)
     if about.get("reads"):
         command.set_defaults(written="")
     arguments = about.get("arguments", {})
     for key, argument in arguments.items():
         _add(command, key, argument)
     groups: dict[str | None, Any] = {None: command}
-    for each in sorted((*_sets(about), about), key=lambda known: "title" in known):
+    for each in sorted(_tables(about), key=lambda known: "title" in known):
         title = each.get("title")
         if title not in groups:
             groups[title] = command.add_argument_group(title, each.get("about"))
@@ -108,15 +106,15 @@ def _add_command(commands: Any, name: str, about: Mapping[str, Any]) -> None:
             _add(groups[title], f"--{key}", {**option, "help": help_text})
 
 
-def _sets(about: Mapping[str, Any]) -> list[Mapping[str, Any]]:
-    return [command_table()["sets"][name] for name in about.get("sets", ())]
+def _tables(about: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    """The sets of options that a command has, and then its own."""
+    return [*(command_table()["sets"][name] for name in about.get("sets", ())), about]
 
 
 def command_options(arguments: argparse.Namespace) -> Iterator[tuple[str, Mapping[str, Any]]]:
-    """The options of the command that was parsed, by the names of their values; none of a command
-    line that was not understood."""
-    about = command_table()["commands"].get(getattr(arguments, "command", ""), {})
-    for each in (*_sets(about), about):
+    """The options of the command that was parsed, by the names of their values."""
+    about = command_table()["commands"][arguments.command]
+    for each in _tables(about):
         for key, option in each.get("options", {}).items():
             yield key.replace("-", "_"), option
 
@@ -153,12 +151,11 @@ def _add(group: Any, name: str, about: Mapping[str, Any]) -> None:
 # --- what was meant -------------------------------------------------------------------------------
 
 
-def _hint(own: argparse.ArgumentParser, unknown: Sequence[str], whole: CommandLine) -> str:
+def _hint(command: str, unknown: Sequence[str], whole: CommandLine) -> str:
     """A hint for the first unknown option that has one."""
     every = {name: options_of(each) for name, each in whole.commands.items()}
-    name = own.prog.rpartition(" ")[2]
     options = [each.partition("=")[0] for each in unknown if each.startswith("-")]
-    return next(filter(None, (hint(each, name, every) for each in options)), "")
+    return next(filter(None, (hint(each, command, every) for each in options)), "")
 
 
 def options_of(parser: argparse.ArgumentParser) -> list[str]:

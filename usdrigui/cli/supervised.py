@@ -11,7 +11,7 @@ import contextlib
 import io
 import os
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from usdrigui import cli
 from usdrigui.cli.outcomes import prepare_streams, refused
@@ -22,36 +22,35 @@ from usdrigui.isolation.supervising import Events, Outcome, interrupted, supervi
 
 def run(argv: Sequence[str], events: Events) -> int:
     """Run a command line; `events` receives signals.  Returns the exit code."""
-    arguments = argparse.Namespace(json="--json" in argv, patterns=argv[:2])
     try:
-        with _captured() as (out, err):
+        with _captured():
             arguments = parsed(argv)
-    except SystemExit as ended:
-        outcome = Outcome(int(ended.code or 0), out.getvalue(), err.getvalue())
-    else:
-        outcome = _outcome(argv, arguments, events)
-    return _printed(outcome, arguments)
+    except (SystemExit, RigUIError):  # the command says it, as one that needs no worker
+        arguments = argparse.Namespace(json="--json" in argv, light=True, patterns=argv[:2])
+    prepare_streams(machine=getattr(arguments, "json", False))
+    return _printed(_outcome(argv, arguments, events), arguments)
 
 
 def _outcome(argv: Sequence[str], arguments: argparse.Namespace, events: Events) -> Outcome:
-    """What becomes of a command line that is understood."""
+    """What becomes of a command line."""
+    if getattr(arguments, "light", False):
+        return _said(cli.main, argv)
     if not events.empty():
-        return _refusal(interrupted(), arguments)
+        return _said(refused, interrupted(), arguments)
     try:
         os.getcwd()  # noqa: PTH109 (the question is whether there is one)
     except OSError as error:
-        return _refusal(
-            refuse("WORKING_DIRECTORY", "", f"it does not exist: {error.strerror}"), arguments
+        return _said(
+            refused,
+            refuse("WORKING_DIRECTORY", "", f"it does not exist: {error.strerror}"),
+            arguments,
         )
-    if getattr(arguments, "light", False):
-        return _alone(argv)
-    prepare_streams(machine=getattr(arguments, "json", False))
     terminals = (_is_terminal(sys.stdout), _is_terminal(sys.stderr))
     outcome = supervise(argv, _show, events, terminals=terminals)
     if account := _account(outcome):
         arguments.written = account
     if outcome.death is not None:
-        return _refusal(outcome.death, arguments)
+        return _said(refused, outcome.death, arguments)
     return outcome
 
 
@@ -62,13 +61,6 @@ def _account(outcome: Outcome) -> str:
     return "; ".join(clauses)
 
 
-def _alone(argv: Sequence[str]) -> Outcome:
-    """A command that needs no worker."""
-    with _captured() as (out, err):
-        code = cli.main(argv)
-    return Outcome(code, out.getvalue(), err.getvalue())
-
-
 @contextlib.contextmanager
 def _captured() -> Iterator[tuple[io.StringIO, io.StringIO]]:
     """What is printed within, on each of the two streams."""
@@ -77,10 +69,10 @@ def _captured() -> Iterator[tuple[io.StringIO, io.StringIO]]:
         yield out, err
 
 
-def _refusal(error: RigUIError, arguments: argparse.Namespace) -> Outcome:
-    """The closing line of a command whose worker has none."""
+def _said(command: Callable[..., int], *arguments: object) -> Outcome:
+    """What a function prints that ends a command, and the exit code that it returns."""
     with _captured() as (out, err):
-        code = refused(error, arguments)
+        code = command(*arguments)
     return Outcome(code, out.getvalue(), err.getvalue())
 
 
@@ -104,7 +96,7 @@ def _printed(outcome: Outcome, arguments: argparse.Namespace) -> int:
     except OSError as error:
         if not outcome.err:
             reason = error.strerror or type(error).__name__
-            outcome = _refusal(refuse("OUTPUT_STREAM", "standard output", reason), arguments)
+            outcome = _said(refused, refuse("OUTPUT_STREAM", "standard output", reason), arguments)
     with contextlib.suppress(OSError):
         _write("err", outcome.err)
     return outcome.code

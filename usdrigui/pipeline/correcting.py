@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
 from pathlib import Path
-from typing import Any, cast
+from typing import cast
 
 import numpy as np
 
@@ -36,10 +36,13 @@ def pin(
     ``free`` to take back what is decided, there and on record in the layout; its ``group``
     (``NAME,NAME``), and every other key of its configuration.
 
-    Raises CONFIG_UNKNOWN_CONTROL and CONFIG_VALUE, FIXED_IMPOSSIBLE for a point that the control
-    does not move, FILE_TARGET for an `output` that is something
-    else, and as `read_composed_isolated`.
+    Raises CONFIG_UNKNOWN_CONTROL, CONFIG_UNKNOWN_KEY and CONFIG_VALUE, FIXED_IMPOSSIBLE for a point
+    that the control does not move, FILE_TARGET for an `output` that is something else, and as
+    `read_composed_isolated`.
     """
+    from usdrigui.layer.corrections import corrections_text
+    from usdrigui.layer.write_layout import relative_asset_path
+
     found, read = read_composed_isolated(layer, settings)
     layouts = {each.root: each for each in found.layouts}
     made = _existing(output, layer, settings.read)
@@ -54,7 +57,8 @@ def pin(
             made[root, name] = replace(known, up=tuple(up), unit=unit, reason=why)
         elif any(each.control == name for each in _recorded(layouts[root])):
             made[root, name] = Correction(root, name, "free", reason=reason)
-    return _written(tuple(made.values()), layer, output, read.metadata)
+    sublayer = relative_asset_path(layer, output)
+    return commit(corrections_text(made.values(), sublayer, read.metadata), output, read=[layer])
 
 
 def pins(layer: Path, settings: Settings) -> tuple[Correction, ...]:
@@ -105,21 +109,27 @@ def _existing(
         raise refuse("FILE_TARGET", output, "is the layout itself, which stays as it is")
     if output.suffix != ".usda":
         raise refuse("FILE_TARGET", output, "a layer of corrections ends in .usda")
-    held = read_layer_isolated(output, opening).corrections if output.is_file() else ()
-    if output.is_file() and not held:
+    if not output.is_file():
+        return {}
+    held = read_layer_isolated(output, opening).corrections
+    if not held:
         raise refuse("FILE_TARGET", output, "exists and is no layer of corrections")
     return {(each.root, each.control): each for each in held}
 
 
 def _meant(rigs: Sequence[Rig], key: str) -> tuple[Rig, str, str]:
     """The character with a control, the control, and what of it a key is about: ``place`` unless it
-    says so."""
+    says so.  Raises CONFIG_UNKNOWN_CONTROL, CONFIG_UNKNOWN_KEY."""
     known = {each.name for each in fields(ControlSettings)} | {"group"}
+    every = {each for rig in rigs for each in rig.control_names}
     name, _, what = key.rpartition(".")
-    name, what = (name, what) if what in known else (key, "place")
+    if what not in known:
+        if name in every and key not in every:
+            there = f"there are {', '.join(sorted(known))}{meant(what, known)}"
+            raise refuse("CONFIG_UNKNOWN_KEY", key, f"no property is called {what!r}; {there}")
+        name, what = key, "place"
     owners = [rig for rig in rigs if name in rig.control_names]
     if len(owners) != 1:
-        every = {each for rig in rigs for each in rig.control_names}
         why = "several characters have" if owners else "no character has"
         raise refuse("CONFIG_UNKNOWN_CONTROL", key, f"{why} this control{meant(name, every)}")
     return owners[0], name, what
@@ -169,13 +179,3 @@ def _placed(known: Correction, value: str, rig: Rig, layout: Layout) -> Correcti
     x, y, z = position.tolist()
     path = rig.body.meshes[mesh].path
     return replace(known, place="point", position=(x, y, z), mesh=path, point=local)
-
-
-def _written(
-    corrections: tuple[Correction, ...], layer: Path, output: Path, metadata: Mapping[str, Any]
-) -> State:
-    from usdrigui.layer.corrections import corrections_text
-    from usdrigui.layer.write_layout import relative_asset_path
-
-    content = corrections_text(corrections, relative_asset_path(layer, output), metadata)
-    return commit(content, output, read=[layer])

@@ -48,7 +48,10 @@ def inspect(
     characters = []
     for rig in source.rigs:
         character = character_of(rig, settings, references, clock)
-        parts = [part_problem(character, part, (), clock) for part in character.parts]
+        parts = [
+            part_problem(character, part, (), replace(clock, part=part.name))
+            for part in character.parts
+        ]
         issues += issues_of(parts)
         facts = _facts(character, parts)
         if clips:

@@ -370,6 +370,7 @@ def _lay_out(
     laid: list[LaidPart] = []
     for part in character.parts:
         neighbours = tuple(element for each in laid for element in each.layout.elements)
+        clock = replace(clock, part=part.name)
         inputs = part_problem(character, part, neighbours, clock)
         with clock.stage("solve", can_stop=True):
             assignment = solve(inputs.placement.problem, settings.solve, clock.solving, stop)
@@ -428,8 +429,8 @@ def _account(character: Character, laid: Sequence[LaidPart], layout: Layout) -> 
 
 def _part_row(laid: LaidPart) -> PartRow:
     elements = [element for element in laid.layout.elements if not element.anchor.on_board]
-    controls = [motion.control for motion in laid.inputs.face.trajectories.motions]
-    names = tuple(laid.inputs.face.rig.control_names[control] for control in controls)
+    face = laid.inputs.face
+    names = tuple(face.rig.control_names[each.control] for each in face.trajectories.motions)
     on_it = frozenset().union(*(element.controls for element in elements))
     return PartRow(
         laid.inputs.part,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time
+from collections import defaultdict
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -19,6 +20,7 @@ class Event:
 
     stage: str
     detail: str = ""
+    """The part of the character that the stage is about, if it is about one, and how far it is."""
     seconds: float | None = None
     """Given when the stage has ended."""
     can_stop: bool = False
@@ -30,10 +32,12 @@ ProgressCallback = Callable[[Event], None]
 
 @dataclass
 class Clock:
-    """Times the stages and calls the watcher."""
+    """Times the stages and calls the watcher; a copy for a part adds to the same times."""
 
     watch: ProgressCallback | None = None
-    _seconds: dict[str, float] = field(default_factory=dict)
+    part: str = ""
+    """Of the character that is worked on, where the stages are those of one part."""
+    _seconds: dict[str, float] = field(default_factory=lambda: defaultdict(float))
 
     @property
     def seconds(self) -> tuple[tuple[str, float], ...]:
@@ -47,15 +51,16 @@ class Clock:
         start = time.perf_counter()
         yield
         spent = time.perf_counter() - start
-        self._seconds[name] = self._seconds.get(name, 0.0) + spent
-        self._tell(Event(name, seconds=spent))
+        self._seconds[name] += spent
+        self._tell(Event(name, self.part, seconds=spent))
 
     def solving(self, progress: Progress) -> None:
         """Tell how far the solver is."""
-        bound = f"bound {progress.bound:.4f}"
-        known = f"cost {progress.cost:.4f}, {bound}, gap {progress.gap:.1e} of the cost"
-        detail = known if math.isfinite(progress.cost) else f"{bound}, no layout yet"
-        self._tell(Event("solve", f"{progress.step}: {detail}", can_stop=True))
+        known = "no layout yet"
+        if math.isfinite(progress.cost):
+            known = f"cost {progress.cost:.4f}, gap {progress.gap:.1e} of it"
+        detail = f"{self.part}: {progress.step}: {known}, bound {progress.bound:.4f}"
+        self._tell(Event("solve", detail, can_stop=True))
 
     def _tell(self, event: Event) -> None:
         if self.watch is not None:

@@ -265,6 +265,7 @@ def _reviewed(
     found, before = [], tuple[Element, ...]()
     for part in character.parts:
         own = _of_part(layout, character, part)
+        clock = replace(clock, part=part.name)
         inputs = part_problem(character, part, before, clock)
         before += own.elements
         with clock.stage("review"):

@@ -29,7 +29,12 @@ from usdrigui.layout.parts.division import divide
 from usdrigui.layout.parts.joint_regions import FACE, OF_SIDES, seen_flat
 from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.place.handle_width import handle_width, on_face
-from usdrigui.layout.place.problem import penalty_of, placement_problem, without_lone_pairs
+from usdrigui.layout.place.problem import (
+    PlacementProblem,
+    penalty_of,
+    placement_problem,
+    without_lone_pairs,
+)
 from usdrigui.layout.place.regions import crowded_regions
 from usdrigui.layout.reuse.decisions import with_decisions
 from usdrigui.layout.reuse.existing_layout import drawn_width, of_new_controls
@@ -41,7 +46,7 @@ from usdrigui.layout.symmetry.base_pose import (
     symmetry_at_pose,
 )
 from usdrigui.layout.visibility import find_views
-from usdrigui.model import Assignment, Element, Layout, Symmetry, Trajectories
+from usdrigui.model import Assignment, Candidates, Element, Layout, Symmetry, Trajectories
 from usdrigui.pipeline.configuration import base_values_of
 from usdrigui.pipeline.progress import Clock
 from usdrigui.pipeline.records import Character, CharacterPart, ProblemInputs
@@ -116,41 +121,42 @@ def part_problem(
     """
     clock = clock or Clock()
     while True:
-        inputs = _problem(measured(character, part, neighbours, clock), character, part, clock)
-        if inputs.placement.impossible is None:
-            return inputs
-        character = _without_pin(character, *inputs.placement.impossible)
+        with clock.stage("candidates"):
+            known = measured(character, part, neighbours)
+            candidates = of_new_controls(known.face, known.requests, find_candidates(known))
+        with clock.stage("problem"):
+            placement = _placement(known, candidates)
+        if placement.impossible is None:
+            return ProblemInputs(character, part.name, known, candidates, placement)
+        character = _without_pin(character, *placement.impossible)
 
 
-def measured(
-    character: Character, part: CharacterPart, neighbours: Sequence[Element], clock: Clock
-) -> Measured:
+def measured(character: Character, part: CharacterPart, neighbours: Sequence[Element]) -> Measured:
     """The stages before placing."""
     rig, found, symmetry = character.rig, part.trajectories, part.symmetry
     settings = character.settings
     requests = character.requests.of_part(rig.controls, part.controls, neighbours)
-    with clock.stage("candidates"):
-        views = find_views(
-            rig, found, symmetry.plane, settings.candidates, of_sides=part.name in OF_SIDES
-        )
-        names = rig.control_names
-        read = meanings(names, numbers=True) if settings.candidates.conventions else ()
-        meant, expected = believed(found, symmetry, views, read or (None,) * len(names))
-        face = Face(rig, found, symmetry, views, meant, expected)
-        alike = similarity(displacement_fields(found))
-        classification = classify(face, alike, requests, settings.candidates)
-        placed = on_face(found.motions, classification, requests.overrides)
-        places = found.surface.points @ views.axes.T
-        flat, behind = seen_flat(part.name, settings.candidates.space, places)
-        axes = views.drawing_axes(flat)
-        width, crowded = handle_width(
-            found, views, placed, axes, settings.objective, levels=settings.levels.crowds
-        )
-        width = drawn_width(requests.existing, part.name) or width
-        # Anchors that are fixed were apart by a width of the layout that they come from.
-        width = min(width, drawn_width(character.references.fixed, part.name) or width)
-        if settings.objective.distinctive_weight > 0.0:
-            found = with_common_motion(found, alike, placed, views.anywhere)
+    views = find_views(
+        rig, found, symmetry.plane, settings.candidates, of_sides=part.name in OF_SIDES
+    )
+    names = rig.control_names
+    read = meanings(names, numbers=True) if settings.candidates.conventions else [None] * len(names)
+    meant, expected = believed(found, symmetry, views, read)
+    face = Face(rig, found, symmetry, views, meant, expected)
+    alike = similarity(displacement_fields(found))
+    classification = classify(face, alike, requests, settings.candidates)
+    placed = on_face(found.motions, classification, requests.overrides)
+    places = found.surface.points @ views.axes.T
+    flat, behind = seen_flat(part.name, settings.candidates.space, places)
+    axes = views.drawing_axes(flat)
+    width, crowded = handle_width(
+        found, views, placed, axes, settings.objective, levels=settings.levels.crowds
+    )
+    width = drawn_width(requests.existing, part.name) or width
+    # Anchors that are fixed were apart by a width of the layout that they come from.
+    width = min(width, drawn_width(character.references.fixed, part.name) or width)
+    if settings.objective.distinctive_weight > 0.0:
+        found = with_common_motion(found, alike, placed, views.anywhere)
     face = replace(
         face, trajectories=found, handle_width=width, crowded=crowded, flat=flat, behind=behind
     )
@@ -169,20 +175,13 @@ def _without_pin(
     return replace(character, references=fewer, requests=asked)
 
 
-def _problem(
-    known: Measured, character: Character, part: CharacterPart, clock: Clock
-) -> ProblemInputs:
+def _placement(known: Measured, candidates: Candidates) -> PlacementProblem:
     face, requests, settings = known.face, known.requests, known.settings
-    with clock.stage("candidates"):
-        candidates = find_candidates(known)
-        candidates = of_new_controls(face, requests, candidates)
-    with clock.stage("problem"):
-        groups = without_lone_pairs(known, candidates, find_groups(known, candidates))
-        most = settings.objective.max_neighbours
-        regions = crowded_regions(face, groups, most) if face.crowded else {}
-        groups = with_levels(face.rig, groups, settings.levels, requests, regions)
-        placement = placement_problem(known, candidates, groups)
-    return ProblemInputs(character, part.name, known, candidates, placement)
+    groups = without_lone_pairs(known, candidates, find_groups(known, candidates))
+    most = settings.objective.max_neighbours
+    regions = crowded_regions(face, groups, most) if face.crowded else {}
+    groups = with_levels(face.rig, groups, settings.levels, requests, regions)
+    return placement_problem(known, candidates, groups)
 
 
 def build_problem(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import sys
 import types
 import typing
@@ -32,20 +33,23 @@ class UnsoundSettingsError(RigUIError):
 
 
 def load(
-    *sources: Mapping[str, Any],
+    *sources: Mapping[str, Any] | Path,
     preset: str = "default",
     environment: Mapping[str, str] | None = None,
 ) -> Settings:
-    """Settings from the sections of a configuration, as parsed from TOML: ``{"solve": {"gap":
-    0.001}}``; later ones win over earlier ones.
+    """Settings from configurations, each a TOML file or its sections as parsed: ``{"solve":
+    {"gap": 0.001}}``; later ones win over earlier ones.
 
-    Raises UnsoundSettingsError CONFIG_UNKNOWN_KEY or CONFIG_VALUE, naming the key; all faults
-    at once.
+    Raises UnsoundSettingsError CONFIG_UNKNOWN_KEY or CONFIG_VALUE, naming the file and the key; all
+    faults at once; and as `read_toml`.
     """
     settings, faults = Settings(), Faults()
     weakest = (_preset(preset, faults), from_environment(environment or {}, faults))
     for source in (*weakest, *sources):
-        settings = _changed(settings, source, "", faults)
+        table = read_toml(source) if isinstance(source, Path) else source
+        where, own = "" if table is source else f"in {source}: ", Faults()
+        settings = _changed(settings, table, "", own)
+        faults.add(replace(each, message=where + each.message) for each in own.issues)
     try:
         faults.raise_all()
     except RigUIError as error:
@@ -59,11 +63,11 @@ def load_beside(path: Path) -> Settings:
 
     Raises RigUIError CONFIG_...
     """
-    own = path.with_suffix(".toml" if path.stem.endswith(".rigui") else ".rigui.toml")
+    own = path.parent / f"{path.stem.removesuffix('.rigui')}.rigui.toml"
     ceilings = load(environment=environment_settings())
-    if not path.name or not own.is_file():
+    if not os.path.isfile(own):  # noqa: PTH113 (a name too long for a file is an OSError there)
         return ceilings
-    return limited(load(read_toml(own), environment=environment_settings()), ceilings)
+    return limited(load(own, environment=environment_settings()), ceilings)
 
 
 def limited(settings: Settings, ceilings: Settings) -> Settings:

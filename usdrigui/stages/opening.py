@@ -74,8 +74,8 @@ def composition_issues(stage: Usd.Stage, roots: tuple[Usd.Prim, ...]) -> tuple[I
     """
     found = []
     for error in stage.GetCompositionErrors():
-        site = _site(error)
-        layer = _NAMED.search(_described(error))
+        site, described = _site(error), _described(error)
+        layer = _NAMED.search(described)
         if layer is not None and stage.IsLayerMuted(layer.group("path")):
             continue
         near = [
@@ -84,8 +84,8 @@ def composition_issues(stage: Usd.Stage, roots: tuple[Usd.Prim, ...]) -> tuple[I
             if site.HasPrefix(root.GetPath()) or root.GetPath().HasPrefix(site)
         ]
         if isinstance(error, _MISSING) and (near or not roots):
-            raise _without_layer(str(site), _described(error))
-        found.append(issue("COMPOSITION_ERROR", site, _described(error)))
+            raise _without_layer(str(site), described)
+        found.append(issue("COMPOSITION_ERROR", site, described))
     return tuple(found)
 
 
@@ -100,7 +100,7 @@ def listening() -> Iterator[list[str]]:
     finally:
         for each in delegate.TakeUncoalescedDiagnostics():
             try:
-                text = _ADDRESS.sub("#", each.commentary)
+                text = _one_line(each.commentary)
             except UnicodeDecodeError:
                 text = "a message that is not UTF-8"
             if text not in messages:
@@ -147,11 +147,11 @@ def check_archive(path: Path) -> None:
 def usd_message(error: Exception) -> str:
     """Text of a USD exception, whose own str() may fail."""
     try:
-        return "; ".join(str(each.commentary) for each in error.args) or type(error).__name__
+        return "; ".join(_one_line(each.commentary) for each in error.args) or type(error).__name__
     except (AttributeError, UnicodeDecodeError):
         pass
     try:
-        return " ".join(str(error).split())
+        return _one_line(str(error))
     except UnicodeDecodeError:
         return "USD raised an error whose text is not UTF-8"
 
@@ -165,9 +165,14 @@ def _without_layer(site: str, described: str) -> RigUIError:
 
 def _described(error: Pcp.ErrorBase) -> str:
     try:
-        return _ADDRESS.sub("#", " ".join(str(error).split()))
+        return _one_line(str(error))
     except UnicodeDecodeError:
         return str(error.errorType)
+
+
+def _one_line(text: str) -> str:
+    """What USD says, as one line, without the addresses of its objects."""
+    return _ADDRESS.sub("#", " ".join(text.split()))
 
 
 def _site(error: Pcp.ErrorBase) -> Sdf.Path:

@@ -22,6 +22,9 @@ def find_assets(patterns: Iterable[str]) -> tuple[Path, ...]:
     """
     found: dict[str, Path] = {}
     for pattern in patterns:
+        if Path(pattern).is_dir():
+            inside = Path(pattern, "**", "*.usd*")
+            raise refuse("BATCH_NO_MATCH", pattern, f"is a folder; '{inside}' are the files in it")
         matched = _matches(pattern)
         if not matched:
             raise refuse("BATCH_NO_MATCH", pattern, "matches no USD file")
@@ -43,15 +46,11 @@ def outputs_of(assets: Sequence[Path], folder: Path | None) -> tuple[Path, ...]:
         # It keeps symbolic links, where resolve() would follow them.
         common = os.path.commonpath([os.path.abspath(each) for each in wheres])  # noqa: PTH100
         wheres = [folder / os.path.relpath(each, common) for each in wheres]
-    real = {
-        where: os.path.realpath(where) for where in wheres
-    }  # one folder can be named in several ways
+    # One folder can be named in several ways.
+    folders = [os.path.realpath(where) for where in wheres]
     names = [each.stem for each in assets]
     twins: set[int] = set()
-    while (
-        more := _not_alone([(real[where], name) for where, name in zip(wheres, names, strict=True)])
-        - twins
-    ):
+    while more := _not_alone([*zip(folders, names, strict=True)]) - twins:
         twins |= more  # whose longer names may be those of others, as of char_usda.usda
         for index in more:
             names[index] = assets[index].name.replace(".", "_")
