@@ -76,7 +76,7 @@ _FACE = 'def Mesh "Face" (prepend apiSchemas = ["SkelBindingAPI"])\n    {\n'
 _WEIGHTS = "float[] blendShapeWeights = [0, 0]"
 
 EDITS: Mapping[str, tuple[tuple[str, str], ...]] = {
-    "FILE_NOT_USD": (("#usda 1.0", "once upon a time"),),
+    "FILE_NOT_USD": (("#usda 1.0", "#usda 1.0\ndef {"),),
     "LAYER_MISSING": (('upAxis = "Y"', 'subLayers = [@./gone.usda@]'),),
     "COMPOSITION_ERROR": (('def SkelRoot "Char"', 'def "Prop" (references = @./gone.usda@) {}\ndef SkelRoot "Char"'),),
     "USD_DIAGNOSTIC": (('def SkelRoot "Char"', 'def "Prop" (references = </Nothing>) {}\ndef SkelRoot "Char"'),),
