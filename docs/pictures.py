@@ -252,7 +252,8 @@ def page() -> str:
             " process char.usda --preview picture.png --labels` would. To show one thing at a time,"
             ' the controls that a picture is not about are excluded (`[controls."x"] exclude ='
             ' true`), and joints are left out (`read.joints = "none"`) unless it is about them.'
-            " Blue is the character's left, red its right, yellow its middle, violet the board.\n"
+            " Blue is the character's left, red its right, yellow its middle, violet what has no"
+            " side.\n"
         ),
     ]
     for scene in SCENES:

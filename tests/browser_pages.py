@@ -85,6 +85,17 @@ class Viewer:
             assert time.monotonic() < end, f"still not so: {expression}"
             self.page.wait_for_timeout(20)
 
+    def saved(self, label, path):
+        """Where a button downloads a file to, under the name that the page suggests."""
+        with self.page.expect_download() as download:
+            self.page.get_by_role("button", name=label, exact=True).click()
+        character = self.page.evaluate("usdrigui.app.session.character.root").split("/")[-1]
+        # What a participant or a reviewer did is of all characters.
+        of_character = not path.name.startswith(("evaluation", "review"))
+        assert download.value.suggested_filename == (f"{character}.{path.name}" if of_character else path.name)
+        download.value.save_as(path)
+        return path
+
     def values(self):
         return self.page.evaluate("usdrigui.values()")
 

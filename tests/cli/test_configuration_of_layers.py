@@ -1,10 +1,10 @@
 """Which configuration a layout is judged and shown with, wherever it lies; and what `--set` can say."""
 
-import json
 import shutil
 
 import pytest
 import skinned_stages
+import triggers
 from commands import run
 
 from usdrigui.cli import main, parsed
@@ -56,10 +56,9 @@ def shown(layer, *options, by=("check",)):
     return [main([name, str(layer), *own, *options]) for name, *own in commands if name in by]
 
 
-def issues(capsys, layer, *options):
-    capsys.readouterr()
-    code = main(["check", str(layer), "--json", *options])
-    return code, {each["code"] for each in json.loads(capsys.readouterr().out)["issues"]}
+def issues(layer, *options):
+    code, found = triggers.command("check", layer, *options)
+    return code, {each["code"] for each in found}
 
 
 @pytest.mark.parametrize("layer", ["char.rigui.usda", "layouts/cfg.usda", "attached/char.usda", "corrections.usda"])
@@ -85,28 +84,28 @@ def test_what_was_set_when_a_layout_was_made_can_be_set_again(folder):
     assert shown(folder / "char.rigui.usda", *options) == [0]
 
 
-def test_a_given_configuration_is_stronger_than_one_of_the_layers_name_and_that_than_the_assets(folder, capsys):
+def test_a_given_configuration_is_stronger_than_one_of_the_layers_name_and_that_than_the_assets(folder):
     layer, said = folder / "layouts/cfg.usda", folder / "said.toml"
     (folder / "char.rigui.toml").write_text("[controls.chin]\nexclude = true\n")
-    assert issues(capsys, layer)[0] == 1
+    assert issues(layer)[0] == 1
     layer.with_suffix(".toml").write_text(CONFIGURATION)
-    assert issues(capsys, layer)[0] == 0
+    assert issues(layer)[0] == 0
     said.write_text("[nonsense]\n")
-    assert issues(capsys, layer, "--config", str(said)) == (2, {"CONFIG_UNKNOWN_KEY"})
+    assert issues(layer, "--config", said) == (2, {"CONFIG_UNKNOWN_KEY"})
 
 
 @pytest.mark.parametrize("asset", ["char.usda", "attached/char.usda"])
-def test_a_file_of_the_assets_name_is_somebody_elses(folder, asset, capsys):
+def test_a_file_of_the_assets_name_is_somebody_elses(folder, asset):
     (folder / asset).with_suffix(".toml").write_text(UNRELATED)
-    code, found = issues(capsys, folder / asset)
+    code, found = issues(folder / asset)
     assert code == 0
     assert not {each for each in found if each.startswith("CONFIG")}
 
 
 @pytest.mark.parametrize("asset", ["char.usda", "attached/char.usda"])
-def test_a_broken_configuration_of_an_asset_is_reported(folder, asset, capsys):
+def test_a_broken_configuration_of_an_asset_is_reported(folder, asset):
     (folder / asset).with_suffix(".rigui.toml").write_text("[controls.chin]\nexclud = true\n")
-    assert issues(capsys, folder / asset) == (2, {"CONFIG_UNKNOWN_KEY"})
+    assert issues(folder / asset) == (2, {"CONFIG_UNKNOWN_KEY"})
 
 
 def parsed_for(path, *options):
@@ -124,7 +123,7 @@ size_limit = 5000
 
 
 @pytest.mark.parametrize("name", ["char.usda", "char.rigui.usda"])
-def test_a_file_beside_an_asset_can_lower_its_limits_only(folder, name, capsys, monkeypatch):
+def test_a_file_beside_an_asset_can_lower_its_limits_only(folder, name, monkeypatch):
     (folder / "char.rigui.toml").write_text(ATTACK + CONFIGURATION)
     plain = settings_of(parsed_for(folder / name))
     assert plain.run == RunSettings()
@@ -135,7 +134,7 @@ def test_a_file_beside_an_asset_can_lower_its_limits_only(folder, name, capsys, 
     assert settings_of(given).run.time_limit == 0.0
     assert settings_of(parsed_for(folder / name, "--set", "run.time_limit=0")).run.time_limit == 0.0
     monkeypatch.setenv("USDRIGUI_READ_TIME_LIMIT", "0.001")
-    assert issues(capsys, folder / "char.usda")[1] >= {"SOURCE_TIME_LIMIT"}
+    assert issues(folder / "char.usda")[1] >= {"SOURCE_TIME_LIMIT"}
 
 
 def test_layers_over_each_other_in_a_circle_have_an_end(folder):

@@ -79,8 +79,7 @@ def test_everything_that_is_wrong_in_a_configuration_is_reported_at_once(command
     read = layer if command == "check" else asset
     found = run(capsys, command, read, *given, expected=2)["issues"]
     assert sorted(each["path"] for each in found) == sorted(wrong)
-    told = [each["message"] for each in found if each["path"] in WRONG_VALUES]
-    assert all(each.startswith(f"in {files[0]}: ") for each in told)
+    assert all(each["message"].startswith(f"in {files[0]}: ") for each in found if each["path"] in WRONG_VALUES)
     hints = " ".join(each["message"] for each in found)
     assert texts == [VALUES] or ("'Jaw'" in hints and "'smile_L'" in hints)
     assert main([*map(str, (command, read, *given))]) == 2

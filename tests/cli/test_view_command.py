@@ -26,12 +26,19 @@ def test_a_review_goes_into_the_page_as_text_that_ends_no_element(layer, tmp_pat
     assert notes.read_text().startswith("#usda")
 
 
-@pytest.mark.parametrize("content", [b"#usda 1.0\n", b'string note = "', b'#usda 1.0\n\xff string note = "'])
-def test_what_is_no_review_is_refused(layer, tmp_path, content, capsys):
+@pytest.mark.parametrize(
+    ("option", "content", "told"),
+    [
+        ("--review", b"#usda 1.0\n", "REVIEW_LAYER"),
+        ("--review", b'string note = "', "REVIEW_LAYER"),
+        ("--review", b'#usda 1.0\n\xff string note = "', "REVIEW_LAYER"),
+        ("--targets", b"#usda 1.0\n" + 12 * b'string pose = ""\n', "CONFIG_VALUE --targets: has 12 of the 13 poses"),
+    ],
+)
+def test_what_is_no_review_or_too_small_a_shelf_is_refused(layer, tmp_path, option, content, told, capsys):
     (tmp_path / "notes.usda").write_bytes(content)
-    options = ["--html", str(tmp_path / "page.html"), "--review", str(tmp_path / "notes.usda")]
-    assert main(["view", str(layer), *options]) == 3
-    assert "REVIEW_LAYER" in capsys.readouterr().err
+    assert main(["view", str(layer), "--html", str(tmp_path / "page.html"), option, str(tmp_path / "notes.usda")]) > 1
+    assert told in capsys.readouterr().err
     assert not (tmp_path / "page.html").exists()
 
 

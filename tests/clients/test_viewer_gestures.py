@@ -237,17 +237,6 @@ def test_copy_beside_the_clean_face(viewer):
 # --- poses out and in --------------------------------------------------------------------------------
 
 
-def saved(viewer, label, tmp_path, name):
-    with viewer.page.expect_download() as download:
-        viewer.page.get_by_role("button", name=label, exact=True).click()
-    path = tmp_path / name
-    character = viewer.page.evaluate("usdrigui.app.session.character.root").split("/")[-1]
-    of_character = not name.endswith(".csv")  # what a participant did is of all faces
-    assert download.value.suggested_filename == (f"{character}.{name}" if of_character else name)
-    download.value.save_as(path)
-    return path
-
-
 def loaded(viewer, path):
     with viewer.page.expect_file_chooser() as chooser:
         viewer.page.get_by_role("button", name="Load…").click()
@@ -258,7 +247,7 @@ def loaded(viewer, path):
 
 def test_pose_out_and_in_as_json(viewer, tmp_path):
     viewer.set(brow_L=0.25, pucker=1.0)
-    path = saved(viewer, "Save JSON", tmp_path, "pose.json")
+    path = viewer.saved("Save JSON", tmp_path / "pose.json")
     assert json.loads(path.read_text())["values"] == {"brow_L": 0.25, "pucker": 1.0}
     viewer.set(brow_L=0.9, chin=0.5)
     loaded(viewer, path)
@@ -279,9 +268,9 @@ def test_keys_out_as_a_usd_layer_and_in_again(viewer, tmp_path):
     drag_half_way(viewer)
     viewer.page.evaluate("usdrigui.app.timeline.go(11)")
     viewer.set(brow_L=1.0, pucker=0.5)
-    pose = Sdf.Layer.FindOrOpen(str(saved(viewer, "Save pose layer", tmp_path, "pose.usda")))
+    pose = Sdf.Layer.FindOrOpen(str(viewer.saved("Save pose layer", tmp_path / "pose.usda")))
     assert pose.ListTimeSamplesForPath("/Root/anim.blendShapeWeights") == [11.0]
-    path = saved(viewer, "Save animation layer", tmp_path, "animation.usda")
+    path = viewer.saved("Save animation layer", tmp_path / "animation.usda")
     stage = Usd.Stage.Open(str(path))
     names = [*viewer.values()]
     at = {
@@ -302,10 +291,11 @@ def test_keys_out_as_a_usd_layer_and_in_again(viewer, tmp_path):
 
 @pytest.fixture
 def study(browser, tmp_path):
-    """The page with the evaluation, which the ordinary one does not offer."""
+    """The page with the evaluation, which the ordinary one does not offer, and a shelf of one pose."""
     rig = makers.face()
     path = tmp_path / "study.html"
-    path.write_text(page_html([(rig, peak_layout(rig, mirrors=MIRRORS))], "face", study=True))
+    shelf = '#usda 1.0\nstring pose = "{\\"values\\": {\\"chin\\": 1}}"\n'
+    path.write_text(page_html([(rig, peak_layout(rig, mirrors=MIRRORS))], "face", study=True, reviews=[shelf]))
     made = Viewer(browser, path)
     yield made
     assert made.trouble == []
@@ -327,6 +317,7 @@ def test_evaluation_measures_as_the_paper_does(study, tmp_path):
     """Two trials: one left neutral (both errors 1), one matched exactly (both errors 0)."""
     viewer = study
     agree(viewer.page)
+    assert "1 of the poses given" in viewer.page.locator(".evaluation").inner_text()
     viewer.page.get_by_label("Participant number").fill("2")
     viewer.page.get_by_role("button", name="Start").click()
     viewer.settle()
@@ -343,7 +334,7 @@ def test_evaluation_measures_as_the_paper_does(study, tmp_path):
     )
     done.click()
     viewer.page.get_by_role("button", name="Stop").click()
-    path = saved(viewer, "Save CSV", tmp_path, "evaluation-2.csv")
+    path = viewer.saved("Save CSV", tmp_path / "evaluation-2.csv")
     heads, *rows = [line.split(",") for line in path.read_text().splitlines()]
     first, second = (dict(zip(heads, row, strict=True)) for row in rows)
     assert first["interface"] == "face"
@@ -375,7 +366,7 @@ def test_a_session_is_gone_on_with_and_ends_with_questions(study, tmp_path):
     for question in page.locator("fieldset").all():
         question.get_by_role("radio").nth(3).check()
     press("Done")
-    rows = [line.split(",") for line in saved(study, "Save CSV", tmp_path, "evaluation-1.csv").read_text().splitlines()]
+    rows = [line.split(",") for line in study.saved("Save CSV", tmp_path / "evaluation-1.csv").read_text().splitlines()]
     assert [row[3] for row in rows[1:16]] == [str(i) for i in range(1, 16)]
     assert {row[12] for row in rows[16:]} == {"4"}
     assert len({size for row in rows[1:16] for size in row[14:16]}) == 1, "face and target are as large everywhere"

@@ -105,11 +105,7 @@ def reviewed(viewer, folder):
     draw(viewer, chin(viewer))
     viewer.page.get_by_role("button", name="Draw").click()
     viewer.page.get_by_label("Comment of note 1").fill('More of "this" here,\nless < there')
-    with viewer.page.expect_download() as download:
-        viewer.page.get_by_role("button", name="Save review").click()
-    path = folder / "review.usda"
-    download.value.save_as(path)
-    return path
+    return viewer.saved("Save review", folder / "review.usda")
 
 
 def test_a_review_opens_elsewhere_at_its_frame_view_and_pose(opened, pages, tmp_path):

@@ -35,13 +35,6 @@ def layout_of(layer):
     return rig, {element.name: element for element in layout.elements}
 
 
-def saved(viewer, label, path):
-    with viewer.page.expect_download() as download:
-        viewer.page.get_by_role("button", name=label, exact=True).click()
-    download.value.save_as(path)
-    return path
-
-
 def reachable(viewer):
     """(element, pixel to drop it on) where its one control moves another point by half of its longest path."""
     for element in viewer.page.evaluate("usdrigui.elements()"):
@@ -73,7 +66,7 @@ def reachable(viewer):
 def laid_out_again(viewer, source, folder, control):
     """The element of a control where the corrections of the page are kept."""
     viewer.page.locator("summary", has_text="Layout").click()
-    said = saved(viewer, "Save corrections", folder / "corrections.usda")
+    said = viewer.saved("Save corrections", folder / "corrections.usda")
     again = folder / "again.rigui.usda"
     assert main(["process", str(source), "--corrections", str(said), "-o", str(again), "--quiet"]) == 0
     _, after = layout_of(again)
@@ -130,8 +123,11 @@ def test_an_element_moved_off_the_face_stays_beside_it(viewer, asset, tmp_path):
     )
     viewer.option("rearrange", True)
     viewer.drag(element["handle"], [25, 60])
+    rows = "[...usdrigui.app.view.overlay.dock.cells.keys()].map(({ name, heading }) => [name, heading])"
+    assert [element["name"], "By request"] in viewer.page.evaluate(rows)
     kept = laid_out_again(viewer, source, tmp_path, element["controls"][0])
     assert kept.anchor.on_board
+    assert kept.category == "requested"
 
 
 def test_a_saved_layer_moves_the_character_in_usd(viewer, asset, tmp_path):
@@ -149,7 +145,7 @@ def test_a_saved_layer_moves_the_character_in_usd(viewer, asset, tmp_path):
         viewer.page.keyboard.press("k")
         viewer.settle()
         shown[frame] = np.array(viewer.page.evaluate("usdrigui.points()")).reshape(-1, 3)
-    path = saved(viewer, "Save animation layer", tmp_path / "pose.usda")
+    path = viewer.saved("Save animation layer", tmp_path / "animation.usda")
     layer = Sdf.Layer.CreateAnonymous(".usda")
     layer.subLayerPaths = [str(path), str(source)]
     stage = Usd.Stage.Open(layer)

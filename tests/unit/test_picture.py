@@ -108,8 +108,11 @@ def test_every_element_is_named_once_and_those_that_crowd_in_an_inset(rig, layou
     for one, other in itertools.combinations(page.panels, 2):
         apart = np.subtract(other.corner, one.corner)
         assert ((apart >= one.size) | (-apart >= other.size)).any()
-    words = [label.text for label in named]
-    assert sorted(words) == sorted([*(each.label for each in layout.elements), *(f"e{i}" for i in range(count))])
+    coloured = {(mark.element.side, mark.colour) for panel in page.panels for mark in panel.marks if mark.element}
+    assert coloured <= {*palette.SIDES.items()}, "on the board too"
+    assert sorted(label.text for label in named) == sorted(
+        [*(each.label for each in layout.elements), *(f"e{i}" for i in range(count))]
+    )
     assert ("front, enlarged" in captions(page)) == (count > 12)
     assert captions(picture.scene(rig, given, None, Wanted(0.0, SMALL))) == ["front", "board"]
 

@@ -16,8 +16,6 @@ SIDES: dict[str, Colour] = {
     "none": (122, 92, 255),
 }
 """In sRGB, 0 to 255."""
-BOARD: Colour = SIDES["none"]
-"""Of elements on the board in pictures."""
 
 
 def linear(side: str) -> tuple[float, float, float]:

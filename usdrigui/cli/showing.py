@@ -65,21 +65,21 @@ def view(arguments: argparse.Namespace) -> Exit:
 
     more = (*arguments.review, *arguments.targets)
     reviews = [page.read_review(path) for path in more]
+    study = arguments.study or bool(arguments.targets)
+    poses = "".join(reviews).count("string pose = ")
+    if arguments.targets and poses < 13:  # as viewer/src/evaluate.js says
+        raise refuse("CONFIG_VALUE", "--targets", f"has {poses} of the 13 poses needed")
     settings = settings_of(arguments)
     loaded = pipeline.load_layer(arguments.layer, settings)
     read = _spared((arguments.html,), loaded, arguments, more)
-    name = Path(arguments.layer).name
-    live = None
-    if arguments.live is not None:
-        if arguments.html or arguments.study or arguments.targets:
-            raise refuse(
-                "CONFIG_VALUE", "--live", "needs the page to be served, and not as a study"
-            )
-        live = LiveFile(arguments.live, read, settings.read)
+    name = arguments.layer.name
+    if arguments.live and (arguments.html or study):
+        raise refuse("CONFIG_VALUE", "--live", "needs the page to be served, and not as a study")
+    live = arguments.live and LiveFile(arguments.live, read, settings.read)
     html = page.page_html(
         loaded.characters,
         name,
-        arguments.study or bool(arguments.targets),
+        study,
         arguments.live.name if live else "",
         reviews,
     )

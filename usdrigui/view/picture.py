@@ -23,7 +23,7 @@ from usdrigui.view.body.shading import Subject, subject_of
 from usdrigui.view.flat.callouts import called_out, column_width, shortened
 from usdrigui.view.flat.framing import Frame, View, crowds, framed, names_height, row, trimmed
 from usdrigui.view.flat.lettering import cut, font, legible, width_of
-from usdrigui.view.flat.marks import FORMS, colour_of, form_of
+from usdrigui.view.flat.marks import FORMS, form_of
 from usdrigui.view.flat.pillow import painted
 from usdrigui.view.flat.scene import INK, PAPER, QUIET, Label, Mark, Page, Panel, stacked
 from usdrigui.view.panels import board_of, body, marks_of, on_character
@@ -42,7 +42,7 @@ _SIDES = {
     "left": "character's left",
     "right": "character's right",
     "middle": "middle",
-    "none": "no side, or on the board",
+    "none": "no side",
 }
 """What the colours of elements mean."""
 _BETWEEN = "   ·   "
@@ -312,11 +312,11 @@ def _legend(elements: Sequence[Element], corner: tuple[int, int], width: int) ->
 
 def _legend_entries(elements: Sequence[Element]) -> list[tuple[str, palette.Colour, str, bool]]:
     """Form, colour, text and whether it has the ring of a coarse element."""
-    grey, used = (128, 134, 142), {colour_of(element) for element in elements}
+    grey, used = (128, 134, 142), {element.side for element in elements}
     entries = [
         ("slider", palette.SIDES[side], text, False)
         for side, text in _SIDES.items()
-        if palette.SIDES[side] in used
+        if side in used
     ]
     forms = {form_of(element) for element in elements}
     if forms != {"slider"}:

@@ -25,6 +25,7 @@ export class ControlList {
     session.on('selection', () => this.updateMarks(true));
     session.on('hover', () => this.updateMarks(false));
     session.on('options', () => this.updateMarks(false));
+    session.on('layout', () => this.body.replaceChildren(...this.sections()));
     this.shown = new Float64Array(session.controls.length).fill(NaN);
     this.updateValues();
     this.updateMarks(false);

@@ -111,12 +111,9 @@ export class Elements {
     this.prepare(element);
   }
 
-  /** Put an element on the board, its tracks moved as they are by `offset`. */
-  putBeside(element, offset) {
-    const shifted = (point) => plus(point, offset);
-    element.position = shifted(element.position);
-    for (const member of element.members) member.track = member.track.map(shifted);
-    element.onBoard = true;
+  /** Put an element on the board, under the heading where `process` lists it there. */
+  putBeside(element) {
+    Object.assign(element, { onBoard: true, category: element.boardCategory });
     this.prepare(element);
   }
 

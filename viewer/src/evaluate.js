@@ -4,7 +4,7 @@
 import { button, download, make } from './dom.js';
 import { Hand } from './hand.js';
 import { parsed } from './by_name.js';
-import { posesFromLayer } from './pose_library.js';
+import { posesOf } from './pose_library.js';
 import { History } from './history.js';
 
 const LEVELS = ['amateur', 'professional'];
@@ -69,13 +69,23 @@ const orderOf = (participant) => ORDERS[(participant - 1) % ORDERS.length];
  * common one; of the others every block has two of few controls and two of many.
  */
 export function dealt(poses, session) {
+  const faces = facesOf(poses, session);
+  const blocks = ORDERS[0].map((_, block) => [0, 1, 2, 3].map((k) => faces[block + 3 * k]));
+  return [faces[faces.length - 1], blocks];
+}
+
+/** The values of the poses that move a control of this character, those of few controls first. */
+function facesOf(poses, session) {
   const asValues = (pose) => Float64Array.from(session.rest, (value, i) => pose.get(i) ?? value);
   const moved = (values) => values.reduce((count, value, i) => count + (value !== session.rest[i] ? 1 : 0), 0);
   const values = poses.map(asValues).map((each, i) => ({ each, i, count: moved(each) }));
-  const faces = values.filter(({ count }) => count).sort((a, b) => a.count - b.count || a.i - b.i).map(({ each }) => each);
-  if (faces.length < NEEDED) throw new Error(`${faces.length} of these poses move a control of this character; the evaluation needs ${NEEDED}.`);
-  const blocks = ORDERS[0].map((_, block) => [0, 1, 2, 3].map((k) => faces[block + 3 * k]));
-  return [faces[faces.length - 1], blocks];
+  return values.filter(({ count }) => count).sort((a, b) => a.count - b.count || a.i - b.i).map(({ each }) => each);
+}
+
+/** Why poses are too few to be dealt, for people; '' where they are not. */
+export function lackOf(poses, session) {
+  const { length } = facesOf(poses, session);
+  return length < NEEDED ? `${length} of the poses given move a control of this character; the evaluation needs ${NEEDED}.` : '';
 }
 
 /**
@@ -225,6 +235,7 @@ export class Evaluation {
       order,
       make('label', { class: 'field' }, make('span', {}, 'I animate faces as'), level),
       make('label', { class: 'field' }, make('span', {}, 'Target faces'), chosen),
+      make('p', { class: 'hint' }, this.lacking),
       make('label', { class: 'field' }, agreed, make('span', {}, 'I agree that my times, errors, answers and what my pointer does are saved under this number, without my name, and may be published. I can stop at any time.')),
       make(
         'div',
@@ -243,12 +254,15 @@ export class Evaluation {
   sets() {
     const { session, targets } = this.app;
     const of = (poses) => poses.map(({ values }) => values);
+    const given = of(targets.flatMap((layer) => posesOf(layer, session)));
     const sets = new Map();
-    if (targets.length) sets.set('the poses given', of(targets.flatMap((layer) => posesFromLayer(layer, session))));
-    if (session.shelf.length >= NEEDED) sets.set('the shelf', of(session.shelf));
+    const offer = (name, poses) => lackOf(poses, session) || sets.set(name, poses);
+    offer('the poses given', given);
+    offer('the shelf', of(session.shelf));
     sets.set('drawn from the controls', null);
-    const found = posesOfClip(session);
-    return found.length < NEEDED ? sets : sets.set('the clip', found);
+    offer('the clip', posesOfClip(session));
+    this.lacking = targets.length ? lackOf(given, session) : '';
+    return sets;
   }
 
   // --- what is done so far, in the browser's storage ---------------------------------------------------

@@ -43,12 +43,14 @@ function posePrim({ name, values, picture }, animations, session, taken) {
 
 /** Poses from such a layer; throws an Error for people where there is none of this character. */
 export function posesFromLayer(text, session) {
-  const found = stringsNamed('pose', text).map((stored) => poseFrom(JSON.parse(stored), session));
-  if (!text.startsWith('#usda') || !found.length) throw new Error('This layer holds no poses saved by the viewer.');
-  const known = found.filter(Boolean);
+  if (!text.startsWith('#usda') || !stringsNamed('pose', text).length) throw new Error('This layer holds no poses saved by the viewer.');
+  const known = posesOf(text, session);
   if (!known.length) throw new Error('No control of this character is named in the poses.');
   return known;
 }
+
+/** Those of its poses that name a control of this character. */
+export const posesOf = (text, session) => stringsNamed('pose', text).map((stored) => poseFrom(JSON.parse(stored), session)).filter(Boolean);
 
 /** A pose of the session's controls from one by names; null where it says nothing of them. */
 export function poseFrom({ name, values, picture }, session) {

@@ -34,11 +34,11 @@ export class Rearranging {
         overlay.placing = { from, to: [to.x, to.y], free: !place, refused };
         view.changed('overlay');
       },
-      drop: (to) => {
+      drop: () => {
         clear();
         if (place && !this.holds(element, place.nearest)) view.say?.(`${element.label} does not move this point: drop it on the coloured area`);
         else if (place) this.moveToSkin(element, place.nearest);
-        else this.moveBeside(element, to);
+        else this.moveBeside(element);
       },
       undo: clear,
     };
@@ -73,13 +73,9 @@ export class Rearranging {
     ]);
   }
 
-  moveBeside(element, to) {
-    const { camera } = this.view;
-    const column = to.column ?? this.view.controlsColumn;
-    const start = camera.projector(column)(element.handle);
-    const offset = minus(camera.unproject(column, to.x, to.y, start[2]), element.handle);
+  moveBeside(element) {
     this.change(`Move ${element.label} beside the face`, [element], () => {
-      this.session.elements.putBeside(element, offset);
+      this.session.elements.putBeside(element);
       this.moved.set(element.index, ['uniform token rigUI:correction:place = "board"']);
     });
   }

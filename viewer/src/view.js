@@ -62,11 +62,8 @@ export class View {
   listen() {
     const { session } = this;
     session.on('pose', () => this.changed('pose'));
-    for (const event of ['selection', 'hover', 'dragging', 'layout']) session.on(event, () => this.changed('overlay'));
-    session.on('options', () => {
-      this.arrange();
-      this.changed('camera');
-    });
+    for (const event of ['selection', 'hover', 'dragging']) session.on(event, () => this.changed('overlay'));
+    for (const event of ['options', 'layout']) session.on(event, () => this.arrange());
     session.on('section', () => {
       const { up } = session.character;
       this.camera = new OrbitCamera(up, session.section.view);
@@ -104,7 +101,6 @@ export class View {
     this.overlay.resize(this.width, this.height, this.ratio);
     this.arrange();
     if (first) this.home();
-    this.changed('camera');
   }
 
   /** Lay out the columns: those of the evaluation, or the face alone, or the controls' copy and the clean face. */
@@ -131,6 +127,7 @@ export class View {
     this.sides.forEach((node) => (node.style.bottom = `${this.height - high + 12}px`));
     this.sides[1].style.right = `${this.width - wide + 14}px`;
     this.picker.invalidate();
+    this.changed('camera');
   }
 
   /**

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { QUESTIONS, dealt, eventsCsv, posesOfClip, relativeError, sessionFor, toCsv, trialsFor } from '../src/evaluate.js';
+import { QUESTIONS, dealt, eventsCsv, lackOf, posesOfClip, relativeError, sessionFor, toCsv, trialsFor } from '../src/evaluate.js';
 
 /** Twenty elements of one control each; some controls go to 45, as degrees do. */
 function character() {
@@ -49,7 +49,8 @@ test('an artist\'s poses are dealt by the number of their controls, the fullest 
   assert.equal(count(common), 13);
   assert.deepEqual(blocks.map((block) => block.map(count)), [[1, 4, 7, 10], [2, 5, 8, 11], [3, 6, 9, 12]]);
   assert.equal(trialsFor(2, session, poses).length, 15);
-  assert.throws(() => dealt(poses.slice(0, 12), session), /needs 13/);
+  assert.match(lackOf(poses.slice(1), session), /^12 of .* needs 13/, 'one moves nothing');
+  assert.equal(lackOf(poses, session), '');
 });
 
 /** The same with a clip that goes through the `peaks` of its controls, each of four frames. */

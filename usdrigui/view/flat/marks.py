@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from usdrigui.character import Flags, Floats, Glyph
-from usdrigui.character.palette import BOARD, SIDES, Colour
+from usdrigui.character.palette import SIDES
 from usdrigui.model import Element
 from usdrigui.pose.evaluate import PosedElement
 from usdrigui.ties import axis_across
@@ -31,11 +31,6 @@ _MIN_RADIUS = 3.2
 """Of a handle, pixels: smaller ones are drawn larger than they are."""
 _SPREAD = np.array([[0, 0, 0], [0.7, 0, 0], [-0.7, 0, 0], [0, 0.7, 0], [0, -0.7, 0]])
 """Places on a handle, in shares of its radius: it is hidden where all of them are."""
-
-
-def colour_of(element: Element) -> Colour:
-    """The colour in which an element is drawn."""
-    return BOARD if element.anchor.on_board else SIDES[element.side]
 
 
 def form_of(element: Element) -> str:
@@ -63,7 +58,7 @@ def mark(
     glyph, slider = element.glyph, element.kind == "slider"
     return Mark(
         form_of(element),
-        colour_of(element),
+        SIDES[element.side],
         handle[:2],
         radius,
         bool(element.inner),

@@ -371,6 +371,8 @@ def _elements(rig: Rig, layout: Layout) -> list[Json]:
 
 def _element(meshes: dict[str, int], controls: Mapping[str, int], element: Element) -> Json:
     anchor = element.anchor
+    category = element.category or ("" if anchor.on_board else "requested")
+    title = heading(category, element.part)
     return {
         "name": element.name,
         **_fields(element, "kind axes mirror reversed"),
@@ -381,14 +383,11 @@ def _element(meshes: dict[str, int], controls: Mapping[str, int], element: Eleme
             for each in element.members
         ],
         "mesh": meshes[anchor.mesh],
-        "rank": rank(element.category),
-        "heading": _capitalised(heading(element.category, element.part)),
+        "boardCategory": category,  # of one on the character: where `process` lists it off it
+        "rank": rank(category),
+        "heading": title[:1].upper() + title[1:],
         "glyph": _glyph(element.glyph),
     }
-
-
-def _capitalised(text: str) -> str:
-    return text[:1].upper() + text[1:]
 
 
 def _glyph(glyph: Glyph | None) -> Json | None:
