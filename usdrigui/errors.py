@@ -193,9 +193,10 @@ def by_cause(found: Iterable[Issue]) -> tuple[Issue, ...]:
 
 
 def listed(names: Sequence[str]) -> str:
-    """At most three names or paths and the number of others."""
-    more = f" and {len(names) - 3} more" if len(names) > 3 else ""
-    return ", ".join(names[:3]) + more
+    """At most three names or paths and the number of others: ``a and b``, ``a, b, c and 2
+    more``."""
+    shown = [*names[:3], *([f"{len(names) - 3} more"] if len(names) > 3 else [])]
+    return ", ".join(shown[:-1]) + " and " * (len(shown) > 1) + "".join(shown[-1:])
 
 
 def counted(number: int, noun: str) -> str:

@@ -36,7 +36,7 @@ def test_joints_that_are_no_controls_are_told_with_the_reason(tmp_path, capsys):
     character = skinned_stages.character(tmp_path / "char.usda", animated_joints=("Hips/Head/Jaw",), hinged=True)
     assert [*inspected(character, capsys)["without"].values()] == [["Head"], ["Hips", "Eye"]]
     assert main(["inspect", str(character)]) == 0
-    assert "no controls: Hips, Eye: no skin hangs on it" in capsys.readouterr().out
+    assert "no controls: Hips and Eye: no skin hangs on it" in capsys.readouterr().out
 
 
 def test_what_the_configuration_sends_beside_is_reported(tmp_path, capsys):

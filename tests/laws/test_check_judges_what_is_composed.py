@@ -396,7 +396,7 @@ def test_a_character_without_meshes_is_reported_with_what_is_not_active(folder, 
     for path, codes in ((saved(stage), ["LAYOUT_MESH_GONE"]), (_asset_without_meshes(folder), ["CONTROLS_MISSING"])):
         errors = [each for each in check(path, Settings()).issues if each.severity == "error"]
         assert [each.code for each in errors] == codes
-        assert re.search("not active: /.*/face0, /.*/face1", errors[0].message)
+        assert re.search("not active: /.*/face0 and /.*/face1", errors[0].message)
     assert main(["check", str(saved(stage))]) == 1
     assert "does not fit its rig" in capsys.readouterr().out
 

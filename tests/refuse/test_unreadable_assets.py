@@ -115,7 +115,7 @@ class _silent:  # noqa: N801 - reads as a statement
 def test_blend_shapes_without_a_skeleton_are_counted(tmp_path):
     error = spoilt(tmp_path, lambda stage: stage.RemovePrim("/Char/Skel"))
     assert error.issue.code == "CONTROLS_MISSING"
-    assert "smile, frown (" in error.issue.message
+    assert "smile and frown (" in error.issue.message
     assert "bind a Skeleton" in error.issue.repair
 
 

@@ -21,14 +21,12 @@ import numpy as np
 
 from usdrigui.character import Floats, Indices
 from usdrigui.conventions import Meaning
+from usdrigui.errors import listed
 from usdrigui.layout.classify.basis import Explanation, best_sum, choose_basis
 from usdrigui.layout.classify.families import Family, find_families
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.model import Category
-
-_NAMED = 3
-"""Parts of a mixture that its explanation names."""
 
 
 @dataclass(frozen=True)
@@ -46,10 +44,10 @@ def explanation(composite: Composite, names: Sequence[str]) -> str:
     """Why a control is a composite, in words; `names` are those of the motions."""
     if composite.family_reason:
         return composite.family_reason
-    parts = [names[part] for part, _ in composite.explained_by[:_NAMED]]
+    parts = [names[part] for part, _ in composite.explained_by]
     if len(parts) == 1:
         return f"does the same as {parts[0]}, {composite.explained_by[0][1]:.0%} as far"
-    return f"does what {_listed(parts)} do together"
+    return f"does what {listed(parts)} do together"
 
 
 def composites(face: Face, similarity: Similarity, coverage: Floats) -> dict[int, Composite]:
@@ -113,7 +111,3 @@ def _amounts(index: int, explained: Explanation, norm: Floats) -> tuple[tuple[in
     range."""
     amounts = explained.weights * norm[index] / norm[explained.parts]
     return tuple(zip(explained.parts.tolist(), np.round(amounts, 6).tolist(), strict=True))
-
-
-def _listed(names: Sequence[str]) -> str:
-    return " and ".join([", ".join(names[:-1]), names[-1]]) if len(names) > 1 else names[0]

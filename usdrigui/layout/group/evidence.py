@@ -27,9 +27,6 @@ from usdrigui.ties import first_largest
 Relation = Literal["convention", "open", ""]
 """The evidence of two controls' names: they belong together, none, or they do not."""
 
-_TWIN_LEEWAY = 0.66
-"""Twins of each other (jaw left, jaw right) are called opposed at this share of the usual cosine:
-what they do upward they do alike."""
 _LIKE = 0.16
 """Least amount of one axis of a joystick, or of one of two ends that no convention pairs, in shares
 of the other's: no drag could aim at a far lesser one."""
@@ -78,13 +75,8 @@ class Evidence:
 
     def agrees(self, a: int, b: int) -> bool:
         """Whether the motions of two ends by convention agree with it: opposed, in one region."""
-        same_region = self.similarity.shared[a, b] >= MOST
-        opposed = self.similarity.direction[a, b] <= -_ACROSS * self.leeway(a, b)
-        return bool(opposed and same_region)
-
-    def leeway(self, a: int, b: int) -> float:
-        """Share of the usual cosine from which two controls are opposed."""
-        return _TWIN_LEEWAY if self.twin.get(a, -1) == b else 1.0
+        opposed = self.similarity.direction[a, b] <= -_ACROSS
+        return bool(opposed and self.similarity.shared[a, b] >= MOST)
 
     def crossing(self, first: Sequence[int], second: Sequence[int]) -> tuple[Relation, float]:
         """What makes a joystick of two axes, empty if nothing: of controls whose names are specific

@@ -248,8 +248,7 @@ class _Grouping:
         return fits and self.share_a_place((a, b))
 
     def _opposed(self, a: int, b: int) -> bool:
-        least = self.settings.opposed_cosine * self.evidence.leeway(a, b)
-        return bool(self.similarity.cosine[a, b] <= least)
+        return bool(self.similarity.cosine[a, b] <= self.settings.opposed_cosine)
 
     def alone(self, free: set[int]) -> list[_Merged]:
         """Elements of one control each, with the reason why it shares no slider with its opposite

@@ -14,11 +14,8 @@ import numpy as np
 from usdrigui.character import Control, Floats, Joint, Performance, Record, Rig
 from usdrigui.character.rotation import rotation_part, rotation_vectors
 from usdrigui.errors import Issue, issue, listed, refuse
-from usdrigui.layout.shares import NOTHING
+from usdrigui.layout.shares import NOTHING, OUTLIER
 from usdrigui.settings import ControlSettings
-
-_MOST = 3.0
-"""Use beyond this many times the mean counts no more."""
 
 
 class Activity(Record):
@@ -70,7 +67,7 @@ def importances(done: Activity, twins: Mapping[str, str], weight: float) -> dict
     """
     units = _units(done, twins)
     use = np.array([done.use[list(unit)].mean() for unit in units])
-    share = np.minimum(use / use.mean(), _MOST)
+    share = np.minimum(use / use.mean(), OUTLIER)
     return {
         done.controls[i]: round(float(1.0 + weight * (each - 1.0)), 2)
         for unit, each in zip(units, share, strict=True)

@@ -25,8 +25,9 @@ _OTHERS = 8
 """Power of the ratio of distances by which skin nearer to another bone of the chain counts less."""
 _LAST = 0.8
 """Length of the bone of a joint at the end of a chain, as a share of the bone before it."""
-_FAN = 6
-"""Joints at the end of a chain that fan out from one joint, at least, have no bones: a face."""
+FAN = 6
+"""Joints at the end of a chain that fan out from one joint, at least, are a face and have no
+bones."""
 
 
 def owned_skin(
@@ -119,7 +120,7 @@ def bones_of(body: Body) -> Sequence[Bone]:
     fan = Counter(parents[k] for k in ends)
     for k in ends:
         along = _LAST * (places[k] - places[parents[k]])
-        if fan[parents[k]] < _FAN and along.any():
+        if fan[parents[k]] < FAN and along.any():
             found.append(Bone(k, -1, places[k], along))
     return found
 

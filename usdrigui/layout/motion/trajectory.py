@@ -43,9 +43,7 @@ _EMPTY = 1e-7
 _BEYOND = 5.0
 """What is drift or noise reaches this many times the step between its quartile and its middle
 beyond the quartile."""
-_MOST_DRIFT = 0.15
-"""Of the peak; a shape whose middle point moves further moves the head on purpose."""
-_OUTLIER = 8.0
+_ABSURD = 8.0
 """A control whose peak exceeds the median peak this many times does not set the size of the
 face."""
 
@@ -104,7 +102,8 @@ def _beyond_drift(motion: Motion, count: int) -> Motion:
     every = np.concatenate([np.zeros(still), motion.arc_length])
     quartile, middle = np.quantile(every, (0.25, 0.5))
     peak = float(motion.arc_length.max())
-    if middle > _MOST_DRIFT * peak:
+    # A shape that moves the middle one of the points notably moves the head on purpose.
+    if middle > NOTABLE * peak:
         return motion
     far = motion.arc_length > min(float(quartile + _BEYOND * (middle - quartile)), NOTABLE * peak)
     return motion.of(far)
@@ -287,7 +286,7 @@ def _local(motions: tuple[Motion, ...], excluded: tuple[Motion, ...], areas: Flo
     if not len(motions):
         return np.zeros(0, dtype=bool)
     covered = coverage_of_smaller((*motions, *excluded), areas)[: len(motions)]
-    flags: Flags = (covered < _WHOLE_FACE) & (peaks <= _OUTLIER * np.median(peaks))
+    flags: Flags = (covered < _WHOLE_FACE) & (peaks <= _ABSURD * np.median(peaks))
     return flags if flags.any() else np.ones(len(motions), dtype=bool)
 
 

@@ -29,7 +29,7 @@ from usdrigui.layout.parts.joint_regions import (
     joint_regions,
     owner_of_points,
 )
-from usdrigui.layout.shares import NEARLY_ALL
+from usdrigui.layout.shares import MOST, NEARLY_ALL
 from usdrigui.model import Motion, Trajectories, main_part
 from usdrigui.settings import Settings
 from usdrigui.ties import first_largest
@@ -37,11 +37,6 @@ from usdrigui.ties import first_largest
 ORDER = (FACE, INTERIOR, EYES, HEAD, HANDS, FEET)
 """Parts that are laid out first, in this order; the body comes last, for its handles are the
 widest."""
-_NEAR = 0.5
-"""A blend shape of skin nearer to the face than this share of the head's extent (the neck) is of
-the face."""
-
-
 _BESIDE = {
     INTERIOR: (FACE, BODY), EYES: (FACE, BODY), HEAD: (FACE,), FACE: (BODY,), HANDS: (BODY,),
     FEET: (BODY,),
@@ -205,10 +200,11 @@ class _Names:
         return np.where(owners >= 0, own[np.maximum(owners, 0)], 0)
 
     def _near(self, face: Flags) -> Flags:
-        """(n,) the points no further from the face than half of the head's extent."""
+        """(n,) the points no further from the face than half of the head's extent: a blend shape of
+        such skin (the neck) is of the face."""
         if not face.any():
             return face
         base = self.found.surface.points
         extent = float(np.ptp(base[face], axis=0).max())
-        apart, _ = cKDTree(base[face]).query(base, distance_upper_bound=_NEAR * extent)
+        apart, _ = cKDTree(base[face]).query(base, distance_upper_bound=MOST * extent)
         return np.asarray(np.isfinite(apart))

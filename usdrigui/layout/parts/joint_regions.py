@@ -14,6 +14,7 @@ import numpy as np
 from usdrigui.character import Floats, Indices, Rig, RigMesh
 from usdrigui.character.joint_tree import Fan, Tree, fans, unit
 from usdrigui.conventions import words
+from usdrigui.layout.motion.owned_skin import FAN
 from usdrigui.layout.parts.own_pieces import is_eye, pieces_of
 from usdrigui.layout.shares import NEARLY_ALL
 from usdrigui.model import Trajectories
@@ -29,8 +30,6 @@ _FLAT = (FACE, EYES, HEAD, INTERIOR)
 """Parts that are looked at from the front alone: their elements are kept apart on its screen."""
 
 _HEAD = frozenset({"head", "頭"})
-_FACIAL = 6
-"""Joints without joints below on one joint that make it a head."""
 LIMB = 3
 """Joints with skin in a chain beside the spine, the hands and the feet that make a body."""
 _LOW = 0.2
@@ -135,7 +134,7 @@ def _heads(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
         sum(tree.depth[child] == 1 for child in children) * (parent >= 0)
         for children, parent in zip(tree.children, tree.parents, strict=True)
     ]
-    if max(leaves) >= _FACIAL:
+    if max(leaves) >= FAN:
         return frozenset({int(np.argmax(leaves))})
     return _by_shapes(rig, tree, found)
 

@@ -13,9 +13,6 @@ from usdrigui.character.skinning import bound_points
 from usdrigui.character.surface import components, mesh_triangles
 from usdrigui.layout.shares import HARDLY_ANY, NEARLY_ALL
 
-_AROUND = 0.85
-"""Distance of an eyeball's middle from its joint, as a share of its radius, at most: the front of a
-ball still is around it."""
 _BALL = 12
 """Points of an eyeball, at least."""
 
@@ -59,4 +56,5 @@ def is_eye(pieces: Pieces, joint: int) -> bool:
     distances = np.linalg.norm(ways, axis=1)
     radius = float(distances.mean())
     off = float(np.linalg.norm(ways.mean(axis=0)))
-    return float(distances.std()) <= HARDLY_ANY * radius and off <= _AROUND * radius
+    # The front of a ball alone still is around its joint.
+    return float(distances.std()) <= HARDLY_ANY * radius and off <= NEARLY_ALL * radius

@@ -12,12 +12,10 @@ from usdrigui.layout.canonical_face import Expectation
 from usdrigui.layout.face import HELD, Face
 from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.tracks import polylines
-from usdrigui.layout.place.handle_width import KEPT
 from usdrigui.layout.place.locality import kept_near, proxies
 from usdrigui.layout.place.terms import LinearTerms, linear_cost
-from usdrigui.layout.reuse.carrying import MOVES
 from usdrigui.layout.reuse.partial_layout import fixed_anchor, moves
-from usdrigui.layout.shares import HARDLY_ANY, MOST, NOTHING
+from usdrigui.layout.shares import HARDLY_ANY, KEPT, MOST, NOTHING
 from usdrigui.layout.symmetry.lobes import in_the_middle
 from usdrigui.layout.visibility import mostly_hidden
 from usdrigui.model import Candidates, CandidateSet, Motion
@@ -133,7 +131,7 @@ def _with_prior(
     (off,) = apart[here]
     if off > NOTHING * face.handle_width:
         reach = off + face.handle_width
-        far = motion.arc_length >= MOVES * motion.peak
+        far = motion.arc_length >= HARDLY_ANY * motion.peak
         here |= far & (apart <= reach) & face.views.anywhere[motion.points]
     points = np.union1d(points, motion.points[here])
     return points, points

@@ -17,13 +17,11 @@ from scipy.spatial import cKDTree
 from usdrigui.character import Flags, Floats, Indices
 from usdrigui.layout.classify.classification import Classification
 from usdrigui.layout.face import AROUND
+from usdrigui.layout.shares import KEPT, SAMPLE
 from usdrigui.layout.visibility import Views
 from usdrigui.model import Motion, Trajectories
 from usdrigui.settings import ControlSettings, ObjectiveSettings
 
-KEPT = 0.85
-"""A control wants the places where it keeps this share of its visible peak, those near the place
-where it is expected too."""
 _FINGER = 0.8
 """Of the usual width: a narrower handle is missed by a finger where the part fills a screen."""
 _BLUR = np.linspace(0.5, 1.5, 5)
@@ -31,9 +29,6 @@ _BLUR = np.linspace(0.5, 1.5, 5)
 points."""
 _STEPS = 64
 """Widths tried between the least and the largest."""
-_MANY = 2000
-"""Places beyond which those in one cell, half a handle wide, count as one: pairs grow with the
-square."""
 
 
 def handle_width(
@@ -77,7 +72,8 @@ def fitting_width(
     least = min(settings.handle_size_min, settings.handle_size) * face
     if settings.max_neighbours <= 0.0 or least >= most or not len(points):
         return most
-    if len(points) > _MANY:
+    # Pairs grow with the square: of more places those in a cell half a handle wide count as one.
+    if len(points) > SAMPLE:
         points, weights = _gathered(points, weights, 0.5 * most)
     widths = np.linspace(least, most, _STEPS + 1)
     fits = np.flatnonzero(around(points, weights, AROUND * widths) <= settings.max_neighbours)

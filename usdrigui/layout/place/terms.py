@@ -27,10 +27,6 @@ _BESIDE = 0.5
 """What it costs a joint's element that it stands beside the plane: more than its place there gains
 in displacement, less than leaving the character."""
 
-_LOOSE = 1.0
-"""What it costs a control, by the share that is missing, that its joint owns less of the skin where
-it stands than it should."""
-
 
 @dataclass(frozen=True, slots=True)
 class LinearTerms:
@@ -64,7 +60,7 @@ class LinearTerms:
 def linear_cost(face: Face, motion: Motion, points: Indices, terms: LinearTerms) -> Floats:
     """(p,) sum of all linear terms at `points`, which must be among the motion's points."""
     own = occlusion(face.surface.normals, motion, points, terms.occlusion_weight)
-    own = own + common(face, motion, points, terms) + _LOOSE * motion.missing(points)
+    own = own + common(face, motion, points, terms) + motion.missing(points)
     return own + user_linear_cost(face, motion, points, terms.user)
 
 

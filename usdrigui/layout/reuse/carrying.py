@@ -7,11 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from usdrigui.character import Floats, Indices, Record, Rig
+from usdrigui.layout.shares import HARDLY_ANY
 from usdrigui.model import Anchor, Correction, Trajectories
 from usdrigui.ties import first_smallest
-
-MOVES = 0.05
-"""Share of its peak by which a control moves a point to which it may be carried."""
 
 
 class Today(Record):
@@ -23,7 +21,7 @@ class Today(Record):
     trajectories: Trajectories
 
     def moved_by_all(self, controls: Sequence[str]) -> Indices:
-        """Points that every one of these controls moves by a share of its peak; none where one of
+        """Points that every one of these controls moves more than hardly; none where one of
         them moves nothing."""
         names = self.rig.control_names
         motions = {names[each.control]: each for each in self.trajectories.motions}
@@ -32,7 +30,7 @@ class Today(Record):
             motion = motions.get(name)
             far = found[:0]
             if motion is not None:
-                far = motion.points[motion.arc_length >= MOVES * motion.peak]
+                far = motion.points[motion.arc_length >= HARDLY_ANY * motion.peak]
             found = np.intersect1d(found, far)
         return found
 

@@ -17,12 +17,9 @@ from usdrigui.layout.review.layout_problem import as_problem, board_cost, sound_
 from usdrigui.layout.review.legibility import legibility_of
 from usdrigui.layout.review.posing_time import PosingTimes, posing_times
 from usdrigui.layout.review.rating import ElementReview, ratings
+from usdrigui.layout.shares import HARDLY_ANY
 from usdrigui.model import Candidates, Layout, Legibility
 from usdrigui.overlap import total_cost
-
-_WORTH = 0.05
-"""A better place is worth naming when it saves this much of what the typical control's displacement
-is worth."""
 
 
 class Review(Record):
@@ -61,7 +58,8 @@ def review(
             f"would save {each.gain:.2f} at {each.better}",
         )
         for each in rated
-        if each.gain > _WORTH and each.element not in pinned
+        # The typical control's displacement is worth 1.
+        if each.gain > HARDLY_ANY and each.element not in pinned
     ]
     read = legibility_of(face, layout.elements)
     issues += [issue("LAYOUT_UNCLEAR", name, why) for name, why in read.unclear]

@@ -16,23 +16,17 @@ from scipy.spatial import cKDTree
 from usdrigui.character import Flags, Floats, Indices, Record, Rig
 from usdrigui.character.rays import AROUND
 from usdrigui.layout.motion.trajectory import total_motion
-from usdrigui.layout.shares import MOST, NEARLY_ALL, NOTHING, OUTLIER
+from usdrigui.layout.shares import HARDLY_ANY, MOST, NEARLY_ALL, NOTHING, OUTLIER, SAMPLE
 from usdrigui.layout.symmetry.front import moving_normals
 from usdrigui.layout.symmetry.sides_of_joints import plane_of_names
 from usdrigui.model import MirrorPlane, Trajectories
 from usdrigui.settings import Settings
 from usdrigui.ties import rounded, towards
 
-_SAMPLE = 2000
-"""Points of the moving region that the search for the plane looks at."""
 _THINNED = 8
 """Of so many points of the sample one is looked at to choose among candidate planes."""
 _FINALISTS = 6
 """Candidate planes that are fitted to an end, at least: all of them take four times as long."""
-_EQUAL = 0.01
-"""In tolerances: planes whose misfits differ by less fit equally well."""
-_LEVELS = (0.3, 0.5, 0.7)
-"""Shares of the region's weight below a candidate plane: hair on one side moves the middle."""
 _TRIM = 0.7
 """Share of the pairs, the nearest ones, that a fit believes."""
 _ACROSS_ALL = [way for way in AROUND if tuple(way) > (0.0, 0.0, 0.0)]
@@ -80,9 +74,9 @@ def _best(trajectories: Trajectories, tolerance: float, up: Floats) -> MirrorPla
 
 
 def _thinned(points: Floats, weights: Floats) -> Floats:
-    """Fewer than twice `_SAMPLE` of the points, evenly from the heaviest, in any order of them."""
-    heaviest = np.lexsort((*rounded(points).T, -rounded(weights)))[: 4 * _SAMPLE]
-    return points[heaviest[:: max(1, len(heaviest) // _SAMPLE)]]
+    """Fewer than twice `SAMPLE` of the points, evenly from the heaviest, in any order of them."""
+    heaviest = np.lexsort((*rounded(points).T, -rounded(weights)))[: 4 * SAMPLE]
+    return points[heaviest[:: max(1, len(heaviest) // SAMPLE)]]
 
 
 def _moving_region(trajectories: Trajectories) -> tuple[Floats, Floats]:
@@ -142,7 +136,7 @@ class _Search(Record):
         """The distinct planes, the best first: those that fit as well as the best, of which the
         number is told, and no fewer than the finalists."""
         misfits = {id(plane): self._misfit(plane) for plane in planes}
-        slack = _EQUAL * self.tolerance
+        slack = HARDLY_ANY * self.tolerance
         order = sorted(planes, key=lambda plane: round(misfits[id(plane)] / slack, 3))
         distinct = self._distinct(order)
         equal = sum(misfits[id(plane)] <= misfits[id(order[0])] + slack for plane in distinct)
@@ -157,7 +151,8 @@ class _Search(Record):
             along = region @ normal
             order = np.argsort(rounded(along), kind="stable")
             share = np.cumsum(weights[order]) / weights.sum()
-            for level in _LEVELS:
+            # Hair on one side, of no more than the share that no fit believes, moves the middle.
+            for level in (1.0 - _TRIM, MOST, _TRIM):
                 yield MirrorPlane(region[order[np.searchsorted(share, level)]], normal)
         for normal in (*_ACROSS_ALL, *_principal(every, np.ones(len(every)))):
             yield MirrorPlane(every.mean(axis=0), normal)
@@ -203,7 +198,7 @@ class _Search(Record):
         kept, images = list[MirrorPlane](), [self.sample]
         for plane in planes:
             image = plane.reflected(self.sample)
-            if all(np.abs(image - other).max() > _EQUAL * self.tolerance for other in images):
+            if all(np.abs(image - other).max() > HARDLY_ANY * self.tolerance for other in images):
                 kept.append(plane)
                 images.append(image)
         return kept

@@ -19,13 +19,12 @@ from usdrigui.conventions.sides import has_side, hints_at_twin
 from usdrigui.errors import Faults, check_known
 from usdrigui.layout.control_overrides import control_index, control_overrides
 from usdrigui.layout.motion.similarity import DisplacementFields, bidirectional, rows_of
+from usdrigui.layout.shares import HARDLY_ANY
 from usdrigui.layout.symmetry.sides_of_joints import mirrored_joints
 from usdrigui.model import MirrorPlane, Motion, Symmetry
 from usdrigui.settings import ControlSettings, Settings
 from usdrigui.ties import steady
 
-_NAME_BONUS = 0.15
-"""What a matching name adds to the agreement of two controls."""
 _NAME_FLOOR = 0.3
 """Least agreement of the motions of two controls that only their names call twins."""
 
@@ -61,7 +60,7 @@ def paired(
             believed = i != j and (hinted or of_joints is True)
             floor = min(least, _NAME_FLOOR) if believed else least
             if of_joints is not False and agreed[i, j] >= floor and agreed[i, j] > 0.0:
-                possible[i, j] = float(agreed[i, j]) + (_NAME_BONUS if hinted else 0.0)
+                possible[i, j] = float(agreed[i, j]) + (HARDLY_ANY if hinted else 0.0)
         for i, j in _matched(possible, names):
             a, b = motions[i].control, motions[j].control
             twins[a], twins[b] = b, a
