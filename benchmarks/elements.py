@@ -6,8 +6,9 @@ out.
 
 SCRIPT is a program that prints how many controls of a layer stand where an animator expects them
 (``43/45 placed`` or ``joint axes 70/72``), and ``FAIL`` with the reasons where that does not do.
-Each cell has its count, the mean displacement kept on the face, the controls there, the elements,
-and the reasons.  The layers stay in FOLDER, one subfolder a row.
+Each cell has its count, the elements that are clear of those drawn on the skin, the mean
+displacement kept on the face, the controls there, the elements, and the reasons.  The layers stay
+in FOLDER, one subfolder a row.
 """
 
 from __future__ import annotations
@@ -45,6 +46,8 @@ ROWS = (
         {"candidates": {"conventions": False}, "objective": {"distinctive_weight": 0.0}},
     ),
     Row("two lobes", {"symmetry": {"double_middle": "never"}}),
+    Row("places beside the plane", {"symmetry": {"plane_weight": 100.0}}),
+    Row("enlarged tracks", replaced={"usdrigui.layout.motion.tracks._ENLARGED": 1.0}),
     Row("the basis", {"candidates": {"board_composite": False}}),
     Row(
         "families",
@@ -60,17 +63,14 @@ ROWS = (
         "evidence of groups",
         replaced={
             "usdrigui.layout.group.evidence.Evidence.relation": lambda *_: "open",
-            "usdrigui.layout.group.evidence.Evidence.crossing": lambda *_: "open",
-            "usdrigui.layout.group.evidence.Evidence.like_amount": lambda *_: True,
+            "usdrigui.layout.group.evidence.Evidence.crossing": lambda *_: ("open", 1.0),
+            "usdrigui.layout.group.evidence.Evidence.like": lambda *_: True,
             "usdrigui.layout.group.evidence.Evidence.one_place": lambda *_: True,
         },
     ),
     Row(
-        "front and sides of the skeleton",
-        replaced={
-            "usdrigui.layout.symmetry.mirror_plane.plane_of_names": lambda *_: None,
-            "usdrigui.layout.symmetry.mirror_plane.ahead_of_head": lambda *_: None,
-        },
+        "sides of the skeleton",
+        replaced={"usdrigui.layout.symmetry.mirror_plane.plane_of_names": lambda *_: None},
     ),
     Row("the dear board", {"objective": {"off_face_penalty": 0.3}}),
 )
@@ -101,11 +101,11 @@ def cell(row: Row, asset: Path, given: argparse.Namespace) -> str:
     found = re.search(r"(\d+/\d+) placed|joint axes (\d+/\d+)", said)
     count = next((each for each in found.groups() if each), "-") if found else "-"
     failed = re.search(r"FAIL\s+(.*)", said)
-    kept = character.kept
     elements = len(character.layout.elements)
-    return f"{count}, {kept:.3f} of {character.count('face')} in {elements}" + (
-        f"; {failed[1].strip()}" if failed else ""
-    )
+    kept = f"{character.kept:.3f} of {character.count('face')} in {elements}"
+    read = character.legibility
+    clear = f"{read.elements - len(read.unclear)}/{read.elements} clear"
+    return f"{count}, {clear}, {kept}" + (f"; {failed[1].strip()}" if failed else "")
 
 
 def _arguments() -> argparse.Namespace:
