@@ -530,11 +530,11 @@ SCENES: tuple[Scene, ...] = (
         "11 · Every handle can be grabbed",
         "No two handles are nearer than a handle's width. Where the face is too crowded for that,"
         " the elements that lose least stand on the board, under their own heading. Handles are"
-        " four and eight times as wide here as usual, and may not shrink as they otherwise do on a"
+        " four and twelve times as wide here as usual, and may not shrink as they otherwise do on a"
         " crowded face.",
         (
             Panel("four times as wide", "[objective]\nhandle_size = 0.08\nmax_neighbours = 0"),
-            Panel("eight times as wide", "[objective]\nhandle_size = 0.16\nmax_neighbours = 0"),
+            Panel("twelve times as wide", "[objective]\nhandle_size = 0.24\nmax_neighbours = 0"),
         ),
         MOUTH,
         labels=False,
