@@ -26,7 +26,10 @@ from usdrigui.solve.reduced_problem import (
 CHEAPEST = 8
 """Labels of a variable that tell which triplets raise the bound: those of least cost."""
 AT_ONCE = 10
-"""Triplets taken at a time, and variables of which each lets one be taken where that is more."""
+"""Triplets taken at a time at least."""
+SWEPT = 400
+"""Entries that every pass sweeps, for each unit of work of a triplet, that let one be taken: where
+sweeps are dear they are shared by many."""
 PASSES = 24
 """Passes over the triplets before others are looked for; a third where labels are many, for all
 that is done on the whole matrix in each."""
@@ -90,11 +93,12 @@ def _best_triplets(problem: ReducedProblem) -> list[Triplet]:
             (tables[a, b] + both).min(axis=(1, 2)) - least[a, b] - least[a, third] - least[b, third]
         )
         gains[gains <= EPSILON] = 0.0
-        new = ((a, b, each) not in problem.messages for each in third.tolist())
-        for at in np.flatnonzero(np.fromiter(new, dtype=bool)).tolist():
-            work = int(sizes[[a, b, third[at]]].prod())
-            rank[a, b, int(third[at])] = -float(gains[at]) / work
-    return sorted(rank, key=rank.__getitem__)[: max(AT_ONCE, problem.count // AT_ONCE)]
+        for c, gain in zip(third.tolist(), gains.tolist(), strict=True):
+            if (a, b, c) not in problem.messages:
+                rank[a, b, c] = -gain / int(sizes[[a, b, c]].prod())
+    # The work of one of them in a pass, as `raise_bound` counts it.
+    each = 200 + int(sizes.mean()) ** 3 // 300
+    return sorted(rank, key=rank.__getitem__)[: max(AT_ONCE, problem.entries // (SWEPT * each))]
 
 
 def _cheapest(problem: ReducedProblem) -> Floats:
