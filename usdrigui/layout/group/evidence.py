@@ -75,8 +75,9 @@ class Evidence:
 
     def agrees(self, a: int, b: int) -> bool:
         """Whether the motions of two ends by convention agree with it: opposed, in one region."""
-        opposed = self.similarity.direction[a, b] <= -_ACROSS
-        return bool(opposed and self.similarity.shared[a, b] >= MOST)
+        return bool(
+            self.similarity.direction[a, b] <= -_ACROSS and self.similarity.shared[a, b] >= MOST
+        )
 
     def crossing(self, first: Sequence[int], second: Sequence[int]) -> tuple[Relation, float]:
         """What makes a joystick of two axes, empty if nothing: of controls whose names are specific

@@ -43,6 +43,9 @@ _EMPTY = 1e-7
 _BEYOND = 5.0
 """What is drift or noise reaches this many times the step between its quartile and its middle
 beyond the quartile."""
+_MOST_DRIFT = 0.15
+"""Of the peak; a shape whose middle point moves further moves the head on purpose: one that widens
+all of it moves the middle one by .15 to .25."""
 _ABSURD = 8.0
 """A control whose peak exceeds the median peak this many times does not set the size of the
 face."""
@@ -102,8 +105,7 @@ def _beyond_drift(motion: Motion, count: int) -> Motion:
     every = np.concatenate([np.zeros(still), motion.arc_length])
     quartile, middle = np.quantile(every, (0.25, 0.5))
     peak = float(motion.arc_length.max())
-    # A shape that moves the middle one of the points notably moves the head on purpose.
-    if middle > NOTABLE * peak:
+    if middle > _MOST_DRIFT * peak:
         return motion
     far = motion.arc_length > min(float(quartile + _BEYOND * (middle - quartile)), NOTABLE * peak)
     return motion.of(far)
