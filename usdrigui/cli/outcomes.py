@@ -66,7 +66,9 @@ def strict(issues: Sequence[Any], arguments: argparse.Namespace) -> Exit:
 def refused(error: RigUIError, arguments: argparse.Namespace) -> int:
     """Print a refusal, its repair and the closing line, as JSON too if that was asked for; returns
     the exit code."""
-    asset, found = _subject(error, arguments), error.issue
+    found = error.issue
+    asset = _given(found.path, arguments)
+    subject = asset or found.path
     worker.hold_errors()
     if getattr(arguments, "json", False):
         sys.stdout.write(failure_json(asset, error))
@@ -79,9 +81,9 @@ def refused(error: RigUIError, arguments: argparse.Namespace) -> int:
         _complain(f"usdrigui: {each.code}{where} {each.message}")
         _complain(f"  repair: {each.repair}")
     closing = (
-        f"finished {asset} without its report"
+        f"finished {subject} without its report"
         if found.code == "OUTPUT_STREAM"
-        else f"refused {asset}"
+        else f"refused {subject}"
     )
     written = getattr(arguments, "written", "nothing was written")
     _complain(f"usdrigui: {closing}{'; ' * bool(written)}{written}")
@@ -94,13 +96,11 @@ def _complain(line: str) -> None:
         tell(line, sys.stderr)
 
 
-def _subject(error: RigUIError, arguments: argparse.Namespace) -> str:
-    """What was refused: of the files that a command is about the one that the finding names, else
-    all of them; of a command that is about none, what the finding names."""
+def _given(path: str, arguments: argparse.Namespace) -> str:
+    """Of the files that a command is about the one at `path`, else all of them."""
     given = [getattr(arguments, name, []) for name in _SUBJECTS]
     named = [str(each) for one in given for each in (one if isinstance(one, list) else [one])]
-    path = error.issue.path
-    return path if path in named else ", ".join(named) or path
+    return path if path in named else ", ".join(named)
 
 
 def broken(error: Exception, arguments: argparse.Namespace) -> int:

@@ -14,6 +14,7 @@ from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.tracks import polylines
 from usdrigui.layout.place.locality import kept_near, proxies
 from usdrigui.layout.place.terms import LinearTerms, linear_cost
+from usdrigui.layout.reuse.carrying import moved
 from usdrigui.layout.reuse.partial_layout import fixed_anchor, moves
 from usdrigui.layout.shares import HARDLY_ANY, KEPT, MOST, NOTHING
 from usdrigui.layout.symmetry.lobes import in_the_middle
@@ -131,8 +132,7 @@ def _with_prior(
     (off,) = apart[here]
     if off > NOTHING * face.handle_width:
         reach = off + face.handle_width
-        far = motion.arc_length >= HARDLY_ANY * motion.peak
-        here |= far & (apart <= reach) & face.views.anywhere[motion.points]
+        here |= moved(motion) & (apart <= reach) & face.views.anywhere[motion.points]
     points = np.union1d(points, motion.points[here])
     return points, points
 

@@ -60,6 +60,7 @@ class LinearTerms:
 def linear_cost(face: Face, motion: Motion, points: Indices, terms: LinearTerms) -> Floats:
     """(p,) sum of all linear terms at `points`, which must be among the motion's points."""
     own = occlusion(face.surface.normals, motion, points, terms.occlusion_weight)
+    # A joint's control stands where the joint owns the skin, or pays for the share that is missing.
     own = own + common(face, motion, points, terms) + motion.missing(points)
     return own + user_linear_cost(face, motion, points, terms.user)
 

@@ -6,10 +6,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from usdrigui.character import Floats, Indices, Record, Rig
+from usdrigui.character import Flags, Floats, Indices, Record, Rig
 from usdrigui.layout.shares import HARDLY_ANY
-from usdrigui.model import Anchor, Correction, Trajectories
+from usdrigui.model import Anchor, Correction, Motion, Trajectories
 from usdrigui.ties import first_smallest
+
+
+def moved(motion: Motion) -> Flags:
+    """(p,) which of its points a motion moves enough for its handle to be carried there."""
+    return motion.arc_length >= HARDLY_ANY * motion.peak
 
 
 class Today(Record):
@@ -21,16 +26,14 @@ class Today(Record):
     trajectories: Trajectories
 
     def moved_by_all(self, controls: Sequence[str]) -> Indices:
-        """Points that every one of these controls moves more than hardly; none where one of
-        them moves nothing."""
+        """Points that every one of these controls has `moved`; none where one of them moves
+        nothing."""
         names = self.rig.control_names
         motions = {names[each.control]: each for each in self.trajectories.motions}
         found = np.arange(len(self.points))
         for name in controls:
             motion = motions.get(name)
-            far = found[:0]
-            if motion is not None:
-                far = motion.points[motion.arc_length >= HARDLY_ANY * motion.peak]
+            far = motion.points[moved(motion)] if motion is not None else found[:0]
             found = np.intersect1d(found, far)
         return found
 
@@ -56,14 +59,14 @@ def carried(
     That is the point that an anchor names, if the mesh is the same, else the nearest that all the
     controls move; of several as near the one that a correction names.  -1 where there is none.
     """
-    moved, same = today.moved_by_all(controls), point_named(today.rig, hint)
-    if isinstance(hint, Anchor) and same >= 0 and same in moved:
+    places, same = today.moved_by_all(controls), point_named(today.rig, hint)
+    if isinstance(hint, Anchor) and same >= 0 and same in places:
         return same, 0.0
-    if not len(moved) or not np.isfinite(position).all():
+    if not len(places) or not np.isfinite(position).all():
         return -1, np.inf
-    apart = np.linalg.norm(today.points[moved] - position, axis=1)
+    apart = np.linalg.norm(today.points[places] - position, axis=1)
     nearest = first_smallest(apart)
-    named = np.flatnonzero(moved == same)
+    named = np.flatnonzero(places == same)
     if len(named) and apart[named[0]] <= apart[nearest] * (1.0 + 1e-3):
         nearest = int(named[0])
-    return int(moved[nearest]), float(apart[nearest])
+    return int(places[nearest]), float(apart[nearest])

@@ -17,10 +17,9 @@ from usdrigui.character import Rig
 from usdrigui.character.deform import posed
 from usdrigui.errors import Issue, RigUIError, check_known, issue, refuse
 from usdrigui.layout.motion.coverage import NOTABLE
-from usdrigui.layout.reuse.carrying import Today, carried, point_named
+from usdrigui.layout.reuse.carrying import Today, carried, moved, point_named
 from usdrigui.layout.reuse.other_world import turn_between
 from usdrigui.layout.reuse.partial_layout import MIRROR, fixed_anchor, place_of
-from usdrigui.layout.shares import HARDLY_ANY
 from usdrigui.model import (
     ONE_PLACE,
     Anchor,
@@ -237,7 +236,7 @@ def _image(trajectories: Trajectories, symmetry: Symmetry, twin: int, point: int
     if partner in motion.points:
         return partner
     there = symmetry.plane.reflected(trajectories.surface.points[point])
-    far = motion.points[motion.arc_length >= HARDLY_ANY * motion.peak]
+    far = motion.points[moved(motion)]
     return int(
         far[first_smallest(np.linalg.norm(trajectories.surface.points[far] - there, axis=1))]
     )

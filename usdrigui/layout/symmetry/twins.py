@@ -60,6 +60,7 @@ def paired(
             believed = i != j and (hinted or of_joints is True)
             floor = min(least, _NAME_FLOOR) if believed else least
             if of_joints is not False and agreed[i, j] >= floor and agreed[i, j] > 0.0:
+                # A name that matches decides between those that agree alike.
                 possible[i, j] = float(agreed[i, j]) + (HARDLY_ANY if hinted else 0.0)
         for i, j in _matched(possible, names):
             a, b = motions[i].control, motions[j].control
