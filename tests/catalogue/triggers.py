@@ -103,7 +103,7 @@ def _changed(folder: Path, _: Any) -> Found:
 def _usd_error(folder: Path, patch: Any) -> Found:
     from pxr import Tf
 
-    patch.setattr(rig, "_scene", lambda *_, **__: Tf.RaiseRuntimeError("corrupt asset"))
+    patch.setattr(rig, "_bound", lambda *_, **__: Tf.RaiseRuntimeError("corrupt asset"))
     return refused(lambda: rig.read_rigs(minimal_assets.character(folder), Settings()))
 
 

@@ -285,7 +285,7 @@ class Sweep:
             skinning = skinning_matrices(joints, moved_locals(joints, moves))
         nothing = np.zeros((len(values), 0, 3), dtype=np.float32)
         parts = [self._of(part, weights, skinning) for part in self._parts]
-        return parts[0] if len(parts) == 1 else np.concatenate([nothing, *parts], axis=1)
+        return np.concatenate([nothing, *parts], axis=1)
 
     def _of(self, part: _Reached, weights: Floats, skinning: Floats) -> Singles:
         """Offsets (k, p, 3) of one mesh at `weights` (k, channels); `skinning` holds the base and
@@ -333,9 +333,8 @@ class _Reached(Record):
         shapes = tuple(shape for shape in mesh.shapes if shape.channel in channels)
         skin = mesh.skin
         if skin is None or not turning.any():
-            local = [shape.points for shape in shapes] or [np.zeros(0, dtype=np.int64)]
-            points = local[0] if len(local) == 1 else np.unique(np.concatenate(local))
-            return cls(index, points, shapes, False, None)
+            local = [np.zeros(0, dtype=np.int64), *(shape.points for shape in shapes)]
+            return cls(index, np.unique(np.concatenate(local)), shapes, False, None)
         joints = np.flatnonzero(turning[: skin.by_joint.shape[1]])
         acting = skin.by_joint[:, joints].tocsr()
         count = np.diff(acting.indptr)
@@ -357,15 +356,10 @@ class _Reached(Record):
 def _shape_offsets(part: _Reached, weights: Floats, base: Floats) -> NDArray[np.floating]:
     """Blended offsets (k, p, 3) of the shapes in mesh space, from the `base` weights (channels,) to
     `weights` (k, channels)."""
-    found = []
+    total = np.zeros((len(weights), len(part.local), 3), dtype=np.float32)
     for shape in part.shapes:
         now, before = (_shares(shape, each[:, shape.channel]) for each in (weights, base[None]))
-        found.append(_offsets(shape, now - before))
-    if len(found) == 1:
-        return found[0]
-    total = np.zeros((len(weights), len(part.local), 3), dtype=np.float32)
-    for shape, offsets in zip(part.shapes, found, strict=True):
-        total[:, np.searchsorted(part.local, shape.points)] += offsets
+        total[:, np.searchsorted(part.local, shape.points)] += _offsets(shape, now - before)
     return total
 
 

@@ -121,10 +121,7 @@ def edges(corners: Indices) -> Indices:
     within one place are left out where `corners` are places."""
     sides = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]])
     pairs = np.sort(sides, axis=1)
-    pairs = pairs[pairs[:, 0] != pairs[:, 1]]
-    width = int(pairs.max(initial=0)) + 1
-    keys = np.unique(pairs[:, 0] * width + pairs[:, 1])
-    return np.stack([keys // width, keys % width], axis=1)
+    return np.unique(pairs[pairs[:, 0] != pairs[:, 1]], axis=0)
 
 
 def mean_edge_length(points: Floats, corners: Indices, places: Indices) -> float:

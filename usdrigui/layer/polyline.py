@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.character import Floats, Indices
+from usdrigui.overlap import segment_distances
 
 _DIGITS = 6
 """Departures are compared with the tolerance to so many digits: no last bit of a processor
@@ -32,8 +33,5 @@ def fewest_points(line: Floats, tolerance: float) -> Indices:
 
 def _departure(line: Floats) -> float:
     """The largest distance of points of a line from the straight piece between its ends."""
-    chord, away = line[-1] - line[0], line - line[0]
-    squared = (chord * chord).sum()
-    along = (away * chord).sum(axis=1) / squared if squared > 0.0 else np.zeros(len(line))
-    feet = np.clip(along, 0.0, 1.0)[:, None] * chord
-    return float(np.linalg.norm(away - feet, axis=1).max(initial=0.0))
+    start, end = line[[0, -1]][:, None, :, None]
+    return float(segment_distances(line.T[None], start, end).max())

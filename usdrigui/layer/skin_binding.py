@@ -110,12 +110,10 @@ class SkinBinding:
         self._meshes = {mesh.path: mesh for mesh in rig.body.meshes}
         self.size = _size(rig.body)
         self._positions = rig.control_indices
-        on_face = [self._anchored(each) for each in layout.elements if not each.anchor.on_board]
         anchors = [each.anchor for each in layout.elements]
         rows = np.array([rig.body.point_of(each.mesh, each.point) for each in anchors])
         on_board = np.array([each.on_board for each in anchors], dtype=bool)
         self._all_of = shared(rig, [*map(self._own, layout.elements)], rows, on_board)
-        self._shapes = _shapes_of(rig.body, on_face, self.size)
 
     def control(self, name: str) -> Control:
         """The rig's control of that name."""
@@ -148,7 +146,7 @@ class SkinBinding:
             rest=np.append(mesh.points[point], 1.0) @ _to_rest(body, mesh),
             handle=(self._joint_binding(skin, skeleton, moving) if deforms and turning else track),
             track=track,
-            shapes=self._shapes[mesh.path, point] if deforms else (),
+            shapes=_shapes_at(body, mesh, point, self.size) if deforms else (),
             own_channels=frozenset(int(c) for control in held for c in control.drive.channels),
             turning=turning,
             deforms=deforms,
@@ -304,27 +302,11 @@ def _free_ancestor(joints: tuple[Joint, ...], joint: int, own: set[int]) -> int:
     return found
 
 
-def _shapes_of(
-    body: Body, anchors: list[tuple[RigMesh, int]], size: float
-) -> dict[tuple[str, int], tuple[PointShape, ...]]:
-    """The shapes that move each anchor, by mesh and point, in the order of their channels."""
-    found: dict[tuple[str, int], list[PointShape]] = {
-        (mesh.path, point): [] for mesh, point in anchors
-    }
-    for mesh in {mesh.path: mesh for mesh, _ in anchors}.values():
-        points = np.array(sorted(point for path, point in found if path == mesh.path))
-        to_rest = _to_rest(body, mesh)[:3]
-        for shape in mesh.shapes:
-            place = np.searchsorted(shape.points, points)
-            hit = np.flatnonzero(np.append(shape.points, -1)[place] == points)
-            offsets = shape.offsets[:, place[hit]].astype(np.float64) @ to_rest
-            for column in np.flatnonzero(
-                np.abs(offsets).max(axis=(0, 2), initial=0.0) > _NO_OFFSET * size
-            ):
-                point = int(points[hit[column]])
-                found[mesh.path, point].append(
-                    PointShape(shape.channel, shape.weights, offsets[:, column])
-                )
-    return {
-        key: tuple(sorted(shapes, key=lambda shape: shape.channel)) for key, shapes in found.items()
-    }
+def _shapes_at(body: Body, mesh: RigMesh, point: int, size: float) -> tuple[PointShape, ...]:
+    """The shapes that move a point of a mesh, in the order of their channels."""
+    to_rest, found = _to_rest(body, mesh)[:3], []
+    for shape in mesh.shapes:
+        offsets = shape.offsets[:, shape.points == point].sum(axis=1, dtype=np.float64) @ to_rest
+        if np.abs(offsets).max() > _NO_OFFSET * size:
+            found.append(PointShape(shape.channel, shape.weights, offsets))
+    return tuple(sorted(found, key=lambda shape: shape.channel))

@@ -175,31 +175,12 @@ def author_variant(layer: Sdf.Layer, root: str) -> Sdf.PrimSpec:
     `root` may hold variants of the asset's own, inside which it then is; which of these is selected
     the asset decides.
     """
-    spec = _author_asset_variants(layer, Sdf.Path(root))
+    spec = Sdf.CreatePrimInLayer(layer, root)
     if schema.VARIANTS not in spec.variantSets:
         for name in (schema.WITHOUT, schema.WITH):
-            _author_variant(spec, schema.VARIANTS, name)
+            Sdf.CreateVariantInLayer(layer, spec.path, schema.VARIANTS, name)
         spec.variantSelections[schema.VARIANTS] = schema.WITH
     return layer.GetPrimAtPath(_inside(spec.path))
-
-
-def _author_asset_variants(layer: Sdf.Layer, root: Sdf.Path) -> Sdf.PrimSpec:
-    """The prim at a path, with the variant sets that the path names: these may stand behind a
-    reference or payload."""
-    for path in root.GetPrefixes():
-        if path.IsPrimVariantSelectionPath():
-            owner = Sdf.CreatePrimInLayer(layer, path.GetParentPath())
-            _author_variant(owner, *path.GetVariantSelection())
-    return Sdf.CreatePrimInLayer(layer, root)
-
-
-def _author_variant(prim: Sdf.PrimSpec, name: str, variant: str) -> None:
-    """A variant of a set, and the set, unless they are there."""
-    if name not in prim.variantSets:
-        prim.variantSetNameList.Prepend(name)
-        Sdf.VariantSetSpec(prim, name)
-    if variant not in prim.variantSets[name].variants:
-        Sdf.VariantSpec(prim.variantSets[name], variant)
 
 
 def _inside(root: Sdf.Path) -> Sdf.Path:

@@ -9,14 +9,14 @@ only.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from usdrigui.character import Body, Floats, Indices, Record, Rig, RigMesh, Singles
-from usdrigui.character.deform import Posed, channel_state, deform, posed, sweep
+from usdrigui.character import Body, Floats, Indices, Record, Rig, RigMesh
+from usdrigui.character.deform import Posed, deform, posed
 from usdrigui.character.subset import subset
 from usdrigui.errors import meant, refuse
 from usdrigui.following import Following, following, shared
@@ -124,12 +124,16 @@ def evaluate(poser: Poser, values: ArrayLike | None = None) -> PosedLayout:
 
 def elements_at(poser: Poser, values: Floats) -> tuple[PosedElement, ...]:
     """The elements of `evaluate` alone: no mesh is deformed but for the anchors."""
-    whole = posed(poser.anchors, values)
-    still = whole if poser.still is poser.anchors else posed(poser.still, values)
     known: dict[tuple[bool, bytes], Posed] = {}
-    return tuple(
-        _element(poser, index, whole, still, known, values) for index in range(len(poser.rows))
-    )
+
+    def anchors_at(rigid: bool, pose: Floats) -> Posed:
+        """The anchors on their skin, or rigidly on one joint; all on the board ignore the same."""
+        key = rigid, pose.tobytes()
+        if key not in known:
+            known[key] = posed(poser.still if rigid else poser.anchors, pose)
+        return known[key]
+
+    return tuple(_element(poser, i, anchors_at, values) for i in range(len(poser.rows)))
 
 
 def values_of(rig: Rig, pose: Mapping[str, float], base: ArrayLike | None = None) -> Floats:
@@ -172,23 +176,16 @@ def checked_values(rig: Rig, values: ArrayLike) -> Floats:
 
 
 def _element(
-    poser: Poser,
-    index: int,
-    whole: Posed,
-    still: Posed,
-    known: dict[tuple[bool, bytes], Posed],
-    values: Floats,
+    poser: Poser, index: int, anchors_at: Callable[[bool, Floats], Posed], values: Floats
 ) -> PosedElement:
     element, row = poser.layout.elements[index], int(poser.rows[index])
-    follows = poser.followings[index]
+    follows, base_values = poser.followings[index], poser.layout.base_values
     rigid = follows.joint >= 0
-    skin, before, at = (
-        (poser.still, poser.still_base, still) if rigid else (poser.anchors, poser.base, whole)
-    )
-    key = rigid, follows.held.tobytes()  # all on the board hold the same
-    if key not in known:
-        known[key] = _without(poser, skin, follows.held, at, values)
-    others, base = known[key], before.points[row]
+    skin, before = (poser.still, poser.still_base) if rigid else (poser.anchors, poser.base)
+    without = values.copy()
+    without[follows.held] = base_values[follows.held]
+    whole, others = anchors_at(rigid, values), anchors_at(rigid, without)
+    base = before.points[row]
     anchor, carry = _carried(before.map_of(skin.body, row), others.map_of(skin.body, row), base)
     if follows.deforms:
         anchor = others.points[row]
@@ -197,7 +194,7 @@ def _element(
     rest, handle = slid(
         [member.values for member in element.members],
         tracks,
-        poser.layout.base_values[owned].tolist(),
+        base_values[owned].tolist(),
         values[owned].tolist(),
     )
     if follows.deforms:
@@ -212,42 +209,6 @@ def _element(
         glyph = handle + element.glyph.points @ held
     normal = facing(element.anchor.normal, carry)
     return PosedElement(element.name, tracks, handle, rest, normal, glyph)
-
-
-def _without(poser: Poser, skin: Rig, held: Indices, whole: Posed, values: Floats) -> Posed:
-    """The anchors on a skin with the controls `held` at the base pose and all others at
-    `values`."""
-    base_values = poser.layout.base_values
-    away = held[values[held] != base_values[held]]
-    if not len(away):
-        return whole
-    drives = [poser.rig.controls[j].drive for j in away.tolist()]
-    channels = [channel for drive in drives for channel in drive.channels.tolist()]
-    if any(len(drive.joints) for drive in drives) or len(set(channels)) < len(channels):
-        without = values.copy()
-        without[held] = base_values[held]
-        return posed(skin, without)
-    # Shapes of different channels add up and leave the skin alone: taking them back is a few
-    # additions.
-    points = whole.points.copy()
-    for j in away.tolist():
-        moved, offsets = _taken_back(skin, whole, j, float(values[j]), float(base_values[j]))
-        points[moved] += offsets
-    return replace(whole, points=points)
-
-
-def _taken_back(
-    rig: Rig, held: Posed, control: int, value: float, base: float
-) -> tuple[Indices, Singles]:
-    """Points that one control moves by shapes (p,), and their way (p, 3) as it goes from its value
-    to base."""
-    alone = rig.defaults
-    alone[control] = value
-    without = replace(
-        held, weights=held.weights - (channel_state(rig, alone)[0] - rig.body.base_weights)
-    )
-    points, offsets = sweep(rig, without, control, np.array([base, value]))
-    return points, offsets[0] - offsets[1]
 
 
 def _carried(before: Floats, now: Floats, position: Floats) -> tuple[Floats, Floats]:

@@ -131,18 +131,6 @@ def read_characters(
     return Characters((first, *rigs[1:]), faults, lost)
 
 
-@dataclass(frozen=True)
-class _Scene:
-    """The content of one SkelRoot, before anything is called a control."""
-
-    animated: Animated
-    clip: Clip | None
-    """Motion, which gives ranges."""
-    names: FrameNames
-    found: Found
-    bound_in_vain: tuple[Issue, ...]
-
-
 @contextmanager
 def _usd_errors(path: str) -> Iterator[None]:
     """Turn USD's own exceptions into USD_ERROR."""
@@ -159,23 +147,36 @@ def _read(root: Usd.Prim, settings: Settings, faults: Faults, *, instances: bool
             instance = instance.GetParent()
         reason = f"is an instance: no layer can add prims below {root.GetPath()}"
         raise refuse("INSTANCE", instance.GetPath(), reason)
-    scene = _scene(root, settings.read, instances=instances)
-    body, found, rate = scene.animated.body, scene.found, root.GetStage().GetTimeCodesPerSecond()
-    drafts, lost = _drafts(root, scene, settings, faults)
+    stage, read = root.GetStage(), settings.read
+    bound = _bound(root, read.time, read.pose_names, drawable(root))
+    animated, found = bound.animated, bound.found
+    body, rate = animated.body, stage.GetTimeCodesPerSecond()
+    if not instances:
+        # No layer can override a Skeleton or an animation there; of meshes none needs to.
+        for record in body.skeletons:
+            for path in filter(None, (record.path, record.animation)):
+                if stage.GetPrimAtPath(path).IsInstanceProxy():
+                    raise refuse(
+                        "INSTANCE", path, "moves the character and lies inside an instance"
+                    )
+    vain = bound_in_vain(stage, (mesh.path for mesh in body.meshes), bound.bindings)
+    found.issues.extend((*vain, *hidden_issues(stage, body.meshes)))
+    clip = read_clip(animated, rate, found.issues)
+    drafts, lost = _drafts(root, bound, clip, settings, faults)
     controls, excluded, unused = settled(drafts, settings.controls, faults)
-    lost += [*unused, *scene.names.left_off]
+    lost += [*unused, *bound.names.left_off]
     weights = body.base_weights.copy()
     for control in controls:
         if control.kind == "blendShape":
             weights[control.drive.channels] = control.default  # A part of the base pose.
-    path = with_sets(variant_path(root), settings.read.variants)
+    path = with_sets(variant_path(root), read.variants)
     rig = Rig(
         path=str(root.GetPath()),
         variant_path=path,
         up=_up(root),
-        metres_per_unit=metres_per_unit(root.GetStage().GetRootLayer()) or 0.01,
-        clip=scene.clip or read_still(scene.animated, rate),
-        time_codes=time_codes(root.GetStage()),
+        metres_per_unit=metres_per_unit(stage.GetRootLayer()) or 0.01,
+        clip=clip or read_still(animated, rate),
+        time_codes=time_codes(stage),
         body=replace(body, base_weights=weights),
         controls=controls,
         left_off=tuple(lost),
@@ -184,32 +185,13 @@ def _read(root: Usd.Prim, settings: Settings, faults: Faults, *, instances: bool
         camera=_camera(root, settings.candidates.view),
     )
     known = {draft.name for draft in drafts} | {dropped.control for dropped in lost}
-    return Reading(rig, frozenset(known), scene.bound_in_vain, tuple(found.faults))
+    return Reading(rig, frozenset(known), vain, tuple(found.faults))
 
 
 def read_animated(root: Usd.Prim, settings: ReadSettings, meshes: Sequence[Usd.Prim]) -> Animated:
     """Some of the meshes below a SkelRoot, those that draw a layout too, and what moves them;
     meshes whose arrays contradict each other are left off."""
     return _bound(root, settings.time, settings.pose_names, meshes).animated
-
-
-def _scene(root: Usd.Prim, settings: ReadSettings, *, instances: bool) -> _Scene:
-    bound = _bound(root, settings.time, settings.pose_names, drawable(root))
-    stage = root.GetStage()
-    animated, found = bound.animated, bound.found
-    if not instances:
-        # No layer can override a Skeleton or an animation there; of meshes none needs to.
-        for record in animated.body.skeletons:
-            for path in filter(None, (record.path, record.animation)):
-                if stage.GetPrimAtPath(path).IsInstanceProxy():
-                    raise refuse(
-                        "INSTANCE", path, "moves the character and lies inside an instance"
-                    )
-    meshes = animated.body.meshes
-    vain = bound_in_vain(stage, (mesh.path for mesh in meshes), bound.bindings)
-    found.issues.extend((*vain, *hidden_issues(stage, meshes)))
-    clip = read_clip(animated, stage.GetTimeCodesPerSecond(), found.issues)
-    return _Scene(animated, clip, bound.names, found, vain)
 
 
 @dataclass(frozen=True)
@@ -259,11 +241,12 @@ def _bound(
 
 
 def _drafts(
-    root: Usd.Prim, scene: _Scene, settings: Settings, faults: Faults
+    root: Usd.Prim, bound: _Bound, clip: Clip | None, settings: Settings, faults: Faults
 ) -> tuple[list[Draft], list[LeftOff]]:
-    """Every control that the asset could have, and what is left off."""
-    animated, clip, found, read = scene.animated, scene.clip, scene.found, settings.read
-    body, named = animated.body, bool(scene.names.frames)
+    """Every control that the asset could have, and what is left off; the motion of a `clip` gives
+    ranges."""
+    animated, found, read = bound.animated, bound.found, settings.read
+    body, named = animated.body, bool(bound.names.frames)
     ranges = read_ranges(root, animated, clip, found.issues)
     drafts = blend_shape_drafts(body, ranges, controls_of_tokens(found))
     by_place = read.joints == "auto" and has_limbs(body)
@@ -271,7 +254,7 @@ def _drafts(
     drafts += joint_drafts(body.joints, clip, which, settings)
     if read.joints != "none" and not named:
         found.issues += ignored_motion(str(root.GetPath()), body.joints, clip)
-    poses = named_poses(scene.names.frames, animated, settings.poses, faults)
+    poses = named_poses(bound.names.frames, animated, settings.poses, faults)
     more, still = pose_drafts(poses, animated.base, {draft.name for draft in drafts})
     lost = [*left_off_tokens(found, body), *still]
     if by_place or (read.joints == "auto" and not (drafts or more or lost or found.faults)):

@@ -72,12 +72,12 @@ def outside_issues(stage: Usd.Stage) -> tuple[Issue, ...]:
     for prim in walk:
         if prim.IsA(UsdSkel.Root):
             walk.PruneChildren()
-        elif prim.IsA(UsdGeom.Mesh) and (inputs := _deforming(prim)):
+        elif prim.IsA(UsdGeom.Mesh) and (inputs := deforming(prim)):
             found.append(issue("MESH_OUTSIDE", prim.GetPath(), f"has {inputs}"))
     return tuple(found)
 
 
-def _deforming(prim: Usd.Prim) -> str:
+def deforming(prim: Usd.Prim) -> str:
     """What would deform the mesh below a SkelRoot; empty if nothing."""
     shapes = UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().HasAuthoredTargets()
     indices = prim.GetAttribute("primvars:skel:jointIndices")
@@ -151,18 +151,14 @@ def _subsets(
 ) -> tuple[Subset, ...]:
     """GeomSubsets of faces or points; members that the mesh does not have are left out, as is one
     without integers."""
-    ends = np.cumsum(counts)
-    subsets = []
+    owner, every, subsets = np.repeat(np.arange(len(counts)), counts), np.arange(count), []
     for subset in UsdGeom.Subset.GetAllGeomSubsets(mesh):
         path, members = str(subset.GetPath()), np.zeros(0, dtype=np.int64)
         with found.leaving_off(path):
             members = integers(subset.GetIndicesAttr().Get(), path, "indices")
-        if subset.GetElementTypeAttr().Get() == UsdGeom.Tokens.face:
-            faces = members[(members >= 0) & (members < len(counts))]
-            spans = [indices[ends[face] - counts[face] : ends[face]] for face in faces]
-            points = np.unique(np.concatenate(spans)) if spans else np.zeros(0, dtype=np.int64)
-        else:
-            points = np.unique(members[(members >= 0) & (members < count)])
+        is_of_faces = subset.GetElementTypeAttr().Get() == UsdGeom.Tokens.face
+        points = np.unique(indices[np.isin(owner, members)]) if is_of_faces else members
+        points = every[np.isin(every, points)]
         if len(points):
             subsets.append(Subset(path, points))
     return tuple(subsets)

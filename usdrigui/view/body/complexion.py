@@ -32,6 +32,7 @@ from usdrigui.view.body.shading import (
     openness,
     smooth_step,
     subject_of,
+    turns,
 )
 from usdrigui.view.directions import camera_rows
 
@@ -243,11 +244,8 @@ def _main_piece(face: _Face, eyes: set[int]) -> int:
 
 def _crossed(flat: Floats) -> Flags:
     """(t,) triangles (t, 3, 2) that hold the origin."""
-    a, b, c = flat[:, 0], flat[:, 1], flat[:, 2]
-    turns = np.stack(
-        [p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0] for p, q in ((a, b), (b, c), (c, a))], axis=1
-    )
-    return np.asarray((turns >= 0.0).all(axis=1) | (turns <= 0.0).all(axis=1))
+    areas = turns(flat)
+    return np.asarray((areas >= 0.0).all(axis=1) | (areas <= 0.0).all(axis=1))
 
 
 def _cards(

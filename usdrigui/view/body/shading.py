@@ -224,12 +224,18 @@ def encoded(linear: Floats) -> Floats:
     return np.where(clipped <= 0.0031308, 12.92 * clipped, 1.055 * clipped ** (1.0 / 2.4) - 0.055)
 
 
+def turns(flat: Floats) -> Floats:
+    """(n, 3) twice the signed area that each side of triangles (n, 3, 2), in the order of the
+    corners before them, spans with the origin."""
+    (x, y), (next_x, next_y) = (
+        flat[:, order].transpose(2, 0, 1) for order in ([1, 2, 0], [2, 0, 1])
+    )
+    return np.asarray(x * next_y - next_x * y)
+
+
 def _barycentric(corners: Floats, at: Floats) -> Floats:
     """(n, 3) weights of the corners (n, 3, 2) that give the points (n, 2)."""
-    x, y = (corners[..., axis] - at[:, axis, None] for axis in (0, 1))
-    areas = np.stack(
-        [x[:, i] * y[:, j] - x[:, j] * y[:, i] for i, j in ((1, 2), (2, 0), (0, 1))], axis=1
-    )
+    areas = turns(corners - at[:, None])
     total = areas.sum(axis=1, keepdims=True)
     return np.asarray(
         np.divide(areas, total, out=np.full_like(areas, 1.0 / 3.0), where=np.abs(total) > 1e-30)
