@@ -14,7 +14,6 @@ from usdrigui.layer.read_layout import element_prims, layout_scopes, points_by_r
 from usdrigui.model import ExistingPrim, ExistingSpan
 from usdrigui.reading.blend_shape import names_and_targets
 from usdrigui.reading.character import skel_roots
-from usdrigui.reading.mesh import deforming
 from usdrigui.stages import schema
 
 
@@ -58,6 +57,10 @@ def _existing(root: str, prim: Usd.Prim, spans: tuple[ExistingSpan, ...]) -> Exi
 # --- characters without one -----------------------------------------------------------------------
 
 
+_BINDINGS = ("skel:blendShapes", "primvars:skel:jointIndices")
+"""Attributes by which a mesh is moved."""
+
+
 def without_layout(stage: Usd.Stage, laid_out: Collection[str], wanted: str) -> tuple[Issue, ...]:
     """LAYOUT_OFF or LAYOUT_NONE for each SkelRoot, or the one `wanted`, that something animates and
     that is not `laid_out`."""
@@ -78,5 +81,9 @@ def _bare(root: str, off: Mapping[str, str]) -> Issue:
 def _is_animated(root: Usd.Prim) -> bool:
     """Whether joints or blend shapes move a mesh below it; a prop without either is no
     character."""
-    prims = Usd.PrimRange(root, Usd.TraverseInstanceProxies())
-    return any(prim.IsA(UsdGeom.Mesh) and deforming(prim) for prim in prims)
+    return any(
+        attribute.HasAuthoredValue()
+        for prim in Usd.PrimRange(root, Usd.TraverseInstanceProxies())
+        if prim.IsA(UsdGeom.Mesh)
+        for attribute in map(prim.GetAttribute, _BINDINGS)
+    )

@@ -177,7 +177,7 @@ def _shape(prim: Usd.Prim, token: str, record: Skeleton, count: int, found: Foun
         return None
     empty = np.zeros((len(points) or count, 3), dtype=np.float32)
     filled = [offsets if len(offsets) else empty for _, offsets in rows]
-    table = np.stack(filled) if len(rows) > 1 else filled[0][None]
+    table = np.stack(filled)
     if not len(points):
         points = np.flatnonzero(table.any(axis=(0, 2)))
         table = table if len(points) == count else table[:, points]

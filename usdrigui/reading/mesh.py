@@ -72,12 +72,12 @@ def outside_issues(stage: Usd.Stage) -> tuple[Issue, ...]:
     for prim in walk:
         if prim.IsA(UsdSkel.Root):
             walk.PruneChildren()
-        elif prim.IsA(UsdGeom.Mesh) and (inputs := deforming(prim)):
+        elif prim.IsA(UsdGeom.Mesh) and (inputs := _deforming(prim)):
             found.append(issue("MESH_OUTSIDE", prim.GetPath(), f"has {inputs}"))
     return tuple(found)
 
 
-def deforming(prim: Usd.Prim) -> str:
+def _deforming(prim: Usd.Prim) -> str:
     """What would deform the mesh below a SkelRoot; empty if nothing."""
     shapes = UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().HasAuthoredTargets()
     indices = prim.GetAttribute("primvars:skel:jointIndices")
