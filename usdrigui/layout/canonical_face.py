@@ -99,12 +99,22 @@ class Expectation(Record):
     """True where the mirrored place is as good."""
     radius: float
     """Of the region around it, in distances of the pupils."""
+    top: float = np.inf
+    """Of the face, above the eyes, scene units: what is higher are ears."""
 
     def regions(self, points: Floats) -> tuple[Flags, Flags]:
         """(p,) which of points (p, 3) in root space lie near the place, and which in the region
         around it."""
         apart = self.distance(points)
         return apart <= _NEAR * self.radius, apart <= self.radius
+
+    def acted_on(self, surface: BaseSurface, visible: Flags, motion: Motion) -> bool:
+        """Whether what a motion moves most of the face, of the points that are `visible` (n,), is
+        in the region: ears swing as far as they like."""
+        points = surface.points[motion.points]
+        seen = visible[motion.points] & ((points - self.origin) @ self.axes[1] <= self.top)
+        top = first_largest(seen * motion.arc_length)
+        return bool(self.regions(points[[top]])[1][0])
 
     def distance(self, points: Floats) -> Floats:
         """(p,) of points (p, 3) in root space from the expected place, in distances of the
@@ -113,6 +123,13 @@ class Expectation(Record):
         if self.both_sides:
             flat[:, 0] = np.abs(flat[:, 0])
         return np.asarray(np.linalg.norm(flat - self.place, axis=1))
+
+
+def kept_in(motion: Motion, seen: Flags, region: Flags, least: float) -> Flags:
+    """(p,) those `seen` in a `region`, if the control keeps a share of its visible peak there; all
+    `seen` otherwise."""
+    arc, inside = motion.arc_length, seen & region
+    return inside if arc[inside].max(initial=0.0) >= least * arc[seen].max() else seen
 
 
 def believed(
@@ -128,12 +145,10 @@ def believed(
     What moves the most of a part of the face, both sides alike and down, opens the jaw where no
     name does.
     """
-    surface, found = trajectories.surface, list(meanings)
-    tops, most, jaw = np.zeros((len(found), 1, 3)), 0.0, -1
+    surface, found, most, jaw = trajectories.surface, list(meanings), 0.0, -1
     for motion in trajectories.motions:
         control, areas = motion.control, surface.areas[motion.points]
         seen, weight = views.anywhere[motion.points], areas * motion.arc_length
-        tops[control] = surface.points[motion.points[first_largest(seen * motion.arc_length)]]
         meaning, own_image = found[control], int(symmetry.twins[control]) == control
         amount = weight.sum()
         if meaning is not None and (
@@ -153,7 +168,7 @@ def believed(
         found[jaw] = Meaning(actions()["jawOpen"], "")
     expected = expectations(trajectories, symmetry, views, found)
     right = [
-        place is not None and place.regions(tops[motion.control])[1][0]
+        place is not None and place.acted_on(surface, views.anywhere, motion)
         for motion in trajectories.motions
         if (meaning := found[motion.control]) is not None
         and ((place := expected[motion.control]) is not None or meaning.numbered)
@@ -171,8 +186,17 @@ def expectations(
     """(controls,) where each control is expected; None where its name has no meaning or too few
     names have one."""
     surface, plane = trajectories.surface, symmetry.plane
-    clues = _clues(trajectories, plane, (views.up, views.anywhere), meanings)
+    seen = views.up, views.anywhere
+    clues = _clues(trajectories, plane, seen, meanings)
     fit = _fit([clue for clue in clues if clue.tells]) if plane.normal.any() else None
+    top = np.inf
+    if fit is not None and fit.eyes is not None:
+        # The controls of the eyes move no ears, and tell where those begin.
+        unit, height = fit.eyes
+        top = unit * max(clue.place[1] + clue.action.radius for clue in clues)
+        seen = views.up, views.anywhere & (surface.points @ views.up <= height + top)
+        clues = _clues(trajectories, plane, seen, meanings)
+        fit = _fit([clue for clue in clues if clue.tells])
     if fit is None:
         return (None,) * len(meanings)
     axes = np.stack([plane.normal, views.up])
@@ -184,7 +208,9 @@ def expectations(
         origin = plane.origin + (height - plane.origin @ views.up) * views.up
         target = np.array([place[0] * side if side else abs(place[0]), place[1]])
         both = bool(not side and place[0])
-        found[clue.control] = Expectation(axes, origin, scale, target, both, clue.action.radius)
+        found[clue.control] = Expectation(
+            axes, origin, scale, target, both, clue.action.radius, top
+        )
     return tuple(found.get(control) for control in range(len(meanings)))
 
 
@@ -267,13 +293,19 @@ def _fit(clues: Sequence[_Clue]) -> _Fit | None:
     upright, height = _line_through(each[:, 1], typical[:, 1])
     # Where names that lie high move what lies low, nothing is near its place.
     upright = upright if upright > 0.0 else np.nan
-    wide = (np.abs(each[:, 0]) > _ACROSS) & (typical[:, 0] > 0.0)
-    across = np.median(typical[wide, 0] / np.abs(each[wide, 0])) if wide.any() else upright
     of_eyes = np.array([c.action.region in ("eye", "gaze") for c in clues]) & (middles[:, 0] != 0.0)
     eyes = None
     if of_eyes.any():
         unit = float(np.median(np.abs(middles[of_eyes, 0] / places[of_eyes, 0])))
         eyes = unit, float(np.median(middles[of_eyes, 1] - unit * places[of_eyes, 1]))
+    # The mouth of a muzzle is wider than its eyes tell.
+    wide = (np.abs(each[:, 0]) > _ACROSS) & (typical[:, 0] > 0.0)
+    widths = [
+        np.median(typical[some, 0] / np.abs(each[some, 0]))
+        for some in (wide, wide & (each[:, 1] < 0.0))
+        if some.any()
+    ]
+    across = max(widths, default=upright)
     return _Fit(np.array([across, upright]), height, eyes)
 
 

@@ -87,6 +87,18 @@ def test_the_brow_is_expected_above_its_eye_however_long_the_muzzle_and_high_the
     assert found["browUp_L"].distance(above)[0] < 0.15
 
 
+def test_names_are_believed_of_a_face_whose_ears_swing_with_its_brows_and_its_smile():
+    ears = {
+        f"{name}_{side}": at(sign * PLACES[name][0], PLACES[name][1]) + 2.5 * at(sign * 0.5, 1.05)
+        for name in ("browOuterUp", "mouthSmile", "noseSneer", "cheekSquint")
+        for side, sign in SIDES[0]
+    }
+    swinging = shapes() | ears
+    assert set(meant(swinging)) == {*swinging}
+    line = chain.with_candidates(makers.rig(POINTS, QUADS, swinging))
+    assert (POINTS[chain.set_of(line, "mouthSmile_L").points][:, 1] < HEIGHT - 0.5 * SCALE).all()
+
+
 def test_one_control_in_the_wrong_place_does_not_move_the_others():
     odd = shapes() | {f"noseSneer_{side}": at(sign * 0.3, 0.6) for side, sign in SIDES[0]}
     _, found = expected(odd)

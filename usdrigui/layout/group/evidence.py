@@ -19,6 +19,7 @@ import numpy as np
 from usdrigui.character import Body, Control
 from usdrigui.character.rotation import rotation_part
 from usdrigui.conventions import joysticks
+from usdrigui.layout.canonical_face import kept_in
 from usdrigui.layout.face import HELD, Face
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.layout.shares import MOST, NOTHING
@@ -112,12 +113,17 @@ class Evidence:
         return self._held(motions) >= HELD
 
     def _held(self, motions: Sequence[int]) -> float:
-        """Largest share of their own peaks that all of these motions keep at one visible place."""
-        share = np.where(self.face.views.anywhere, 1.0, 0.0)
-        for motion in (self.face.trajectories.motions[i] for i in motions):
+        """Largest share of their own peaks that all of these motions keep at one visible place
+        where they are expected."""
+        face, share = self.face, np.ones(len(self.face.surface.points))
+        for motion in (face.trajectories.motions[i] for i in motions):
+            stands, expected = motion.stands_on(), face.expected[motion.control]
+            stands = stands & face.views.anywhere[motion.points]
+            if expected is not None and stands.any():
+                around = expected.regions(face.surface.points[motion.points])[1]
+                stands = kept_in(motion, stands, around, HELD)
             kept = np.zeros(len(share))
-            lengths = np.where(motion.stands_on(), motion.arc_length, 0.0)
-            kept[motion.points] = lengths / max(motion.peak, 1e-300)
+            kept[motion.points] = stands * motion.arc_length / max(motion.peak, 1e-300)
             share = np.minimum(share, kept)
         return float(share.max(initial=0.0))
 

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from usdrigui.character import Flags, Floats, Indices, LeftOff
-from usdrigui.layout.canonical_face import Expectation
+from usdrigui.layout.canonical_face import Expectation, kept_in
 from usdrigui.layout.face import HELD, Face
 from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.tracks import polylines
@@ -206,7 +206,7 @@ def _off_strands(face: Face, motion: Motion, seen: Flags) -> Flags:
     control moves; all of them where the rest moves too little."""
     pieces = face.pieces[motion.points]
     by_piece = np.bincount(pieces, face.surface.areas[motion.points] * motion.arc_length * seen)
-    return _kept_in(motion, seen, (by_piece >= HARDLY_ANY * by_piece.max())[pieces], HELD)
+    return kept_in(motion, seen, (by_piece >= HARDLY_ANY * by_piece.max())[pieces], HELD)
 
 
 def _among_others(face: Face, motion: Motion, seen: Flags) -> Flags:
@@ -224,7 +224,7 @@ def _among_others(face: Face, motion: Motion, seen: Flags) -> Flags:
     apart, _ = cKDTree(surface.points[others]).query(surface.points[motion.points])
     if apart[top] <= _FAR * surface.face_size:
         return seen
-    return _kept_in(motion, seen, apart <= MOST * apart[top], _ENOUGH)
+    return kept_in(motion, seen, apart <= MOST * apart[top], _ENOUGH)
 
 
 def _where_expected(face: Face, motion: Motion, seen: Flags, expected: Expectation | None) -> Flags:
@@ -237,15 +237,8 @@ def _where_expected(face: Face, motion: Motion, seen: Flags, expected: Expectati
     if expected is None:
         return _among_others(face, motion, seen)
     near, around = expected.regions(face.surface.points[motion.points])
-    close = _kept_in(motion, seen, near, KEPT)
-    return close if close is not seen else _kept_in(motion, seen, around, HELD)
-
-
-def _kept_in(motion: Motion, seen: Flags, region: Flags, least: float) -> Flags:
-    """(p,) those `seen` in a `region`, if the control keeps a share of its visible peak there; all
-    `seen` otherwise."""
-    arc, inside = motion.arc_length, seen & region
-    return inside if arc[inside].max(initial=0.0) >= least * arc[seen].max() else seen
+    close = kept_in(motion, seen, near, KEPT)
+    return close if close is not seen else kept_in(motion, seen, around, HELD)
 
 
 def _pruned(known: Measured, motion: Motion, seen: Flags, some: Flags) -> Indices:
