@@ -88,12 +88,10 @@ def test_the_brow_is_expected_above_its_eye_however_long_the_muzzle_and_high_the
 
 
 def test_names_are_believed_of_a_face_whose_ears_swing_with_its_brows_and_its_smile():
-    ears = {
-        f"{name}_{side}": at(sign * PLACES[name][0], PLACES[name][1]) + 2.5 * at(sign * 0.5, 1.05)
-        for name in ("browOuterUp", "mouthSmile", "noseSneer", "cheekSquint")
-        for side, sign in SIDES[0]
-    }
-    swinging = shapes() | ears
+    swinging = shapes() | {
+        f"{name}_{side}": at(sign * x, y) + 2.5 * at(sign * 0.5, 1.05)
+        for name, (x, y) in PLACES.items() if name != "eyeBlink" for side, sign in SIDES[0]
+    }  # fmt: skip
     assert set(meant(swinging)) == {*swinging}
     line = chain.with_candidates(makers.rig(POINTS, QUADS, swinging))
     assert (POINTS[chain.set_of(line, "mouthSmile_L").points][:, 1] < HEIGHT - 0.5 * SCALE).all()
