@@ -89,7 +89,7 @@ def sample(folder):
         rig,
         *elements,
         _joystick(rig),
-        base_values=laid_out.defaults(rig),
+        base_values=rig.defaults,
         drawn=makers.frame(0.44, normal=(1.0, 0.0, 0.0)),
     )
     target = folder / "char.rigui.usda"
@@ -100,7 +100,7 @@ def sample(folder):
 def _on_face(rig, base, name, kind, controls, opposed, mesh, local, side, mirror):
     number = next(i for i, each in enumerate(rig.body.meshes) if each.path.endswith(f"/{mesh}"))
     where, point = rig.body.meshes[number], int(rig.body.starts[number]) + local
-    index = {control.name: i for i, control in enumerate(rig.controls)}
+    index = rig.control_indices
     toward = base.points[point] * (1.0, 0.0, 1.0)
     anchor = Anchor(
         where.path,

@@ -8,7 +8,7 @@ import pytest
 from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
 
 from usdrigui.character import LeftOff
-from usdrigui.character.deform import channel_state, knots, posed, sweep
+from usdrigui.character.deform import channel_state, deform, knots, posed, sweep
 from usdrigui.layer.properties import element_name
 from usdrigui.layer.read_layout import element_prims, points_by_role
 from usdrigui.layer.write_layout import layer_for, stage_metadata
@@ -26,9 +26,9 @@ from usdrigui.model import (
 def layout_of(rig, seed=0, groups=None, base_values=None, beside=(), adapt="deform", only=None):
     """One element per control (or per tuple of names in `groups`), anchored at a random point that it moves."""
     rng = np.random.default_rng(seed)
-    values = defaults(rig) if base_values is None else np.asarray(base_values, dtype=np.float64)
+    values = rig.defaults if base_values is None else np.asarray(base_values, dtype=np.float64)
     base = posed(rig, values)
-    index = {control.name: i for i, control in enumerate(rig.controls)}
+    index = rig.control_indices
     groups = [(name,) for name in (only or index)] if groups is None else groups
     width = 0.02 * float(np.linalg.norm(np.ptp(base.points, axis=0)))
     elements = []
@@ -64,8 +64,14 @@ def layout_of(rig, seed=0, groups=None, base_values=None, beside=(), adapt="defo
     )
 
 
-def defaults(rig):
-    return np.array([control.default for control in rig.controls], dtype=np.float64)
+def diagonal(rig):
+    """Of the character's box, in the base pose."""
+    return float(np.linalg.norm(np.ptp(deform(rig), axis=0)))
+
+
+def on_face(layout):
+    """Elements that are not on the board."""
+    return [element for element in layout.elements if not element.anchor.on_board]
 
 
 def random_values(rig, rng):

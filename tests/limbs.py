@@ -75,9 +75,9 @@ def body_rig():
     for side, name in ((1, "c"), (-1, "d")):
         for k, y in enumerate((-0.1, -0.9, -1.7, -1.9)):
             at["h/" + "/".join(f"{name}{i}" for i in range(k + 1))] = (side * 0.2, y, 0)
-    names = sorted(at, key=lambda path: (path.count("/"), path))
+    names, places = by_depth(at)
     owners = [i for i, name in enumerate(names) if name[-1] not in "e3"]
-    return skeleton_rig(names, np.array([at[name] for name in names], float), owners)
+    return skeleton_rig(names, places, owners)
 
 
 def twisted_body(twists):
@@ -89,9 +89,15 @@ def twisted_body(twists):
         bone = at[f"{path}/{path[-2]}{int(path[-1]) + 1}"] - at[path]
         at[f"{path}/t"] = at[path] + 0.05 * bone
         at[f"{path}/t/u" if twists == "below" else f"{path}/u"] = at[path] + 0.5 * bone
-    names = sorted(at, key=lambda path: (path.count("/"), path))
+    names, places = by_depth(at)
     owners = [i for i, name in enumerate(names) if name[-1] != "e" and name not in limbs]
-    return skeleton_rig(names, np.array([at[name] for name in names], float), owners)
+    return skeleton_rig(names, places, owners)
+
+
+def by_depth(at):
+    """Paths of joints, those above others first, and their places."""
+    names = sorted(at, key=lambda path: (path.count("/"), path))
+    return names, np.array([at[name] for name in names], float)
 
 
 def skeleton_rig(names, places, owners, own=None, size=None):
@@ -182,10 +188,10 @@ def whole_body(ahead=1.0, head="Head"):
         for k, y in enumerate((-0.1, -0.9, -1.7)):
             leg += f"/{name}l{k}"
             at[leg] = (side * 0.2, y, 0)
-    names = sorted(at, key=lambda path: (path.count("/"), path))
+    names, places = by_depth(at)
     ends = {name for name in names if "f" in name.rpartition("/")[2] and name[-1] == "3"}
     owners = [i for i, name in enumerate(names) if name not in ends]
-    made = skeleton_rig(names, np.array([at[name] for name in names], float), owners, size=_sizes(names, owners))
+    made = skeleton_rig(names, places, owners, size=_sizes(names, owners))
     return with_default_controls(made)
 
 

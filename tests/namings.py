@@ -73,7 +73,7 @@ def renamed(rig, naming, rng):
 
 def places(rig, layout):
     """Of every control, by its index, the points of the character that have its handles."""
-    index = {control.name: i for i, control in enumerate(rig.controls)}
+    index = rig.control_indices
     found = {}
     for element in layout.elements:
         anchor = element.anchor

@@ -78,7 +78,7 @@ def write_samples(folder: Path) -> dict[str, list[str]]:
         metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
         write_layout([(rig, layout)], source, target, metadata)
         rng = np.random.default_rng(11)
-        poses = [laid_out.defaults(rig), *(laid_out.random_values(rig, rng) for _ in range(2))]
+        poses = [rig.defaults, *(laid_out.random_values(rig, rng) for _ in range(2))]
         top = laid_out.keyed(str(target), rig, poses).GetRootLayer()
         top.subLayerPaths[0] = f"./{target.name}"
         top.Export(str(folder / f"{name}.posed.usda"))

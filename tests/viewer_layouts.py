@@ -41,14 +41,14 @@ def peak_layout(rig, view=(0.0, 0.0, 1.0), mirrors=None, groups=(), beside=()):
     return makers.layout(
         rig,
         *(each for each in elements if each is not None),
-        base_values=np.array([control.default for control in rig.controls]),
+        base_values=rig.defaults,
         drawn=makers.frame(0.02 * float(spread.max()), view, (1.0, 0.0, 0.0)),
     )
 
 
 def element(rig, base, name, kind, members, opposed, mirrors, beside):
     mirrors = mirrors or {}
-    index = {control.name: i for i, control in enumerate(rig.controls)}
+    index = rig.control_indices
     paths = {member: sweep(rig, base, index[member], knots(rig, index[member])) for member in members}
     points, offsets = paths[members[0]]
     if not len(points):

@@ -18,7 +18,7 @@ SAMPLE = Path(__file__).resolve().parents[2] / "sample_assets" / "char.usda"
 def poses_of(rig, count=2):
     """The base pose, every third control at its end, and random poses."""
     rng = np.random.default_rng(5)
-    every = laid_out.defaults(rig)
+    every = rig.defaults
     single = []
     for j in range(0, len(rig.controls), max(1, len(rig.controls) // 4)):
         one = every.copy()

@@ -4,6 +4,7 @@ import laid_out
 import numpy as np
 import pytest
 import skinned_stages
+from laid_out import on_face
 from pxr import Gf, Usd, UsdGeom, UsdSkel
 from scipy.spatial.distance import pdist
 
@@ -38,10 +39,6 @@ def processed(character, tmp_path, *arguments):
     stage = Usd.Stage.Open(str(target))
     (layout,) = read_layout(stage)
     return layout, stage
-
-
-def on_face(layout):
-    return [element for element in layout.elements if not element.anchor.on_board]
 
 
 def test_a_time_is_the_base_pose_and_elements_rest_where_it_puts_them(character, tmp_path):

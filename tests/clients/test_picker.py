@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from laid_out import on_face
 
 from usdrigui import pipeline
 from usdrigui.cli import main
@@ -49,10 +50,6 @@ def page(characters):
 def placed(page):
     """By name, where the handle of an element is on the page, with its mark."""
     return {element.name: (handle, mark) for element, mark, handle in picker._elements(page)}
-
-
-def on_face(layout):
-    return [element for element in layout.elements if not element.anchor.on_board]
 
 
 def test_every_element_track_and_name_is_in_the_picture(characters, page):

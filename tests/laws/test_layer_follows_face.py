@@ -4,10 +4,9 @@ import laid_out
 import numpy as np
 import pytest
 import skinned_stages
-from laid_out import written
+from laid_out import diagonal, written
 from pxr import Gf, Usd, UsdGeom, UsdSkel
 
-from usdrigui.character.deform import deform
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings, load
 
@@ -39,10 +38,6 @@ KINDS = {
 }
 
 
-def diagonal(rig):
-    return float(np.linalg.norm(np.ptp(deform(rig), axis=0)))
-
-
 def posed(rig, pose, values):
     """The values of all controls of a `pose`, some of them others, by name."""
     found = pose.copy()
@@ -63,7 +58,7 @@ def test_handles_are_centred_on_their_deformed_anchors(tmp_path, kind):
     source, rig = skinned_stages.read(tmp_path, **KINDS[kind])
     layout = laid_out.layout_of(rig)
     rng = np.random.default_rng(5)
-    poses = [laid_out.defaults(rig), *(laid_out.random_values(rig, rng) for _ in range(3))]
+    poses = [rig.defaults, *(laid_out.random_values(rig, rng) for _ in range(3))]
     stage = laid_out.baked(written(source, rig, layout), rig, poses)
     assert len(layout.elements) == len(rig.controls)
     travel = 0.0
@@ -97,11 +92,11 @@ def with_far_shape(source, far):
 def test_a_shape_that_hides_the_face_far_away_moves_no_handle(tmp_path, far):
     source, plain = skinned_stages.read(tmp_path)
     names = [control.name for control in plain.controls]
-    alone = laid_out.baked(written(source, plain, laid_out.layout_of(plain)), plain, [laid_out.defaults(plain)])
+    alone = laid_out.baked(written(source, plain, laid_out.layout_of(plain)), plain, [plain.defaults])
     rig = with_far_shape(source, far)
     layout = laid_out.layout_of(rig, only=names)
     rng = np.random.default_rng(9)
-    poses = [laid_out.defaults(rig), *(posed(rig, laid_out.random_values(rig, rng), {"hide": 0.0}) for _ in range(3))]
+    poses = [rig.defaults, *(posed(rig, laid_out.random_values(rig, rng), {"hide": 0.0}) for _ in range(3))]
     stage = laid_out.baked(written(source, rig, layout), rig, poses)
     for element in layout.elements:
         drawn = handle_of(stage, rig, element, 0)
@@ -170,7 +165,7 @@ def test_pose_controls_leave_their_own_tracks_alone(tmp_path):
     source, rig = skinned_stages.read(tmp_path, settings, animated_joints=JAW)
     layout = laid_out.layout_of(rig, only=["talk", "mix"])
     assert [element.name for element in layout.elements] == ["talk", "mix"]
-    base = laid_out.defaults(rig)
+    base = rig.defaults
     poses = [base, *(posed(rig, base, {name: 1.0}) for name in ("talk", "mix"))]
     stage = laid_out.baked(written(source, rig, layout), rig, poses)
     for time, element in enumerate(layout.elements, start=1):
@@ -222,7 +217,7 @@ def test_elements_beside_the_face_or_static_do_not_deform_but_show_their_value(t
     hips = [name for name in rig.control_names if name.startswith("Hips:")]
     shapes_only = posed(rig, laid_out.random_values(rig, rng), dict.fromkeys(hips, 0.0))
     turned = laid_out.random_values(rig, rng)
-    stage = laid_out.baked(written(source, rig, layout), rig, [laid_out.defaults(rig), shapes_only, turned])
+    stage = laid_out.baked(written(source, rig, layout), rig, [rig.defaults, shapes_only, turned])
     for element in layout.elements:
         if adapt == "deform" and element.name not in beside:
             continue
@@ -241,7 +236,7 @@ def test_layouts_of_another_base_pose_stand_where_the_pose_puts_them(tmp_path):
     source, rig = skinned_stages.read(tmp_path, animated_joints=("Hips/Head", *JAW), moved=True)
     base = 0.5 * laid_out.random_values(rig, np.random.default_rng(1))
     layout = laid_out.layout_of(rig, base_values=base)
-    stage = laid_out.baked(written(source, rig, layout), rig, [base, laid_out.defaults(rig)])
+    stage = laid_out.baked(written(source, rig, layout), rig, [base, rig.defaults])
     for element in layout.elements:
         assert np.abs(track_of(stage, rig, element, 0) - element.members[0].track).max() < CLOSE * diagonal(rig)
         rim = handle_of(stage, rig, element, 0)[2:] - element.anchor.position

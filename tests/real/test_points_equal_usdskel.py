@@ -24,7 +24,7 @@ def test_every_control_equals_usdskel(path):
     for rig in read_rigs(path, Settings()):
         oracle, base = Oracle(path, rig), posed(rig)
         diagonal = float(np.linalg.norm(np.ptp(base.points, axis=0)))
-        rest = np.array([control.default for control in rig.controls])
+        rest = rig.defaults
         assert np.abs(base.points - oracle.deformed(*channel_state(rig, None))).max() < 1e-5 * diagonal
         for index, control in enumerate(rig.controls):
             at = _between(knots(rig, index))
@@ -63,7 +63,7 @@ def test_joint_rotations_equal_usdskel(path):
         oracle, base = Oracle(path, rig), posed(rig)
         diagonal = float(np.linalg.norm(np.ptp(base.points, axis=0)))
         for index in joints:
-            values = np.array([control.default for control in rig.controls])
+            values = rig.defaults
             values[index] = 0.8 * rig.controls[index].maximum
             points, offsets = sweep(rig, base, index, values[index])
             ours = base.points.copy()

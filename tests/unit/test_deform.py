@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from laid_out import diagonal, random_values
 from skel_stages import character
 from usdskel_oracle import baked
 
@@ -33,14 +34,6 @@ def rig(stage_path):
     return rig
 
 
-def defaults(rig):
-    return np.array([control.default for control in rig.controls])
-
-
-def diagonal(rig):
-    return float(np.linalg.norm(np.ptp(deform(rig), axis=0)))
-
-
 def test_the_stage_has_every_kind_of_control(rig):
     assert {control.kind for control in rig.controls} == {"blendShape", "joint", "pose"}
     assert {mesh.skin.method for mesh in rig.body.meshes if mesh.skin} == {
@@ -57,7 +50,7 @@ def test_base_pose_equals_usdskel(rig, stage_path):
 @pytest.mark.parametrize("share", [0.0, 0.3, 0.77, 1.0])
 def test_every_control_equals_usdskel(rig, stage_path, share):
     for index, control in enumerate(rig.controls):
-        values = defaults(rig)
+        values = rig.defaults
         values[index] = control.minimum + share * (control.maximum - control.minimum)
         expected = baked(stage_path, rig, *channel_state(rig, values))
         assert np.abs(deform(rig, values) - expected).max() < 1e-6 * diagonal(rig), control.name
@@ -66,7 +59,7 @@ def test_every_control_equals_usdskel(rig, stage_path, share):
 def test_random_poses_equal_usdskel(rig, stage_path):
     rng = np.random.default_rng(5)
     for _ in range(8):
-        values = np.array([rng.uniform(control.minimum, control.maximum) for control in rig.controls])
+        values = random_values(rig, rng)
         expected = baked(stage_path, rig, *channel_state(rig, values))
         assert np.abs(deform(rig, values) - expected).max() < 1e-6 * diagonal(rig)
 
@@ -75,9 +68,9 @@ def test_random_poses_equal_usdskel(rig, stage_path):
 def test_sweep_equals_deform(rig, elsewhere):
     """A sweep from any pose gives the differences of single evaluations, and all points that move."""
     rng = np.random.default_rng(1)
-    start = defaults(rig)
+    start = rig.defaults
     if elsewhere:
-        start = np.array([rng.uniform(control.minimum, control.maximum) for control in rig.controls])
+        start = random_values(rig, rng)
     base = posed(rig, start)
     for index, control in enumerate(rig.controls):
         at = np.linspace(control.minimum, control.maximum, 4)

@@ -12,7 +12,6 @@ from pxr import Sdf, Usd, UsdGeom
 from scipy.interpolate import BSpline
 
 from usdrigui.character import Glyph
-from usdrigui.character.deform import deform
 from usdrigui.errors import Exit, RigUIError
 from usdrigui.layer.read_layout import read_layout
 from usdrigui.layer.write_layout import layer_for, stage_metadata
@@ -271,10 +270,10 @@ def test_glyphs_follow_the_face_wherever_usdskel_takes_it(tmp_path, kind, adapt)
     layout = with_glyphs(laid_out.layout_of(rig, beside=("brow_L",), adapt=adapt, only=["brow_L", "chin", "half"]))
     rng = np.random.default_rng(4)
     # What a single weight drives; a still handle shows nothing else, and shapes bend what joints only turn.
-    poses = [laid_out.defaults(rig), laid_out.random_values(rig, rng)]
+    poses = [rig.defaults, laid_out.random_values(rig, rng)]
     path = written(tmp_path, rig, layout, source)
     stage = laid_out.baked(Sdf.Layer.FindOrOpen(str(path)), rig, poses)
-    poser, size = prepare(rig, layout), float(np.linalg.norm(np.ptp(deform(rig), axis=0)))
+    poser, size = prepare(rig, layout), laid_out.diagonal(rig)
     for time, values in enumerate(poses):
         for element, at in zip(layout.elements, evaluate(poser, values).elements, strict=True):
             drawn = laid_out.handle(stage, rig.path, element, time)

@@ -123,8 +123,8 @@ def with_defaults(rig):
 def test_a_trunk_and_small_bones_of_a_face_have_no_hinge_where_no_plane_mirrors_the_joints():
     at = {joint.path.replace("h/s", "h/u/v/s"): joint.bind[3, :3] for joint in limbs.whole_body().body.joints}
     at |= {"h/u": (0.0, 0.1, 0.0), "h/u/v": (0.0, 0.15, 0.0)}
-    names = sorted(at, key=lambda path: (path.count("/"), path))
-    rig = limbs.anyhow(limbs.skeleton_rig(names, np.array([at[name] for name in names]), list(range(len(names)))), 3)
+    names, places = limbs.by_depth(at)
+    rig = limbs.anyhow(limbs.skeleton_rig(names, places, list(range(len(names)))), 3)
     assert Tree(rig.body.joints, rig.body.meshes).mirror is None
     bends = {path.rpartition("/")[2] for path, kind in kinds_of(rig) if kind == "bend"}
     assert bends == {"a1", "al1", "b1", "bl1"}
@@ -196,9 +196,9 @@ def test_helpers_off_the_way_change_no_degree_of_freedom():
     rig = limbs.body_rig()
     at = {re.sub(r"/([abcd])0", r"/m\1/\g<1>0", joint.path): joint.bind[3, :3] for joint in rig.body.joints}
     at |= {path: np.array([0.0, -2.0, 0.0]) for path in ("h/s/ma", "h/s/mb", "h/mc", "h/md")}
-    names = sorted(at, key=lambda path: (path.count("/"), path))
+    names, places = limbs.by_depth(at)
     owners = [i for i, name in enumerate(names) if name[-1] not in "e3" and name[-3:-1] != "/m"]
-    helped = limbs.skeleton_rig(names, np.array([at[name] for name in names]), owners)
+    helped = limbs.skeleton_rig(names, places, owners)
     assert {(path[-2:], kind) for path, kind in kinds_of(helped)} == {(path[-2:], kind) for path, kind in kinds_of(rig)}
 
 

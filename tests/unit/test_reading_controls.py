@@ -333,7 +333,7 @@ def test_the_configuration_wins(tmp_path):
     # The default is the base pose: the drive adds to it and vanishes there.
     weights, _ = channel_state(rig)
     assert weights[smile.drive.channels].tolist() == [-1.0]
-    values = np.array([control.default for control in rig.controls])
+    values = rig.defaults
     values[0] = 0.5
     assert channel_state(rig, values)[0][smile.drive.channels].tolist() == [0.5]
 
@@ -374,7 +374,7 @@ def test_joint_controls_turn_the_joint_about_its_own_axis(tmp_path):
     rig = read(character(tmp_path / "char.usda"), config)
     lip = controls(rig)["lip:ry"]
     assert (span(lip), lip.label) == ((-10.0, 0.0, 90.0, "config"), "Lip y")
-    values = np.array([control.default for control in rig.controls])
+    values = rig.defaults
     values[rig.controls.index(lip)] = 90.0
     local = channel_state(rig, values)[1][2]
     expected = np.array(matrix((0, 90, 0)) * Gf.Matrix4d(*rig.body.joints[2].base.ravel().tolist()))

@@ -33,7 +33,7 @@ def fitted_glyph(
     glyph = face.rig.glyphs[override.glyph]
     width = override.glyph_size * face.handle_width
     if width == 0.0:
-        width = max(float(lengths(member.track[None])[0]) for member in members)
+        width = max(float(lengths(member.track)) for member in members)
     points = glyph.points * [-1.0 if reflected else 1.0, 1.0, 1.0]
     toward = face.views.directions[0]
     out = anchor.normal if anchor.normal.any() else toward

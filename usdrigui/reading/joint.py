@@ -16,6 +16,7 @@ from usdrigui.character import Floats, Record
 from usdrigui.character.joint_tree import FINGERS, Fan, Tree, fans, level, unit
 from usdrigui.character.rotation import rotation_part, rotations
 from usdrigui.character.skinning import parents_of, under_parents
+from usdrigui.ties import first_largest
 
 _THUMB = 0.85
 """A finger whose cosine to the others is less is a thumb."""
@@ -228,9 +229,9 @@ def _roll(tree: Tree, joint: int, bind: Floats, levers: list[float]) -> int:
     A joint without skin may end the bone.  A ball that lies wholly to one side of the mirror plane
     is an eye; it looks out of the head, which holds it.
     """
-    bone = np.round(np.abs(tree.own(joint, tree.direction([joint]))), 9)
+    bone = np.abs(tree.own(joint, tree.direction([joint])))
     if bone.any() and not tree.on_plane(joint):
-        return int(np.argmax(bone))
+        return first_largest(bone)
     head = tree.parents[joint]
     if tree.mirror is None or min(levers) < _ROUND * max(levers) or head not in tree.owners:
         return -1
@@ -240,7 +241,7 @@ def _roll(tree: Tree, joint: int, bind: Floats, levers: list[float]) -> int:
     points, weights = tree.skin[head]
     out = tree.places[joint] - weights @ points / weights.sum()
     out[across] = 0.0
-    return int(np.argmax(np.round(np.abs(bind @ out), 9)))
+    return first_largest(np.abs(bind @ out))
 
 
 def posed_locals(tree: Tree, turn: Turn, degrees: Floats) -> Floats:

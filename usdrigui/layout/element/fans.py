@@ -6,7 +6,7 @@ import numpy as np
 
 from usdrigui.character import Floats
 from usdrigui.character.joint_tree import unit
-from usdrigui.ties import axis_across
+from usdrigui.ties import axis_across, first_largest
 
 
 def fan_order(tangents: Floats, normal: Floats) -> tuple[int, ...]:
@@ -19,7 +19,7 @@ def fan_order(tangents: Floats, normal: Floats) -> tuple[int, ...]:
     angles = _angles(tangents, normal)
     order = np.argsort(angles, kind="stable")
     gaps = np.diff(np.append(angles[order], angles[order[0]] + 2.0 * np.pi))
-    return tuple(np.roll(order, -(int(np.argmax(np.round(gaps, 9))) + 1)).tolist())
+    return tuple(np.roll(order, -(first_largest(gaps) + 1)).tolist())
 
 
 def _angles(tangents: Floats, normal: Floats) -> Floats:

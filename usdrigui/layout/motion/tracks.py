@@ -33,8 +33,8 @@ def _rows(motion: Motion, points: Indices) -> tuple[Indices, Flags]:
 
 
 def lengths(lines: Floats) -> Floats:
-    """(p,) lengths of polylines (p, k, 3)."""
-    return np.asarray(np.linalg.norm(np.diff(lines, axis=1), axis=2).sum(axis=1))
+    """(...) lengths of polylines (..., k, 3)."""
+    return np.asarray(np.linalg.norm(np.diff(lines, axis=-2), axis=-1).sum(axis=-1))
 
 
 def magnification(long: Floats, least: float) -> Floats:

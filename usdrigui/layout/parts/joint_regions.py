@@ -81,9 +81,12 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
         # A hand by itself may have an arm; what hangs on no arm is more than hands.
         arms = {joint for fan in ends for joint in (fan.joint, *tree.above(fan.joint))}
         only = arms >= {i for i in tree.owners if of_skin[i] == BODY}
-        rest = FACE if heads else of_skin[ends[0].joint] if ends and only else BODY
+        rest = FACE if heads else HANDS if ends and only else BODY
+        # Beside a bust hands hang as low as feet, and no arm takes their wrists.
+        for fan in ends if heads else ():
+            of_joint[fan.joint] = HANDS
         of_joint, of_skin = (
-            [rest if name in (BODY, EYES) else name for name in each]
+            [{BODY: rest, EYES: rest, FEET: HANDS}.get(name, name) for name in each]
             for each in (of_joint, of_skin)
         )
     return JointRegions(tuple(of_joint), tuple(of_skin))

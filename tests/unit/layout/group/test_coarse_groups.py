@@ -7,6 +7,7 @@ import makers
 import numpy as np
 import pytest
 from chain import by_name, lay_out, problem_of, settings
+from laid_out import on_face
 
 from usdrigui.character import Control
 from usdrigui.errors import RigUIError
@@ -108,7 +109,7 @@ def test_a_pose_is_no_member_of_itself_in_a_group_with_what_it_sets():
 def test_members_of_one_coarse_control_are_kept_apart():
     line = lay_out(with_pose(), mouth())
     width = line.layout.frame.handle_width
-    placed = [element for element in line.layout.elements if not element.anchor.on_board]
+    placed = on_face(line.layout)
     seen = states(placed)
     for a in placed:
         for b in placed:

@@ -145,15 +145,17 @@ def test_what_has_one_or_two_elements_joins_the_part_beside_it():
     assert {name.partition(":")[0] for name in found["face"]} >= {"b", "c"}
 
 
-def test_a_head_without_a_body_keeps_its_eyes():
+@pytest.mark.parametrize("wrists", [set(), {"a2", "b2"}])
+def test_a_head_without_a_body_keeps_its_eyes_and_its_hands_their_wrists(wrists):
     rig = with_eyes()
-    limb = [
-        i for i, joint in enumerate(rig.body.joints) if "/a" in joint.path or "/b0" in joint.path or "l0" in joint.path
-    ]
+    paths = [{*joint.path.split("/")} for joint in rig.body.joints]
+    limb = [i for i, path in enumerate(paths) if path & {"a0", "b0", "al0", "bl0"} and not path & wrists]
     own = rig.body.meshes[0].skin
     trunk = replace(own, joints=np.where(np.isin(own.joints, limb), 0, own.joints))
     bust = makers.changed(rig, meshes=(makers.changed(rig.body.meshes[0], skin=trunk), *rig.body.meshes[1:]))
-    assert list(named(limbs.with_default_controls(bust))) == ["face"]
+    found = named(limbs.with_default_controls(bust))
+    assert list(found) == ["face", "hands"][: 1 + bool(wrists)]
+    assert wrists <= {name.partition(":")[0] for name in found[list(found)[-1]]}
 
 
 def test_a_body_does_not_change_the_scale_of_its_face():
@@ -171,7 +173,7 @@ def test_parts_keep_clear_of_each_other_and_their_proofs_add_up():
     whole, sums = joined(laid), joined_assignment([each.assignment for each in laid], ["face", "hands", "body"])
     assert [part.name for part in whole.frame.parts] == ["face", "hands", "body"]
     assert whole.proof.cost == pytest.approx(sum(part.cost for part in whole.frame.parts)) == sums.cost
-    standing = [element for element in whole.elements if not element.anchor.on_board]
+    standing = laid_out.on_face(whole)
     assert {element.part for element in standing} == {"face", "hands", "body"}
     assert all(" face" not in element.reason for element in whole.elements if element.part != "face")
     widths = [(whole.frame.handle_width_of(element.part),) for element in standing]
