@@ -41,7 +41,8 @@ class JointRegions:
     """Which part each joint belongs to, and which part its skin belongs to."""
 
     of_joint: tuple[str, ...]
-    """(joints,) A head and a wrist turn all that hangs on them: they are joints of the body."""
+    """(joints,) A head and a wrist turn all that hangs on them: they are joints of the
+    body, where there is one."""
     of_skin: tuple[str, ...]
     """(joints,) The skin of a head is of the face, that of a wrist of the hand."""
 
@@ -65,7 +66,7 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     ]
     for fan in ends:
         fingers = tree.below([chain[0] for chain in fan.chains])
-        name = _end(rig.up, tree, fan.joint, fingers)
+        name = _end(rig.up, tree, fan.joint, fingers, spine)
         for joint in fingers:
             of_joint[joint] = of_skin[joint] = name
         of_skin[fan.joint] = name
@@ -80,15 +81,10 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     if max(tree.depth_among(in_limbs)) < LIMB:
         # A hand by itself may have an arm; what hangs on no arm is more than hands.
         arms = {joint for fan in ends for joint in (fan.joint, *tree.above(fan.joint))}
-        only = arms >= {i for i in tree.owners if of_skin[i] == BODY}
-        rest = FACE if heads else HANDS if ends and only else BODY
-        # Beside a bust hands hang as low as feet, and no arm takes their wrists.
-        for fan in ends if heads else ():
-            of_joint[fan.joint] = HANDS
-        of_joint, of_skin = (
-            [{BODY: rest, EYES: rest, FEET: HANDS}.get(name, name) for name in each]
-            for each in (of_joint, of_skin)
-        )
+        if heads or (ends and arms >= {i for i in tree.owners if of_skin[i] == BODY}):
+            # Without a body a joint is of the part of its skin.
+            rest = FACE if heads else of_skin[ends[0].joint]
+            of_joint = of_skin = [rest if name in (BODY, EYES) else name for name in of_skin]
     return JointRegions(tuple(of_joint), tuple(of_skin))
 
 
@@ -170,9 +166,10 @@ def _carries_on(tree: Tree, fan: Fan) -> bool:
     )
 
 
-def _end(up: Floats, tree: Tree, joint: int, fingers: set[int]) -> str:
-    """Feet stand on the ground: their joint lies at the bottom of a character that has more than
-    them."""
+def _end(up: Floats, tree: Tree, joint: int, fingers: set[int], spine: list[int]) -> str:
+    """Feet stand on the ground, on legs with skin: their joint lies at the bottom of a character
+    that has more than them.  Hands beside a bust hang as low."""
     heights = (tree.places @ up)[sorted(tree.owners)]
-    is_low = tree.places[joint] @ up <= heights.min() + _LOW * float(np.ptp(heights))
-    return FEET if is_low and len(tree.owners - fingers - {joint}) >= LIMB else HANDS
+    is_low = tree.places[joint] @ up <= heights.min() + _LOW * np.ptp(heights)
+    on_leg = tree.owners & {*tree.above(joint)} - {*spine}
+    return FEET if is_low and on_leg and len(tree.owners - fingers - {joint}) >= LIMB else HANDS
