@@ -166,10 +166,10 @@ def as_control(draft):
     )
 
 
-def whole_body(ahead=1.0, head="Head"):
+def whole_body(ahead=1.0, head="Head", bare=()):
     """Hips, spine and neck, a head called `head` with nine small joints on its front, which lies `ahead` along z, arms
     with hands of four fingers, and legs; with the controls that its joints have by default.  No other name says what it
-    is of."""
+    is of.  Joints whose names end in one of `bare` have no skin."""
     at = {"h": (0, 0, 0), "h/s": (0, 0.4, 0), "h/s/t": (0, 0.8, 0), "h/s/t/n": (0, 1.32, 0)}
     at[f"h/s/t/n/{head}"] = (0, 1.4, 0)
     for k, (x, y) in enumerate((x, y) for x in (-1, 0, 1) for y in (-1, 0, 1)):
@@ -190,7 +190,7 @@ def whole_body(ahead=1.0, head="Head"):
             at[leg] = (side * 0.2, y, 0)
     names, places = by_depth(at)
     ends = {name for name in names if "f" in name.rpartition("/")[2] and name[-1] == "3"}
-    owners = [i for i, name in enumerate(names) if name not in ends]
+    owners = [i for i, name in enumerate(names) if name not in ends and name[-2:] not in bare]
     made = skeleton_rig(names, places, owners, size=_sizes(names, owners))
     return with_default_controls(made)
 

@@ -3,6 +3,7 @@
 from types import SimpleNamespace
 
 import pytest
+import skel_stages
 import skinned_stages
 from commands import run
 
@@ -37,6 +38,11 @@ def test_joints_that_are_no_controls_are_told_with_the_reason(tmp_path, capsys):
     assert [*inspected(character, capsys)["without"].values()] == [["Head"], ["Hips", "Eye"]]
     assert main(["inspect", str(character)]) == 0
     assert "no controls: Hips and Eye: no skin hangs on it" in capsys.readouterr().out
+
+
+def test_a_skeleton_without_joints_has_none_to_tell(tmp_path, capsys):
+    skel_stages.head(tmp_path / "char.usda")
+    assert inspected(tmp_path / "char.usda", capsys)["without"] == {}
 
 
 def test_what_the_configuration_sends_beside_is_reported(tmp_path, capsys):

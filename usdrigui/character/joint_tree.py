@@ -147,7 +147,7 @@ class Tree(Record):
     @property
     def flat(self) -> bool:
         """Whether every joint is a root, as authored."""
-        return all(joint.parent < 0 for joint in self.joints)
+        return {joint.parent for joint in self.joints} == {-1}
 
     @cached_property
     def hanging(self) -> Hanging:

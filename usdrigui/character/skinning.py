@@ -8,6 +8,7 @@ numpy and scipy only.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from scipy.sparse import csr_array
@@ -60,6 +61,17 @@ def under_parents(world: Floats, parents: Indices) -> Floats:
 def bind_poses(joints: Sequence[Joint]) -> Floats:
     """(joints, 4, 4) bind transforms in skeleton space."""
     return np.array([joint.bind for joint in joints]).reshape(-1, 4, 4)
+
+
+def at_bind_pose(body: Body) -> Body:
+    """The body whose base pose is the one in which its skin was bound; `body` itself where it
+    is."""
+    joints = body.joints
+    local = under_parents(bind_poses(joints), parents_of(joints))
+    if np.allclose(local, base_locals(joints), atol=1e-4):
+        return body
+    turned = tuple(replace(joint, base=at) for at, joint in zip(local, joints, strict=True))
+    return replace(body, joints=turned)
 
 
 def base_locals(joints: Sequence[Joint]) -> Floats:

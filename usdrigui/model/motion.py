@@ -191,6 +191,9 @@ class Symmetry(Record):
     partner: Indices
     """(n,) nearest point to the mirror image; -1 where that lies beyond the tolerance and beyond
     three quarters of the spacing of points there."""
+    apart: Floats
+    """(n,) signed distance of each point from the plane, positive on the character's left, at the
+    pose that mirrors: the middle of a trunk that is twisted at rest is no plane."""
     twins: Indices
     """(controls,) index of the twin control; its own index if self-symmetric; -1 if neither."""
     sources: tuple[str, ...]

@@ -46,6 +46,6 @@ def _fixed_in_mirror(face: Face, requests: Requests, control: int) -> bool:
         return False
     pair = [fixed_anchor(rig, rig.control_names[c], overrides[c].anchor) for c in (control, twin)]
     points = np.array([point for point in pair if point is not None])
-    apart = symmetry.plane.distance(face.surface.points[points])
+    apart = symmetry.apart[points]
     left, right = points if apart[0] >= apart[1] else points[::-1]
     return bool(symmetry.partner[left] == right)

@@ -9,12 +9,19 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from usdrigui.character import Body, Control, Flags, Floats, Joint, Record, Skeleton
+from usdrigui.character import Body, Control, Flags, Floats, Joint, Record, Rig, Skeleton
+from usdrigui.character.deform import posed
 from usdrigui.character.joint_tree import OWNS, hanging
-from usdrigui.character.skinning import base_locals, in_skeleton_space, with_descendants
+from usdrigui.character.skinning import (
+    at_bind_pose,
+    base_locals,
+    in_skeleton_space,
+    with_descendants,
+)
 from usdrigui.layout.shares import MOST
 
 _SPAN = (0.2, 0.7)
@@ -30,15 +37,29 @@ FAN = 6
 bones."""
 
 
-def owned_skin(
-    body: Body, bones: Sequence[Bone], control: Control, points: Floats
-) -> Floats | None:
+class BoundSkin(Record):
+    """A body where its skin was bound to it: in a pose an arm may lie on a belly, whose skin it
+    does not move."""
+
+    body: Body
+    points: Floats
+    """(n, 3) all points in root space."""
+    bones: Sequence[Bone]
+
+
+def bound_skin(rig: Rig) -> BoundSkin:
+    """The skin of the rig at its bind pose."""
+    body = at_bind_pose(rig.body)
+    return BoundSkin(body, posed(replace(rig, body=body), None).points, _bones(body))
+
+
+def owned_skin(skin: BoundSkin, control: Control) -> Floats | None:
     """(n,) how much of each point the joints of a joint control own, in [0, 1]; None for other
     controls and where no skin hangs on them.
 
-    `bones` are those of the body, `points` (n, 3) all points in root space.  A joint without skin
-    has what lies by its bone of the skin below it.
+    A joint without skin has what lies by its bone of the skin below it.
     """
+    body, bones = skin.body, skin.bones
     driven = set(control.drive.joints.tolist())
     joints = {i for i in driven if body.joints[i].path == control.source} or driven
     if control.kind != "joint" or not joints or len(control.drive.channels):
@@ -51,7 +72,7 @@ def owned_skin(
             # Skin that it holds by most of what it holds anywhere is wholly its own.
             firm = np.minimum(weights / (MOST * weights.max()), 1.0)
             of = joints if has_bone else holders
-            return np.asarray(firm * _by_own_bone(body, bones, of, points, weights > OWNS))
+            return np.asarray(firm * _by_own_bone(skin, of, weights > OWNS))
     return None
 
 
@@ -73,11 +94,10 @@ def _weights(body: Body, joints: set[int]) -> Floats:
     return total
 
 
-def _by_own_bone(
-    body: Body, bones: Sequence[Bone], joints: set[int], points: Floats, owned: Flags
-) -> Floats:
+def _by_own_bone(skin: BoundSkin, joints: set[int], owned: Flags) -> Floats:
     """(n,) one where a point lies along a bone of `joints`, less at its ends and where a bone above
     or below is nearer."""
+    body, bones, points = skin.body, skin.bones, skin.points
     factor = np.ones(len(points))
     own = [b for b in bones if b.joint in joints and b.next not in joints]
     if not own:
@@ -106,7 +126,7 @@ class Bone(Record):
     chain."""
 
 
-def bones_of(body: Body) -> Sequence[Bone]:
+def _bones(body: Body) -> Sequence[Bone]:
     """The bones between joints apart from each other, and those of joints at the end of a chain."""
     places, chains = joint_places(body.skeletons, body.joints), hanging(body.joints, body.meshes)
     parents = chains.parents

@@ -28,7 +28,7 @@ from usdrigui.character.surface import (
 )
 from usdrigui.errors import Issue, issue
 from usdrigui.layout.motion.coverage import NOTABLE, coverage_of_smaller
-from usdrigui.layout.motion.owned_skin import Bone, bones_of, owned_skin
+from usdrigui.layout.motion.owned_skin import BoundSkin, bound_skin, owned_skin
 from usdrigui.layout.shares import NEARLY_ALL
 from usdrigui.model import BaseSurface, MirrorPlane, Motion, Trajectories
 from usdrigui.settings import CandidateSettings, TrajectorySettings
@@ -64,16 +64,16 @@ def trajectories(
     """
     base = posed(rig, base_values)
     size = diagonal(base.points)
-    bones = bones_of(rig.body)
+    skin = bound_skin(rig)
     motions, left_off = [], []
     for index, control in enumerate(rig.controls):
         start, value = sweep_start(rig, base, base_values, index)
-        motion = _motion(rig, bones, start, index, value, settings)
+        motion = _motion(rig, skin, start, index, value, settings)
         if motion.arc_length.max(initial=0.0) > _EMPTY * size:
             motions.append(motion)
         else:
             left_off.append(LeftOff(control.name, STAGE, "moves no point of any mesh"))
-    excluded = _excluded(rig, bones, size, settings)
+    excluded = _excluded(rig, skin, size, settings)
     moving = (
         _without_drift(rig.body, rig.controls, motions) if settings.noise > 0.0 else tuple(motions)
     )
@@ -150,13 +150,13 @@ def total_motion(motions: Sequence[Motion], count: int) -> Singles:
 
 
 def _excluded(
-    rig: Rig, bones: Sequence[Bone], size: float, settings: TrajectorySettings
+    rig: Rig, skin: BoundSkin, size: float, settings: TrajectorySettings
 ) -> tuple[Motion, ...]:
     """Motions of the controls that the configuration leaves out, from the default pose."""
     alone = replace(rig, controls=rig.excluded)
     start = posed(alone, None)
     found = (
-        _motion(alone, bones, start, i, control.default, settings)
+        _motion(alone, skin, start, i, control.default, settings)
         for i, control in enumerate(rig.excluded)
     )
     return tuple(motion for motion in found if motion.arc_length.max(initial=0.0) > _EMPTY * size)
@@ -164,7 +164,7 @@ def _excluded(
 
 def _motion(
     rig: Rig,
-    bones: Sequence[Bone],
+    skin: BoundSkin,
     start: Posed,
     index: int,
     value: float,
@@ -183,7 +183,7 @@ def _motion(
         offsets = offsets - start_offsets
     arc = _arc_lengths(offsets)
     moving = arc > max(settings.noise * arc.max(initial=0.0), 0.0)
-    owned = owned_skin(rig.body, bones, rig.controls[index], start.points)
+    owned = owned_skin(skin, rig.controls[index])
     own = None if owned is None else owned[points]
     motion = Motion(index, points, values, offsets, arc, own)
     return motion if moving.all() else motion.of(moving)

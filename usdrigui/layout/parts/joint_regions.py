@@ -31,7 +31,7 @@ _FLAT = (FACE, EYES, HEAD, INTERIOR)
 
 _HEAD = frozenset({"head", "頭"})
 LIMB = 3
-"""Joints with skin in a chain beside the spine, the hands and the feet that make a body."""
+"""Joints with skin of an arm or a leg; two such, beside the spine, hands and feet, make a body."""
 _LOW = 0.2
 """Share of a character's height below which chains side by side are toes."""
 
@@ -78,7 +78,7 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     for joint in tree.below(eyes):
         of_joint[joint] = of_skin[joint] = EYES
     in_limbs = {i for i, name in enumerate(of_skin) if name == BODY} - set(spine)
-    if max(tree.depth_among(in_limbs)) < LIMB:
+    if len(in_limbs & tree.owners) < 2 * LIMB:
         # A hand by itself may have an arm; what hangs on no arm is more than hands.
         arms = {joint for fan in ends for joint in (fan.joint, *tree.above(fan.joint))}
         if heads or (ends and arms >= {i for i in tree.owners if of_skin[i] == BODY}):

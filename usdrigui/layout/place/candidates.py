@@ -180,7 +180,7 @@ def _in_the_middle(known: Measured, motion: Motion, near: Flags) -> Flags:
     """(p,) those `near` in the middle where the handle of a joint that is its own mirror image
     stands: on skin that the joint owns, with enough of the displacement."""
     face = known.face
-    middle = near & in_the_middle(face.surface, face.symmetry, motion, face.handle_width)
+    middle = near & in_the_middle(face.symmetry, motion, face.handle_width)
     if not middle.any():
         return middle
     enough = motion.arc_length >= _kept(motion, near, known.pruning.least_kept)

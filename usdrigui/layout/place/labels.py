@@ -162,7 +162,7 @@ def _with_copies(
     kept = (anchors >= 0).all(axis=1) & (sources >= 0).all(axis=1)
     if group.doubled:
         # The mirror image of a label of a doubled element is the same layout.
-        apart = face.symmetry.plane.distance(face.surface.points[anchors])
+        apart = face.symmetry.apart[anchors]
         kept &= apart[:, 0] >= apart[:, 1]
     return Choice(index, group.copies, anchors[kept], sources[kept])
 

@@ -109,7 +109,7 @@ def off_plane(face: Face, points: Indices, weight: float, *, of_joint: bool) -> 
     nearest of `points`, so that an element with none on the plane is not driven off the face; of
     two mirror images it then takes the one on the character's left.  An element of a joint, which
     moves its own skin much alike, is more firmly held to the plane."""
-    apart = face.symmetry.plane.distance(face.surface.points[points]) / face.handle_width
+    apart = face.symmetry.apart[points] / face.handle_width
     cost = weight * np.abs(apart) + np.where(apart < -NOTHING, _TIE, 0.0)
     if of_joint and weight:
         cost += _BESIDE * (np.abs(apart) > ON_PLANE)

@@ -10,9 +10,8 @@ from functools import cached_property
 import numpy as np
 
 from usdrigui.character import Body, Floats, Indices, Record, Rig
-from usdrigui.character.skinning import base_locals, bind_poses, parents_of, under_parents
+from usdrigui.character.skinning import at_bind_pose
 from usdrigui.layout.motion.owned_skin import joint_places
-from usdrigui.layout.motion.similarity import displacement_fields
 from usdrigui.layout.motion.trajectory import of_controls, trajectories
 from usdrigui.layout.symmetry.mirror_plane import mirrored
 from usdrigui.layout.symmetry.sides_of_joints import (
@@ -21,7 +20,7 @@ from usdrigui.layout.symmetry.sides_of_joints import (
     plane_of_pairs,
 )
 from usdrigui.layout.symmetry.twins import paired
-from usdrigui.model import BaseSurface, MirrorPlane, Motion, Symmetry, Trajectories
+from usdrigui.model import MirrorPlane, Motion, Symmetry, Trajectories
 from usdrigui.settings import Settings, TrajectorySettings
 
 
@@ -48,7 +47,10 @@ def neutral_pose(rig: Rig, settings: Settings) -> NeutralPose | None:
     pose = settings.read.pose
     if any(pose.get(each.name, each.default) != each.default for each in rig.controls):
         return NeutralPose(rig, settings.trajectories, True)
-    return _bind_pose(rig, settings.trajectories)
+    bound = at_bind_pose(rig.body)
+    if bound is rig.body:
+        return None
+    return NeutralPose(replace(rig, body=bound), settings.trajectories, False)
 
 
 def symmetry_at_pose(
@@ -70,29 +72,18 @@ def symmetry_at_pose(
         if other[0].normal.any() and (
             _missed(other[1], found.motions) < missed + neutral.preferred
         ):
-            fields = displacement_fields(there)
-            symmetry = paired(rig_there, there.motions, (fields, *other), settings)
+            symmetry = paired(rig_there, there, other, settings)
             plane = _between_joints(rig.body, rig_there.body, symmetry.plane)
             if plane is None:
-                plane = _between_points(symmetry, there.surface, found.surface.points)
+                plane = _between_points(symmetry, found.surface.points)
             origin = plane.projected(found.surface.points.mean(axis=0))
             return replace(symmetry, plane=replace(plane, origin=origin))
-    return paired(rig, found.motions, (displacement_fields(found), *mirror), settings)
+    return paired(rig, found, mirror, settings)
 
 
 def _missed(partner: Indices, motions: Sequence[Motion]) -> int:
     """How often a control moves a point without a partner."""
     return sum(int((partner[each.points] < 0).sum()) for each in motions)
-
-
-def _bind_pose(rig: Rig, sampling: TrajectorySettings) -> NeutralPose | None:
-    """The rig in its bind pose; None where that is its base pose."""
-    joints = rig.body.joints
-    local = under_parents(bind_poses(joints), parents_of(joints))
-    if np.allclose(local, base_locals(joints), atol=1e-4):
-        return None
-    turned = tuple(replace(joint, base=at) for at, joint in zip(local, joints, strict=True))
-    return NeutralPose(replace(rig, body=replace(rig.body, joints=turned)), sampling, False)
 
 
 def _between_joints(body: Body, neutral: Body, plane: MirrorPlane) -> MirrorPlane | None:
@@ -102,10 +93,10 @@ def _between_joints(body: Body, neutral: Body, plane: MirrorPlane) -> MirrorPlan
     return plane_of_pairs(body, {i: twin for i, twin in twins.items() if side[i] > side[twin]})
 
 
-def _between_points(symmetry: Symmetry, surface: BaseSurface, base: Floats) -> MirrorPlane:
-    """The plane where most pairs of points of `surface` have it at the `base` places (n, 3): what
-    one side does must not tilt it."""
-    side = symmetry.plane.distance(surface.points)
+def _between_points(symmetry: Symmetry, base: Floats) -> MirrorPlane:
+    """The plane where most pairs of points have it at the `base` places (n, 3): what one side does
+    must not tilt it."""
+    side = symmetry.apart
     # Joints may bring together what is apart at the bind pose.
     apart = (base != base[symmetry.partner]).any(axis=1)
     left = np.flatnonzero((symmetry.partner >= 0) & (side > 0.0) & apart)

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from usdrigui.character import Flags, Indices
+from usdrigui.character import Flags, Floats
 from usdrigui.layout.shares import MOST
-from usdrigui.model import BaseSurface, MirrorPlane, Motion, Symmetry
+from usdrigui.model import Motion, Symmetry
 from usdrigui.ties import first_largest
 
 ON_PLANE = 0.5
@@ -25,47 +25,38 @@ ASIDE = 0.1
 """Distance from the plane, in face sizes, from which a place lies to one side of the face."""
 
 
-def all_aside(surface: BaseSurface, plane: MirrorPlane, points: Indices) -> bool:
-    """Whether all of these points, the candidates of a symmetric control, lie to the sides of the
-    face: one handle would be on one side only."""
-    apart = np.abs(plane.distance(surface.points[points]))
-    return bool(apart.min(initial=np.inf) > ASIDE * surface.face_size)
+def all_aside(apart: Floats) -> bool:
+    """Whether all candidates of a symmetric control lie to the sides of the face, `apart` (n,) face
+    sizes from its middle: one handle would be on one side only."""
+    return bool(apart.min(initial=np.inf) > ASIDE)
 
 
-def two_lobed(
-    surface: BaseSurface,
-    plane: MirrorPlane,
-    visible: Flags,
-    motion: Motion,
-    both_sides: bool | None,
-) -> bool:
+def two_lobed(motion: Motion, apart: Floats, visible: Flags, both_sides: bool | None) -> bool:
     """Whether a symmetric control's motion has two lobes off the mirror plane and little in
     between.
 
-    `visible` (n,) are the points that some view sees, `both_sides` is whether the conventions of
-    the field expect the control on both sides; None where they do not know it: then whether its
-    peak lies to one side.  The control of a joint is on the skin that its joint owns, once.
+    `apart` (p,) are the distances of its points from the middle, in face sizes, `visible` (n,) the
+    points that some view sees, `both_sides` is whether the conventions of the field expect the
+    control on both sides; None where they do not know it: then whether its peak lies to one side.
+    The control of a joint is on the skin that its joint owns, once.
     """
     if motion.of_joint:
         return False
     length = np.where(visible[motion.points], motion.arc_length, 0.0)
     if not length.any():
         length = motion.arc_length
-    apart = np.abs(plane.distance(surface.points[motion.points]))
-    middle = length[apart <= MIDDLE * surface.face_size].max(initial=0.0)
+    middle = length[apart <= MIDDLE].max(initial=0.0)
     if both_sides is None:
-        both_sides = bool(apart[first_largest(length)] > ASIDE * surface.face_size)
+        both_sides = bool(apart[first_largest(length)] > ASIDE)
     # Less is enough where the conventions expect it in the middle, or it is nearly there.
     least = _KEPT if both_sides else MOST
     return bool(middle < least * length.max())
 
 
-def in_the_middle(
-    surface: BaseSurface, symmetry: Symmetry, motion: Motion, handle_width: float
-) -> Flags:
+def in_the_middle(symmetry: Symmetry, motion: Motion, handle_width: float) -> Flags:
     """(p,) which points that a motion moves a handle on the mirror plane covers, where a joint is
     turned about itself that is its own mirror image; none for another control."""
     own = motion.of_joint and int(symmetry.twins[motion.control]) == motion.control
     if not (own and symmetry.plane.normal.any()):
         return np.zeros(len(motion.points), dtype=bool)
-    return np.abs(symmetry.plane.distance(surface.points[motion.points])) <= ON_PLANE * handle_width
+    return np.abs(symmetry.apart[motion.points]) <= ON_PLANE * handle_width

@@ -18,10 +18,15 @@ from usdrigui.character import Flags, Floats, Indices, Rig, Singles
 from usdrigui.conventions.sides import has_side, hints_at_twin
 from usdrigui.errors import Faults, check_known
 from usdrigui.layout.control_overrides import control_index, control_overrides
-from usdrigui.layout.motion.similarity import DisplacementFields, bidirectional, rows_of
+from usdrigui.layout.motion.similarity import (
+    DisplacementFields,
+    bidirectional,
+    displacement_fields,
+    rows_of,
+)
 from usdrigui.layout.shares import HARDLY_ANY
 from usdrigui.layout.symmetry.sides_of_joints import mirrored_joints
-from usdrigui.model import MirrorPlane, Motion, Symmetry
+from usdrigui.model import MirrorPlane, Motion, Symmetry, Trajectories
 from usdrigui.settings import ControlSettings, Settings
 from usdrigui.ties import steady
 
@@ -31,15 +36,15 @@ _NAME_FLOOR = 0.3
 
 def paired(
     rig: Rig,
-    motions: tuple[Motion, ...],
-    mirror: tuple[DisplacementFields, MirrorPlane, Indices],
+    trajectories: Trajectories,
+    mirror: tuple[MirrorPlane, Indices],
     settings: Settings,
 ) -> Symmetry:
     """The symmetry with the twin of every control.
 
-    `mirror` are the fields of the motions, the mirror plane and the partners (n,) of all points.
+    `mirror` are the mirror plane and the partners (n,) of all points, where the `trajectories` are.
     """
-    fields, plane, partner = mirror
+    motions, (plane, partner) = trajectories.motions, mirror
     configured = configured_twins(rig, settings.controls)
     least = settings.symmetry.twin_similarity
     count = len(rig.controls)
@@ -48,7 +53,7 @@ def paired(
     for control, twin in configured.items():
         twins[control], sources[control] = twin, "config"
     if plane.normal.any():
-        raw = agreements(fields, partner, plane.normal)
+        raw = agreements(displacement_fields(trajectories), partner, plane.normal)
         raw = 0.5 * (raw + raw.T)
         free = [i for i, motion in enumerate(motions) if motion.control not in configured]
         names = [rig.control_names[motion.control] for motion in motions]
@@ -67,7 +72,8 @@ def paired(
             twins[a], twins[b] = b, a
             sources[a] = sources[b] = "geometry" if agreed[i, j] >= least else "name"
         reversed_twins = _reversed(motions, twins, raw)
-    return Symmetry(plane, partner, twins, tuple(sources), reversed_twins)
+    apart = plane.distance(trajectories.surface.points)
+    return Symmetry(plane, partner, apart, twins, tuple(sources), reversed_twins)
 
 
 def _reversed(motions: tuple[Motion, ...], twins: Indices, raw: Floats) -> Flags:

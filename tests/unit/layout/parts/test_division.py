@@ -62,9 +62,10 @@ def test_a_hand_is_as_large_as_it_is_long_however_flat_it_is_held():
         limbs.whole_body(head="e"),
         limbs.anyhow(BODY, 3),
         limbs.resting(BODY, {"a2": (0.0, 2.0, 0.0)}),
+        limbs.whole_body(bare=("a2", "b2", "l2")),
         limbs.with_default_controls(limbs.flattened(limbs.hand_rig())),
     ],
-    ids=["head named", "no name", "posed", "a wrist bent back", "hand alone"],
+    ids=["head named", "no name", "posed", "a wrist bent back", "limbs of two", "hand alone"],
 )
 def test_joints_are_told_apart_into_face_hands_and_body(rig):
     found = named(rig)

@@ -113,8 +113,8 @@ def test_a_control_kept_on_the_face_cannot_leave_it():
 
 
 @pytest.mark.parametrize("conventions", [True, False])
-def test_what_a_face_needs_and_families_leave_it_last_in_a_crowd(conventions):
-    needed = {"jawOpen": True, "viseme_aa": True, "cheekPuff": False, "noseWrinkleTop": True, "sculpt": False}
+def test_controls_whose_names_say_what_they_do_leave_a_crowd_last(conventions):
+    needed = {"jawOpen": True, "viseme_aa": True, "cheekPuff": True, "noseThick": False, "sculpt": False}
     shapes = {name: makers.bump(POINTS, (0.0, 0.4 * i - 0.8), (0, 1, 0.2)) for i, name in enumerate(needed)}
     asked = chain.settings(candidates={**PLAIN, "conventions": conventions})
     problem = chain.problem_of(makers.rig(POINTS, QUADS, shapes), asked).problem

@@ -25,7 +25,7 @@ def test_each_control_of_each_copy_that_leaves_the_face_costs_and_more_if_it_is_
 ):
     """Two controls at 3 each, and 5 for one that is needed, as the joints of a body are; none leaves where the board
     had them before."""
-    action = [SimpleNamespace(action=SimpleNamespace(is_needed=i in needed)) if i in needed else None for i in (0, 1)]
+    action = [SimpleNamespace(action=SimpleNamespace(vague=i not in needed)) for i in (0, 1)]
     requests = SimpleNamespace(
         overrides=[ControlSettings(), ControlSettings()],
         prior=SimpleNamespace(stood_on_board=lambda _: stood),

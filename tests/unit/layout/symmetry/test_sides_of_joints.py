@@ -89,6 +89,15 @@ def test_a_character_that_rests_in_a_pose_has_the_pairs_of_its_bind_pose():
     assert len(twins(posed)) >= 0.9 * len(twins(plain))
 
 
+def test_a_joint_owns_in_a_pose_what_it_owns_at_the_bind_pose_and_the_middle_lies_where_it_lies_there():
+    """In a pose an arm lies on a belly, and the middle of a twisted trunk is no plane."""
+    rig = limbs.whole_body()
+    plain, posed = (stages.character_of(each, Settings()) for each in (rig, limbs.anyhow(rig, 5)))
+    assert posed.symmetry.apart == pytest.approx(plain.symmetry.apart, abs=1e-6)
+    for one, other in zip(plain.trajectories.motions, posed.trajectories.motions, strict=True):
+        assert np.interp(one.points, other.points, other.owned) == pytest.approx(one.owned, abs=1e-6)
+
+
 @pytest.mark.parametrize("turns", [{"a0": (0, 0, 1.2), "b0": (0, 0, 1.2)}, {"s": (0, 0, 0.4)}])
 def test_a_body_in_a_pose_has_the_pairs_and_sides_of_its_bind_pose(turns):
     """One arm up and one down, a trunk that leans: also where no name tells a side."""
