@@ -278,9 +278,9 @@ def off_face_cost(
         each.place in ("face", "proxy") or each.anchor for each in overrides
     ):
         return float(np.inf)
-    # Where the earlier layout had it on the board, nothing leaves the face.
-    leaves = len(group.controls) * (not requests.prior.stood_on_board(group.controls))
-    needed = _needed(face, group.controls)
+    if requests.prior.stood_on_board(group.controls):
+        return 0.0  # Nothing leaves the face.
+    leaves, needed = len(group.controls), _needed(face, group.controls)
     return (settings.off_face_penalty * leaves + _NEEDED * needed) * len(group.copies)
 
 

@@ -15,7 +15,7 @@ from usdrigui.settings import ControlSettings, ObjectiveSettings
         ((), False, 1, False, 6.0),
         ((), False, 2, False, 12.0),
         ((0,), False, 2, False, 22.0),
-        ((0, 1), True, 1, False, 10.0),
+        ((0, 1), True, 1, False, 0.0),
         ((), True, 2, False, 0.0),
         ((), False, 1, True, 16.0),
     ],
