@@ -7,7 +7,7 @@ import numpy as np
 
 from usdrigui.character import Control, Drive, Joint, Skeleton, Skin
 from usdrigui.character.rotation import rotations
-from usdrigui.reading.control import default_joint_drafts
+from usdrigui.reading.control import control_of, default_joint_drafts
 
 _AROUND = 12
 _RINGS = 8
@@ -151,19 +151,7 @@ def moved(rig, turn, scale, own):
 
 
 def as_control(draft):
-    """The control of a draft as it stands."""
-    span = draft.range
-    return Control(
-        draft.name,
-        draft.name,
-        draft.kind,
-        draft.source,
-        span.minimum,
-        span.default,
-        span.maximum,
-        span.source,
-        draft.drive_over(draft.range),
-    )
+    return control_of(draft, draft.name, draft.name, draft.range)
 
 
 def whole_body(ahead=1.0, head="Head", bare=()):

@@ -36,9 +36,21 @@ def page_path(request, tmp_path_factory):
 
 
 @pytest.fixture
-def viewer(browser, page_path):
-    """The page that a module's `page_path` makes; what goes wrong in it fails the test."""
-    made = Viewer(browser, page_path)
-    yield made
-    assert made.trouble == []
-    made.close()
+def opened(browser):
+    """Opens pages; what goes wrong in one fails the test."""
+    made = []
+
+    def at(path, *size, **how):
+        made.append(Viewer(browser, path, *size, **how))
+        return made[-1]
+
+    yield at
+    for each in made:
+        assert each.trouble == []
+        each.close()
+
+
+@pytest.fixture
+def viewer(opened, page_path):
+    """The page that a module's `page_path` makes."""
+    return opened(page_path)

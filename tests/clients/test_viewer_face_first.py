@@ -5,7 +5,6 @@ from dataclasses import replace
 import makers
 import numpy as np
 import pytest
-from browser_pages import Viewer
 from viewer_layouts import peak_layout
 
 from usdrigui.model import LayoutPart
@@ -21,17 +20,8 @@ def characters():
 
 
 @pytest.fixture
-def opened(browser, page_path):
-    made = []
-
-    def at(size):
-        made.append(Viewer(browser, page_path, SIZES[size]))
-        return made[-1]
-
-    yield at
-    for each in made:
-        assert each.trouble == []
-        each.close()
+def shown(opened, page_path):
+    return lambda size: opened(page_path, SIZES[size])
 
 
 def on_face(viewer):
@@ -39,8 +29,8 @@ def on_face(viewer):
 
 
 @pytest.mark.parametrize("size", SIZES)
-def test_the_face_fills_what_the_board_leaves(opened, size):
-    viewer = opened(size)
+def test_the_face_fills_what_the_board_leaves(shown, size):
+    viewer = shown(size)
     dock, column = viewer.page.evaluate("[usdrigui.app.view.overlay.dock.rect, usdrigui.app.view.columns[0]]")
     if size == "desk":
         assert dock["left"] == column["width"]
@@ -54,8 +44,8 @@ def test_the_face_fills_what_the_board_leaves(opened, size):
 
 
 @pytest.mark.parametrize("size", SIZES)
-def test_a_handle_of_the_board_is_dragged_where_it_is_drawn(opened, size):
-    viewer = opened(size)
+def test_a_handle_of_the_board_is_dragged_where_it_is_drawn(shown, size):
+    viewer = shown(size)
     element = viewer.element("chin")
     (start, *_, end) = element["tracks"][0]
     target = [a + 0.5 * (b - a) for a, b in zip(start, end, strict=True)]
@@ -64,15 +54,15 @@ def test_a_handle_of_the_board_is_dragged_where_it_is_drawn(opened, size):
     assert viewer.element("chin")["handle"] == pytest.approx(target, abs=0.5)
 
 
-def test_the_first_handle_is_two_tab_stops_away(opened):
-    viewer = opened("desk")
+def test_the_first_handle_is_two_tab_stops_away(shown):
+    viewer = shown("desk")
     viewer.page.keyboard.press("Tab")
     viewer.page.keyboard.press("Tab")
     assert viewer.page.evaluate("document.activeElement.dataset.element")
 
 
-def test_keys_hide_elements_and_show_the_pose_before_while_they_are_held(opened):
-    viewer = opened("desk")
+def test_keys_hide_elements_and_show_the_pose_before_while_they_are_held(shown):
+    viewer = shown("desk")
     viewer.set(pucker=0.7)
     shown = "getComputedStyle(document.querySelector('.marks')).visibility"
     viewer.page.keyboard.down("h")
@@ -87,8 +77,8 @@ def test_keys_hide_elements_and_show_the_pose_before_while_they_are_held(opened)
     assert viewer.moved() == {"pucker": 0.7}
 
 
-def test_influence_is_gone_after_a_release_until_something_is_pointed_at(opened):
-    viewer = opened("desk")
+def test_influence_is_gone_after_a_release_until_something_is_pointed_at(shown):
+    viewer = shown("desk")
     element = viewer.element("brow_L")
     heated = "Boolean(usdrigui.app.view.stage.heated)"
     viewer.page.mouse.move(*viewer.on_page(element["handle"]))
@@ -104,8 +94,8 @@ def test_influence_is_gone_after_a_release_until_something_is_pointed_at(opened)
     assert not viewer.page.evaluate(heated)
 
 
-def test_a_double_click_looks_closely_and_another_back(opened):
-    viewer = opened("desk")
+def test_a_double_click_looks_closely_and_another_back(shown):
+    viewer = shown("desk")
     distance = "usdrigui.app.view.camera.distance"
     far = viewer.page.evaluate(distance)
     middle = viewer.page.evaluate(
@@ -121,7 +111,7 @@ PARTS = (("interior", ("chin",)), ("face", ("brow_L", "brow_R", "pucker")), ("ha
 TITLES = {"interior": "inside the mouth"}
 
 
-def test_each_part_has_a_tab_and_the_first_is_shown(browser, tmp_path):
+def test_each_part_has_a_tab_and_the_first_is_shown(opened, tmp_path):
     """A part without handles on the character, as the inside of a mouth, is looked at in the face."""
     rig = makers.face()
     layout = peak_layout(rig, beside=("chin",))
@@ -137,7 +127,7 @@ def test_each_part_has_a_tab_and_the_first_is_shown(browser, tmp_path):
     path.write_text(
         page_html([(rig, replace(layout, elements=elements, frame=replace(layout.frame, parts=parts)))], "parts")
     )
-    viewer, targets = Viewer(browser, path), {}
+    viewer, targets = opened(path), {}
     for part, members in PARTS:
         viewer.page.get_by_role("button", name=TITLES.get(part, part), exact=True).click()
         viewer.settle()
@@ -145,12 +135,10 @@ def test_each_part_has_a_tab_and_the_first_is_shown(browser, tmp_path):
         targets[part] = viewer.page.evaluate("usdrigui.app.view.camera.target")
     assert targets["interior"] == pytest.approx(targets["face"], abs=0.05)
     assert viewer.page.evaluate("usdrigui.app.view.camera.towards") == pytest.approx([1.0, 0.0, 0.0], abs=1e-6)
-    assert viewer.trouble == []
-    viewer.close()
 
 
 @pytest.mark.parametrize("size", [(2560, 1440), (1366, 768), (1024, 700), (820, 1180), (390, 844)])
-def test_what_is_always_needed_is_in_sight_and_the_rest_is_in_a_menu(browser, tmp_path, size):
+def test_what_is_always_needed_is_in_sight_and_the_rest_is_in_a_menu(opened, tmp_path, size):
     """Of a character in seven parts, as a body without names of shapes is."""
     rig = makers.face()
     layout = peak_layout(rig)
@@ -161,7 +149,7 @@ def test_what_is_always_needed_is_in_sight_and_the_rest_is_in_a_menu(browser, tm
     path.write_text(
         page_html([(rig, replace(layout, elements=elements, frame=replace(layout.frame, parts=made)))], "p")
     )
-    viewer = Viewer(browser, path, size)
+    viewer = opened(path, size)
     for name in ("Undo", "Redo", "Key", "Panel", "Shortcuts"):
         box = viewer.page.get_by_role("button", name=name, exact=True).bounding_box()
         assert box["x"] >= 0 <= box["y"], name
@@ -178,15 +166,13 @@ def test_what_is_always_needed_is_in_sight_and_the_rest_is_in_a_menu(browser, tm
     assert viewer.page.evaluate(tag) == ["rgb(244, 245, 247)"] * 2, "words are not in the colours of marks"
     viewer.page.get_by_role("button", name="Symmetry", exact=True).click()
     assert viewer.page.evaluate("usdrigui.app.session.options.symmetric")
-    assert viewer.trouble == []
-    viewer.close()
 
 
 # --- fingers -----------------------------------------------------------------------------------------
 
 
-def test_one_finger_poses_and_two_hold_the_camera(opened):
-    viewer = opened("phone")
+def test_one_finger_poses_and_two_hold_the_camera(shown):
+    viewer = shown("phone")
     element = viewer.element("brow_L")
     end = element["tracks"][0][-1]
     viewer.touch("touchStart", [element["handle"][0] + 9, element["handle"][1] + 9])
@@ -205,8 +191,8 @@ def test_one_finger_poses_and_two_hold_the_camera(opened):
     assert viewer.moved(0.01) == moved
 
 
-def test_a_finger_that_rests_on_the_skin_pins_it_and_a_tap_takes_the_pin_out(opened):
-    viewer = opened("phone")
+def test_a_finger_that_rests_on_the_skin_pins_it_and_a_tap_takes_the_pin_out(shown):
+    viewer = shown("phone")
     viewer.option("handles", False)
     at = viewer.page.evaluate("[usdrigui.app.view.columns[0].width / 2, usdrigui.app.view.columns[0].height * 0.45]")
     pins = "usdrigui.app.session.pins.length"
@@ -221,16 +207,16 @@ def test_a_finger_that_rests_on_the_skin_pins_it_and_a_tap_takes_the_pin_out(ope
     assert viewer.page.evaluate(pins) == 0
 
 
-def test_a_question_mark_shows_the_keys(opened):
-    viewer = opened("desk")
+def test_a_question_mark_shows_the_keys(shown):
+    viewer = shown("desk")
     shown = viewer.page.locator(".help")
     for visible in (True, False):
         viewer.page.keyboard.press("?")
         assert shown.is_visible() == visible
 
 
-def test_the_frames_of_a_page_without_a_clip_are_set_undone_and_kept(opened):
-    viewer = opened("desk")
+def test_the_frames_of_a_page_without_a_clip_are_set_undone_and_kept(shown):
+    viewer = shown("desk")
     ends = "usdrigui.app.session.range"
     viewer.page.get_by_label("First frame", exact=True).fill("101")
     viewer.page.keyboard.press("Enter")

@@ -5,7 +5,6 @@ import json
 import makers
 import numpy as np
 import pytest
-from browser_pages import Viewer
 from pxr import Sdf, Usd
 from viewer_layouts import MIRRORS, on_track, peak_layout
 
@@ -290,16 +289,13 @@ def test_keys_out_as_a_usd_layer_and_in_again(viewer, tmp_path):
 
 
 @pytest.fixture
-def study(browser, tmp_path):
+def study(opened, tmp_path):
     """The page with the evaluation, which the ordinary one does not offer, and a shelf of one pose."""
     rig = makers.face()
     path = tmp_path / "study.html"
     shelf = '#usda 1.0\nstring pose = "{\\"values\\": {\\"chin\\": 1}}"\n'
     path.write_text(page_html([(rig, peak_layout(rig, mirrors=MIRRORS))], "face", study=True, reviews=[shelf]))
-    made = Viewer(browser, path)
-    yield made
-    assert made.trouble == []
-    made.close()
+    return opened(path)
 
 
 def agree(page):

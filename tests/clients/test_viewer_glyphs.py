@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import laid_out
 import numpy as np
-from browser_pages import Viewer
 from skel_stages import character
 
 from usdrigui.character import Glyph
@@ -19,7 +18,7 @@ TOLERANCE = 6e-5
 """Of the diagonal: what 16-bit positions and offsets leave."""
 
 
-def test_glyphs_stand_where_the_library_has_them(browser, tmp_path):
+def test_glyphs_stand_where_the_library_has_them(opened, tmp_path):
     source = character(tmp_path / "char.usda")
     (rig, *_) = read_rigs(source, load({"read": {"joints": "all"}}))
     layout = laid_out.layout_of(rig, beside=("smile",))
@@ -29,7 +28,7 @@ def test_glyphs_stand_where_the_library_has_them(browser, tmp_path):
     layout = replace(layout, elements=tuple(elements))
     page = tmp_path / "page.html"
     page.write_text(page_html([(rig, layout)], "glyphs"))
-    viewer = Viewer(browser, page)
+    viewer = opened(page)
     poser, rng = prepare(rig, layout), np.random.default_rng(5)
     diagonal = float(np.linalg.norm(np.ptp(deform(rig), axis=0)))
     for _ in range(3):
@@ -38,5 +37,3 @@ def test_glyphs_stand_where_the_library_has_them(browser, tmp_path):
         outlines = viewer.page.evaluate("usdrigui.app.session.elements.list.map((each) => each.outline)")
         for outline, at in zip(outlines, evaluate(poser, values).elements, strict=True):
             assert np.abs(np.array(outline) - at.glyph).max() <= TOLERANCE * diagonal
-    assert viewer.trouble == []
-    viewer.close()

@@ -4,7 +4,6 @@ from itertools import pairwise
 
 import makers
 import pytest
-from browser_pages import Viewer
 from pxr import Gf, Usd, UsdGeom
 from viewer_layouts import animated, peak_layout
 
@@ -30,17 +29,8 @@ def pages(tmp_path_factory):
 
 
 @pytest.fixture
-def opened(browser):
-    made = []
-
-    def at(path, size=(1366, 768)):
-        made.append(Viewer(browser, path, size))
-        return made[-1]
-
-    yield at
-    for each in made:
-        assert each.trouble == []
-        each.close()
+def shown(opened):
+    return lambda path, size=(1366, 768): opened(path, size)
 
 
 def chin(viewer):
@@ -108,8 +98,8 @@ def reviewed(viewer, folder):
     return viewer.saved("Save review", folder / "review.usda")
 
 
-def test_a_review_opens_elsewhere_at_its_frame_view_and_pose(opened, pages, tmp_path):
-    sender = opened(pages())
+def test_a_review_opens_elsewhere_at_its_frame_view_and_pose(shown, pages, tmp_path):
+    sender = shown(pages())
     path = reviewed(sender, tmp_path)
     at = chin(sender)
     (sent,) = lines(sender)
@@ -118,7 +108,7 @@ def test_a_review_opens_elsewhere_at_its_frame_view_and_pose(opened, pages, tmp_
     assert all(amber(sender, corner) for corner in sent)
     assert path.stat().st_size < 8000
 
-    reader = opened(pages(path), (390, 844))
+    reader = shown(pages(path), (390, 844))
     assert reader.page.get_by_label("Comment of note 1").input_value() == 'More of "this" here,\nless < there'
     assert lines(reader) == []
     reader.page.get_by_role("button", name="1 · Frame 6, 1 stroke").click()
@@ -135,9 +125,9 @@ def test_a_review_opens_elsewhere_at_its_frame_view_and_pose(opened, pages, tmp_
     assert lines(reader) == [], "seen from elsewhere, the strokes would lie over something else"
 
 
-def test_the_pose_of_a_note_is_looked_at_until_an_edit_takes_it(opened, pages, tmp_path):
-    path = reviewed(opened(pages()), tmp_path)
-    reader = opened(pages(path))
+def test_the_pose_of_a_note_is_looked_at_until_an_edit_takes_it(shown, pages, tmp_path):
+    path = reviewed(shown(pages()), tmp_path)
+    reader = shown(pages(path))
     work = "JSON.parse(JSON.stringify(usdrigui.app.kept[0].autosave.isUnsaved))"
     show = reader.page.get_by_role("button", name="1 · Frame 6, 1 stroke")
     show.click()
@@ -165,8 +155,8 @@ def test_the_pose_of_a_note_is_looked_at_until_an_edit_takes_it(opened, pages, t
     assert reader.moved() == pytest.approx({"pucker": 0.5, "brow_L": 0.75})
 
 
-def test_a_review_is_a_layer_that_usd_opens_over_the_character(opened, pages, tmp_path):
-    sender = opened(pages())
+def test_a_review_is_a_layer_that_usd_opens_over_the_character(shown, pages, tmp_path):
+    sender = shown(pages())
     path = reviewed(sender, tmp_path)
     (sent,) = lines(sender)
     column = sender.page.evaluate("usdrigui.app.view.controlsColumn")
@@ -185,9 +175,9 @@ def test_a_review_is_a_layer_that_usd_opens_over_the_character(opened, pages, tm
         assert seen == pytest.approx(at, abs=0.6)
 
 
-def test_notes_are_undone_and_offered_back_like_all_work(opened, pages, tmp_path):
-    path = reviewed(opened(pages()), tmp_path)
-    viewer = opened(pages(path))
+def test_notes_are_undone_and_offered_back_like_all_work(shown, pages, tmp_path):
+    path = reviewed(shown(pages()), tmp_path)
+    viewer = shown(pages(path))
     viewer.page.get_by_role("button", name="Add note").click()
     viewer.page.keyboard.type("Mine")
     viewer.page.get_by_role("button", name="Take note 1 away").click()

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 import skinned_stages
-from browser_pages import Viewer
 from pxr import Sdf, Usd, UsdSkel
 
 from usdrigui import pipeline
@@ -23,11 +22,8 @@ def asset(tmp_path_factory):
 
 
 @pytest.fixture
-def viewer(browser, asset):
-    made = Viewer(browser, asset[2])
-    yield made
-    assert made.trouble == []
-    made.close()
+def viewer(opened, asset):
+    return opened(asset[2])
 
 
 def layout_of(layer):

@@ -181,7 +181,7 @@ def settled(
         if override.exclude:
             left_off.append(LeftOff(draft.name, "config", "excluded by the configuration"))
             if draft.range.maximum > draft.range.minimum:
-                excluded.append(_control(draft, draft.name, override.label, draft.range))
+                excluded.append(control_of(draft, draft.name, override.label, draft.range))
             continue
         span = _ANY_RANGE
         with faults.collected():
@@ -196,7 +196,7 @@ def settled(
             where = f'controls."{draft.name}".rename'
             faults.add([issue("CONFIG_VALUE", where, f"two controls would be called {name!r}")])
         names.add(name)
-        controls.append(_control(draft, name, override.label, span))
+        controls.append(control_of(draft, name, override.label, span))
     return tuple(controls), tuple(excluded), left_off
 
 
@@ -244,7 +244,8 @@ def _ranged(draft: Draft, override: ControlSettings) -> Range:
     return span
 
 
-def _control(draft: Draft, name: str, label: str, span: Range) -> Control:
+def control_of(draft: Draft, name: str, label: str, span: Range) -> Control:
+    """The control that a draft becomes; without a `label` it has the draft's, or its name."""
     return Control(
         name,
         label or draft.label or name,

@@ -78,7 +78,9 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     for joint in tree.below(eyes):
         of_joint[joint] = of_skin[joint] = EYES
     in_limbs = {i for i, name in enumerate(of_skin) if name == BODY} - set(spine)
-    if len(in_limbs & tree.owners) < 2 * LIMB:
+    # A face and hands are those of a body, however little of it has skin.
+    whole = {FACE, HANDS} <= {of_skin[joint] for joint in tree.owners}
+    if len(in_limbs & tree.owners) < 2 * LIMB and not whole:
         # A hand by itself may have an arm; what hangs on no arm is more than hands.
         arms = {joint for fan in ends for joint in (fan.joint, *tree.above(fan.joint))}
         if heads or (ends and arms >= {i for i in tree.owners if of_skin[i] == BODY}):

@@ -287,11 +287,10 @@ def off_face_cost(
 def _needed(face: Face, controls: tuple[int, ...]) -> int:
     """How many controls of the element are missed where they leave the face: those whose names say
     what they do there, and the joints of a body, where nobody looks for them on a board."""
-    meanings = [face.meanings[control] for control in controls]
     return sum(
         (face.behind and face.trajectories.motion_of(control).of_joint)
-        or (meaning is not None and not meaning.action.vague)
-        for control, meaning in zip(controls, meanings, strict=True)
+        or ((meaning := face.meanings[control]) is not None and not meaning.action.vague)
+        for control in controls
     )
 
 

@@ -31,7 +31,7 @@ def named(rig, settings=None):
 
 
 def test_joints_of_a_face_that_shapes_move_are_a_part_of_their_own():
-    """The face of a body is laid out as without its joints; a bust is one part."""
+    """The face of a body is laid out as without its joints."""
     (mesh,) = BODY.body.meshes
     smile = makers.shape(0, np.where(mesh.points[:, 1:2] > 1.4, [[0.0, 0.0, 0.05]], 0.0))
     smiling = makers.changed(
@@ -147,7 +147,7 @@ def test_what_has_one_or_two_elements_joins_the_part_beside_it():
 
 
 @pytest.mark.parametrize("wrists", [set(), {"a2", "b2"}])
-def test_a_head_without_a_body_keeps_its_eyes_and_its_hands_their_wrists(wrists):
+def test_a_head_without_a_body_keeps_its_eyes_and_with_hands_it_is_a_body(wrists):
     rig = with_eyes()
     paths = [{*joint.path.split("/")} for joint in rig.body.joints]
     limb = [i for i, path in enumerate(paths) if path & {"a0", "b0", "al0", "bl0"} and not path & wrists]
@@ -155,8 +155,9 @@ def test_a_head_without_a_body_keeps_its_eyes_and_its_hands_their_wrists(wrists)
     trunk = replace(own, joints=np.where(np.isin(own.joints, limb), 0, own.joints))
     bust = makers.changed(rig, meshes=(makers.changed(rig.body.meshes[0], skin=trunk), *rig.body.meshes[1:]))
     found = named(limbs.with_default_controls(bust))
-    assert list(found) == ["face", "hands"][: 1 + bool(wrists)]
-    assert wrists <= {name.partition(":")[0] for name in found[list(found)[-1]]}
+    assert list(found) == ["face", "hands", "body"][: 1 + 2 * bool(wrists)]
+    of = {name.partition(":")[0] for name in found[list(found)[-1]]}
+    assert of & {"n", "b", *wrists} == {"n", *(wrists or "b")}
 
 
 def test_a_body_does_not_change_the_scale_of_its_face():
