@@ -12,7 +12,7 @@ from usdrigui.character.surface import components, mesh_triangles
 from usdrigui.conventions import Meaning
 from usdrigui.layout.canonical_face import Expectation
 from usdrigui.layout.visibility import Views, clear_handles
-from usdrigui.model import BaseSurface, Symmetry, Trajectories
+from usdrigui.model import Anchor, BaseSurface, Symmetry, Trajectories
 from usdrigui.settings import CandidateSettings
 from usdrigui.ties import first_largest
 
@@ -93,3 +93,10 @@ class Face(Record):
     def control_name(self, control: int) -> str:
         """Name of a control by its index."""
         return self.rig.control_names[control]
+
+    def anchor(self, point: int) -> Anchor:
+        """The anchor on a point of the face."""
+        index, local = self.rig.body.mesh_of(point)
+        mesh = self.rig.body.meshes[index]
+        base, normal = self.surface.points[point], self.surface.normals[point]
+        return Anchor(mesh.path, local, len(mesh.points), mesh.topology.hash, base, normal, False)

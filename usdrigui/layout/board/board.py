@@ -8,7 +8,7 @@ head-like joint, so that it follows the head and nothing else.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import Literal
 
@@ -20,7 +20,8 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.glyph_fitting import fitted_glyph
 from usdrigui.layout.names import common_label, element_name
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.model import Anchor, Element, Group, Member, Side
+from usdrigui.layout.symmetry.lobes import ASIDE
+from usdrigui.model import Element, Group, Member, Side
 
 CATEGORIES = (
     "global", "hidden", "interior", "composite", "viseme",
@@ -186,7 +187,8 @@ def _element(
         for each in row
     ]
     own = row.index(entry)
-    anchor, side = _anchor(drawing, place), _side(face, entry, own)
+    toward, side = face.views.directions[0], _side(face, entry, row)
+    anchor = replace(face.anchor(drawing.carrier), position=place, normal=toward, on_board=True)
     length = _TRACK * face.handle_width * (1.0 if len(entry.controls) == 1 else 0.5)
     members = tuple(
         _member(face, control, place, length, direction)
@@ -247,17 +249,15 @@ def _member(face: Face, control: int, place: Floats, length: float, direction: F
     return Member(ours.name, values, track, peak, length / peak, peak)
 
 
-def _anchor(drawing: _Drawing, place: Floats) -> Anchor:
-    rig = drawing.face.rig
-    index, local = rig.body.mesh_of(drawing.carrier)
-    mesh = rig.body.meshes[index]
-    toward = drawing.face.views.directions[0]
-    return Anchor(mesh.path, local, len(mesh.points), mesh.topology.hash, place, toward, True)
-
-
-def _side(face: Face, entry: BoardEntry, own: int) -> Side:
+def _side(face: Face, entry: BoardEntry, row: tuple[BoardEntry, ...]) -> Side:
+    """The side of a pair's element; of another one, which may have lost its pair, that on which
+    it acts."""
     if not face.symmetry.plane.normal.any():
         return "none"
-    if not entry.group.images:
+    if len(row) == 2:
+        return "left" if entry is row[0] else "right"
+    motion = face.trajectories.motion_of(entry.controls[0])
+    apart = np.average(face.symmetry.apart[motion.points], weights=motion.arc_length)
+    if abs(apart) <= ASIDE * face.surface.face_size:
         return "middle"
-    return "left" if own == 0 else "right"
+    return "left" if apart > 0.0 else "right"

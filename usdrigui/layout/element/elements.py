@@ -20,7 +20,6 @@ from usdrigui.layout.place.labels import drawn_magnification, own_mirror_image
 from usdrigui.layout.place.problem import PlacementProblem
 from usdrigui.layout.symmetry.lobes import MIDDLE
 from usdrigui.model import (
-    Anchor,
     Assignment,
     Choice,
     Element,
@@ -131,7 +130,7 @@ def _on_face(known: Measured, group: Group, choice: Choice, label: int) -> list[
         drawn = tuple(_member(face, control, point, source, least) for control in controls)
         members, opposed = _ordered(group, drawn, _normal(face, point))
         middle = own_mirror_image(face, group)
-        anchor, side = anchor_at(face, point), "middle" if middle else sides[copy]
+        anchor, side = face.anchor(point), "middle" if middle else sides[copy]
         mirror = names[1 - copy] if len(names) == 2 else ""
         made.append(
             Element(
@@ -188,14 +187,6 @@ def _member(face: Face, control: int, point: int, source: int, least: float) -> 
     track = face.surface.points[point] + factor * path
     name, peak = face.control_name(control), float(motion.arc_length.max())
     return Member(name, motion.values, track, length, factor, peak)
-
-
-def anchor_at(face: Face, point: int) -> Anchor:
-    """The anchor on a point of the face."""
-    index, local = face.rig.body.mesh_of(point)
-    mesh = face.rig.body.meshes[index]
-    base, normal = face.surface.points[point], face.surface.normals[point]
-    return Anchor(mesh.path, local, len(mesh.points), mesh.topology.hash, base, normal, False)
 
 
 def _sides(face: Face, points: Indices) -> list[Side]:
