@@ -43,11 +43,11 @@ def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
     wide = False
     while True:
         taken = cheap_labels(problem, labels, alive, chosen, most, budget)
-        rows, best = KnownRows(taken.pairs), np.searchsorted(taken.place, chosen)
-        incumbent = _layout_of(taken.labels, rows, best, budget, penalty)
+        best = np.searchsorted(taken.place, chosen)
+        incumbent = _layout_of(taken.labels, KnownRows(taken.pairs, penalty), best, budget)
         if most == np.inf and not wide and taken.stands.any():
-            every, best = LazyRows(problem, labels, budget), taken.place[incumbent.chosen]
-            chosen, wide = _layout_of(labels, every, best, budget, penalty).chosen, True
+            every, best = LazyRows(problem, labels, budget, penalty), taken.place[incumbent.chosen]
+            chosen, wide = _layout_of(labels, every, best, budget).chosen, True
             continue  # Their labels are taken, too.
         budget.note("local search", cost=incumbent.cost, labels=len(taken.place), work=budget.work)
         left = Reduction(taken, budget, incumbent)
@@ -86,10 +86,10 @@ def infeasible_penalty(problem: LayoutProblem, labels: LabelSet) -> float:
 
 
 def _layout_of(
-    labels: LabelSet, rows: KnownRows | LazyRows, chosen: Indices, budget: Budget, penalty: float
+    labels: LabelSet, rows: KnownRows | LazyRows, chosen: Indices, budget: Budget
 ) -> LocalSearch:
     """A good layout of some labels, from one of them on (variables,), if there is any yet."""
-    found = LocalSearch(labels.start, labels.cost, rows, budget, penalty, tell=True)
+    found = LocalSearch(labels.start, labels.cost, rows, budget, tell=True)
     if len(chosen):
         found.improve_from(chosen)
     else:

@@ -38,23 +38,22 @@ class LocalSearch:
         linear: Floats,
         rows: KnownRows | LazyRows,
         budget: Budget,
-        penalty: float,
         tell: bool = False,
     ) -> None:
         """`start` (variables + 1,) is the first label of each variable, `linear` (n,) what labels
-        cost alone; a forbidden pair costs the `penalty`.
+        cost alone.
 
         With `tell` its layouts are ones of the whole problem, and the budget counts them.
         """
-        self._start, self._linear, self._rows = start, linear, rows
-        self._budget, self.penalty, self._tell = budget, penalty, tell
+        self._start, self._linear, self.rows = start, linear, rows
+        self._budget, self._tell = budget, tell
         self._generator = np.random.default_rng(budget.settings.seed)
         self._least = np.minimum.reduceat(linear, start[:-1])
         self._now = np.full(len(start) - 1, -1, dtype=np.int64)
         self._costs = linear.copy()
         """(n,) what every label costs, alone and against the labels chosen now."""
-        self.chosen = self._now.copy()
-        """(variables,) the best layout."""
+        self.chosen, self._best = self._now.copy(), self._costs
+        """(variables,) the best layout, and (n,) what every label costs against its labels."""
         self.cost = np.inf
 
     def construct(self) -> None:
@@ -83,8 +82,7 @@ class LocalSearch:
                     self._place(variable, -1)
                 self._insert(self._generator.permutation(group), worse)
                 if self._descend() > self.cost + worse:
-                    for variable in np.flatnonzero(self._now != self.chosen):
-                        self._place(int(variable), int(self.chosen[variable]))
+                    self._now, self._costs = self.chosen.copy(), self._best.copy()
 
     def _rivals(self) -> Indices:
         """Variables to take out together: one that pays much, and some whose labels cost its
@@ -95,7 +93,7 @@ class LocalSearch:
         wanted = self._linear[low:high] + self._generator.exponential(WORSE, high - low)
         near = np.zeros(len(self._linear), dtype=bool)
         for label in (self._now[first], low + wanted.argmin()):
-            near[self._rows.of(int(label))[0]] = True
+            near[self.rows.of(int(label))[0]] = True
         others = self._generator.permutation(np.flatnonzero(near[self._now]))
         return np.append(first, others[: int(self._generator.integers(2, 9))])
 
@@ -114,6 +112,7 @@ class LocalSearch:
             self._set(self._now)
             if self._value() < self.cost - SAME:
                 self.chosen, self.cost = self._now.copy(), self._value()
+                self._best = self._costs.copy()
                 if self._tell and self.cost < self._budget.ceiling:
                     self._budget.found("local search", self.cost)
         return self._value()
@@ -134,29 +133,31 @@ class LocalSearch:
 
     def _set(self, chosen: Indices) -> None:
         """Choose a whole layout anew: sums that grow and shrink leave their rounding behind."""
-        at, costs = zip(*(self._rows.of(int(label)) for label in chosen), strict=True)
+        at, costs = zip(*(self.rows.of(int(label)) for label in chosen), strict=True)
         every = np.concatenate([np.arange(len(self._linear)), *at])
-        pairs = np.minimum(np.concatenate(costs), self.penalty)
-        self._costs = np.bincount(every, np.append(self._linear, pairs)).astype(np.float64)
+        weights = np.concatenate([self._linear, *costs])
+        self._costs = np.bincount(every, weights).astype(float)
         self._now = chosen.copy()
 
     def _place(self, variable: int, label: int) -> None:
         """Choose a label of a variable, or none with -1."""
         for other, sign in ((int(self._now[variable]), -1.0), (label, 1.0)):
             if other >= 0:
-                at, cost = self._rows.of(other)
-                self._costs[at] += sign * np.minimum(cost, self.penalty)
+                at, cost = self.rows.of(other)
+                self._costs[at] += sign * cost
         self._now[variable] = label
 
 
 class KnownRows:
     """What labels cost in pairs, all of which are at hand."""
 
-    def __init__(self, pairs: csr_array) -> None:
-        self._both = (pairs + pairs.T).tocsr()
+    def __init__(self, pairs: csr_array, penalty: float = np.inf) -> None:
+        self.penalty, self._both = penalty, (pairs + pairs.T).tocsr()
+        self._both.data = np.minimum(self._both.data, penalty)
 
     def of(self, label: int) -> tuple[Indices, Floats]:
-        """The labels that cost anything in a pair with `label`, and the costs: +inf forbidden."""
+        """The labels that cost anything in a pair with `label`, and the costs: of a forbidden one
+        the `penalty`."""
         part = slice(*self._both.indptr[label : label + 2])
         return self._both.indices[part], self._both.data[part]
 
@@ -164,8 +165,10 @@ class KnownRows:
 class LazyRows:
     """Of labels too many for all pairs: those of one label are worked out when asked for."""
 
-    def __init__(self, problem: LayoutProblem, labels: LabelSet, budget: Budget) -> None:
-        self._problem, self._labels, self._budget = problem, labels, budget
+    def __init__(
+        self, problem: LayoutProblem, labels: LabelSet, budget: Budget, penalty: float
+    ) -> None:
+        self._problem, self._labels, self._budget, self.penalty = problem, labels, budget, penalty
         self._explicit = KnownRows(explicit_costs(problem, labels))
         self._together = problem.together & ~np.eye(labels.variables, dtype=bool)
         self._known: dict[int, tuple[Indices, Floats]] = {}
@@ -198,4 +201,4 @@ class LazyRows:
         others, costs = self._explicit.of(label)
         cost[others] += costs
         found = np.flatnonzero(cost)
-        return found, cost[found]
+        return found, np.minimum(cost[found], self.penalty)

@@ -115,8 +115,8 @@ class Reduction:
         """Look for a better layout of what is left."""
         left = self.problem
         first = np.array([each.start + int(left.costs[each].argmin()) for each in left.slices])
-        linear, penalty = self.linear[left.labels], self._incumbent.penalty
-        found = LocalSearch(left.start, linear, KnownRows(self.pairs), self._budget, penalty)
+        rows = KnownRows(self.pairs, self._incumbent.rows.penalty)
+        found = LocalSearch(left.start, self.linear[left.labels], rows, self._budget)
         found.improve_from(first)
         found.search()
         self._incumbent.improve_from(self.representatives(found.chosen))
