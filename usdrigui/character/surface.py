@@ -135,7 +135,9 @@ def mean_edge_length(points: Floats, corners: Indices, places: Indices) -> float
 def components(corners: Indices, places: Indices) -> Indices:
     """``(n,)`` number of the connected piece of surface that each point belongs to, over welded
     points."""
-    _, labels = connected_components(graph(edges(places[corners]), len(places)), directed=False)
+    at = places[corners]
+    pairs = np.concatenate([at[:, :2], at[:, 1:]])  # Two sides hold a triangle together.
+    _, labels = connected_components(graph(pairs, len(places)), directed=False)
     return np.asarray(labels[places], dtype=np.int64)
 
 

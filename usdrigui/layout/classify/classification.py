@@ -63,7 +63,7 @@ def classify(
     covered = coverage_of_smaller(every, visible_areas)[: len(motions)]
     covered = _of_sets(covered, controls, meanings)
     shares = shares_of_face(every, visible_areas)[: len(motions)]
-    vanish = visibility_shapes(face.rig.body.meshes, face.trajectories)
+    vanish = visibility_shapes(face.pieces, face.trajectories)
     repeated = composites(face, similarity, shares)
     names = [control.name for control in controls]
     kept = _kept(motions, face.twins, seen)

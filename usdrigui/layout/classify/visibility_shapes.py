@@ -8,16 +8,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from usdrigui.character import Flags, Floats, Indices, RigMesh
-from usdrigui.character.surface import components, mesh_triangles
+from usdrigui.character import Flags, Floats, Indices
 from usdrigui.layout.shares import HARDLY_ANY, NEARLY_ALL
 from usdrigui.model import Trajectories
 
 
-def visibility_shapes(meshes: tuple[RigMesh, ...], trajectories: Trajectories) -> Flags:
-    """(motions,) which controls mostly make whole parts of the surface disappear: nearly all points
-    of a part move, and hardly any of its extent is left."""
-    parts = components(mesh_triangles(meshes), trajectories.surface.places)
+def visibility_shapes(parts: Indices, trajectories: Trajectories) -> Flags:
+    """(motions,) which controls mostly make whole `parts` (n,) of the surface disappear: nearly all
+    points of a part move, and hardly any of its extent is left."""
     sizes = np.bincount(parts)
     flags = np.zeros(len(trajectories.motions), dtype=bool)
     for index, motion in enumerate(trajectories.motions):
