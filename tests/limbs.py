@@ -151,6 +151,7 @@ def moved(rig, turn, scale, own):
 
 
 def as_control(draft):
+    """The control of a draft as it stands."""
     return control_of(draft, draft.name, draft.name, draft.range)
 
 

@@ -211,15 +211,10 @@ class Tree(Record):
     @cached_property
     def depth(self) -> tuple[int, ...]:
         """Joints with skin in the longest chain from each joint down, itself included."""
-        return self.depth_among(range(len(self.joints)))
-
-    def depth_among(self, joints: Collection[int]) -> tuple[int, ...]:
-        """The same of chains of some of the joints; 0 for others."""
         found = [0] * len(self.joints)
         for joint in self.from_the_ends():
-            if joint in joints:
-                below = max((found[child] for child in self.children[joint]), default=0)
-                found[joint] = below + (joint in self.owners)
+            below = max((found[child] for child in self.children[joint]), default=0)
+            found[joint] = below + (joint in self.owners)
         return tuple(found)
 
     @cached_property

@@ -60,10 +60,10 @@ class Action:
         return self.category in ("viseme", "emotion", "identity")
 
     @property
-    def is_needed(self) -> bool:
-        """Whether it is missed where it leaves the face: no face is animated without it, or its
-        family is split."""
-        return self.is_core or self.in_family
+    def is_essential(self) -> bool:
+        """Whether it is on the face even where its peak is hidden: no face is animated without it,
+        or its family is split."""
+        return self.is_core or self.category in ("viseme", "emotion")
 
 
 @dataclass(frozen=True, slots=True)

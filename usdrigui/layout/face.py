@@ -64,6 +64,11 @@ class Face(Record):
         return self.views.axes if self.behind else self.drawing_axes
 
     @cached_property
+    def aside(self) -> Floats:
+        """(n,) how far each point is to the left of the middle, in face sizes."""
+        return self.symmetry.apart / self.surface.face_size
+
+    @cached_property
     def clear(self) -> Flags:
         """(n,) points at which a handle can be seen as a whole."""
         base, normals = self.surface.points, self.surface.normals

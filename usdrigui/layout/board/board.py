@@ -20,7 +20,7 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.glyph_fitting import fitted_glyph
 from usdrigui.layout.names import common_label, element_name
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.layout.symmetry.lobes import ASIDE
+from usdrigui.layout.symmetry.lobes import ASIDE, side_at
 from usdrigui.model import Element, Group, Member, Side
 
 CATEGORIES = (
@@ -251,13 +251,10 @@ def _member(face: Face, control: int, place: Floats, length: float, direction: F
 
 def _side(face: Face, entry: BoardEntry, row: tuple[BoardEntry, ...]) -> Side:
     """The side of a pair's element; of another one, which may have lost its pair, that on which
-    it acts."""
+    its first control acts."""
     if not face.symmetry.plane.normal.any():
         return "none"
     if len(row) == 2:
         return "left" if entry is row[0] else "right"
     motion = face.trajectories.motion_of(entry.controls[0])
-    apart = np.average(face.symmetry.apart[motion.points], weights=motion.arc_length)
-    if abs(apart) <= ASIDE * face.surface.face_size:
-        return "middle"
-    return "left" if apart > 0.0 else "right"
+    return side_at(np.average(face.aside[motion.points], weights=motion.arc_length), ASIDE)

@@ -81,9 +81,7 @@ def classify(
             vanishes=bool(vanish[index]),
             visible_share=max(_visible_share(surface, seen, each) for each in (own, motion)),
             kept=float(kept[index]),
-            essential=meaning is not None
-            and meaning.action.is_needed
-            and meaning.action.category != "identity",
+            essential=meaning is not None and meaning.action.is_essential,
             composite=None if alone else repeated.get(index),
         )
         category, reason = _category(evidence, motion.control, requests, settings)

@@ -18,7 +18,7 @@ from usdrigui.layout.motion.tracks import arc_lengths, paths
 from usdrigui.layout.names import common_label, element_name
 from usdrigui.layout.place.labels import drawn_magnification, own_mirror_image
 from usdrigui.layout.place.problem import PlacementProblem
-from usdrigui.layout.symmetry.lobes import MIDDLE
+from usdrigui.layout.symmetry.lobes import MIDDLE, side_at
 from usdrigui.model import (
     Assignment,
     Choice,
@@ -194,7 +194,5 @@ def _sides(face: Face, points: Indices) -> list[Side]:
     plane, surface = face.symmetry.plane, face.surface
     if not plane.normal.any():
         return ["none"] * len(points)
-    return [
-        "middle" if abs(apart) <= MIDDLE * surface.face_size else "left" if apart > 0.0 else "right"
-        for apart in plane.aside(surface.points[points])
-    ]
+    away = plane.aside(surface.points[points]) / surface.face_size
+    return [side_at(apart, MIDDLE) for apart in away.tolist()]

@@ -400,9 +400,8 @@ class _Grouping:
         """Sorts elements from the character's left, where their candidates lie; names with a side
         decide in the middle."""
         points = np.concatenate([self.sets[i].points for i in sorted(element.motions)])
-        apart = self.face.symmetry.apart[points]
         names = sorted((not has_side(self.names[i]), self.names[i]) for i in element.motions)
-        return -round(float(apart.mean() / self.face.surface.face_size), 3), names
+        return -round(float(self.face.aside[points].mean()), 3), names
 
     def _group(self, merged: _Merged, image: _Merged | None) -> Group:
         motions, category = merged.motions, self.category[merged.motions[0]]
@@ -443,16 +442,15 @@ class _Grouping:
 
     def _has_two_lobes(self, index: int) -> bool:
         face, motion = self.face, self.face.trajectories.motions[index]
-        apart = np.abs(face.symmetry.apart) / face.surface.face_size
         expected, meaning = face.expected[motion.control], face.meanings[motion.control]
         override = self.requests.overrides[motion.control]
         placed = bool(override.anchor or override.near)
-        if not placed and all_aside(apart[self.sets[index].points]):
+        if not placed and all_aside(face.aside[self.sets[index].points]):
             return True
         # A name of the region alone does not place it in the middle.
         is_expected = expected is not None and meaning is not None and not meaning.action.vague
         both_sides = expected.both_sides if expected is not None and is_expected else None
-        return two_lobed(motion, apart[motion.points], face.views.anywhere, both_sides)
+        return two_lobed(motion, face.aside[motion.points], face.views.anywhere, both_sides)
 
     def _orbit_group(self, orbit: tuple[int, ...]) -> Group:
         single = self._group(_Merged((orbit[:1],), "one of an orbit"), None)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cached_property
 
 import numpy as np
 
@@ -38,19 +39,25 @@ bones."""
 
 
 class BoundSkin(Record):
-    """A body where its skin was bound to it: in a pose an arm may lie on a belly, whose skin it
-    does not move."""
+    """A character where its skin was bound to its joints: in a pose an arm may lie on a belly,
+    whose skin it does not move."""
 
-    body: Body
-    points: Floats
-    """(n, 3) all points in root space."""
-    bones: Sequence[Bone]
+    rig: Rig
+
+    @cached_property
+    def points(self) -> Floats:
+        """(n, 3) all points in root space."""
+        return posed(self.rig, None).points
+
+    @cached_property
+    def bones(self) -> Sequence[Bone]:
+        """Those of its joints."""
+        return _bones(self.rig.body)
 
 
 def bound_skin(rig: Rig) -> BoundSkin:
     """The skin of the rig at its bind pose."""
-    body = at_bind_pose(rig.body)
-    return BoundSkin(body, posed(replace(rig, body=body), None).points, _bones(body))
+    return BoundSkin(replace(rig, body=at_bind_pose(rig.body)))
 
 
 def owned_skin(skin: BoundSkin, control: Control) -> Floats | None:
@@ -59,7 +66,7 @@ def owned_skin(skin: BoundSkin, control: Control) -> Floats | None:
 
     A joint without skin has what lies by its bone of the skin below it.
     """
-    body, bones = skin.body, skin.bones
+    body, bones = skin.rig.body, skin.bones
     driven = set(control.drive.joints.tolist())
     joints = {i for i in driven if body.joints[i].path == control.source} or driven
     if control.kind != "joint" or not joints or len(control.drive.channels):
@@ -97,7 +104,7 @@ def _weights(body: Body, joints: set[int]) -> Floats:
 def _by_own_bone(skin: BoundSkin, joints: set[int], owned: Flags) -> Floats:
     """(n,) one where a point lies along a bone of `joints`, less at its ends and where a bone above
     or below is nearer."""
-    body, bones, points = skin.body, skin.bones, skin.points
+    body, bones, points = skin.rig.body, skin.bones, skin.points
     factor = np.ones(len(points))
     own = [b for b in bones if b.joint in joints and b.next not in joints]
     if not own:

@@ -229,8 +229,8 @@ def _variable(
     index: int,
 ) -> tuple[Variable, Choice]:
     """The variable of group `index`, with loosened candidates where its copies collide at all
-    others, or its members share none; of a group that the face needs, or of a joint, also where
-    they are one spot, which another one may take."""
+    others, or its members share none; of a group that is missed off the face, or of a joint, also
+    where they are one spot, which another one may take."""
     known, group = costs.known, groups[index]
     face, requests, objective = known.face, known.requests, known.settings.objective
     roomy = _needed(face, group.controls) or all(

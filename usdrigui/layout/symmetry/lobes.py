@@ -12,7 +12,7 @@ import numpy as np
 
 from usdrigui.character import Flags, Floats
 from usdrigui.layout.shares import MOST
-from usdrigui.model import Motion, Symmetry
+from usdrigui.model import Motion, Side, Symmetry
 from usdrigui.ties import first_largest
 
 ON_PLANE = 0.5
@@ -25,17 +25,22 @@ ASIDE = 0.1
 """Distance from the plane, in face sizes, from which a place lies to one side of the face."""
 
 
-def all_aside(apart: Floats) -> bool:
-    """Whether all candidates of a symmetric control lie to the sides of the face, `apart` (n,) face
-    sizes from its middle: one handle would be on one side only."""
-    return bool(apart.min(initial=np.inf) > ASIDE)
+def all_aside(aside: Floats) -> bool:
+    """Whether all candidates of a symmetric control, `aside` (n,) face sizes from the middle, lie
+    to the sides of the face: one handle would be on one side only."""
+    return bool(np.abs(aside).min(initial=np.inf) > ASIDE)
 
 
-def two_lobed(motion: Motion, apart: Floats, visible: Flags, both_sides: bool | None) -> bool:
+def side_at(aside: float, most: float) -> Side:
+    """The side of a place `aside` face sizes to the left; up to `most` it is in the middle."""
+    return "middle" if abs(aside) <= most else "left" if aside > 0.0 else "right"
+
+
+def two_lobed(motion: Motion, aside: Floats, visible: Flags, both_sides: bool | None) -> bool:
     """Whether a symmetric control's motion has two lobes off the mirror plane and little in
     between.
 
-    `apart` (p,) are the distances of its points from the middle, in face sizes, `visible` (n,) the
+    `aside` (p,) are the distances of its points from the middle, in face sizes, `visible` (n,) the
     points that some view sees, `both_sides` is whether the conventions of the field expect the
     control on both sides; None where they do not know it: then whether its peak lies to one side.
     The control of a joint is on the skin that its joint owns, once.
@@ -45,6 +50,7 @@ def two_lobed(motion: Motion, apart: Floats, visible: Flags, both_sides: bool | 
     length = np.where(visible[motion.points], motion.arc_length, 0.0)
     if not length.any():
         length = motion.arc_length
+    apart = np.abs(aside)
     middle = length[apart <= MIDDLE].max(initial=0.0)
     if both_sides is None:
         both_sides = bool(apart[first_largest(length)] > ASIDE)
