@@ -12,11 +12,7 @@ from viewer_layouts import member_at
 
 from usdrigui.character.deform import channel_state, posed
 from usdrigui.layer.write_layout import stage_metadata, write_layout
-from usdrigui.model import (
-    Anchor,
-    Element,
-    Member,
-)
+from usdrigui.model import Element, Member
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
 
@@ -99,18 +95,9 @@ def sample(folder):
 
 def _on_face(rig, base, name, kind, controls, opposed, mesh, local, side, mirror):
     number = next(i for i, each in enumerate(rig.body.meshes) if each.path.endswith(f"/{mesh}"))
-    where, point = rig.body.meshes[number], int(rig.body.starts[number]) + local
+    point = int(rig.body.starts[number]) + local
     index = rig.control_indices
     toward = base.points[point] * (1.0, 0.0, 1.0)
-    anchor = Anchor(
-        where.path,
-        local,
-        len(where.points),
-        where.topology.hash,
-        base.points[point],
-        toward / np.linalg.norm(toward),
-        False,
-    )
     members = tuple(member_at(rig, base, index[one], point, np.zeros(3)) for one in controls)
     inner = ("cheekSquintLeft",) if name == "cheekPuff" else ()
     return Element(
@@ -119,7 +106,7 @@ def _on_face(rig, base, name, kind, controls, opposed, mesh, local, side, mirror
         members=members,
         opposed=opposed,
         mirror=mirror,
-        anchor=anchor,
+        anchor=makers.anchor(rig, point, base.points[point], toward / np.linalg.norm(toward)),
         label=name,
         side=side,
         inner=inner,
@@ -127,8 +114,7 @@ def _on_face(rig, base, name, kind, controls, opposed, mesh, local, side, mirror
 
 
 def _joystick(rig):
-    where, place = rig.body.meshes[0], np.array([10.0, 10.0, -0.66])
-    anchor = Anchor(where.path, 0, len(where.points), where.topology.hash, place, np.array([0.0, 0.0, 1.0]), True)
+    place = np.array([10.0, 10.0, -0.66])
     members = []
     for name, axis in (("Head:ry", (1.0, 0.0, 0.0)), ("Head:rx", (0.0, -1.0, 0.0))):
         control = next(each for each in rig.controls if each.name == name)
@@ -139,7 +125,7 @@ def _joystick(rig):
         name="head",
         kind="patch",
         members=tuple(members),
-        anchor=anchor,
+        anchor=makers.anchor(rig, 0, place, on_board=True),
         label="head",
         side="middle",
         category="global",

@@ -1,8 +1,9 @@
 """Layouts without an optimiser: elements at points picked at random, and what UsdSkel makes of them."""
 
 import operator
-from dataclasses import fields
+from dataclasses import fields, replace
 
+import makers
 import numpy as np
 import pytest
 from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
@@ -12,15 +13,7 @@ from usdrigui.character.deform import channel_state, deform, knots, posed, sweep
 from usdrigui.layer.properties import element_name
 from usdrigui.layer.read_layout import element_prims, points_by_role
 from usdrigui.layer.write_layout import layer_for, stage_metadata
-from usdrigui.model import (
-    Anchor,
-    Element,
-    Layout,
-    LayoutFrame,
-    Member,
-    MirrorPlane,
-    Proof,
-)
+from usdrigui.model import Element, Proof
 
 
 def layout_of(rig, seed=0, groups=None, base_values=None, beside=(), adapt="deform", only=None):
@@ -38,21 +31,13 @@ def layout_of(rig, seed=0, groups=None, base_values=None, beside=(), adapt="defo
         if point < 0:
             continue
         members = tuple(
-            _member(rig.controls[index[name]], knots(rig, index[name]), base.points[point], point, *each)
+            makers.member(rig.controls[index[name]], knots(rig, index[name]), base.points[point], point, *each)
             for name, each in zip(names, swept, strict=True)
         )
         elements.append(_element(rig, names, members, base.points[point], point, names[0] in beside, adapt))
-    return Layout(
-        root=rig.path,
-        base_values=values,
-        elements=tuple(elements),
+    return replace(
+        makers.layout(rig, *elements, base_values=values, drawn=makers.frame(width, normal=(1.0, 0.0, 0.0))),
         left_off=(LeftOff("nothing", "trajectories", "moves no point"),),
-        frame=LayoutFrame(
-            space="object",
-            view=np.array([0.0, 0.0, 1.0]),
-            plane=MirrorPlane(origin=np.zeros(3), normal=np.array([1.0, 0.0, 0.0])),
-            handle_width=width,
-        ),
         proof=Proof(
             method="random",
             status="stopped",
@@ -86,25 +71,14 @@ def _moving(rng, points, offsets):
     return int(rng.choice(moving)) if len(moving) else -1
 
 
-def _member(control, at, origin, point, points, offsets):
-    row = np.flatnonzero(points == point)
-    track = origin + (offsets[:, row[0]].astype(np.float64) if len(row) else np.zeros((len(at), 3)))
-    return Member(control.name, at, track, float(np.linalg.norm(np.diff(track, axis=0), axis=1).sum()), 1.0)
-
-
 def _element(rig, names, members, position, point, beside, adapt):
-    mesh, local = rig.body.mesh_of(point)
-    where = rig.body.meshes[mesh]
-    anchor = Anchor(
-        where.path, local, len(where.points), where.topology.hash, position, np.array([0.0, 0.0, 1.0]), beside
-    )
     kind = "slider" if len(names) == 1 else "patch" if len(names) == 2 else "fan"
     category, reason = ("hidden", "inside the mouth") if beside else ("", "")
     return Element(
         name="_".join(names),
         kind=kind,
         members=members,
-        anchor=anchor,
+        anchor=makers.anchor(rig, point, position, on_board=beside),
         label=names[0].title(),
         side="left",
         adapt=adapt,

@@ -5,7 +5,7 @@ from dataclasses import replace
 import makers
 import numpy as np
 
-from usdrigui.character import Control, Drive, Joint, Skeleton, Skin
+from usdrigui.character import Control, Joint, Skeleton, Skin
 from usdrigui.character.rotation import rotations
 from usdrigui.reading.control import control_of, default_joint_drafts
 
@@ -46,10 +46,9 @@ def _joint(index, length):
 
 
 def _control(joint, axis):
-    turns, still = np.zeros((2, 1, 3)), np.zeros((2, 1, 3))
+    turns = np.zeros((2, 1, 3))
     turns[:, 0, axis] = np.radians([-30.0, 30.0])
-    indices, nothing = np.array([joint]), np.zeros(0, dtype=np.int64)
-    drive = Drive(np.array([-30.0, 30.0]), nothing, np.zeros((2, 0)), indices, turns, still, still)
+    drive = makers.drive(values=(-30.0, 30.0), joints=[joint], turns=turns)
     name = f"j{joint}:r{'xyz'[axis]}"
     return Control(name, name, "joint", f"j{joint}", -30.0, 0.0, 30.0, "default", drive)
 

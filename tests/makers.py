@@ -19,19 +19,21 @@ from usdrigui.character import (
     Skin,
     Topology,
 )
-from usdrigui.model import Layout, LayoutFrame, MirrorPlane, Proof
+from usdrigui.model import Anchor, Layout, LayoutFrame, Member, MirrorPlane, Proof
 
 Y_UP = np.array([0.0, 1.0, 0.0])
 
 
-def drive(channels=(), values=(0.0, 1.0), weights=None):
-    """A drive that raises one channel linearly, or as `weights` (keys, channels) say."""
+def drive(channels=(), values=(0.0, 1.0), weights=None, joints=(), turns=()):
+    """A drive that raises one channel linearly, or as `weights` (keys, channels) say, and turns joints by the rotation
+    vectors `turns` (keys, joints, 3)."""
     keys = np.asarray(values, dtype=np.float64)
     table = (
         np.repeat(keys[:, None], len(channels), axis=1) if weights is None else np.asarray(weights, dtype=np.float64)
     )
-    empty = np.zeros((len(keys), 0, 3))
-    return Drive(keys, np.asarray(channels, dtype=np.int64), table, np.zeros(0, dtype=np.int64), empty, empty, empty)
+    moves = np.zeros((len(keys), 3, len(joints), 3))
+    moves[:, 0] = np.reshape(turns, moves[:, 0].shape)
+    return Drive(keys, np.asarray(channels, dtype=np.int64), table, np.asarray(joints, dtype=np.int64), moves)
 
 
 def shape(channel, offsets, weights=(1.0,), path="/Root/mesh/shape"):
@@ -255,6 +257,21 @@ def shuffled(made, order):
 def skin(count, joint=0):
     """Rigid influences of one joint."""
     return Skin(np.full((count, 1), joint), np.ones((count, 1)), "classicLinear", np.eye(4), True)
+
+
+def anchor(rig, point, position, normal=(0.0, 0.0, 1.0), on_board=False):
+    """Of an element at a `position` that holds on to a point of a rig."""
+    number, local = rig.body.mesh_of(point)
+    held = rig.body.meshes[number]
+    place, out = np.asarray(position), np.array(normal)
+    return Anchor(held.path, local, len(held.points), held.topology.hash, place, out, on_board)
+
+
+def member(control, values, origin, point, points, offsets):
+    """A control whose track goes from `origin` as one of the `points` that it moves by `offsets`, if it does."""
+    row = np.flatnonzero(points == point)
+    track = origin + (offsets[:, row[0]].astype(np.float64) if len(row) else np.zeros((len(values), 3)))
+    return Member(control.name, values, track, float(np.linalg.norm(np.diff(track, axis=0), axis=1).sum()), 1.0)
 
 
 def layout(rig, *elements, base_values=None, drawn=None):

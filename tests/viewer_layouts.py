@@ -5,11 +5,7 @@ import numpy as np
 
 from usdrigui.character import Clip
 from usdrigui.character.deform import deform, knots, posed, sweep
-from usdrigui.model import (
-    Anchor,
-    Element,
-    Member,
-)
+from usdrigui.model import Element
 
 MIRRORS = {f"{name}_{a}": f"{name}_{b}" for name in makers.LEFT_BUMPS for a, b in (("L", "R"), ("R", "L"))}
 """The twins among the controls of `makers.face`."""
@@ -55,7 +51,6 @@ def element(rig, base, name, kind, members, opposed, mirrors, beside):
         return None
     peak = int(np.linalg.norm(np.ptp(offsets, axis=0), axis=1).argmax())
     point = int(points[peak])
-    mesh, local = rig.body.mesh_of(point)
     shift = np.array([1.5, 0.0, 0.0]) * float(np.ptp(base.points[:, 0])) * beside
     return Element(
         name=name,
@@ -63,15 +58,7 @@ def element(rig, base, name, kind, members, opposed, mirrors, beside):
         members=tuple(member_at(rig, base, index[one], point, shift) for one in members),
         opposed=tuple(opposed),
         mirror=mirrors.get(name, ""),
-        anchor=Anchor(
-            mesh=rig.body.meshes[mesh].path,
-            point=local,
-            point_count=len(rig.body.meshes[mesh].points),
-            topology_hash=rig.body.meshes[mesh].topology.hash,
-            position=base.points[point] + shift,
-            normal=np.array([0.0, 0.0, 1.0]),
-            on_board=beside,
-        ),
+        anchor=makers.anchor(rig, point, base.points[point] + shift, on_board=beside),
         label=name,
         side="left" if name.endswith("_L") else "right" if name.endswith("_R") else "middle",
         category="crowded" if beside else "",
@@ -82,13 +69,8 @@ def member_at(rig, base, control, point, shift):
     values = knots(rig, control)
     if len(rig.controls[control].drive.joints):
         values = np.linspace(values[0], values[-1], 17)
-    points, offsets = sweep(rig, base, control, values)
-    track = np.tile(base.points[point] + shift, (len(values), 1))
-    row = np.flatnonzero(points == point)
-    if len(row):
-        track = track + offsets[:, row[0]]
-    length = float(np.linalg.norm(np.diff(track, axis=0), axis=1).sum())
-    return Member(rig.controls[control].name, values, track, length, 1.0)
+    moved = sweep(rig, base, control, values)
+    return makers.member(rig.controls[control], values, base.points[point] + shift, point, *moved)
 
 
 def on_track(track, share):

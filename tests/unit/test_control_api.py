@@ -26,8 +26,7 @@ def turning(skeletons, rotations, translations, scales, extent=2.0):
     joints = tuple(SimpleNamespace(path=f"j{i}", skeleton=each, rest=rest) for i, each in enumerate(skeletons))
     body = SimpleNamespace(joints=joints, skeletons=tuple(SimpleNamespace(path=f"/S{i}") for i in range(2)))
     rows = [np.stack([0.0 * np.array(each), np.array(each)]) for each in (rotations, translations, scales)]
-    drive = SimpleNamespace(joints=np.arange(len(joints)), rotations=rows[0], translations=rows[1], scales=rows[2])
-    return _driven_joints(body, SimpleNamespace(drive=drive).drive)
+    return _driven_joints(body, SimpleNamespace(joints=np.arange(len(joints)), moves=np.stack(rows, axis=1)))
 
 
 def test_joints_are_said_in_degrees_and_factors_and_noise_is_left_out():

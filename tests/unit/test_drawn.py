@@ -9,7 +9,7 @@ from makers import frame, layout
 
 from usdrigui.layer.drawn import drawn_parts
 from usdrigui.layer.skin_binding import SkinBinding
-from usdrigui.model import Anchor, Element, LayoutPart, Member
+from usdrigui.model import Element, LayoutPart, Member
 
 NAMES = ["brow_L", "chin", "smile_L", "pucker", "jawLeft"]
 ORIGIN = np.array([0.1, 0.2, 0.5])
@@ -21,13 +21,12 @@ def member(name, end, values=(0.0, 1.0)):
 
 
 def element(members, kind="fan", beside=False, normal=(0.0, 0.0, 1.0), opposed=()):
-    anchor = Anchor("/Root/mesh", 50, 99, "", ORIGIN, np.array(normal), beside)
     return Element(
         name="e",
         kind=kind,
         members=tuple(members),
         opposed=opposed,
-        anchor=anchor,
+        anchor=makers.anchor(FACE, 50, ORIGIN, normal, beside),
         label="e",
         side="none",
     )

@@ -457,7 +457,7 @@ def test_a_clip_that_starts_elsewhere_starts_at_the_base_pose(tmp_path):
     assert story.drive.values[0] == 0.0
     assert story.drive.values[-1] == 1.0
     assert len(story.drive.values) == 3
-    for table in (story.drive.rotations, story.drive.translations, story.drive.scales, story.drive.weights):
+    for table in (story.drive.moves, story.drive.weights):
         assert not table[0].any()
 
 
@@ -481,9 +481,10 @@ def test_a_drive_added_to_the_base_pose_is_the_pose_at_every_key():
     drive = poses.pose_drive(poses.NamedPose("clip", np.array([0.0, 0.5, 1.0]), states), base)
     assert (drive.channels.tolist(), drive.joints.tolist()) == ([0, 1, 3], [0, 1])
     assert np.allclose(weights[0, drive.channels] + drive.weights, weights[:, drive.channels])
-    assert np.allclose(placed[0, drive.joints, 3, :3] + drive.translations, placed[:, drive.joints, 3, :3])
-    assert np.allclose(drive.rotations, turned[:, :2])
-    assert not drive.scales.any()
+    turns, shifts, scales = np.moveaxis(drive.moves, 1, 0)
+    assert np.allclose(placed[0, drive.joints, 3, :3] + shifts, placed[:, drive.joints, 3, :3])
+    assert np.allclose(turns, turned[:, :2])
+    assert not scales.any()
 
 
 def test_a_pose_named_like_a_token_keeps_apart(tmp_path):

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from makers import layout
 
-from usdrigui.character import Control, Drive, Joint, Skeleton, Skin
+from usdrigui.character import Control, Joint, Skeleton, Skin
 from usdrigui.errors import RigUIError
 from usdrigui.layer.skin_binding import PointShape, SkinBinding
-from usdrigui.model import Anchor, Element, Member
+from usdrigui.model import Element, Member
 
 PARENTS = [-1, 0, 1, 1, -1]
 """Hips, head, jaw and eye below the head, and a prop with a root of its own."""
@@ -32,10 +32,7 @@ def turning(name, joints, angle=0.5):
     """A control that turns joints about x."""
     turns = np.zeros((2, len(joints), 3))
     turns[1, :, 0] = angle
-    none = np.zeros((2, len(joints), 3))
-    drive = Drive(
-        np.array([0.0, 1.0]), np.zeros(0, dtype=np.int64), np.zeros((2, 0)), np.array(joints), turns, none, none
-    )
+    drive = makers.drive(joints=joints, turns=turns)
     return Control(name, name, "joint", name, 0.0, 0.0, 1.0, "default", drive)
 
 
@@ -58,12 +55,11 @@ def rig(weights, to_root=None, controls=None, **skin):
 
 def element(names, point=60, adapt="deform", beside=False):
     members = tuple(Member(name, np.array([0.0, 1.0]), np.array([[0.0, 0, 0], [0, 1, 0]]), 1.0, 1.0) for name in names)
-    anchor = Anchor("/Root/mesh", point, 99, "", np.zeros(3), np.array([0.0, 0, 1]), beside)
     return Element(
         name="e",
         kind="slider",
         members=members,
-        anchor=anchor,
+        anchor=makers.anchor(makers.face(9, 11), point, np.zeros(3), on_board=beside),
         label="e",
         side="none",
         adapt=adapt,

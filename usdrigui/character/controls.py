@@ -46,12 +46,24 @@ class Drive(Record):
     """(k, t) added weights."""
     joints: Indices
     """(j,) indices into `Body.joints`."""
-    rotations: Floats
-    """(k, j, 3) rotation vectors, radians."""
-    translations: Floats
-    """(k, j, 3) added to the joint's local translation."""
-    scales: Floats
-    """(k, j, 3) logarithms of scale factors along the joint's local axes."""
+    moves: Floats
+    """(k, 3, j, 3) rotation vectors in radians, what is added to the joints' local translations,
+    and logarithms of scale factors along the joints' local axes."""
+
+    @property
+    def rotations(self) -> Floats:
+        """(k, j, 3) rotation vectors, radians."""
+        return self.moves[:, 0]
+
+    @property
+    def translations(self) -> Floats:
+        """(k, j, 3)."""
+        return self.moves[:, 1]
+
+    @property
+    def scales(self) -> Floats:
+        """(k, j, 3) logarithms."""
+        return self.moves[:, 2]
 
     @property
     def turn(self) -> Floats:

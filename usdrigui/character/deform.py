@@ -152,11 +152,7 @@ def driven(rig: Rig, values: ArrayLike | None) -> tuple[Floats, Floats]:
 
 def _at(drive: Drive, values: Floats) -> tuple[Floats, Floats]:
     """Added weights (m, t) and moves (m, 3, j, 3) of a drive at control `values` (m,)."""
-    weights = keyed(drive.values, drive.weights, values)
-    if not len(drive.joints):
-        return weights, np.zeros((len(values), 3, 0, 3))
-    moves = np.stack([drive.rotations, drive.translations, drive.scales], axis=1)
-    return weights, keyed(drive.values, moves, values)
+    return keyed(drive.values, drive.weights, values), keyed(drive.values, drive.moves, values)
 
 
 def keyed(keys: Floats, rows: Floats, at: Floats) -> Floats:

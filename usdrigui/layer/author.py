@@ -90,17 +90,17 @@ def put(
     value: Any,
     *,
     uniform: bool = False,
-    interpolation: str = "",
-    element_size: int = 0,
+    exact: bool = False,
+    **metadata: Any,
 ) -> None:
-    """Author an attribute that USD's own schemas declare."""
+    """Author an attribute that USD's own schemas declare, `exact` where its numbers are settled one
+    by one already; metadata that are None are left out."""
     variability = Sdf.VariabilityUniform if uniform else Sdf.VariabilityVarying
     attribute = Sdf.AttributeSpec(spec, name, _type(type_name), variability)
-    attribute.default = usd_value(type_name, value)
-    if interpolation:
-        attribute.SetInfo("interpolation", interpolation)
-    if element_size > 1:
-        attribute.SetInfo("elementSize", element_size)
+    attribute.default = usd_value(type_name, value if exact else settled(value, type_name))
+    for key, said in metadata.items():
+        if said is not None:
+            attribute.SetInfo(key, said)
 
 
 def link(spec: Sdf.PrimSpec, name: str, targets: Iterable[Sdf.Path | str]) -> None:
@@ -136,10 +136,10 @@ def declare(
 
 def usd_value(type_name: str, value: Any) -> Any:
     """A Python or numpy value as the type that USD stores for `type_name`."""
-    example, found = _type(type_name).defaultValue, settled(value, type_name)
+    example = _type(type_name).defaultValue
     if hasattr(example, "FromNumpy"):
-        return type(example).FromNumpy(np.ascontiguousarray(found, dtype=np.asarray(example).dtype))
-    return type(example)(np.asarray(found).tolist())
+        return type(example).FromNumpy(np.ascontiguousarray(value, dtype=np.asarray(example).dtype))
+    return type(example)(np.asarray(value).tolist())
 
 
 def settled(value: Any, type_name: str) -> Any:
@@ -170,7 +170,8 @@ def _type(name: str) -> Any:
 def _is_fallback(declared: Property, value: Any) -> bool:
     if declared.type_name.endswith("[]"):
         return len(value) == 0 and len(declared.fallback or ()) == 0
-    return bool(usd_value(declared.type_name, value) == declared.fallback)
+    told = settled(value, declared.type_name)
+    return bool(usd_value(declared.type_name, told) == declared.fallback)
 
 
 def identifier(text: str, taken: set[str]) -> str:

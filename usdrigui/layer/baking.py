@@ -135,7 +135,7 @@ class Valued(Record):
         for index in authored:
             channels = self.rig.controls[index].drive.channels
             weights[channels] = given[channels]
-        moves = np.stack(moves_from(self.animated.base.locals, now.locals))
+        moves = moves_from(self.animated.base.locals, now.locals)
         gained = _within(along, moved - moves)
         locals_ = moved_locals(self.rig.body.joints, (moves + gained)[None])[0]
         kept = ~gained.any(axis=(0, 2))
@@ -148,10 +148,10 @@ class Valued(Record):
         drives = [self.rig.controls[index].drive for index in controls]
         found = np.zeros((3, len(self.rig.body.joints), 3, 3))
         for joint in {joint for drive in drives for joint in drive.joints.tolist()}:
-            for part, name in enumerate(("rotations", "translations", "scales")):
-                moves = [getattr(each, name)[:, each.joints == joint] for each in drives]
-                rows = np.concatenate([each.reshape(-1, 3) for each in moves])
-                found[part, joint] = _projection(rows)
+            moves = [each.moves[:, :, each.joints == joint] for each in drives]
+            for part in range(3):
+                rows = [each[:, part].reshape(-1, 3) for each in moves]
+                found[part, joint] = _projection(np.concatenate(rows))
         return found
 
     @cached_property
@@ -191,7 +191,7 @@ def valued(scope: Usd.Prim, settings: ReadSettings) -> Valued | None:
         for instance in control_instances(prim):
             attribute = prim.GetAttribute(f"rigUI:control:{instance}:value")
             if attribute and attribute.HasAuthoredValue():
-                name = str(value_of(prim, schema.CONTROL, "name", instance)) or instance
+                name = value_of(prim, schema.CONTROL, "name", instance) or instance
                 values.setdefault(name, attribute)
     if not values:
         return None

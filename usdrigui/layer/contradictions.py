@@ -17,13 +17,7 @@ from usdrigui.errors import Issue, RigUIError, of_character
 from usdrigui.layer import author
 from usdrigui.layer.agreement import CLEAR, disagreements, drawings
 from usdrigui.layer.baking import apart, valued
-from usdrigui.layer.properties import (
-    applied,
-    has,
-    invalid,
-    targets,
-    value_of,
-)
+from usdrigui.layer.properties import applied, has, invalid, value_of
 from usdrigui.layer.read_controls import doubtful_at, invalid_at
 from usdrigui.layer.read_layout import (
     element_prims,
@@ -145,7 +139,7 @@ def _of_prims(scope: Usd.Prim) -> Iterator[Issue]:
     root, several = parent.GetPath(), sum(has(each, schema.LAYOUT) for each in parent.GetChildren())
     if several > 1 or not parent.IsA(UsdSkel.Root):
         raise invalid(scope, "is not the one layout of a SkelRoot")
-    skeletons = {*targets(scope, schema.LAYOUT, "skeleton")}
+    skeletons = {*value_of(scope, schema.LAYOUT, "skeleton")}
     for prim in Usd.PrimRange(scope, Usd.TraverseInstanceProxies()):
         for api in filter(schema.APIS.__contains__, applied(prim)):
             kinds = author.prim_types(api)
@@ -164,7 +158,7 @@ def _of_prims(scope: Usd.Prim) -> Iterator[Issue]:
                 )
         for relation in prim.GetAuthoredRelationships():
             name = relation.GetName()
-            if name.endswith(":skeleton") and {*relation.GetTargets()} - skeletons:
+            if name.endswith(":skeleton") and {*map(str, relation.GetTargets())} - skeletons:
                 yield invalid_at(scope, f"rigUI:layout:skeleton lacks {name} of {prim.GetPath()}")
             kind = _TARGETS.get(relation.GetBaseName(), "")
             for path in relation.GetTargets() if kind and name.startswith("rigUI:") else ():
@@ -247,7 +241,7 @@ def _of_side(prim: Usd.Prim, element: Element, copies: Floats, layout: Layout) -
     on_board, part, normal = element.anchor.on_board, element.part, element.anchor.normal
     if on_board and normal @ layout.frame.view_of(part) < CLEAR * normal.any():
         yield invalid_at(prim, "rigUI:anchor:normal on the board does not look to the viewer")
-    if not on_board and (targets(prim, schema.ANCHOR, "carrier") or element.category):
+    if not on_board and (value_of(prim, schema.ANCHOR, "carrier") or element.category):
         yield invalid_at(prim, "has rigUI:anchor:prim, and a carrier or category of the board")
     if side != "none" and not plane.normal.any():
         yield invalid_at(prim, f"rigUI:element:side is {side}: rigUI:layout:planeNormal is missing")

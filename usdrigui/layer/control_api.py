@@ -12,7 +12,7 @@ from usdrigui.character import Body, Control, Drive, Floats, Rig
 from usdrigui.layer import author
 from usdrigui.stages import schema
 
-NOISE = 1e-6
+_NOISE = 1e-6
 """Weights, rotations (radians), logarithms of scales, and translations relative to the longest
 bone: what is below is noise of the file."""
 
@@ -45,7 +45,7 @@ def author_control_api(
 
 def _driven_weights(body: Body, drive: Drive) -> dict[str, Any]:
     plain = is_plain(body.base_weights, drive)
-    driven = np.flatnonzero(plain | ~np.isclose(drive.weights, 0.0, atol=NOISE).all(axis=0))
+    driven = np.flatnonzero(plain | ~np.isclose(drive.weights, 0.0, atol=_NOISE).all(axis=0))
     channels = [body.channels[channel] for channel in drive.channels[driven]]
     animations = list(dict.fromkeys(channel.animation for channel in channels if channel.animation))
     which = [
@@ -82,23 +82,14 @@ def slides(body: Body, drive: Drive) -> bool:
 
 def _driven_joints(body: Body, drive: Drive) -> dict[str, Any]:
     extent = max((float(np.abs(joint.rest[3, :3]).max()) for joint in body.joints), default=0.0)
-    turns, shifts, scales = (
-        np.where(np.abs(rows).max(axis=(0, 2), keepdims=True) > NOISE * unit, rows, 0.0)
-        for rows, unit in (
-            (drive.rotations, 1.0),
-            (drive.translations, extent),
-            (drive.scales, 1.0),
-        )
-    )
-    moved = np.flatnonzero(
-        np.any([rows.any(axis=(0, 2)) for rows in (turns, shifts, scales)], axis=0)
-    )
+    moves = felt(drive, extent)
+    moved = np.flatnonzero(moves.any(axis=(0, 1, 3)))
     joints = [body.joints[joint] for joint in drive.joints[moved]]
     if not joints:
         return {}
     skeletons = list(dict.fromkeys(joint.skeleton for joint in joints))
     which = [skeletons.index(joint.skeleton) for joint in joints]
-    turns, shifts, scales = (rows[:, moved].reshape(-1, 3) for rows in (turns, shifts, scales))
+    turns, shifts, scales = (moves[:, part, moved].reshape(-1, 3) for part in range(3))
     return {
         "skeleton": [body.skeletons[skeleton].path for skeleton in skeletons],
         "joints": [joint.path for joint in joints],
@@ -107,6 +98,14 @@ def _driven_joints(body: Body, drive: Drive) -> dict[str, Any]:
         "jointTranslations": shifts if shifts.any() else (),
         "jointScaleFactors": np.exp(scales) if scales.any() else (),
     }
+
+
+def felt(drive: Drive, size: float) -> Floats:
+    """The moves of a drive without the noise of the file; that of translations is measured by a
+    `size`."""
+    noise = _NOISE * np.array([1.0, size, 1.0])[:, None, None]
+    large = np.abs(drive.moves).max(axis=(0, 3), keepdims=True) > noise
+    return np.where(large, drive.moves, 0.0)
 
 
 # --- limits ---------------------------------------------------------------------------------------

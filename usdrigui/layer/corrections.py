@@ -10,13 +10,14 @@ from typing import Any
 from pxr import Sdf, Usd
 
 from usdrigui.layer import author
-from usdrigui.layer.properties import has, invalid, refuse_broken, strings, targets, value_of
+from usdrigui.layer.properties import has, invalid, refuse_broken, value_of
 from usdrigui.model import Correction
 from usdrigui.stages import schema
 
 _EVERYTHING = Usd.PrimAllPrimsPredicate
 _FIELDS = {
     "control": "control",
+    "prim": "mesh",
     "place": "place",
     "position": "position",
     "up": "up",
@@ -53,21 +54,20 @@ def _correction(prim: Usd.Prim) -> Correction:
     found: dict[str, Any] = {
         field: value_of(prim, schema.CORRECTION, name) for name, field in _FIELDS.items()
     }
-    meshes = targets(prim, schema.CORRECTION, "prim")
     try:
         settings = tomllib.loads(found["settings"])
     except tomllib.TOMLDecodeError as error:
         raise invalid(prim.GetAttribute("rigUI:correction:settings"), str(error)) from None
     return Correction(
         root=str(prim.GetPath().GetParentPath().GetParentPath()),
-        mesh=str(meshes[0]) if meshes else "",
         reason=str(prim.GetDocumentation() or ""),
         **found
         | {
-            "control": str(found["control"]) or str(prim.GetName()),
-            "group": tuple(strings(found["group"])),
-            "position": tuple(map(float, found["position"])),
-            "up": tuple(map(float, found["up"])),
+            "control": found["control"] or prim.GetName(),
+            "mesh": next(iter(found["mesh"]), ""),
+            "group": tuple(found["group"]),
+            "position": tuple(found["position"].tolist()),
+            "up": tuple(found["up"].tolist()),
             "settings": settings,
         },
     )

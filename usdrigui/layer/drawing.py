@@ -7,14 +7,13 @@ per channel that moves any of them.  See decision 050.
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
-from pxr import Sdf, UsdGeom, Vt
+from pxr import Sdf, UsdGeom
 
-from usdrigui.character import Body, Channel, Floats, Indices, Joint, Record, Skeleton
+from usdrigui.character import Body, Channel, Floats, Indices, Record
 from usdrigui.character.palette import linear
 from usdrigui.layer import author
 from usdrigui.layer.drawn import Drawn, together
@@ -104,12 +103,10 @@ def author_drawing(
 
     `names` are the prims of the elements.
     """
-    points = np.concatenate([part.points for _, part in drawing.parts])
-    _author_vectors(mesh, "points", Sdf.ValueTypeNames.Point3fArray, points)
     _author_faces(mesh, drawing, elements)
-    _author_binding(mesh, body.skeletons, body.joints, drawing)
+    _author_binding(mesh, body, drawing)
     subsets = _author_subsets(mesh, drawing, names)
-    author_shapes(mesh, body.channels, _spans(body.skeletons, body.channels, drawing), set(names))
+    author_shapes(mesh, body.channels, _spans(body, drawing), set(names))
     return subsets
 
 
@@ -118,7 +115,8 @@ def author_drawing(
 
 def _author_faces(mesh: Sdf.PrimSpec, drawing: Drawing, elements: Sequence[DrawnElement]) -> None:
     parts = [part for _, part in drawing.parts]
-    _, faces = together([(part.points, part.faces) for part in parts])
+    points, faces = together([(part.points, part.faces) for part in parts])
+    author.put(mesh, "points", "point3f[]", points, exact=True)
     author.put(mesh, "faceVertexCounts", "int[]", faces.counts)
     author.put(mesh, "faceVertexIndices", "int[]", faces.indices)
     # Flat faces whose normals are theirs in every pose.  A mesh of the scheme "none" would have to
@@ -127,7 +125,7 @@ def _author_faces(mesh: Sdf.PrimSpec, drawing: Drawing, elements: Sequence[Drawn
     author.put(mesh, "doubleSided", "bool", True, uniform=True)
     # To the last bit as USD computes it of what is written, in single precision.
     extent = UsdGeom.PointBased.ComputeExtent(mesh.attributes["points"].default)
-    _author_vectors(mesh, "extent", Sdf.ValueTypeNames.Float3Array, np.array(extent))
+    author.put(mesh, "extent", "float3[]", extent, exact=True)
     sides = [elements[position].element.side for position, _ in drawing.parts]
     used_sides = [*dict.fromkeys(sides)]
     which = [*map(used_sides.index, sides)]
@@ -165,47 +163,33 @@ def _author_subsets(
     mesh: Sdf.PrimSpec, drawing: Drawing, names: Sequence[str]
 ) -> dict[int, Sdf.PrimSpec]:
     author.put(mesh, f"subsetFamily:{_FAMILY}:familyType", "token", "nonOverlapping", uniform=True)
-    starts = _starts(len(part.faces.counts) for _, part in drawing.parts)
+    ranges = _ranges([len(part.faces.counts) for _, part in drawing.parts])
     faces: dict[int, list[Indices]] = {}
-    for (position, _), ends in zip(drawing.parts, itertools.pairwise(starts), strict=True):
-        faces.setdefault(position, []).append(np.arange(*ends))
+    for (position, _), own in zip(drawing.parts, ranges, strict=True):
+        faces.setdefault(position, []).append(own)
     handles = {position: part for position, part in drawing.parts if part.role == "handle"}
     subsets = {}
-    for position, ranges in faces.items():
+    for position, several in faces.items():
         subset = author.prim(mesh, names[position], "GeomSubset")
         author.put(subset, "familyName", "token", _FAMILY, uniform=True)
-        author.put(subset, "indices", "int[]", np.concatenate(ranges))
+        author.put(subset, "indices", "int[]", np.concatenate(several))
         if position in handles:
             author.declare(subset, schema.HANDLE, {"lift": handles[position].lift})
             subsets[position] = subset
     return subsets
 
 
-def _author_vectors(
-    spec: Sdf.PrimSpec,
-    name: str,
-    type_name: Sdf.ValueTypeName,
-    rows: Floats,
-    variability: Sdf.Variability = Sdf.VariabilityVarying,
-) -> Sdf.AttributeSpec:
-    """Rows (n, 3) as they are: `author.put` rounds by the largest number of all rows."""
-    attribute = Sdf.AttributeSpec(spec, name, type_name, variability)
-    attribute.default = Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(rows, dtype=np.float32))
-    return attribute
-
-
-def _starts(counts: Iterable[int]) -> Indices:
-    return np.cumsum([0, *counts], dtype=np.int64)
+def _ranges(counts: Sequence[int]) -> list[Indices]:
+    """Successive numbers from 0, so many of them in each."""
+    return np.split(np.arange(sum(counts)), np.cumsum(counts)[:-1])
 
 
 # --- UsdSkel --------------------------------------------------------------------------------------
 
 
-def _author_binding(
-    mesh: Sdf.PrimSpec, skeletons: tuple[Skeleton, ...], joints: tuple[Joint, ...], drawing: Drawing
-) -> None:
+def _author_binding(mesh: Sdf.PrimSpec, body: Body, drawing: Drawing) -> None:
     """Skeleton and influences, complete: nothing is left to be inherited."""
-    bound = drawing.joint_binding
+    bound, skeletons, joints = drawing.joint_binding, body.skeletons, body.joints
     if bound.skeleton >= 0:
         author.link(mesh, "skel:skeleton", [skeletons[bound.skeleton].path])
     if not len(bound.joints):
@@ -238,7 +222,7 @@ def _author_binding(
             type_name,
             np.concatenate(rows),
             interpolation="vertex",
-            element_size=width,
+            elementSize=width if width > 1 else None,
         )
 
 
@@ -256,15 +240,12 @@ Spans = Sequence[tuple[Indices, Sequence[PointShape]]]
 """Points of a mesh, and the shapes that move them, with one offset for each."""
 
 
-def _spans(
-    skeletons: tuple[Skeleton, ...], channels: tuple[Channel, ...], drawing: Drawing
-) -> Spans:
+def _spans(body: Body, drawing: Drawing) -> Spans:
     """Every part's points with those of its shapes that the mesh's own animation drives."""
-    starts = _starts(len(part.points) for _, part in drawing.parts)
-    ranges = [np.arange(*ends) for ends in itertools.pairwise(starts)]
-    skeleton = drawing.joint_binding.skeleton
+    ranges = _ranges([len(part.points) for _, part in drawing.parts])
+    skeleton, channels = drawing.joint_binding.skeleton, body.channels
     driven = (
-        {"", skeletons[skeleton].animation}
+        {"", body.skeletons[skeleton].animation}
         if skeleton >= 0
         else {each.animation for each in channels}
     )
@@ -331,9 +312,6 @@ def _author_shape(child: Sdf.PrimSpec, points: Indices, shape: PointShape) -> No
     for weight, offsets in zip(shape.weights.tolist(), shape.offsets[:, moved], strict=True):
         told = f"at_{weight:g}".replace("-", "minus_").replace(".", "_")
         name = "offsets" if weight == 1.0 else f"inbetweens:{author.identifier(told, between)}"
-        attribute = _author_vectors(
-            child, name, Sdf.ValueTypeNames.Vector3fArray, offsets, Sdf.VariabilityUniform
-        )
-        if weight != 1.0:
-            attribute.SetInfo("weight", weight)
+        at = None if weight == 1.0 else weight
+        author.put(child, name, "vector3f[]", offsets, uniform=True, exact=True, weight=at)
     author.put(child, "pointIndices", "int[]", points[moved], uniform=True)

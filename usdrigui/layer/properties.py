@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, Usd, Vt
 
-from usdrigui.character import Floats, Indices
+from usdrigui.character import Indices
 from usdrigui.errors import listed, refuse
 from usdrigui.layer import author
 from usdrigui.layer.rules import broken
@@ -40,15 +40,21 @@ def instances_applied(prim: Usd.Prim, api: str) -> list[str]:
 
 
 def value_of(prim: Usd.Prim, api: str, name: str, instance: str = "") -> Any:
-    """Value of a property of one of our schemas, or its fallback.
+    """Value of a property of one of our schemas, or its fallback, as Python and numpy have it:
+    arrays of text are lists, vectors and arrays of numbers (n,) or (n, 3).  Of a relationship the
+    paths of its targets.
 
     Raises LAYOUT_INVALID for a value of another type or outside the allowed ones.
     """
     declared = author.properties(api)[name]
-    attribute = prim.GetAttribute(declared.name.replace("__INSTANCE_NAME__", instance))
+    where = declared.name.replace("__INSTANCE_NAME__", instance)
+    if not declared.type_name:
+        relationship = prim.GetRelationship(where)
+        return [*map(str, relationship.GetTargets())] if relationship else []
+    attribute = prim.GetAttribute(where)
     value = attribute.Get() if attribute else None
     if value is None:
-        return declared.fallback
+        return _plain(declared.fallback)
     # A crate may hold a value that is not of the type named beside it.
     kind = Sdf.ValueTypeNames.Find(declared.type_name)
     if attribute.GetTypeName() != kind or not isinstance(value, type(kind.defaultValue)):
@@ -58,7 +64,16 @@ def value_of(prim: Usd.Prim, api: str, name: str, instance: str = "") -> Any:
         unknown = [word for word in words if word not in declared.allowed]
         if unknown:
             raise invalid(attribute, f"is {unknown[0]!r}, not one of {', '.join(declared.allowed)}")
-    return value
+    return _plain(value)
+
+
+def _plain(value: Any) -> Any:
+    """A value of USD without its own kinds of arrays, numbers in double precision."""
+    if value is None or isinstance(value, (str, int, float)):
+        return value
+    if isinstance(value, (Vt.TokenArray, Vt.StringArray)):
+        return list(value)
+    return np.array(value, dtype=np.int64 if isinstance(value, Vt.IntArray) else np.float64)
 
 
 def refuse_broken(
@@ -67,14 +82,8 @@ def refuse_broken(
     """Raise LAYOUT_INVALID for the first property of a schema on a prim that has another type, an
     unknown word, or breaks a rule of its documentation (`usdrigui.layer.rules`), unless its full
     name is one of `free`."""
-
-    def sibling(name: str) -> Any:
-        if not known[name].type_name:
-            return targets(prim, api, name, instance)
-        return value_of(prim, api, name, instance)
-
-    known = author.properties(api)
-    for name, declared in known.items():
+    sibling = partial(value_of, prim, api, instance=instance)
+    for name, declared in author.properties(api).items():
         value = sibling(name)
         where = declared.name.replace("__INSTANCE_NAME__", instance)
         held = declared.rules and value is not None and where not in free
@@ -90,18 +99,11 @@ def invalid(where: Usd.Object, message: str) -> Exception:
     return refuse("LAYOUT_INVALID", where.GetPath(), message)
 
 
-def targets(prim: Usd.Prim, api: str, name: str, instance: str = "") -> list[Sdf.Path]:
-    """Targets of a relationship of one of our schemas."""
-    declared = author.properties(api)[name]
-    relationship = prim.GetRelationship(declared.name.replace("__INSTANCE_NAME__", instance))
-    return list(relationship.GetTargets()) if relationship else []
-
-
 def control_instances(prim: Usd.Prim) -> list[str]:
     """Instance names of an element's controls, in its order.  Raises LAYOUT_INVALID for none, and
     for a list of others than are applied."""
     known = instances_applied(prim, schema.CONTROL)
-    instances = strings(value_of(prim, schema.ELEMENT, "controls")) or known
+    instances: list[str] = value_of(prim, schema.ELEMENT, "controls") or known
     if not known or sorted(instances) != sorted(known):
         what = f"lists {listed(instances) or 'none'}, but applies {listed(known) or 'no control'}"
         raise invalid(prim, what)
@@ -113,7 +115,7 @@ def element_names(prim: Usd.Prim, relationship: str) -> tuple[str, ...]:
     stage = prim.GetStage()
     return tuple(
         element_name(stage.GetPrimAtPath(each))
-        for each in targets(prim, schema.ELEMENT, relationship)
+        for each in value_of(prim, schema.ELEMENT, relationship)
     )
 
 
@@ -121,17 +123,7 @@ def element_name(prim: Usd.Prim) -> str:
     """Name of the element at a prim; empty where there is none, or an inactive one."""
     if not prim or not prim.IsActive():
         return ""
-    return str(value_of(prim, schema.ELEMENT, "name")) or str(prim.GetName())
-
-
-def strings(values: Any) -> list[str]:
-    """Tokens or strings of an array."""
-    return [*map(str, values)]
-
-
-def array_of(values: Any) -> Floats:
-    """Numbers of an array or vector."""
-    return np.array(values, dtype=np.float64)
+    return str(value_of(prim, schema.ELEMENT, "name") or prim.GetName())
 
 
 # --- records --------------------------------------------------------------------------------------
@@ -140,15 +132,14 @@ def array_of(values: Any) -> Floats:
 def read_anchor(prim: Usd.Prim) -> Anchor:
     """Where an element holds on; raises LAYOUT_INVALID."""
     get = partial(value_of, prim, schema.ANCHOR)
-    on_face = targets(prim, schema.ANCHOR, "prim")
-    meshes = on_face or targets(prim, schema.ANCHOR, "carrier")
+    on_face = get("prim")
     return Anchor(
-        mesh=str(meshes[0]) if meshes else "",
-        point=int(get("pointIndex")),
-        point_count=int(get("pointCount")),
-        topology_hash=str(get("topologyHash")),
-        position=array_of(get("position")),
-        normal=array_of(get("normal")),
+        mesh=next(iter(on_face or get("carrier")), ""),
+        point=get("pointIndex"),
+        point_count=get("pointCount"),
+        topology_hash=get("topologyHash"),
+        position=get("position"),
+        normal=get("normal"),
         on_board=not on_face,
     )
 

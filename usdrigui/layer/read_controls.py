@@ -18,13 +18,7 @@ from usdrigui.character import (
     Rig,
 )
 from usdrigui.errors import Issue, issue
-from usdrigui.layer.properties import (
-    array_of,
-    control_instances,
-    strings,
-    targets,
-    value_of,
-)
+from usdrigui.layer.properties import control_instances, value_of
 from usdrigui.reading.blend_shape import legible_tokens
 from usdrigui.reading.mesh import drawable
 from usdrigui.stages import schema
@@ -39,7 +33,7 @@ def read_controls(
     `found` takes what it lacks, and controls that two elements have in two ways.
     """
     controls: dict[str, Control] = {}
-    authored: dict[str, list[str]] = {}
+    authored: dict[str, list[Any]] = {}
     weights, shaped = body.base_weights.copy(), set[str]()
     for mesh in drawable(scope.GetParent()):
         shaped.update(legible_tokens(mesh))
@@ -52,7 +46,7 @@ def read_controls(
             control = read.control(weights)
             if not faults and read.complete(control.drive, shaped):
                 controls[control.name] = control
-            said = [str(read.get(name)) for name in _DRIVEN]
+            said = [np.array(read.get(name)).tolist() for name in _DRIVEN]
             if authored.setdefault(control.name, said) != said:
                 what = f"its control {control.name!r} is another one in another element"
                 found.append(invalid_at(prim, what))
@@ -76,18 +70,15 @@ class _Reader:
     def get(self, name: str) -> Any:
         return value_of(self.prim, schema.CONTROL, name, self.instance)
 
-    def targets(self, name: str) -> list[str]:
-        return [*map(str, targets(self.prim, schema.CONTROL, name, self.instance))]
-
     def faults(self, tokens: set[str]) -> Iterator[str]:
         """What keeps it from driving anything; `tokens` are the shapes of the character."""
-        shapes, joints = {*strings(self.get("blendShapes"))}, {*strings(self.get("joints"))}
+        shapes, joints = {*self.get("blendShapes")}, {*self.get("joints")}
         if not shapes and not joints:
             yield "blendShapes and joints are missing: the control drives nothing"
         elif not len(self.get("keys")) and (len(shapes) != 1 or joints):
             yield "keys are missing: without, it is one blend shape"
         # Of its own shape the rig shows that it is gone.
-        own = [str(self.get("source")), str(self.get("name")), self.instance]
+        own = [self.get("source"), self.get("name"), self.instance]
         for token in sorted(shapes.difference(tokens, own)):
             yield f"blendShapes names {token!r}, which no mesh has"
         there = {joint.path for joint in self.body.joints}
@@ -96,7 +87,7 @@ class _Reader:
         known = {"blendShape": shapes, "joint": joints.union(own[1:])}.get(self.get("kind"), own)
         if next(filter(None, own)) not in known:
             yield "source, or its name, is not one of its blendShapes or joints"
-        if joints and not self.targets("skeleton"):
+        if joints and not self.get("skeleton"):
             yield "skeleton is missing: it moves joints"
         if (self.get("unit") == "degrees") != (self.get("kind") == "joint"):
             yield "unit is not that of its kind"
@@ -110,7 +101,7 @@ class _Reader:
     def control(self, weights: Floats) -> Control:
         """The control as far as the character has what it drives; `weights` (channels,) take that
         of its default."""
-        keys, ends = array_of(self.get("keys")), [float(self.get(each)) for each in _ENDS]
+        keys, ends = self.get("keys"), [*map(self.get, _ENDS)]
         body = self.body
         columns, channels = self._places(
             "blendShapes", "animation", [(each.token, each.animation) for each in body.channels]
@@ -121,26 +112,23 @@ class _Reader:
             [(each.path, body.skeletons[each.skeleton].path) for each in body.joints],
         )
         if len(keys):
-            table = array_of(self.get("blendShapeWeights")).reshape(len(keys), -1)[:, columns]
+            table = self.get("blendShapeWeights").reshape(len(keys), -1)[:, columns]
         else:
             keys = np.array([ends[0], ends[2]])
             table = np.repeat((keys - ends[1])[:, None], len(channels), axis=1)
             weights[channels] = ends[1]
 
-        def moves(name: str, still: float) -> Floats:
-            rows = array_of(self.get(name)).reshape(len(keys), -1, 3)
+        def moves(name: str, still: float = 0.0) -> Floats:
+            rows = self.get(name).reshape(len(keys), -1, 3)
             return rows[:, moved] if rows.size else np.full((len(keys), len(joints), 3), still)
 
-        drive = Drive(
-            keys,
-            channels,
-            table,
-            joints,
-            np.radians(moves("jointRotationVectors", 0.0)),
-            moves("jointTranslations", 0.0),
+        parts = (
+            np.radians(moves("jointRotationVectors")),
+            moves("jointTranslations"),
             np.log(moves("jointScaleFactors", 1.0)),
         )
-        name, (low, rest, high) = str(self.get("name")) or self.instance, ends
+        drive = Drive(keys, channels, table, joints, np.stack(parts, axis=1))
+        name, (low, rest, high) = self.get("name") or self.instance, ends
         return Control(name, "", self.get("kind"), "", low, rest, high, "limits", drive)
 
     def _places(
@@ -148,7 +136,7 @@ class _Reader:
     ) -> tuple[Indices, Indices]:
         """(n,) columns of the tokens that the character has, and the place of each in what is
         `known` by token and owner; of a token without a named owner, all places."""
-        targets, which = self.targets(owners), self.get(f"{tokens[:-1]}{owners.title()}s")
+        targets, which = self.get(owners), self.get(f"{tokens[:-1]}{owners.title()}s")
         table = [
             (column, place)
             for column, token in enumerate(self.get(tokens))

@@ -22,7 +22,6 @@ from usdrigui.character import Glyph, Indices, LeftOff
 from usdrigui.errors import RigUIError, listed, refuse
 from usdrigui.layer.properties import (
     applied,
-    array_of,
     check_elements,
     chosen_point,
     control_instances,
@@ -35,8 +34,6 @@ from usdrigui.layer.properties import (
     invalid,
     read_anchor,
     refuse_broken,
-    strings,
-    targets,
     value_of,
 )
 from usdrigui.model import (
@@ -156,7 +153,7 @@ def _scopes(stage: Usd.Stage) -> Iterator[Usd.Prim]:
 def element_prims(scope: Usd.Prim) -> tuple[Usd.Prim, ...]:
     """The active elements of a layout: those that it lists, in that order, and the others as they
     are below it."""
-    listed = [*map(scope.GetStage().GetPrimAtPath, targets(scope, schema.LAYOUT, "elements"))]
+    listed = [*map(scope.GetStage().GetPrimAtPath, value_of(scope, schema.LAYOUT, "elements"))]
     walk = Usd.PrimRange(scope, _EVERYTHING)
     found = dict.fromkeys([*(prim for prim in listed if prim), *walk])
     return tuple(prim for prim in found if prim.IsActive() and has(prim, schema.ELEMENT))
@@ -246,7 +243,7 @@ def layout_at(scope: Usd.Prim, *, carried: bool = False) -> Layout:
     widths = {part.name: part.handle_width for part in parts}
     elements = tuple(_element(prim, carried=carried) for prim in element_prims(scope))
     check_elements(scope, elements)
-    listed, base = tuple(strings(get("baseControls"))), array_of(get("baseValues"))
+    listed, base = tuple(get("baseControls")), get("baseValues")
     return Layout(
         root=str(scope.GetPath().GetParentPath()),
         base_values=base if len(base) else np.zeros(len(listed)),
@@ -257,8 +254,8 @@ def layout_at(scope: Usd.Prim, *, carried: bool = False) -> Layout:
         left_off=left_off,
         frame=LayoutFrame(
             space=get("space"),
-            view=array_of(get("viewDirection")),
-            plane=MirrorPlane(array_of(get("planeOrigin")), array_of(get("planeNormal"))),
+            view=get("viewDirection"),
+            plane=MirrorPlane(get("planeOrigin"), get("planeNormal")),
             handle_width=widths[main_part(list(widths))] if parts else get("handleWidth"),
             parts=parts,
         ),
@@ -292,8 +289,8 @@ def _parts(scope: Usd.Prim, proofs: Sequence[Any]) -> tuple[LayoutPart, ...]:
 def _part(scope: Usd.Prim, instance: str, proof: Any) -> LayoutPart:
     get = partial(value_of, scope, schema.PART, instance=instance)
     refuse_broken(scope, schema.PART, instance)
-    name = str(get("name")) or instance
-    return LayoutPart(name, get("handleWidth"), array_of(get("viewDirection")), *proof)
+    name = get("name") or instance
+    return LayoutPart(name, get("handleWidth"), get("viewDirection"), *proof)
 
 
 def _recorded(
@@ -323,7 +320,7 @@ def _element(prim: Usd.Prim, *, carried: bool) -> Element:
     get = partial(value_of, prim, schema.ELEMENT)
     instances, name = control_instances(prim), element_name(prim)
     free = chosen_point(prim) if carried else ()
-    x, y, z = array_of(get("pinnedPosition")).tolist()
+    x, y, z = get("pinnedPosition").tolist()
     for api in (schema.ELEMENT, schema.ANCHOR, schema.HANDLE):
         refuse_broken(prim, api, free=free)
     return Element(
@@ -343,8 +340,8 @@ def _element(prim: Usd.Prim, *, carried: bool) -> Element:
         adapt=value_of(prim, schema.HANDLE, "adapt"),
         glyph=_glyph(prim),
         inner=element_names(prim, "members"),
-        part=str(value_of(prim.GetParent(), schema.DRAWING, "part")),
-        category=str(get("category")),
+        part=value_of(prim.GetParent(), schema.DRAWING, "part"),
+        category=get("category"),
         reason=prim.GetDocumentation() if prim.HasAuthoredDocumentation() else "",
         pinned=in_order(get("pinned")),
         pinned_position=(x, y, z),
@@ -354,23 +351,23 @@ def _element(prim: Usd.Prim, *, carried: bool) -> Element:
 def _member(prim: Usd.Prim, instance: str) -> Member:
     get = partial(value_of, prim, schema.CONTROL, instance=instance)
     refuse_broken(prim, schema.CONTROL, instance)
-    points, values = array_of(get("trackPoints")), array_of(get("trackValues"))
+    points, values = get("trackPoints"), get("trackValues")
     if not len(values):
         values = np.linspace(get("minimum"), get("maximum"), len(points))
     return Member(
-        control=str(get("name")) or instance,
+        control=get("name") or instance,
         values=values,
         track=points,
-        arc_length=float(get("arcLength")),
-        magnification=float(get("magnification")),
-        peak=float(get("peak")),
+        arc_length=get("arcLength"),
+        magnification=get("magnification"),
+        peak=get("peak"),
         attribute=f"{prim.GetPath()}.rigUI:control:{instance}:value",
     )
 
 
 def _opposed(prim: Usd.Prim, instances: list[str]) -> tuple[tuple[int, int], ...]:
     """(negative, positive) positions, as the positive ends name the negative ones."""
-    named = [str(value_of(prim, schema.CONTROL, "opposes", each)) for each in instances]
+    named = [value_of(prim, schema.CONTROL, "opposes", each) for each in instances]
     unknown = [each for each in named if each and each not in instances]
     pairs = [] if unknown else [(instances.index(each), i) for i, each in enumerate(named) if each]
     ends = [end for pair in pairs for end in pair]
@@ -382,17 +379,15 @@ def _opposed(prim: Usd.Prim, instances: list[str]) -> tuple[tuple[int, int], ...
 def _glyph(prim: Usd.Prim) -> Glyph | None:
     """The custom shape of a handle; None for the usual one.  Raises LAYOUT_INVALID."""
     get = partial(value_of, prim, schema.HANDLE)
-    points = array_of(get("glyphOffsets")).reshape(-1, 3)
+    points = get("glyphOffsets").reshape(-1, 3)
     if not len(points):
         return None
-    counts, indices = (
-        np.array(get(f"glyph{each}"), dtype=np.int64) for each in ("Counts", "Indices")
-    )
+    counts, indices = get("glyphCounts"), get("glyphIndices")
     if get("glyphType") == "curve":
         indices = np.arange(len(points), dtype=np.int64)
     if counts.sum() != len(indices):
         raise invalid(prim, "rigUI:handle:glyphOffsets do not fit what is drawn")
-    return Glyph(str(get("glyph")), get("glyphType"), points, counts, indices)
+    return Glyph(get("glyph"), get("glyphType"), points, counts, indices)
 
 
 def points_by_role(prim: Usd.Prim, *wanted: str) -> Indices:
@@ -430,7 +425,7 @@ def face_roles(mesh: Usd.Prim, count: int) -> NDArray[np.str_]:
     """(count,) what each face of a mesh is drawn for, as `schema.ROLES`; nothing where it does not
     say.  Raises LAYOUT_INVALID."""
     primvar = UsdGeom.PrimvarsAPI(mesh).GetPrimvar(schema.ROLE)
-    roles = np.array(strings(value_of(mesh, schema.DRAWING, "role")), dtype=np.str_)
+    roles = np.array(value_of(mesh, schema.DRAWING, "role"), dtype=np.str_)
     if primvar and primvar.IsIndexed():  # USD 24.11 does not flatten tokens
         indices = np.array(primvar.GetIndices(), dtype=np.int64)
         if ((indices < 0) | (indices >= len(roles))).any():

@@ -29,7 +29,7 @@ from usdrigui.character import (
 from usdrigui.character.deform import channel_state, keyed, posed
 from usdrigui.errors import refuse
 from usdrigui.following import following, shared
-from usdrigui.layer.control_api import NOISE
+from usdrigui.layer.control_api import felt
 from usdrigui.model import Element, Layout
 
 Method = Literal["classicLinear", "dualQuaternion"]
@@ -252,16 +252,11 @@ def influences(skin: Skin | None, point: int) -> tuple[Indices, Floats]:
 
 def _own_joints(controls: list[Control], size: float) -> set[int]:
     """Joints that the controls move by more than nothing."""
-    own: set[int] = set()
-    for control in controls:
-        drive = control.drive
-        if len(drive.joints):
-            moves = (
-                np.maximum(np.abs(drive.rotations), np.abs(drive.scales)).max(axis=(0, 2)) > NOISE
-            )
-            moves |= np.abs(drive.translations).max(axis=(0, 2)) > NOISE * size
-            own.update(drive.joints[moves].tolist())
-    return own
+    return {
+        joint
+        for drive in (control.drive for control in controls)
+        for joint in drive.joints[felt(drive, size).any(axis=(0, 1, 3))].tolist()
+    }
 
 
 def _without(

@@ -17,19 +17,6 @@ from usdrigui.errors import Issue, RigUIError, issue, refuse
 from usdrigui.reading.skeleton import Armature, repeated, why_unbound
 from usdrigui.stages.arrays import check_range, integers, tokens, vectors
 
-PART_FAULTS = {
-    "ARRAY_TYPE",
-    "INDEX_RANGE",
-    "INFLUENCES_LENGTH",
-    "JOINT_UNKNOWN",
-    "NOT_FINITE",
-    "OFFSETS_LENGTH",
-    "TARGETS_LENGTH",
-    "TOPOLOGY_INVALID",
-}
-"""Codes of what makes one mesh, shape or subset unusable and not the others
-(decision 023)."""
-
 
 @dataclass
 class Found:
@@ -48,13 +35,11 @@ class Found:
 
     @contextlib.contextmanager
     def leaving_off(self, path: str, names: Iterable[str] = ()) -> Iterator[None]:
-        """Leave off the part at `path`, and with it the shapes of these `names`, if its arrays
-        cannot be right."""
+        """Leave off the part at `path`, a mesh, shape or subset, and with it the shapes of these
+        `names`, if its arrays cannot be right: the others can be used (decision 023)."""
         try:
             yield
         except RigUIError as error:
-            if error.issue.code not in PART_FAULTS:
-                raise
             refusal = error.issue
             where = "" if refusal.path == path else f" {refusal.path}:"
             self.issues.append(

@@ -282,21 +282,20 @@ def names_in_configuration(joints: tuple[Joint, ...]) -> dict[str, int]:
 
 
 _NO_INDICES = np.zeros(0, dtype=np.int64)
-_NO_MOVES = np.zeros((2, 0, 3))
 
 
 def _weight_drive(channels: Sequence[int], span: Range) -> Drive:
     values = np.array([span.minimum, span.maximum])
     weights = np.repeat((values - span.default)[:, None], len(channels), axis=1)
-    return Drive(values, np.array(channels), weights, _NO_INDICES, _NO_MOVES, _NO_MOVES, _NO_MOVES)
+    return Drive(values, np.array(channels), weights, _NO_INDICES, np.zeros((2, 3, 0, 3)))
 
 
 def _turning_drive(joints: Sequence[int], axes: Floats, span: Range) -> Drive:
     """Joints that turn about `axes` (j, 3), each in its own frame, by the value in degrees."""
     values = np.array([span.minimum, span.maximum])
-    turns = np.radians(values - span.default)[:, None, None] * axes + 0.0
-    still = np.zeros_like(turns)
-    return Drive(values, _NO_INDICES, np.zeros((2, 0)), np.array(joints), turns, still, still)
+    moves = np.zeros((2, 3, *axes.shape))
+    moves[:, 0] = np.radians(values - span.default)[:, None, None] * axes + 0.0
+    return Drive(values, _NO_INDICES, np.zeros((2, 0)), np.array(joints), moves)
 
 
 def _arc_drive(tree: Tree, turn: Turn, weights: int, _: Range) -> Drive:

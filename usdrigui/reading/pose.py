@@ -176,28 +176,26 @@ def _animated_by(
 
 def pose_drive(pose: NamedPose, base: State) -> Drive:
     """What a pose adds to the base pose, on the joints and channels that it changes."""
-    turns, shifts, scales = moves_from(base.locals, pose.states.locals)
+    moves = moves_from(base.locals, pose.states.locals)
     # What is nearly still is the difference of numbers about one, whose last bits differ between
     # processors.
-    turns, scales = (np.round(each, _DECIMALS) + 0.0 for each in (turns, scales))
+    moves[:, ::2] = np.round(moves[:, ::2], _DECIMALS) + 0.0
+    moves[:, 0] = unwrapped(moves[:, 0])
     size = max(float(np.abs(base.locals[..., 3, :3]).max(initial=0.0)), 1e-30)
-    tables = (unwrapped(turns), shifts, scales)
-    moving = np.zeros(turns.shape[1], dtype=bool)
-    for table, unit in zip(tables, (1.0, size, 1.0), strict=True):
-        moving |= (np.abs(table) > _STILL * unit).any(axis=(0, 2))
+    still = _STILL * np.array([1.0, size, 1.0])[:, None, None]
+    moving = np.flatnonzero((np.abs(moves) > still).any(axis=(0, 1, 3)))
     weights = pose.states.weights - base.weights
     channels = np.flatnonzero((np.abs(weights) > _STILL).any(axis=0))
-    moves = (table[:, moving] for table in tables)
-    return Drive(pose.values, channels, weights[:, channels], np.flatnonzero(moving), *moves)
+    return Drive(pose.values, channels, weights[:, channels], moving, moves[:, :, moving])
 
 
-def moves_from(base: Floats, local: Floats) -> tuple[Floats, Floats, Floats]:
-    """Rotation vectors, translations and logarithms of scales (..., joints, 3) from local
+def moves_from(base: Floats, local: Floats) -> Floats:
+    """(..., 3, joints, 3) rotation vectors, translations and logarithms of scales from local
     transforms `base` (joints, 4, 4) to `local`."""
     frame, base_frame = rotation_part(local), rotation_part(base)
     turns = rotation_vectors(frame @ np.swapaxes(base_frame, -1, -2))
     scales = _log_scales(local, frame) - _log_scales(base, base_frame)
-    return turns, local[..., 3, :3] - base[..., 3, :3], scales
+    return np.stack([turns, local[..., 3, :3] - base[..., 3, :3], scales], axis=-3)
 
 
 def unwrapped(vectors: Floats) -> Floats:

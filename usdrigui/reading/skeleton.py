@@ -99,7 +99,8 @@ def read_joints(
 
 def _joints(armature: Armature, time: float | None, issues: list[Issue]) -> list[Joint]:
     names, query, path = armature.joint_names, armature.query, armature.record.path
-    parents = _parents(query, path)
+    # UsdSkel has no query for joints out of order.
+    parents = np.array(query.GetTopology().GetParentIndices(), dtype=np.int64)
     bind = _matrices(
         query.GetJointWorldBindTransforms() if query.HasBindPose() else None, len(names)
     )
@@ -196,14 +197,6 @@ def _check_joint_values(animation: UsdSkel.Animation) -> None:
     for name, count in counts.items():
         if count not in (0, len(joints)):
             raise refuse("ANIMATION_LENGTH", path, f"{len(joints)} joints but {count} {name}")
-
-
-def _parents(query: UsdSkel.SkeletonQuery, path: str) -> np.ndarray:
-    topology = query.GetTopology()
-    valid, reason = topology.Validate()
-    if not valid:
-        raise refuse("SKELETON_INVALID", path, str(reason))
-    return np.array(topology.GetParentIndices(), dtype=np.int64)
 
 
 def _matrices(values: object, count: int) -> Floats | None:

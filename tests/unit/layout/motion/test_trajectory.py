@@ -6,7 +6,7 @@ import makers
 import numpy as np
 import pytest
 
-from usdrigui.character import Drive, Joint, Skeleton
+from usdrigui.character import Joint, Skeleton
 from usdrigui.layout.motion.coverage import coverage_of_smaller
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.model import Motion
@@ -137,15 +137,7 @@ def test_controls_of_the_whole_head_cover_it_and_no_other_does(kind):
 def jointed(angle):
     """The mask on one joint at the origin that turns about x."""
     base = makers.rig(POINTS, QUADS, {"unused": makers.bump(POINTS, (0, 0), (0, 0, 1))})
-    drive = Drive(
-        np.array([0.0, 1.0]),
-        np.zeros(0, dtype=np.int64),
-        np.zeros((2, 0)),
-        np.array([0]),
-        np.array([[[0.0, 0.0, 0.0]], [[angle, 0.0, 0.0]]]),
-        np.zeros((2, 1, 3)),
-        np.zeros((2, 1, 3)),
-    )
+    drive = makers.drive(joints=[0], turns=[[[0.0, 0.0, 0.0]], [[angle, 0.0, 0.0]]])
     control = replace(makers.control("jaw:rx", 0), kind="joint", drive=drive)
     mesh = makers.changed(base.body.meshes[0], skin=makers.skin(len(POINTS)), shapes=())
     joint = Joint("jaw", 0, -1, np.eye(4), np.eye(4), np.eye(4))
