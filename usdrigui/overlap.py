@@ -237,7 +237,7 @@ def _alike(one: Floats, other: Floats) -> Flags:
     """(a, b, q) which steps (a, d, q) run the same way as which of (b, d, q)."""
     along = np.stack([_dot(step[None], other) for step in one])
     lengths, other_lengths = (np.sqrt(_dot(each, each)) for each in (one, other))
-    return np.asarray(np.abs(along) >= SAME_WAY * lengths[:, None] * other_lengths)
+    return np.abs(along) >= SAME_WAY * lengths[:, None] * other_lengths
 
 
 def _along(
@@ -286,4 +286,4 @@ def element_distance(first: Floats, second: Floats) -> Floats:
 
 def _fall(z: Floats, overlap: MeanOverlap) -> Floats:
     """1 / (1 + exp(sharpness (z - radius))), without overflow."""
-    return np.asarray(0.5 * (1.0 - np.tanh(0.5 * overlap.sharpness * (z - overlap.radius))))
+    return 0.5 * (1.0 - np.tanh(0.5 * overlap.sharpness * (z - overlap.radius)))

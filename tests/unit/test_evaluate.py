@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from usdrigui.character.deform import deform
-from usdrigui.character.subset import subset
 from usdrigui.errors import RigUIError
 from usdrigui.pose.evaluate import checked_values, evaluate, prepare, values_of
 
@@ -46,14 +45,6 @@ def test_enlarged_tracks_leave_the_handle_on_the_skin(rig, layout):
     posed = evaluate(prepare(rig, changed), values_of(rig, {"smile_L": 0.5}))
     assert posed.elements[0].handle == pytest.approx(posed.points[one.anchor.point], abs=1e-12)
     assert posed.elements[0].tracks[0] == pytest.approx(large.track, abs=1e-6)
-
-
-def test_a_subset_of_points_deforms_as_the_whole_does(rig):
-    points = np.array([700, 3, 3, 1200])
-    small, rows = subset(rig, points)
-    values = laid_out.random_values(rig, np.random.default_rng(5))
-    assert deform(small, values)[rows] == pytest.approx(deform(rig, values)[points], abs=1e-12)
-    assert len(deform(small)) == 3
 
 
 def test_poses_by_name_start_from_defaults_or_a_base(rig):

@@ -9,8 +9,6 @@ scipy only.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.sparse import csr_array
@@ -35,7 +33,6 @@ from usdrigui.character.skinning import (
     base_locals,
     bound_points,
     point_maps,
-    skeleton_to_root,
     skinning_matrices,
     with_descendants,
 )
@@ -120,11 +117,11 @@ def knots(rig: Rig, control: int) -> Floats:
     subject = rig.controls[control]
     drive = subject.drive
     found = [*drive.values[1:-1]]
-    for column, channel in enumerate(drive.channels):
+    for column, channel in enumerate(drive.channels.tolist()):
         absolute = rig.body.base_weights[channel] + drive.weights[:, column]
-        found.extend(
-            _crossings(drive.values, absolute, _bends(rig.body.shapes_by_channel, int(channel)))
-        )
+        for _, shape in rig.body.shapes_by_channel.get(channel, ()):
+            # The offset bends at all nodes but the outermost.
+            found.extend(_crossings(drive.values, absolute, _nodes(shape)[1:-1]))
     ends = [subject.minimum, subject.default, subject.maximum]
     # A layer tells values no more exactly than that.
     least = 1e-6 * (subject.maximum - subject.minimum)
@@ -160,7 +157,7 @@ def keyed(keys: Floats, rows: Floats, at: Floats) -> Floats:
     them."""
     i = keys[1:-1].searchsorted(at, side="right")
     share = ((at - keys[i]) / (keys[i + 1] - keys[i])).reshape(-1, *(1,) * (rows.ndim - 1))
-    return np.asarray((1.0 - share) * rows[i] + share * rows[i + 1])
+    return (1.0 - share) * rows[i] + share * rows[i + 1]
 
 
 def moved_locals(joints: tuple[Joint, ...], moves: Floats) -> Floats:
@@ -181,28 +178,17 @@ def moved_locals(joints: tuple[Joint, ...], moves: Floats) -> Floats:
     return local
 
 
-def _bends(
-    shapes_by_channel: Mapping[int, tuple[tuple[int, Shape], ...]], channel: int
-) -> list[float]:
-    """Weights, ascending, at which some shape's offset bends: all its nodes but the outermost."""
-    shapes = shapes_by_channel.get(channel, ())
-    return sorted({node for _, shape in shapes for node in _nodes(shape)[1:-1].tolist()})
-
-
-def _crossings(keys: Floats, weights: Floats, targets: list[float]) -> list[float]:
+def _crossings(keys: Floats, weights: Floats, targets: Floats) -> Floats:
     """Control values at which the piecewise linear `weights` (k,) over `keys` (k,) meet one of
-    `targets`."""
-    found = []
-    for i in range(len(keys) - 1):
-        rise = weights[i + 1] - weights[i]
-        # Beyond the ends the first and last pieces go on.
-        low = 0.0 if i else -np.inf
-        high = 1.0 if i < len(keys) - 2 else np.inf
-        for target in targets if rise else ():
-            share = (target - weights[i]) / rise
-            if low <= share <= high:
-                found.append(float(keys[i] + share * (keys[i + 1] - keys[i])))
-    return found
+    `targets` (t,)."""
+    rise, away = np.diff(weights)[:, None], targets - weights[:-1, None]
+    share = np.divide(away, rise, out=np.full(away.shape, np.nan), where=rise != 0.0)
+    met = (share >= 0.0) & (share <= 1.0)
+    # Beyond the ends the first and last pieces go on.
+    met[0] |= share[0] < 0.0
+    met[-1] |= share[-1] > 1.0
+    pieces = np.nonzero(met)[0]
+    return np.asarray(keys[pieces] + share[met] * np.diff(keys)[pieces])
 
 
 # --- blend shapes ---------------------------------------------------------------------------------
@@ -292,7 +278,7 @@ class Sweep:
             return _turned(offsets, self._base.maps[part.index], part.local)
         skin = mesh.skin
         if part.weighted is not None and skin is not None:
-            to_root = skeleton_to_root(body.skeletons, body.joints, skin)[:3, :3]
+            to_root = body.skeletons[body.skeleton_of(skin)].to_root[:3, :3]
             change = (skinning[1:] - skinning[0])[..., :3] @ to_root
             table = change.transpose(1, 2, 0, 3).reshape(4 * len(body.joints), -1)
             swept = (part.weighted @ table).reshape(len(part.local), -1, 3)

@@ -54,21 +54,6 @@ class Hanging(Record):
     character neither end nor begin there."""
 
 
-def hanging(joints: Sequence[Joint], meshes: Sequence[RigMesh]) -> Hanging:
-    """What hangs on what, at the bind pose."""
-    places = np.array([joint.bind[3, :3] for joint in joints]).reshape(-1, 3)
-    radius = _skin_radius(places, meshes)
-    parents, aside = [joint.parent for joint in joints], set[int]()
-    for joint, parent in enumerate(parents):
-        if parent in aside:
-            parents[joint] = parent = parents[parent]
-        if parent >= 0 and radius[joint] < 0.0:
-            ends = places[_next_with_skin(joints, joint, radius)]
-            if _lies_aside(places[parent], places[joint], ends, float(radius[parent])):
-                aside.add(joint)
-    return Hanging(tuple(parents), frozenset(aside))
-
-
 def _lies_aside(parent: Floats, place: Floats, ends: Floats, radius: float) -> bool:
     """Whether a joint without skin lies off the way from the one above, whose skin goes as far as
     `radius` (-1 without), to the next ones with skin at `ends` (e, 3)."""
@@ -151,8 +136,19 @@ class Tree(Record):
 
     @cached_property
     def hanging(self) -> Hanging:
-        """What hangs on what, as authored."""
-        return hanging(self.joints, self.meshes)
+        """What hangs on what, as authored, at the bind pose."""
+        joints = self.joints
+        places = bind_poses(joints)[:, 3, :3]
+        radius = _skin_radius(places, self.meshes)
+        parents, aside = [joint.parent for joint in joints], set[int]()
+        for joint, parent in enumerate(parents):
+            if parent in aside:
+                parents[joint] = parent = parents[parent]
+            if parent >= 0 and radius[joint] < 0.0:
+                ends = places[_next_with_skin(joints, joint, radius)]
+                if _lies_aside(places[parent], places[joint], ends, float(radius[parent])):
+                    aside.add(joint)
+        return Hanging(tuple(parents), frozenset(aside))
 
     @cached_property
     def parents(self) -> tuple[int, ...]:

@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 
 from usdrigui.character.controls import Channel, Control, Joint, Skeleton
-from usdrigui.character.mesh import RigMesh, Shape
+from usdrigui.character.mesh import RigMesh, Shape, Skin
 from usdrigui.character.record import Flags, Floats, Indices, Record
 from usdrigui.errors import Issue
 
@@ -103,6 +103,10 @@ class Body(Record):
             if mesh.path == path and 0 <= local < len(mesh.points):
                 return int(start + local)
         return -1
+
+    def skeleton_of(self, skin: Skin) -> int:
+        """Index of the Skeleton that a skin hangs on."""
+        return self.joints[int(skin.joints[0, 0])].skeleton
 
     def mesh_of(self, point: int) -> tuple[int, int]:
         """Mesh index and local point of a point."""

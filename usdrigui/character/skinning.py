@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.sparse import csr_array
 
-from usdrigui.character import Body, Flags, Floats, Indices, Joint, RigMesh, Skeleton, Skin
+from usdrigui.character import Body, Flags, Floats, Indices, Joint, RigMesh, Skin
 from usdrigui.character.rotation import (
     quaternion_matrices,
     quaternion_product,
@@ -98,11 +98,8 @@ def point_maps(
     rows = slice(1) if skin.rigid else local
     size = float(np.abs(mesh.points).max(initial=1e-30))
     skinned = _shared_or_own_maps(skin, rows, skinning, size)
-    to_root = skeleton_to_root(body.skeletons, body.joints, skin)
-    return _composed(
-        _composed(skin.geom_bind[None, :, :3], skinned),
-        to_root[None, :, :3],
-    )
+    to_root = body.skeletons[body.skeleton_of(skin)].to_root
+    return _composed(_composed(skin.geom_bind[None, :, :3], skinned), to_root[None, :, :3])
 
 
 def bound_points(points: Floats, skin: Skin) -> Floats:
@@ -133,13 +130,6 @@ def carrying_joint(body: Body, rows: Indices) -> int:
     # Each of them lies below the one before: two that do not hold no such share both.
     carrying = np.flatnonzero(share >= _FACE_SHARE * total)
     return int(carrying[-1] if len(carrying) else share.argmax())
-
-
-def skeleton_to_root(
-    skeletons: tuple[Skeleton, ...], joints: tuple[Joint, ...], skin: Skin
-) -> Floats:
-    """(4, 4) from the space of the skin's Skeleton to root space."""
-    return skeletons[joints[int(skin.joints[0, 0])].skeleton].to_root
 
 
 def applied(points: Floats, maps: Floats) -> Floats:

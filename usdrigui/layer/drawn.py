@@ -147,9 +147,8 @@ def _felt(shapes: tuple[PointShape, ...], budget: float) -> tuple[PointShape, ..
 def _tracks(skin: SkinBinding, binding: AnchorBinding, element: Element, width: float) -> Drawn:
     """A spike for each member, and polygons between those that are neighbours (paper section
     4.1)."""
-    moved = element.members
-    base = np.array([skin.value(member.control) for member in moved])
-    members = [_bent(member, element.anchor.normal, width) for member in moved]
+    base = skin.values[skin.own(element)]
+    members = [_bent(member, element.anchor.normal, width) for member in element.members]
     spikes = [
         # Each a little narrower, so that two which begin in one place do not begin in the same
         # points.
@@ -160,8 +159,9 @@ def _tracks(skin: SkinBinding, binding: AnchorBinding, element: Element, width: 
     polygons = ((corners, Faces.alike(np.arange(len(corners))[None])) for _, corners in areas)
     positions, faces = together([*spikes, *polygons])
     rows = [_values_along(base, i, member) for i, member in enumerate(members)]
-    values = np.concatenate([*rows, *(_values_at(base, moved, ends) for ends, _ in areas)])
-    return _still(skin, binding, moved, values, positions, faces, len(areas), width)
+    rows += [_values_at(base, element.members, ends) for ends, _ in areas]
+    values = np.concatenate(rows)
+    return _still(skin, binding, element, values, positions, faces, len(areas), width)
 
 
 def _bent(member: Member, normal: Floats, width: float) -> Member:
@@ -231,7 +231,7 @@ def _values_at(base: Floats, members: tuple[Member, ...], ends: list[int]) -> Fl
 def _still(
     skin: SkinBinding,
     binding: AnchorBinding,
-    members: tuple[Member, ...],
+    element: Element,
     values: Floats,
     positions: Floats,
     faces: Faces,
@@ -246,9 +246,8 @@ def _still(
     bound = binding.track
     others = [shape for shape in binding.shapes if shape.channel not in binding.own_channels]
     if binding.turning and others:
-        controls = [member.control for member in members]
-        settings = [dict(zip(controls, row, strict=True)) for row in values.tolist()]
-        turns = skin.maps_at(binding.handle, settings)[:, :3] @ bound.inverse
+        maps = skin.maps_at(binding.handle, skin.own(element), values)
+        turns = maps[:, :3] @ bound.inverse
         spread = [np.einsum("ki,qij->kqj", shape.offsets, turns) for shape in others]
     else:
         spread = [np.repeat(shape.offsets[:, None], len(values), axis=1) for shape in others]

@@ -8,7 +8,6 @@ every mesh.  numpy only.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal
 
@@ -27,6 +26,7 @@ from usdrigui.character import (
     Topology,
 )
 from usdrigui.character.deform import channel_state, keyed, posed
+from usdrigui.character.rays import diagonal
 from usdrigui.errors import refuse
 from usdrigui.following import following, shared
 from usdrigui.layer.control_api import felt
@@ -113,7 +113,7 @@ class SkinBinding:
         anchors = [each.anchor for each in layout.elements]
         rows = np.array([rig.body.point_of(each.mesh, each.point) for each in anchors])
         on_board = np.array([each.on_board for each in anchors], dtype=bool)
-        self._all_of = shared(rig, [*map(self._own, layout.elements)], rows, on_board)
+        self._all_of = shared(rig, [*map(self.own, layout.elements)], rows, on_board)
 
     def control(self, name: str) -> Control:
         """The rig's control of that name."""
@@ -126,9 +126,9 @@ class SkinBinding:
     def at_anchor(self, element: Element) -> AnchorBinding:
         """What carries one element."""
         body = self.rig.body
-        mesh, point = self._anchored(element)
+        mesh, point = self._meshes[element.anchor.mesh], element.anchor.point
         follows = following(
-            self._own(element),
+            self.own(element),
             self._all_of,
             on_board=element.anchor.on_board,
             static=element.adapt == "static",
@@ -152,49 +152,30 @@ class SkinBinding:
             deforms=deforms,
         )
 
-    def _own(self, element: Element) -> Indices:
+    def own(self, element: Element) -> Indices:
         """The controls of an element, as indices into `Rig.controls`."""
         return np.array([self._positions[each.control] for each in element.members], dtype=np.int64)
 
-    def maps_at(self, handle: JointBinding, settings: Sequence[dict[str, float]]) -> Floats:
-        """Affine maps (len(settings), 4, 3) of the handle with some controls away from the base
-        pose."""
-        maps = []
-        for setting in settings:
-            values = self.values.copy()
-            for name, value in setting.items():
-                values[self._positions[name]] = value
-            maps.append(
-                self._map(handle.skeleton, handle.joints, handle.weights, handle.method, values)
-            )
-        return np.stack(maps)
-
-    def _anchored(self, element: Element) -> tuple[RigMesh, int]:
-        return self._meshes[element.anchor.mesh], element.anchor.point
+    def maps_at(self, handle: JointBinding, controls: Indices, rows: Floats) -> Floats:
+        """Affine maps (q, 4, 3) of the handle with some controls at the values of each of the rows
+        (q, controls), all others in the base pose."""
+        values = np.tile(self.values, (len(rows), 1))
+        values[:, controls] = rows
+        return np.stack([self._map(handle, each) for each in values])
 
     def _joint_binding(
         self, skin: Skin | None, skeleton: int, influences: tuple[Indices, Floats]
     ) -> JointBinding:
-        joints, weights = influences
         method: Method = skin.method if skin is not None else "classicLinear"
-        return JointBinding(
-            skeleton,
-            joints,
-            weights,
-            method,
-            self._map(skeleton, joints, weights, method, self.values),
-        )
+        still = JointBinding(skeleton, *influences, method, np.eye(4)[:, :3])
+        return replace(still, base=self._map(still, self.values))
 
-    def _map(
-        self, skeleton: int, joints: Indices, weights: Floats, method: Method, values: Floats
-    ) -> Floats:
+    def _map(self, of: JointBinding, values: Floats) -> Floats:
         """(4, 3) map from bind pose to root space, by posing a rig of a single point."""
-        if not len(joints):
-            return np.eye(4)[:, :3]
-        bound = np.asarray(
-            np.linalg.inv(self.rig.body.skeletons[skeleton].to_root), dtype=np.float64
-        )
-        skin = Skin(joints[None], weights[None], method, bound, False)
+        if not len(of.joints):
+            return of.base
+        bound: Floats = np.asarray(np.linalg.inv(self.rig.body.skeletons[of.skeleton].to_root))
+        skin = Skin(of.joints[None], of.weights[None], of.method, bound, False)
         single = RigMesh(
             "",
             np.full((1, 3), self.size),
@@ -211,12 +192,8 @@ _NONE: Indices = np.zeros(0, dtype=np.int64)
 
 def _size(body: Body) -> float:
     """Diagonal of the box around the largest mesh, in the units of the bind pose."""
-    spans = [
-        np.ptp(mesh.points @ _to_rest(body, mesh)[:3], axis=0)
-        for mesh in body.meshes
-        if len(mesh.points)
-    ]
-    return max((float(np.linalg.norm(span)) for span in spans), default=1.0) or 1.0
+    sizes = (diagonal(mesh.points @ _to_rest(body, mesh)[:3]) for mesh in body.meshes)
+    return max(sizes, default=1.0) or 1.0
 
 
 def _to_rest(body: Body, mesh: RigMesh) -> Floats:
@@ -227,14 +204,14 @@ def _to_rest(body: Body, mesh: RigMesh) -> Floats:
     skeleton = body.skeletons[_skeleton_of(body, mesh)]
     if abs(np.linalg.det(skeleton.to_root[:3, :3])) < 1e-30:
         raise refuse("SKELETON_INVALID", skeleton.path, "its transform collapses space")
-    return np.asarray((skin.geom_bind @ skeleton.to_root)[:, :3])
+    return (skin.geom_bind @ skeleton.to_root)[:, :3]
 
 
 def _skeleton_of(body: Body, mesh: RigMesh) -> int:
     """The Skeleton that a mesh is bound to: its joints', else the one whose animation drives its
     shapes."""
     if mesh.skin is not None:
-        return body.joints[int(mesh.skin.joints[0, 0])].skeleton
+        return body.skeleton_of(mesh.skin)
     animations = [body.channels[shape.channel].animation for shape in mesh.shapes]
     for index, skeleton in enumerate(body.skeletons):
         if skeleton.animation and skeleton.animation in animations:

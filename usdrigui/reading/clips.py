@@ -4,6 +4,7 @@ frame."""
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -34,6 +35,12 @@ class State:
 
     weights: Floats
     locals: Floats
+
+    @classmethod
+    def stacked(cls, states: Sequence[State]) -> State:
+        """Several of them as one, in their order."""
+        weights = np.stack([state.weights for state in states])
+        return cls(weights, np.stack([state.locals for state in states]))
 
 
 @dataclass(frozen=True)
@@ -95,16 +102,14 @@ def read_still(animated: Animated, rate: float) -> Clip | None:
 def _sampled(animated: Animated, times: list[float], rate: float) -> Clip:
     """Weights and joints at each of `times`, which USD holds before the first and after the
     last."""
-    states = [animated.state(time) for time in times]
-    local = np.stack([state.locals for state in states])
-    if not np.isfinite(local).all():
+    states = State.stacked([animated.state(time) for time in times])
+    if not np.isfinite(states.locals).all():
         raise refuse(
             "NOT_FINITE",
             animated.armatures[0].record.animation,
             "the animation holds NaN or infinity",
         )
-    weights = np.stack([state.weights for state in states])
-    return Clip(np.array(times, dtype=np.float64), weights, local, rate)
+    return Clip(np.array(times, dtype=np.float64), states.weights, states.locals, rate)
 
 
 def weights_at(

@@ -25,7 +25,7 @@ from usdrigui.reading.blend_shape import (
     note_tokens,
     read_shapes,
 )
-from usdrigui.reading.skeleton import Frames
+from usdrigui.reading.skeleton import Frames, deforming
 from usdrigui.stages import schema
 from usdrigui.stages.arrays import (
     check_finite,
@@ -72,17 +72,9 @@ def outside_issues(stage: Usd.Stage) -> tuple[Issue, ...]:
     for prim in walk:
         if prim.IsA(UsdSkel.Root):
             walk.PruneChildren()
-        elif prim.IsA(UsdGeom.Mesh) and (inputs := _deforming(prim)):
-            found.append(issue("MESH_OUTSIDE", prim.GetPath(), f"has {inputs}"))
+        elif prim.IsA(UsdGeom.Mesh) and (inputs := deforming(prim)):
+            found.append(issue("MESH_OUTSIDE", prim.GetPath(), f"has {' and '.join(inputs)}"))
     return tuple(found)
-
-
-def _deforming(prim: Usd.Prim) -> str:
-    """What would deform the mesh below a SkelRoot; empty if nothing."""
-    shapes = UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().HasAuthoredTargets()
-    indices = prim.GetAttribute("primvars:skel:jointIndices")
-    joints = bool(indices) and indices.HasAuthoredValue()
-    return " and ".join(["blend shapes"] * shapes + ["joint influences"] * joints)
 
 
 def drawable(root: Usd.Prim) -> list[Usd.Prim]:

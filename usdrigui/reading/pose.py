@@ -105,13 +105,7 @@ def named_poses(
 
 def _single(name: str, base: State, state: State) -> NamedPose:
     """A pose of one state."""
-    return NamedPose(name, np.array([0.0, 1.0]), _stacked([base, state]))
-
-
-def _stacked(states: list[State]) -> State:
-    return State(
-        np.stack([state.weights for state in states]), np.stack([state.locals for state in states])
-    )
+    return NamedPose(name, np.array([0.0, 1.0]), State.stacked([base, state]))
 
 
 def _configured(name: str, configured: PoseSettings, animated: Animated) -> NamedPose:
@@ -155,7 +149,7 @@ def _clip(name: str, base: State, times: list[float], states: list[State]) -> Na
     if not (is_base and np.allclose(states[0].weights, base.weights, atol=1e-7)):
         start = first - (last - first) / len(times)
         times, states = [start, *times], [base, *states]
-    return NamedPose(name, (np.array(times) - start) / (last - start), _stacked(states))
+    return NamedPose(name, (np.array(times) - start) / (last - start), State.stacked(states))
 
 
 def _animated_by(
@@ -211,4 +205,4 @@ def unwrapped(vectors: Floats) -> Floats:
 
 def _log_scales(local: Floats, frame: Floats) -> Floats:
     stretch = local[..., :3, :3] @ np.swapaxes(frame, -1, -2)
-    return np.asarray(np.log(np.maximum(np.abs(np.diagonal(stretch, axis1=-2, axis2=-1)), 1e-9)))
+    return np.log(np.maximum(np.abs(np.diagonal(stretch, axis1=-2, axis2=-1)), 1e-9))

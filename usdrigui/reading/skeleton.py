@@ -223,6 +223,7 @@ def locals_at(armature: Armature, time: float, rest: Floats) -> Floats:
 
 _SKELETON = "skel:skeleton"
 _API = "SkelBindingAPI"
+_INFLUENCES = "joint influences"
 
 
 def why_unbound(prim: Usd.Prim) -> str:
@@ -256,14 +257,19 @@ def bound_in_vain(
     found = []
     for path in meshes:
         prim = stage.GetPrimAtPath(path)
-        api = UsdSkel.BindingAPI(prim)
-        if prim.GetPath() in bound or api.GetBlendShapeTargetsRel().HasAuthoredTargets():
-            continue
-        # Not asked of the API, whose primvars are invalid objects where it is not applied.
-        indices = prim.GetAttribute("primvars:skel:jointIndices")
-        if indices and indices.HasAuthoredValue() and (why := why_unbound(prim)):
-            found.append(issue("MESH_UNBOUND", path, f"has joint influences; {why}"))
+        alone = prim.GetPath() not in bound and deforming(prim) == [_INFLUENCES]
+        if alone and (why := why_unbound(prim)):
+            found.append(issue("MESH_UNBOUND", path, f"has {_INFLUENCES}; {why}"))
     return tuple(found)
+
+
+def deforming(prim: Usd.Prim) -> list[str]:
+    """What would deform a mesh below a SkelRoot."""
+    shapes = UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().HasAuthoredTargets()
+    # Not asked of the API, whose primvars are invalid objects where it is not applied.
+    indices = prim.GetAttribute("primvars:skel:jointIndices")
+    joints = bool(indices) and indices.HasAuthoredValue()
+    return ["blend shapes"] * shapes + [_INFLUENCES] * joints
 
 
 def _up_to_skel_root(prim: Usd.Prim) -> list[Usd.Prim]:

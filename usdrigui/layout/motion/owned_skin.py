@@ -16,7 +16,7 @@ import numpy as np
 
 from usdrigui.character import Body, Control, Flags, Floats, Joint, Record, Rig, Skeleton
 from usdrigui.character.deform import posed
-from usdrigui.character.joint_tree import OWNS, hanging
+from usdrigui.character.joint_tree import OWNS, Tree
 from usdrigui.character.skinning import (
     at_bind_pose,
     base_locals,
@@ -135,7 +135,8 @@ class Bone(Record):
 
 def _bones(body: Body) -> Sequence[Bone]:
     """The bones between joints apart from each other, and those of joints at the end of a chain."""
-    places, chains = joint_places(body.skeletons, body.joints), hanging(body.joints, body.meshes)
+    places = joint_places(body.skeletons, body.joints)
+    chains = Tree(body.joints, body.meshes).hanging
     parents = chains.parents
     joined = [k for k, i in enumerate(parents) if i >= 0 and k not in chains.aside]
     found = [
