@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from .character import basis_of
+from .character import move_of
 from .inbetweens import offsets_at
 from .layout import gained
 from .maths.handle_track import along
 from .tracking import drawing_of, place
+
+_STILL = 1e-9
+"""Moves of a joint that are no larger are what reading its values off the bone leaves."""
 
 
 class Anchors:
@@ -24,7 +27,10 @@ class Anchors:
     def place(self, depsgraph, values):
         """`Placed` elements at these values of all controls, None for those whose mesh is not
         shown."""
-        posed = {path: bones.posed() for path, bones in self.bones.items()}
+        posed = {
+            path: {bone.name: matrix_of(bone.matrix) for bone in each.armature.pose.bones}
+            for path, each in self.bones.items()
+        }
         return [spot.place(depsgraph, posed, values) for spot in self.spots]
 
 
@@ -33,7 +39,6 @@ class Bones:
 
     def __init__(self, character, skeleton, armature):
         layout, self.armature = character.layout, armature
-        self.to_root = layout.to_root(skeleton)
         bones = armature.data.bones
         self.rest = {bone.name: matrix_of(bone.matrix_local) for bone in bones}
         self.unbound = {name: np.linalg.inv(matrix) for name, matrix in self.rest.items()}
@@ -48,35 +53,22 @@ class Bones:
         base = {control.name: control.base for control in layout.controls}
         _, moves = gained(layout.controls, still, base)
         self.base = {}
-        for name, matrix in self.rest.items():
-            line, found = self.above[name], matrix
-            if len(line) > 1:
-                found = self.base[line[1]] @ self.unbound[line[1]] @ matrix
-            joint = self.joints.get(name)
+        for bone in bones:
+            found, joint = self.rest[bone.name], self.joints.get(bone.name)
+            if bone.parent:
+                above = bone.parent.name
+                found = self.base[above] @ self.unbound[above] @ found
             if joint:
                 found = found @ composed(*self.frames[joint].basis(moves[joint]))
-            self.base[name] = found
-
-    def posed(self):
-        """By bone, the pose matrix in armature space."""
-        return {bone.name: matrix_of(bone.matrix) for bone in self.armature.pose.bones}
+            self.base[bone.name] = found
 
     def turned(self, pose, name, change):
         """(4, 4) what takes a bone at ``pose`` and all below it along, once a ``change`` (3, 3) is
         added to its move."""
         frame = self.frames[self.joints[name]]
-        move = frame.move(*basis_of(self.armature.pose.bones[name]))
+        move = move_of(self.armature.pose.bones[name], frame)
         now, then = (composed(*frame.basis(each)) for each in (move, move + change))
         return pose[name] @ np.linalg.inv(now) @ then @ np.linalg.inv(pose[name])
-
-    def blend(self, matrices, influences):
-        """(4, 4) skinning of weighted bones in armature space."""
-        if not influences:
-            return np.eye(4)
-        total = sum(weight for _, weight in influences)
-        return sum(
-            weight / total * matrices[name] @ self.unbound[name] for name, weight in influences
-        )
 
 
 class Spot:
@@ -87,21 +79,26 @@ class Spot:
         self.controls = [character.controls[member.control] for member in element.members]
         self.base = {control.name: control.base for control in self.controls}
         self.mesh = character.meshes.get(element.mesh) if element.follows else None
-        # Without bones it goes with its mesh, or off the skin with the character as a whole.
         path = element.mesh if self.mesh else next(iter(character.objects))
-        self.carrier = character.objects[path]
         self.skeleton = skeleton_of(self.mesh, bones) if self.mesh else element.skeleton
         self.bones = bones.get(self.skeleton)
-        self.influences = self._influences(character)
-        self.turning = self._turning()
-        self.into = self._into()
-        self.to_skin = np.linalg.inv(self._to_root(character.layout.to_root(path)))
-        tokens = {shape.token for control in self.controls for shape in control.shapes}
-        keys = {token: character.shape_key(path, token) for token in tokens} if self.mesh else {}
+        # Without bones it goes with its mesh, or off the skin with the character as a whole.
+        self.carrier, self.influences, self.turning = character.objects[path], (), {}
+        self.into, base = np.eye(4), {}
+        if self.bones:
+            self.carrier, base, path = self.bones.armature, self.bones.base, self.skeleton
+            self.influences = self._influences(character)
+            self.turning = self._turning()
+        if self.bones and self.mesh:
+            world = matrix_of(self.carrier.matrix_world)
+            self.into = np.linalg.inv(world) @ matrix_of(self.mesh.matrix_world)
+        to_root = character.layout.to_root(path)
+        self.to_skin = np.linalg.inv(to_root @ self._blended(base) @ self.into)
+        shapes = [each for control in self.controls for each in control.shapes if self.mesh]
         self.keys = {
-            token: (key, *offsets_at(self.mesh, key, self.point))
-            for token, key in keys.items()
-            if key is not None
+            each.token: (key, *offsets_at(self.mesh, key, self.point))
+            for each in shapes
+            if (key := character.shape_key(element.mesh, each.token))
         }
 
     def place(self, depsgraph, posed, values):
@@ -111,7 +108,7 @@ class Spot:
         if point is None and self.drawing.element.follows:
             return None
         weights, moves = gained(self.controls, values, self.base)
-        pose = posed.get(self.skeleton)
+        pose = posed.get(self.skeleton, {})
         skin = self._skin(self._turned(pose, moves))
         if point is not None:
             now = self._skin(pose)
@@ -131,18 +128,21 @@ class Spot:
 
     def _skin(self, pose):
         """(4, 4) the map of the skin from before skinning to the world."""
-        if self.bones is None:
-            return matrix_of(self.carrier.matrix_world)
-        world = matrix_of(self.bones.armature.matrix_world)
-        return world @ self.bones.blend(pose, self.influences) @ self.into
+        return matrix_of(self.carrier.matrix_world) @ self._blended(pose) @ self.into
+
+    def _blended(self, pose):
+        """(4, 4) skinning by the bones that carry it, in their armature's space."""
+        if not self.influences:
+            return np.eye(4)
+        return sum(
+            weight * pose[name] @ self.bones.unbound[name] for name, weight in self.influences
+        )
 
     def _turned(self, pose, moves):
         """A pose, once ``moves`` by joint are added."""
-        if not self.turning:
-            return pose
         pose = dict(pose)
         for name, joint in self.turning.items():
-            if moves[joint].any():
+            if np.abs(moves[joint]).max() > _STILL:
                 along_it = self.bones.turned(pose, name, moves[joint])
                 for other in {*self.turning, *(name for name, _ in self.influences)}:
                     if name in self.bones.above[other]:
@@ -158,9 +158,7 @@ class Spot:
         return found
 
     def _influences(self, character):
-        """(bone, weight) pairs of what carries it."""
-        if self.bones is None:
-            return ()
+        """(bone, weight) pairs of what carries it; the weights add up to one."""
         if self.mesh is None:
             carriers = self.drawing.element.carriers
             named = [
@@ -170,31 +168,17 @@ class Spot:
             groups = self.mesh.vertex_groups
             mine = self.mesh.data.vertices[self.point].groups
             named = [(groups[each.group].name, each.weight) for each in mine if each.weight]
-        return tuple(pair for pair in named if pair[0] in self.bones.rest)
+        found = [pair for pair in named if pair[0] in self.bones.rest]
+        total = sum(weight for _, weight in found)
+        return [(name, weight / total) for name, weight in found]
 
     def _turning(self):
         """By bone, parents first, the joints above the influences that the element's controls
         move."""
-        if self.bones is None:
-            return {}
         moved = {joint.at for control in self.controls for joint in control.joints}
         above = {name for each, _ in self.influences for name in self.bones.above[each]}
         joints = self.bones.joints.items()
         return {name: joint for name, joint in joints if joint in moved and name in above}
-
-    def _into(self):
-        """The mesh's space to the armature's."""
-        if self.bones is None or self.mesh is None:
-            return np.eye(4)
-        world = matrix_of(self.bones.armature.matrix_world)
-        return np.linalg.inv(world) @ matrix_of(self.mesh.matrix_world)
-
-    def _to_root(self, stands):
-        """Before skinning to root space, in the base pose; ``stands`` is that of what carries it
-        without bones."""
-        if self.bones is None:
-            return stands
-        return self.bones.to_root @ self.bones.blend(self.bones.base, self.influences) @ self.into
 
 
 def skeleton_of(mesh, bones):

@@ -19,6 +19,7 @@ from .anchors import Anchors
 from .character import BONES, Character, at_frames, curves_of, frames_of, holders
 from .exporting import selection_kept
 from .inbetweens import drive
+from .maths.handle_track import along
 
 _PALETTES = {"right": "THEME01", "left": "THEME04"}
 
@@ -42,15 +43,17 @@ def handles_of(layout):
     """The bones of a layout: one for a slider or a patch, one for each axis of a fan; for controls
     of one shape alone, since joints are bones already."""
     plain = {each.name: each for each in layout.controls if each.plain and each.maximum > each.base}
-    found, taken = [], set()
+    found = []
     for number, element in enumerate(layout.elements):
         names = [member.control for member in element.members]
         axes = [
             tuple((plain[names[i]], 1.0 if i == axis[-1] else -1.0) for i in axis)
             for axis in element.axes
-            if all(names[i] in plain and names[i] not in taken for i in axis)
+            if all(names[i] in plain for i in axis)
         ]
-        taken.update(control.name for axis in axes for control, _ in axis)
+        for axis in axes:
+            for control, _ in axis:
+                del plain[control.name]  # it has its bone
         parts = [axes] if len(axes) < 3 else [[axis] for axis in axes]
         for axes_here in parts if axes else ():
             label = element.name if len(parts) == 1 else axes_here[0][-1][0].name
@@ -60,9 +63,7 @@ def handles_of(layout):
 
 def move_bones(character, values):
     """Put the bones where control ``values``, by name, have them."""
-    bones = character.holder[BONES].pose.bones
-    for handle in (each for each in handles_of(character.layout) if each.name in bones):
-        bone = bones[handle.name]
+    for handle, bone in _bones(character):
         for component, axis in handle.axes.items():
             bone.location[component] = bone.bone.length * sum(
                 sign * _share(control, values[control.name]) for control, sign in axis
@@ -71,13 +72,14 @@ def move_bones(character, values):
 
 def bones_of(character):
     """By control, the bone that has its value."""
+    return {control.name: bone for handle, bone in _bones(character) for control in handle.controls}
+
+
+def _bones(character):
+    """(`Handle`, bone) of all that are there."""
     bones = character.holder[BONES].pose.bones
-    return {
-        control.name: bones[handle.name]
-        for handle in handles_of(character.layout)
-        for control in handle.controls
-        if handle.name in bones
-    }
+    handles = handles_of(character.layout)
+    return [(each, bones[each.name]) for each in handles if each.name in bones]
 
 
 def make_bones(context, holder):
@@ -104,10 +106,9 @@ def make_bones(context, holder):
         bone.custom_shape_rotation_euler.x = 0.5 * np.pi  # flat on the skin
         bone.lock_rotation = bone.lock_scale = [True] * 3
         bone.color.palette = _PALETTES.get(element.side, "THEME03")
-        _limit(bone, handle)
+        _drive(character, bone, handle)
         child = bone.constraints.new("CHILD_OF")
         child.target, child.subtarget, child.inverse_matrix = carriers[handle.element]
-        _drive(character, made, handle)
     holder[BONES] = made
     for frame in frames_of(tracks.values()):
         then = {name: curve.evaluate(frame) for name, curve in tracks.items()}
@@ -119,11 +120,11 @@ def make_bones(context, holder):
 def remove_bones(context, holder):
     """Take the armature away; the shape keys have its values, and the keys that they lack."""
     character, made = Character(holder), holder[BONES]
-    driven = [each for handle in handles_of(character.layout) for each in handle.controls]
+    driven = [*bones_of(character)]
     seen = at_frames(context.scene, frames_of(curves_of(made)), character.values)
     now = character.values()
-    for control in driven:
-        for key in character.shape_keys(control.shapes[0].token):
+    for name in driven:
+        for key in character.keys_of(character.controls[name]):
             key.driver_remove("value")
             animation = key.id_data.animation_data
             if not animation.action and not animation.drivers:
@@ -135,21 +136,21 @@ def remove_bones(context, holder):
     del holder[BONES]
     tracks = _curves(character)
     for frame, values in seen.items():
-        for name in (control.name for control in driven):
+        for name in driven:
             had = tracks[name].evaluate(frame) if name in tracks else now[name]
             if abs(had - values[name]) > 1e-5:
                 character.set_values({name: values[name]})
                 character.insert_keys([name], frame)
-    character.set_values({control.name: now[control.name] for control in driven})
+    character.set_values({name: now[name] for name in driven})
 
 
 def _curves(character):
     """By control, the curve of its shape key, of those that have one."""
-    controls = [each for each in character.layout.controls if each.plain]
     return {
         control.name: curve
-        for control in controls
-        for key in character.shape_keys(control.shapes[0].token)
+        for control in character.layout.controls
+        if control.plain
+        for key in character.keys_of(control)
         for curve in curves_of(key.id_data)
         if curve.data_path == key.path_from_id("value")
     }
@@ -181,17 +182,16 @@ def _add_bone(made, handle, anchors, placed):
     ways = []
     for axis in handle.axes.values():
         member = names.index(axis[-1][0].name)
-        track, values = placed.tracks[member], drawing.values[member]
-        base = np.array([np.interp(drawing.base[member], values, part) for part in track.T])
-        ways.append((base, track[-1] - base))
-    base, along = ways[0]
+        track = placed.tracks[member]
+        head = along(drawing.values[member], track, drawing.base[member])
+        ways.append((head, mathutils.Vector(track[-1] - head)))
+    (head, way), *others = ways
     normal = mathutils.Vector(placed.normal)
-    if len(ways) > 1 and normal.dot(mathutils.Vector(np.cross(ways[1][1], along))) < 0.0:
+    if any(normal.dot(other.cross(way)) < 0.0 for _, other in others):
         normal.negate()
-    length = max(float(np.linalg.norm(along)), 1e-4 * placed.scale)
     bone = made.data.edit_bones.new(handle.name)
-    bone.head = base
-    bone.tail = bone.head + mathutils.Vector(along).normalized() * length
+    bone.head = head
+    bone.tail = bone.head + way.normalized() * max(way.length, 1e-4 * placed.scale)
     bone.align_roll(normal)
     bone.use_deform = False
 
@@ -199,44 +199,36 @@ def _add_bone(made, handle, anchors, placed):
 def _carrier(spot):
     """What carries an element, mostly a bone, as the target of a constraint: its object, the bone's
     name, and the inverse of where it is now."""
-    if not spot.influences:
-        return spot.carrier, "", spot.carrier.matrix_world.inverted()
-    armature = spot.bones.armature
-    name = max(spot.influences, key=lambda pair: pair[1])[0]
-    place = armature.matrix_world @ armature.pose.bones[name].matrix
-    return armature, name, place.inverted()
-
-
-def _limit(bone, handle):
-    """Keep a bone within the ranges of its controls, and on its axes."""
-    limit = bone.constraints.new("LIMIT_LOCATION")
-    limit.owner_space, limit.use_transform_limit = "LOCAL", True
-    bone.lock_location = [len(handle.axes) < 2, False, True]
-    for part in "xyz":
-        setattr(limit, f"use_min_{part}", True)
-        setattr(limit, f"use_max_{part}", True)
-    for component, axis in handle.axes.items():
-        part = "xyz"[component]
-        low = min(_share(control, control.minimum) if s > 0.0 else -1.0 for control, s in axis)
-        setattr(limit, f"min_{part}", low * bone.bone.length)
-        setattr(limit, f"max_{part}", bone.bone.length)
+    name, _ = max(spot.influences, key=lambda pair: pair[1], default=("", 1.0))
+    place = spot.carrier.matrix_world
+    if name:
+        place = place @ spot.carrier.pose.bones[name].matrix
+    return spot.carrier, name, place.inverted()
 
 
 def _share(control, value):
     return (value - control.base) / (control.maximum - control.base)
 
 
-def _drive(character, made, handle):
-    """Drivers from the location to the shape keys, within the ranges."""
-    bone = made.pose.bones[handle.name]
+def _drive(character, bone, handle):
+    """Drivers from the location of a bone to the shape keys, within the ranges; and these are its
+    limits, on its axes."""
+    limit, length = bone.constraints.new("LIMIT_LOCATION"), bone.bone.length
+    limit.owner_space, limit.use_transform_limit = "LOCAL", True
+    bone.lock_location = [len(handle.axes) < 2, False, True]
+    for part in "xyz":
+        setattr(limit, f"use_min_{part}", True)
+        setattr(limit, f"use_max_{part}", True)
     for component, axis in handle.axes.items():
-        path = f"{bone.path_from_id('location')}[{component}]"
+        path, reached = f"{bone.path_from_id('location')}[{component}]", []
         for control, sign in axis:
             ends = (control.base if len(axis) > 1 else control.minimum, control.maximum)
-            way = sign * bone.bone.length
-            points = sorted((way * _share(control, end), end) for end in ends)
-            for key in character.shape_keys(control.shapes[0].token):
-                drive(key, ("OBJECT", made), path, points, "CONSTANT")
+            points = sorted((sign * length * _share(control, end), end) for end in ends)
+            reached += [at for at, _ in points]
+            for key in character.keys_of(control):
+                drive(key, ("OBJECT", bone.id_data), path, points, "CONSTANT")
+        setattr(limit, f"min_{'xyz'[component]}", min(reached))
+        setattr(limit, f"max_{'xyz'[component]}", max(reached))
 
 
 class SwitchBones(bpy.types.Operator):

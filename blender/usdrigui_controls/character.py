@@ -17,6 +17,7 @@ import mathutils
 import numpy as np
 
 from .layout import LayoutError, from_json, gained, to_json
+from .matching import armatures_of
 
 LAYOUT = "usdrigui_layout"
 """Custom property of the holder with the layout as JSON."""
@@ -26,7 +27,7 @@ EXPORTED = "usdrigui_exported"
 """Custom property of the holder where that layer is of an export of this scene."""
 BONES = "usdrigui_bones"
 """Custom property of the holder: the armature whose bones drive the shape keys, if there is one."""
-_MESHES, _ARMATURES, _NAMES = "usdrigui_meshes", "usdrigui_armatures", "usdrigui_names"
+_OBJECTS, _NAMES = "usdrigui_objects", "usdrigui_names"
 _VALUE = "rig: "
 """Prefix of the custom properties that hold the values of poses."""
 
@@ -40,17 +41,14 @@ def bind(layout, objects, names):
     carries controls is missing or has another number of points.
     """
     check_meshes(layout, objects)
-    here = {path: objects[path] for path in layout.paths if path in objects}
+    here = {i: objects[path] for i, path in enumerate(layout.paths) if path in objects}
     if not here:
         raise LayoutError(f"no object of the scene belongs to {layout.root}")
     mine = [*here.values()]
     holder = holder_of(mine) or (_stand_in(mine[0]) if mine[0].override_library else mine[0])
     holder[LAYOUT] = to_json(layout)
-    for name, records in ((_MESHES, layout.meshes), (_ARMATURES, layout.skeletons)):
-        holder[name] = {
-            str(i): here[each.path] for i, each in enumerate(records) if each.path in here
-        }
-    holder[_NAMES] = json.dumps({path: names[path] for path in names if path in here})
+    holder[_OBJECTS] = {str(i): each for i, each in here.items()}
+    holder[_NAMES] = json.dumps({path: names[path] for path in layout.paths if path in names})
     Character(holder).widen_ranges()
     return holder
 
@@ -64,10 +62,8 @@ def _stand_in(thing):
 
 def holder_of(objects):
     """The object that holds the layout of some of these, or None."""
-    for holder in holders(bpy.context.scene):
-        if {*objects} & {*Character(holder).objects.values()}:
-            return holder
-    return None
+    held = holders(bpy.context.scene)
+    return next((each for each in held if {*objects} & {*Character(each).objects.values()}), None)
 
 
 def unbind(holder):
@@ -127,9 +123,12 @@ class Character:
         self.holder = holder
         self.layout = parsed(holder[LAYOUT])
         self.controls = {control.name: control for control in self.layout.controls}
-        self.meshes = _objects(holder, _MESHES, self.layout.meshes)
-        self.armatures = _objects(holder, _ARMATURES, self.layout.skeletons)
-        self.objects = {**self.armatures, **self.meshes}
+        skeletons = {each.path for each in self.layout.skeletons}
+        stored = holder.get(_OBJECTS, {})
+        pairs = ((path, stored.get(str(i))) for i, path in enumerate(self.layout.paths))
+        self.objects = {path: each for path, each in pairs if each is not None and each.data}
+        self.armatures = {path: each for path, each in self.objects.items() if path in skeletons}
+        self.meshes = {path: each for path, each in self.objects.items() if path not in skeletons}
         self.names = json.loads(holder.get(_NAMES, "{}"))
 
     # --- values -----------------------------------------------------------------------------------
@@ -140,7 +139,7 @@ class Character:
         for control in self.layout.controls:
             bone = self.bone(*control.joints[0].at) if is_single_joint(control) else None
             if control.plain:
-                keys = self.shape_keys(control.shapes[0].token)
+                keys = self.keys_of(control)
                 found[control.name] = keys[0].value if keys else control.base
             elif bone:
                 turning.setdefault(bone.as_pointer(), []).append(control)
@@ -156,7 +155,7 @@ class Character:
         for name, value in changed.items():
             control = self.controls[name]
             if control.plain:
-                for key in self.shape_keys(control.shapes[0].token):
+                for key in self.keys_of(control):
                     key.value = value
                 continue
             others.append(control)
@@ -179,13 +178,13 @@ class Character:
             from .bones import bones_of
 
             bone = bones_of(self).get(name)
-            if bone is not None:
+            if bone:
                 return [(bone, "location")]
         control = self.controls[name]
-        found = [(key, "value") for shape in control.shapes for key in self.shape_keys(shape.token)]
+        found = [(key, "value") for key in self.keys_of(control)]
         for joint in control.joints:
             bone = self.bone(*joint.at)
-            if bone is not None:
+            if bone:
                 moved = np.any(joint.moves, axis=(0, 2))
                 parts = (_rotation_path(bone), "location", "scale")
                 found += [(bone, part) for part, is_so in zip(parts, moved, strict=True) if is_so]
@@ -216,9 +215,8 @@ class Character:
         """Let the shape keys take every value of their controls."""
         for control in self.layout.controls:
             for shape in control.shapes:
-                ends = (0.0, 1.0, *shape.weights)
-                if control.plain:
-                    ends = control.minimum, control.maximum
+                reached = (control.minimum, control.maximum)
+                ends = reached if control.plain else (0.0, 1.0, *shape.weights)
                 for key in self.shape_keys(shape.token):
                     key.slider_min = min(key.slider_min, *ends)
                     key.slider_max = max(key.slider_max, *ends)
@@ -230,18 +228,22 @@ class Character:
         to_root = self.layout.to_root
         for path, mesh in self.meshes.items():
             for skeleton, armature in self.armatures.items():
-                if armature in [each.object for each in mesh.modifiers if each.type == "ARMATURE"]:
+                if armature in armatures_of(mesh):
                     to_skeleton = np.linalg.inv(to_root(skeleton)) @ to_root(path)
                     wanted = np.array(armature.matrix_world) @ to_skeleton
-                    if not _near(mesh.matrix_world, wanted, 1e-6):
+                    apart = np.abs(np.array(mesh.matrix_world) - wanted).max()
+                    if apart > 1e-6 * np.abs(wanted).max():
                         mesh.matrix_world = mathutils.Matrix(wanted.tolist())
 
     # --- parts ------------------------------------------------------------------------------------
 
+    def keys_of(self, control):
+        """The shape keys that a control moves."""
+        return [key for shape in control.shapes for key in self.shape_keys(shape.token)]
+
     def shape_keys(self, token):
         """The shape keys of a token, one per mesh that has it."""
-        found = (self.shape_key(path, token) for path in self.meshes)
-        return [key for key in found if key is not None]
+        return [*filter(None, (self.shape_key(path, token) for path in self.meshes))]
 
     def shape_key(self, path, token):
         """The shape key of a token on the mesh of a path, or None."""
@@ -262,7 +264,7 @@ class Character:
         return [
             control.name
             for control in self.layout.controls
-            if not any(self.shape_keys(shape.token) for shape in control.shapes)
+            if not self.keys_of(control)
             and not any(self.bone(*joint.at) for joint in control.joints)
         ]
 
@@ -272,7 +274,7 @@ class Character:
         """Values of the controls that move one joint, read off its bone: those that together make
         its move, nearest in the least squares."""
         joint = controls[0].joints[0].at
-        move = self.layout.frames[joint].move(*basis_of(self.bone(*joint)))
+        move = move_of(self.bone(*joint), self.layout.frames[joint])
         slopes = np.transpose([_slope(control) for control in controls])
         steps = np.linalg.lstsq(slopes, move.ravel(), rcond=1e-9)[0]
         return {
@@ -285,7 +287,7 @@ class Character:
         if bone is None:
             return
         frame = self.layout.frames[joint]
-        location, rotation, scale = frame.basis(frame.move(*basis_of(bone)) + move)
+        location, rotation, scale = frame.basis(move_of(bone, frame) + move)
         if move[0].any():
             _set_rotation(bone, rotation)
         if move[0].any() or move[1].any():
@@ -296,12 +298,6 @@ class Character:
 
 parsed = lru_cache(maxsize=8)(from_json)
 """`layout.from_json`, remembered: the text of a holder is asked for at every redraw."""
-
-
-def _objects(holder, name, records):
-    stored = holder.get(name, {})
-    pairs = ((each.path, stored.get(str(i))) for i, each in enumerate(records))
-    return {path: found for path, found in pairs if found is not None and found.data is not None}
 
 
 def curves_of(block):
@@ -333,15 +329,10 @@ def _slope(control):
     return (last - first) / (control.keys[-1] - control.keys[0])
 
 
-def basis_of(bone):
-    """A bone's own (location, (3, 3) rotation, scale) now."""
+def move_of(bone, frame):
+    """(3, 3) the move of a bone now, in the `JointFrame` of its joint."""
     location, rotation, scale = bone.matrix_basis.decompose()
-    return np.array(location), np.array(rotation.to_matrix()), np.array(scale)
-
-
-def _near(matrix, other, share):
-    """Whether two matrices differ by no more than a share of the largest entry of the second."""
-    return np.abs(np.array(matrix) - other).max() <= share * np.abs(other).max()
+    return frame.move(location, np.array(rotation.to_matrix()), scale)
 
 
 def _rotation_path(bone):

@@ -34,9 +34,9 @@ class Preferences(bpy.types.AddonPreferences):
         description="A folder of wheels to install from without the network; empty for PyPI",
     )
 
-    def draw(self, context):
+    def draw(self, _context):
         """The settings, and whether there is an environment."""
-        found = interpreter(context)
+        found = interpreter()
         self.layout.prop(self, "python")
         self.layout.prop(self, "wheels")
         self.layout.label(
@@ -46,49 +46,27 @@ class Preferences(bpy.types.AddonPreferences):
         self.layout.operator("usdrigui.make_environment", icon="IMPORT")
 
 
-def preferences(context):
+def preferences():
     """The extension's preferences."""
-    return context.preferences.addons[__package__].preferences
+    return bpy.context.preferences.addons[__package__].preferences
 
 
-def interpreter(context):
+def interpreter():
     """Path of the Python that has usdrigui, or None."""
-    named = preferences(context).python
+    named = preferences().python
     path = Path(bpy.path.abspath(named)) if named else _own_python()
     return path if path.is_file() else None
 
 
-def usdrigui(context, *arguments):
+def usdrigui(*arguments):
     """The command line of usdrigui.  Raises LayoutError where there is no environment."""
-    python = interpreter(context)
+    python = interpreter()
     if python is None:
         raise LayoutError(
             "usdrigui is not installed yet: press Make Environment in Preferences > Add-ons >"
             " In-situ rig controls, or name a Python that has it there"
         )
     return [str(python), "-I", "-m", "usdrigui", *map(str, arguments)]
-
-
-def environment_commands(context):
-    """The command lines that make the environment, one after the other.
-
-    Raises LayoutError without room for it, or without leave to use the network.
-    """
-    home = _home()
-    wheels = bpy.path.abspath(preferences(context).wheels)
-    need_room(home.parent, NEEDED, "name a Python that has usdrigui")
-    if not wheels and not bpy.app.online_access:
-        raise LayoutError(
-            "Blender may not use the network: allow it in Preferences > System > Network, or name"
-            " a folder of wheels"
-        )
-    offline = ["--no-index", "--find-links", wheels] if wheels else []
-    package = next((Path(__file__).parent / "package").glob("usdrigui-*.whl"))
-    pip = [str(_own_python()), "-I", "-m", "pip", "install", "--disable-pip-version-check"]
-    return [
-        [sys.executable, "-I", "-m", "venv", "--clear", str(home)],
-        [*pip, "--progress-bar", "off", *offline, str(package)],
-    ]
 
 
 def need_room(folder, needed, otherwise):
@@ -165,8 +143,8 @@ def in_one_line(work):
 class Background:
     """An operator that runs programs: in the background with a window, at once without.
 
-    Its ``prepare(context)`` gives their command lines, its ``finish(context)`` takes the result;
-    both may raise LayoutError.
+    Its ``prepare(context)`` gives their command lines, its ``finish()`` takes the result; both may
+    raise LayoutError.
     """
 
     @in_one_line
@@ -177,7 +155,7 @@ class Background:
         if bpy.app.background:
             for process in self.running:
                 process.wait()
-            self.finish(context)
+            self.finish()
             return {"FINISHED"}
         next(self.running, None)
         self.timer = context.window_manager.event_timer_add(0.2, window=context.window)
@@ -201,7 +179,7 @@ class Background:
             said = told(lines_of(self.said))
             context.workspace.status_text_set(f"{self.bl_label}: {said}  (Esc stops)")
             return {"PASS_THROUGH"}
-        self.finish(context)
+        self.finish()
         return {"FINISHED"}
 
 
@@ -217,9 +195,9 @@ def told(lines):
 def failure(lines):
     """The one line that says what went wrong and what to do."""
     for mark in ("openjd_fail:", "usdrigui:", "ERROR:"):
-        found = [line for line in lines if line.startswith(mark)]
-        if found:
-            text = found[0].partition(":")[2].strip()
+        said = next((line for line in lines if line.startswith(mark)), "")
+        if said:
+            text = said.partition(":")[2].strip()
             repair = next((line for line in lines if line.strip().startswith("repair:")), "")
             repair = repair.partition(":")[2].strip()
             return text if repair in text else f"{text}. {repair}"
@@ -244,10 +222,27 @@ class MakeEnvironment(Background, bpy.types.Operator):
             confirm_text="Install",
         )
 
-    def prepare(self, context):
-        """The environment, and pip in it."""
-        return environment_commands(context)
+    def prepare(self, _context):
+        """The command lines that make the environment, one after the other.
 
-    def finish(self, context):
+        Raises LayoutError without room for it, or without leave to use the network.
+        """
+        home = _home()
+        wheels = bpy.path.abspath(preferences().wheels)
+        need_room(home.parent, NEEDED, "name a Python that has usdrigui")
+        if not wheels and not bpy.app.online_access:
+            raise LayoutError(
+                "Blender may not use the network: allow it in Preferences > System > Network, or"
+                " name a folder of wheels"
+            )
+        offline = ["--no-index", "--find-links", wheels] if wheels else []
+        package = next((Path(__file__).parent / "package").glob("usdrigui-*.whl"))
+        pip = [str(_own_python()), "-I", "-m", "pip", "install", "--disable-pip-version-check"]
+        return [
+            [sys.executable, "-I", "-m", "venv", "--clear", str(home)],
+            [*pip, "--progress-bar", "off", *offline, str(package)],
+        ]
+
+    def finish(self):
         """It is there."""
-        self.report({"INFO"}, f"usdrigui runs in {interpreter(context)}")
+        self.report({"INFO"}, f"usdrigui runs in {interpreter()}")

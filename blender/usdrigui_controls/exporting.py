@@ -46,11 +46,11 @@ class Face:
 
     def free(self):
         """Names of the shape keys that a drag could move: not muted, nor set by a driver."""
-        return {name for mesh in self.meshes for name, is_free in _keys(mesh) if is_free}
+        return {key.name for mesh in self.meshes for key in shape_keys(mesh) if _is_free(key)}
 
     def driven(self):
         """Names of the others."""
-        return sorted({name for mesh in self.meshes for name, _ in _keys(mesh)} - self.free())
+        return sorted({key.name for mesh in self.meshes for key in shape_keys(mesh)} - self.free())
 
 
 def selected_face(context):
@@ -66,8 +66,7 @@ def selected_face(context):
     chosen = chosen or [each for each in context.collection.all_objects if each in shown]
     tops = {each.parent or each for each in chosen}
     wanted = {each for top in tops for each in (top, *top.children_recursive)}
-    rigs = {each for each in wanted if each.type == "ARMATURE"}
-    rigs.update(rig for each in wanted if each.type == "MESH" for rig in armatures_of(each))
+    rigs = {rig for each in wanted for rig in armatures_of(each)}
     meshes = [
         each
         for each in shown
@@ -86,19 +85,19 @@ def _check(face, chosen, context):
         raise LayoutError(
             "select the face: a mesh with shape keys, its armature, or its collection"
         )
-    if not face.armatures and not any(map(shape_keys, face.meshes)):
-        raise LayoutError(
-            f"{chosen[0].name} has no shape keys and no bones: select the mesh that has the"
-            " expressions"
-        )
     if not face.armatures and not face.free():
+        if not face.driven():
+            raise LayoutError(
+                f"{chosen[0].name} has no shape keys and no bones: select the mesh that has the"
+                " expressions"
+            )
         raise LayoutError(
             f"all shape keys of {chosen[0].name} are driven or muted: free those that are to have"
             " controls"
         )
     depsgraph = context.evaluated_depsgraph_get()
     for thing in (*face.meshes, *face.armatures):
-        keys = thing.data.shape_keys if thing.type == "MESH" else None
+        keys = getattr(thing.data, "shape_keys", None)
         linked = thing.library or (keys and keys.library)
         if linked is not None:
             what = thing.name if thing.library else f"the mesh data of {thing.name}"
@@ -118,22 +117,17 @@ def _check(face, chosen, context):
 def _changing(mesh, depsgraph):
     """Name of a modifier that leaves other vertices than those of the mesh; empty if none does."""
     used = [each for each in mesh.modifiers if each.show_viewport and each.type != "ARMATURE"]
-    others = [each for each in used if each.type not in _REFINING]
-    cutting = [each for each in others if each.type in _CUTTING]
-    if not cutting and len(others) == len(used):
-        count = len(mesh.evaluated_get(depsgraph).data.vertices)
-        cutting = others if count != len(mesh.data.vertices) else []
+    cutting = [each for each in used if each.type in _CUTTING]
+    others = len(mesh.evaluated_get(depsgraph).data.vertices) != len(mesh.data.vertices)
+    if others and not any(each.type in _REFINING for each in used):
+        cutting = cutting or used
     return cutting[0].name if cutting else ""
 
 
-def _keys(mesh):
-    """(name, whether a drag can move it) of each shape key of a mesh."""
-    animated = getattr(mesh.data.shape_keys, "animation_data", None)
-    driven = {each.data_path for each in animated.drivers} if animated else ()
-    return [
-        (key.name, not key.mute and key.path_from_id("value") not in driven)
-        for key in shape_keys(mesh)
-    ]
+def _is_free(key):
+    animated = key.id_data.animation_data
+    driven = [each.data_path for each in animated.drivers] if animated else ()
+    return not key.mute and key.path_from_id("value") not in driven
 
 
 # --- the file -------------------------------------------------------------------------------------
@@ -144,11 +138,24 @@ def write_character(context, face, target):
 
     Raises LayoutError where the file cannot be written.
     """
-    with _only(context, face):
+    modifiers = [
+        each
+        for mesh in face.meshes
+        for each in mesh.modifiers
+        if each.type != "ARMATURE" and each.show_viewport
+    ]
+    with selection_kept(context):
+        for each in context.view_layer.objects:
+            each.select_set(each in face.meshes or each in face.armatures)
         try:
+            for each in modifiers:
+                each.show_viewport = False
             bpy.ops.wm.usd_export(filepath=str(target), **_OPTIONS)
         except RuntimeError as error:
             raise LayoutError(f"{target} cannot be written: {error}") from error
+        finally:
+            for each in modifiers:
+                each.show_viewport = True
     _finish(face, target)
 
 
@@ -165,27 +172,6 @@ def selection_kept(context):
         layer.objects.active = active
 
 
-@contextmanager
-def _only(context, face):
-    """Nothing but the face selected, and its modifiers off but for armatures; then as it was."""
-    modifiers = [
-        each
-        for mesh in face.meshes
-        for each in mesh.modifiers
-        if each.type != "ARMATURE" and each.show_viewport
-    ]
-    with selection_kept(context):
-        for each in context.view_layer.objects:
-            each.select_set(each in face.meshes or each in face.armatures)
-        for each in modifiers:
-            each.show_viewport = False
-        try:
-            yield
-        finally:
-            for each in modifiers:
-                each.show_viewport = True
-
-
 def _finish(face, target):
     """Write the shapes exactly, and take the present pose away."""
     from pxr import Usd, UsdGeom, UsdSkel
@@ -200,11 +186,10 @@ def _finish(face, target):
             stage.RemovePrim(prim.GetPath())
         elif prim.IsA(UsdSkel.Skeleton):
             UsdSkel.BindingAPI(prim).GetAnimationSourceRel().ClearTargets(removeSpec=True)
-        elif prim.IsA(UsdGeom.Mesh):
-            mesh = meshes.get(blender_name(prim.GetParent()))
-            if mesh is not None and shape_keys(mesh):
+        elif prim.IsA(UsdGeom.Mesh) and (mesh := meshes.get(blender_name(prim.GetParent()))):
+            if shape_keys(mesh):
                 ranges.update(_write_shapes(stage, prim, mesh))
-            if mesh is not None and any(each.type == "SUBSURF" for each in mesh.modifiers):
+            if any(each.type == "SUBSURF" for each in mesh.modifiers):
                 UsdGeom.Mesh(prim).CreateSubdivisionSchemeAttr("catmullClark")
     layer = stage.GetRootLayer()
     layer.customLayerData = {**layer.customLayerData, "ranges": json.dumps(ranges)}

@@ -25,9 +25,11 @@ class Hand:
 def chosen():
     """(`Character`, element) of the handles used last, without those that are gone."""
     held = {holder.name: Character(holder) for holder in holders(bpy.context.scene)}
-    found = [(held.get(name), element) for name, element in Hand.chosen]
-    pairs = [(each, each.layout.element(element)) for each, element in found if each]
-    return [pair for pair in pairs if pair[1]]
+    return [
+        (held[name], element)
+        for name, chosen_one in Hand.chosen
+        if name in held and (element := held[name].layout.element(chosen_one))
+    ]
 
 
 def active():
@@ -107,12 +109,12 @@ class RigControls(bpy.types.Gizmo):
         item, self.grab = self.item, None
         context.area.header_text_set(None)
         character = Character(bpy.data.objects[item.holder])
-        after = character.values()
-        changed = [name for name, value in after.items() if abs(value - self.before[name]) > 1e-9]
+        after = character.values().items()
+        changed = {name: each for name, each in after if abs(each - self.before[name]) > 1e-9}
         if cancel:
             character.set_values({name: self.before[name] for name in changed})
         elif changed:
-            give(context, character, {name: after[name] for name in changed})
+            give(context, character, changed)
             bpy.ops.ed.undo_push(message=f"Drag {item.element.label}")
         elif len(Hand.chosen) == 1:
             visibility.toggle(item.holder, item.element, character.layout.elements)

@@ -32,12 +32,16 @@ def add_controls(stage, imported=None):
     names = names_of(stage, layouts, objects)
     built = []
     for layout in layouts:
-        added = inbetweens.build(stage, layout, objects, names)
         holder = bind(layout, objects, names)
         holder[SOURCE] = stage.GetRootLayer().realPath
+        character = Character(holder)
+        added = inbetweens.build(stage, character)
         if imported:
-            Character(holder).place_meshes()
-        _hide_guides(objects, layout.root)
+            character.place_meshes()
+        # The layer's own drawn handles, if they were imported as well: the controls are drawn.
+        for path, thing in objects.items():
+            if path.startswith(f"{layout.root}/RigUI/"):
+                thing.hide_viewport = thing.hide_render = True
         built.append((holder, added))
     return built
 
@@ -70,24 +74,6 @@ def open_stage(path):
         raise LayoutError(f"{path} is no USD file that can be opened: choose another") from error
 
 
-def _hide_guides(objects, root):
-    """Hide the layer's own drawn handles, if they were imported as well: the controls are drawn
-    instead."""
-    for path, thing in objects.items():
-        if path.startswith(f"{root}/RigUI/"):
-            thing.hide_viewport = thing.hide_render = True
-
-
-def _by_prim(prim_map):
-    """The object, if any, among what each prim was imported as."""
-    return {
-        str(path): each
-        for path, found in prim_map.items()
-        for each in found
-        if isinstance(each, bpy.types.Object)
-    }
-
-
 if hasattr(bpy.types, "USDHook"):
 
     class RigControlsHook(bpy.types.USDHook):
@@ -99,9 +85,14 @@ if hasattr(bpy.types, "USDHook"):
         @staticmethod
         def on_import(import_context):
             """Called by the importer when the scene is built; never fails the import."""
-            stage = import_context.get_stage()
+            imported = {
+                str(path): each
+                for path, made in import_context.get_prim_map().items()
+                for each in made
+                if isinstance(each, bpy.types.Object)
+            }
             try:
-                built = add_controls(stage, _by_prim(import_context.get_prim_map()))
+                built = add_controls(import_context.get_stage(), imported)
             except LayoutError as error:
                 print(f"In-situ rig controls: {error}")
                 return False

@@ -15,21 +15,19 @@ _KNOTS = "usdrigui_inbetweens"
 """Custom property of the Key: per name of a key, the weights and names of the keys added."""
 
 
-def build(stage, layout, objects, names):
-    """Add the in-betweens of the meshes of a layout that are among ``objects``, by prim path, to
-    the keys that have their ``names``, as of `matching.names_of`; returns how many keys were added.
+def build(stage, character):
+    """Add the in-betweens of the meshes of a character; returns how many keys were added.
 
     Meshes that have their in-betweens already keep them.
     """
     added = 0
-    for path in (each.path for each in layout.meshes if each.path in objects):
-        mesh = objects[path]
+    for path, mesh in character.meshes.items():
         block = mesh.data.shape_keys
         if block is None or _KNOTS in block:
             continue
         found = {}
         for token, shape in blend_shapes(stage.GetPrimAtPath(path)):
-            key = block.key_blocks.get(names[path].get(token, token))
+            key = character.shape_key(path, token)
             keys = _add(mesh, key, shape) if key else []
             if keys:
                 found[key.name] = keys
@@ -73,7 +71,7 @@ def offsets_at(mesh, key, point):
 def shares(mesh, key, points):
     """How much of a key each of some vertices takes: its weight in the group that masks the key, if
     one does."""
-    group = mesh.vertex_groups.get(key.vertex_group) if key.vertex_group else None
+    group = mesh.vertex_groups.get(key.vertex_group)
     if group is None:
         return np.ones(len(points))
     weights = (mesh.data.vertices[point].groups for point in points)

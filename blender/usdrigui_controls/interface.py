@@ -87,20 +87,29 @@ class RemoveLayout(bpy.types.Operator):
 
 class OnControls:
     """An operator that does something to the chosen elements, or to all controls of all characters:
-    ``act(context, character, names)`` tells to how many controls."""
+    ``act(context, character, names)`` tells to how many controls.  ``needed`` says what is to be
+    done first where there were none."""
 
+    needed = "use a handle first"
     bl_options = {"REGISTER", "UNDO"}
 
     everything: bpy.props.BoolProperty(name="All Controls", default=False)
 
     def execute(self, context):
         """Act, and tell how many there were."""
-        return self.told(
-            sum(self.act(context, *each) for each in _chosen(context, self.everything))
-        )
-
-    def told(self, _count):
-        """The result of an operator that has acted on so many controls."""
+        if self.everything:
+            every = map(Character, holders(context.scene))
+            acted_on = [(character, [*character.controls]) for character in every]
+        else:
+            acted_on = [
+                (character, [member.control for member in element.members])
+                for character, element in chosen()
+            ]
+        count = sum(self.act(context, *each) for each in acted_on)
+        if not count:
+            self.report({"WARNING"}, f"{self.bl_label}: {self.needed}")
+            return {"CANCELLED"}
+        self.report({"INFO"}, f"{self.bl_label}: {count} control{'' if count == 1 else 's'}")
         return {"FINISHED"}
 
 
@@ -131,6 +140,7 @@ class MirrorPose(Posing, bpy.types.Operator):
 
     bl_idname = "usdrigui.mirror"
     bl_label = "Mirror Pose"
+    needed = "pose one side first"
 
     everything: bpy.props.BoolProperty(name="All Controls", default=True, options={"SKIP_SAVE"})
     side: bpy.props.EnumProperty(
@@ -160,6 +170,7 @@ class Breakdown(Posing, bpy.types.Operator):
     bl_idname = "usdrigui.breakdown"
     bl_label = "Breakdown"
     icon = "IPO_EASE_IN_OUT"
+    needed = "use a handle with keys before and after this frame first"
 
     share: bpy.props.FloatProperty(
         name="Share", default=0.5, soft_min=0.0, soft_max=1.0, description="0 before, 1 after"
@@ -169,18 +180,11 @@ class Breakdown(Posing, bpy.types.Operator):
         """Of the controls without a key on one of the two sides nothing changes."""
         frame, now = context.scene.frame_current_final, character.values()
         sides = {name: character.frames_around(name, frame) for name in names}
-        frames = sorted({each for pair in sides.values() for each in pair})
+        frames = {each for pair in sides.values() for each in pair}
         there = at_frames(context.scene, frames, character.values)
         character.set_values(now)
         ends = {name: [there[each][name] for each in pair] for name, pair in sides.items() if pair}
         return {name: a + self.share * (b - a) for name, (a, b) in ends.items()}
-
-    def told(self, count):
-        """Say so where there was nothing to go between."""
-        if count:
-            return {"FINISHED"}
-        self.report({"WARNING"}, "use a handle with keys before and after this frame first")
-        return {"CANCELLED"}
 
 
 class KeyControls(OnControls, bpy.types.Operator):
@@ -194,11 +198,6 @@ class KeyControls(OnControls, bpy.types.Operator):
         """Key them."""
         character.insert_keys(names)
         return len(names)
-
-    def told(self, count):
-        """How many there were."""
-        self.report({"INFO"}, f"keyed {count} control{'' if count == 1 else 's'}")
-        return {"FINISHED"} if count else {"CANCELLED"}
 
 
 class KeyHovered(bpy.types.Operator):
@@ -230,18 +229,20 @@ class RigPanel(bpy.types.Panel):
 
     def draw(self, context):
         """Settings, then the element used last."""
-        column, buttons = (
-            self.layout.column(),
-            [(LayOutFace, "MESH_MONKEY"), (LoadLayout, "IMPORT")],
-        )
+        column = self.layout.column()
+        buttons = [(LayOutFace, "MESH_MONKEY"), (LoadLayout, "IMPORT")]
         if holders(context.scene):
-            for name in ("show", "opacity", "size", "symmetric", "names", "board"):
+            for name in Settings.__annotations__:
                 column.prop(context.scene.usdrigui, name)
             self._draw_active(column.box())
             _draw_row(column, True, (KeyControls, "Key All"), (ResetControls, "Reset All"))
             column.operator_menu_enum(MirrorPose.bl_idname, "side", icon="MOD_MIRROR")
-            switched = [(SwitchBones, "BONE_DATA"), (SaveAnimation, "EXPORT")]
-            buttons = [*switched, *buttons, (RemoveLayout, "X")]
+            buttons = [
+                (SwitchBones, "BONE_DATA"),
+                (SaveAnimation, "EXPORT"),
+                *buttons,
+                (RemoveLayout, "X"),
+            ]
         for kind, icon in buttons:
             column.operator(kind.bl_idname, icon=icon)
 
@@ -253,7 +254,7 @@ class RigPanel(bpy.types.Panel):
         box.label(text=element.label)
         for member in element.members:
             control = character.controls[member.control]
-            keys = character.shape_keys(control.shapes[0].token) if control.plain else ()
+            keys = character.keys_of(control) if control.plain else ()
             if keys:
                 box.prop(keys[0], "value", text=control.label, slider=True)
             else:
@@ -271,17 +272,6 @@ def _draw_row(layout, everything, *buttons):
     row = layout.row(align=True)
     for kind, text in buttons:
         row.operator(kind.bl_idname, text=text, icon=kind.icon).everything = everything
-
-
-def _chosen(context, everything):
-    """(`Character`, names of controls) to act on."""
-    if everything:
-        every = map(Character, holders(context.scene))
-        return [(character, list(character.controls)) for character in every]
-    return [
-        (character, [member.control for member in element.members])
-        for character, element in chosen()
-    ]
 
 
 def _export_menu(self, _context):

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .maths.rotation import rotation_vectors, rotations
+from .maths.rotation import rotation_part, rotation_vectors, rotations
 
 
 class JointFrame:
@@ -17,12 +17,13 @@ class JointFrame:
     def __init__(self, bind, rest, unit=1.0):
         """``bind`` and ``rest`` are local transforms in USD's row-vector convention; ``unit`` is
         the scale of the parent in the bind pose, where bones have none."""
-        bind, rest = np.array(bind).T, np.array(rest).T
-        self.turn, self.size = _parts(bind)
-        rest_turn, stretch = _parts(rest)
+        both = np.array([bind, rest])
+        turns = rotation_part(both)
+        self.size, stretch = np.diagonal(both[:, :3, :3] @ turns.swapaxes(1, 2), axis1=1, axis2=2)
         self.unit, self.stretch = unit, stretch / self.size
-        self.lead = self.turn.T @ rest_turn
-        self.offset = rest[:3, 3] - bind[:3, 3]
+        self.turn = turns[0].T
+        self.lead = turns[0] @ turns[1].T
+        self.offset = both[1, 3, :3] - both[0, 3, :3]
 
     def basis(self, move):
         """A bone's (location, (3, 3) rotation, scale) for a ``move``: (rotation vector,
@@ -45,11 +46,3 @@ def beside_parents(matrices, parents):
     with -1 for none."""
     placed = np.array([*matrices, np.eye(4)])
     return placed[:-1] @ np.linalg.inv(placed)[list(parents)]
-
-
-def _parts(matrix):
-    """(3, 3) rotation and (3,) scale along its own axes of a local transform for column vectors."""
-    scale = np.linalg.norm(matrix[:3, :3], axis=0)
-    if np.linalg.det(matrix[:3, :3]) < 0.0:
-        scale = -scale
-    return matrix[:3, :3] / np.where(scale == 0.0, 1.0, scale), scale

@@ -33,22 +33,24 @@ class LayOutFace(Background, bpy.types.Operator):
         need_usd()
         face = selected_face(context)
         held = holder_of([*face.meshes, *face.armatures])
-        if held is not None and EXPORTED not in held:
+        if held and EXPORTED not in held:
             raise LayoutError(
                 f"{held.name} has the layout of {held[SOURCE]}: lay that file out again, or remove"
                 " the layout first"
             )
-        if held is not None and BONES in held:
+        if held and BONES in held:
             raise LayoutError("bones drive the shape keys: switch Controls as Bones off first")
-        usdrigui(context)  # say what is missing before anything is written
-        folder = _folder()
+        usdrigui()  # say what is missing before anything is written
+        # Beside the saved scene, else where Blender keeps files until it ends.
+        folder = Path(bpy.path.abspath("//") or bpy.app.tempdir) / "rigui"
+        folder.mkdir(exist_ok=True)
         need_room(folder, ROOM, "save the scene on another disk")
         source = folder / f"{bpy.path.clean_name(face.name)}.usd"
         self.layer = source.with_suffix(".rigui.usda")
         self.previous = self.layer.with_name(f"previous_{self.layer.name}")
         write_character(context, face, source)
         self.left_off = face.driven()
-        return [usdrigui(context, *self._arguments(source, held))]
+        return [usdrigui(*self._arguments(source, held))]
 
     def _arguments(self, source, held):
         configuration = source.with_suffix(".rigui.toml")
@@ -56,17 +58,17 @@ class LayOutFace(Background, bpy.types.Operator):
         named = (f"[controls.{json.dumps(name)}]\nexclude = true\n" for name in self.left_off)
         mine.write_text("".join(named), encoding="utf-8")
         found = ["process", source, "-o", self.layer, "--openjd", "--config", mine]
-        if configuration.is_file():
-            found += ["--config", configuration]
-        if _corrections_of(self.layer).is_file():
-            found += ["--corrections", _corrections_of(self.layer)]
-        if held is not None and Path(held[SOURCE]).is_file():
+        beside = ("--config", configuration), ("--corrections", _corrections_of(self.layer))
+        for option, path in beside:
+            if path.is_file():
+                found += [option, path]
+        if held and Path(held[SOURCE]).is_file():
             # The layer is about to be replaced: it is read under another name.
             shutil.copyfile(held[SOURCE], self.previous)
             found += ["--previous", self.previous]
         return found
 
-    def finish(self, context):
+    def finish(self):
         """Bind the layout to the objects of the scene."""
         self.previous.unlink(missing_ok=True)
         stage = open_stage(str(self.layer))
@@ -89,16 +91,16 @@ class PinElement(Background, bpy.types.Operator):
         description="here, board, face or free; empty for the selected vertex of its mesh"
     )
 
-    def prepare(self, context):
+    def prepare(self, _context):
         """The program that writes the decision into the corrections beside the layout."""
         character, element = active()
         if element is None:
             raise LayoutError("use the handle first that is to be pinned")
         place, layer = self.place or _selected(character), Path(character.holder[SOURCE])
         decisions = [f"{member.control}={place}" for member in element.members]
-        return [usdrigui(context, "pin", layer, *decisions, "-o", _corrections_of(layer))]
+        return [usdrigui("pin", layer, *decisions, "-o", _corrections_of(layer))]
 
-    def finish(self, context):
+    def finish(self):
         """The next layout heeds it."""
         self.report({"INFO"}, "noted: it holds from the next Lay Out This Face on")
 
@@ -116,11 +118,3 @@ def _selected(character):
 
 def _corrections_of(layer):
     return layer.with_suffix("").with_suffix(".corrections.usda")
-
-
-def _folder():
-    """Where a face's files go: beside the saved scene, else where Blender keeps them until it
-    ends."""
-    folder = Path(bpy.path.abspath("//") or bpy.app.tempdir) / "rigui"
-    folder.mkdir(exist_ok=True)
-    return folder

@@ -26,15 +26,10 @@ class LayoutError(Exception):
 class JointDrive:
     """What a control does to one joint, per key: see RigUIControlAPI."""
 
-    skeleton: str
-    joint: str
+    at: tuple
+    """Which joint it is: its skeleton and its path."""
     moves: tuple
     """Per key, the rotation vector, the translation and the logarithms of the scales."""
-
-    @property
-    def at(self):
-        """Which joint it is: its skeleton and its path."""
-        return self.skeleton, self.joint
 
 
 @dataclass(frozen=True)
@@ -61,20 +56,21 @@ class Control:
     itself."""
     shapes: tuple
     joints: tuple
+    attribute: str
+    """Path of the attribute that holds its value."""
 
     @property
     def plain(self):
         """Whether the value is the weight of one blend shape."""
         return not self.keys and len(self.shapes) == 1 and not self.joints
 
-    def at(self, parts, value):
-        """What it gives at a value of what its drive has per key: the ``weights`` of a shape or the
-        ``moves`` of a joint."""
-        return along(self.keys, np.array(parts), value) if self.keys else value
-
-    def step(self, parts, before, after):
-        """What that gains from one value to another."""
-        return self.at(parts, after) - self.at(parts, before)
+    def step(self, parts, values):
+        """What it gains from the first of two values to the second of what its drive has per key:
+        the ``weights`` of a shape or the ``moves`` of a joint."""
+        if self.keys:
+            values = [along(self.keys, np.array(parts), each) for each in values]
+        before, after = values
+        return after - before
 
 
 def gained(controls, before, after):
@@ -84,9 +80,9 @@ def gained(controls, before, after):
     for control in controls:
         values = before[control.name], after[control.name]
         for shape in control.shapes:
-            weights[shape.token] += control.step(shape.weights, *values)
+            weights[shape.token] += control.step(shape.weights, values)
         for joint in control.joints:
-            moves[joint.at] += control.step(joint.moves, *values)
+            moves[joint.at] += control.step(joint.moves, values)
     return weights, moves
 
 
@@ -99,6 +95,8 @@ class Member:
     values: tuple
     track: tuple
     magnification: float
+    reversed: bool
+    """Whether its mirror's member goes the other way."""
 
 
 @dataclass(frozen=True)
@@ -121,8 +119,6 @@ class Element:
     skeleton: str
     side: str
     mirror: str
-    reversed: tuple
-    """Positions of members that mirror those of `mirror` with the opposite sign."""
     inner: tuple
     """For a coarse element, the names of those that are shown in its place when it is opened."""
     reason: str
@@ -207,8 +203,15 @@ class Layout:
 _RECORDS = {
     frozenset(each.__dataclass_fields__): each
     for each in (
-        *(JointDrive, ShapeDrive, Control, Member, Element),
-        *(MeshRest, JointRest, SkeletonRest, Layout),
+        JointDrive,
+        ShapeDrive,
+        Control,
+        Member,
+        Element,
+        MeshRest,
+        JointRest,
+        SkeletonRest,
+        Layout,
     )
 }
 """The records by the names of their fields, which tell them apart."""

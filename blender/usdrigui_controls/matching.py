@@ -11,7 +11,6 @@ import math
 import re
 
 import numpy as np
-from mathutils import Vector
 
 from .inbetweens import coordinates, shape_keys, tokens_of
 
@@ -98,13 +97,11 @@ def _like_names(prim, thing):
 
 def _nearness(prim, thing, rest):
     """1 where a mesh stands in the scene where the stage has it, towards 0 far away."""
-    from pxr import Gf, Usd, UsdGeom
+    from pxr import UsdGeom
 
-    middle = rest.mean(axis=0)
-    here = thing.matrix_world @ Vector(middle)
-    placed = UsdGeom.Xformable(prim).ComputeLocalToWorldTransform(Usd.TimeCode.Default())
-    there = [*placed.Transform(Gf.Vec3d(*middle)), 1.0] @ scene_of(prim.GetStage())
-    away = (here - Vector(there[:3])).length
+    placed = np.array(UsdGeom.XformCache().GetLocalToWorldTransform(prim))
+    apart = placed @ scene_of(prim.GetStage()) - np.array(thing.matrix_world).T
+    away = np.linalg.norm([*rest.mean(axis=0), 1.0] @ apart)
     return math.exp(-away / max(thing.dimensions.length, 1e-9))
 
 
@@ -119,11 +116,10 @@ def scene_of(stage):
     return turn
 
 
-def armatures_of(mesh):
-    """The armatures that deform or carry a mesh object."""
-    found = [each.object for each in mesh.modifiers if each.type == "ARMATURE" and each.object]
-    parent = mesh.parent
-    return [*found, parent] if parent is not None and parent.type == "ARMATURE" else found
+def armatures_of(thing):
+    """The armatures that deform or carry an object; an armature is its own."""
+    found = [each.object for each in thing.modifiers if each.type == "ARMATURE"]
+    return [each for each in (*found, thing, thing.parent) if each and each.type == "ARMATURE"]
 
 
 # --- names ----------------------------------------------------------------------------------------
@@ -132,11 +128,12 @@ def armatures_of(mesh):
 def _paired(wanted, present, short=str):
     """The names that are present for those that are wanted, where they differ: as USD would write
     them alike."""
-    left = {*present} - {short(each) for each in wanted}
+    missing = [each for each in wanted if short(each) not in present]
+    left = [name for name in present if name not in map(short, wanted)]
     found = {}
     for plain in (_plain, _ascii):
-        for each in (each for each in wanted if short(each) not in present):
-            alike = [name for name in present if name in left and plain(name) == plain(short(each))]
+        for each in missing:
+            alike = [name for name in left if plain(name) == plain(short(each))]
             if alike and each not in found:
                 found[each] = alike[0]
                 left.remove(alike[0])

@@ -7,6 +7,8 @@ both to the same answers.
 
 from __future__ import annotations
 
+from itertools import chain, permutations
+
 import numpy as np
 
 
@@ -15,8 +17,7 @@ def element_of(layout):
     found = {}
     for element in layout.elements:
         for member in element.members:
-            before = found.get(member.control)
-            if before is None or element.name not in before.inner:
+            if element.name not in found.get(member.control, element).inner:
                 found[member.control] = element
     return found
 
@@ -25,11 +26,8 @@ def opposites_of(layout):
     """Per control the other ends of its axes: one at most of a pair is away from its default."""
     found = {control.name: [] for control in layout.controls}
     for element in layout.elements:
-        for axis in element.axes:
-            names = [element.members[i].control for i in axis]
-            for name, other in zip(names, reversed(names), strict=True):
-                if other not in (name, *found[name]):
-                    found[name].append(other)
+        for one, other in chain.from_iterable(permutations(axis, 2) for axis in element.axes):
+            found[element.members[one].control].append(element.members[other].control)
     return found
 
 
@@ -40,9 +38,9 @@ def twins_of(layout):
     for element in layout.elements:
         other = layout.element(element.mirror)
         if other not in (None, element) and len(other.members) == len(element.members):
-            for i, (mine, theirs) in enumerate(zip(element.members, other.members, strict=True)):
+            for mine, theirs in zip(element.members, other.members, strict=True):
                 if theirs.control not in opposites[mine.control]:
-                    found[mine.control] = theirs.control, i in element.reversed
+                    found[mine.control] = theirs.control, mine.reversed
     return found
 
 
@@ -54,12 +52,12 @@ def ranges_of(layout):
 def mirrored(value, mine, theirs, other_way=False):
     """The value of a twin that is as far from the base pose towards its end, in its own range
     ``theirs``; within that."""
-    low, rest, high = mine
+    (low, rest, high), (least, base, most) = mine, theirs
     rising = value >= rest
     end = high if rising else low
     share = (value - rest) / (end - rest) if end != rest else 0.0
-    other = theirs[2] if rising != other_way else theirs[0]
-    return float(np.clip(theirs[1] + share * (other - theirs[1]), theirs[0], theirs[2]))
+    other = most if rising != other_way else least
+    return float(np.clip(base + share * (other - base), least, most))
 
 
 def with_partners(changed, layout):

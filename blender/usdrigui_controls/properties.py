@@ -26,6 +26,11 @@ def get(prim, name, fallback):
     return fallback if value is None else type(fallback)(value)
 
 
+def inherited(prim, name):
+    """Value of a primvar of a prim or of one above; None where there is none."""
+    return UsdGeom.PrimvarsAPI(prim).FindPrimvarWithInheritance(name).Get()
+
+
 def targets(prim, name):
     """Targets of a relationship."""
     relationship = prim.GetRelationship(name)
@@ -55,13 +60,13 @@ def carriers(prim):
     indices, counts = (get(mesh, f"faceVertex{each}", ()) for each in ("Indices", "Counts"))
     agree(prim, all(0 <= face < len(counts) for face in faces), "faces of its mesh")
     agree(mesh, sum(counts) == len(indices), "corners of faces")
-    skeleton = [str(path) for path in targets(mesh, "skel:skeleton")]
+    skeleton = "".join(map(str, targets(mesh, "skel:skeleton")[:1]))
     if not faces or not skeleton:
-        return (), "".join(skeleton)
+        return (), skeleton
     point, tokens = indices[sum(counts[: min(faces)])], get(mesh, "skel:joints", ())
     binding = UsdSkel.BindingAPI(mesh)
     named_by = binding.GetJointIndicesPrimvar(), binding.GetJointWeightsPrimvar()
     width = named_by[0].GetElementSize()
     rows = (list(each.Get() or ())[point * width :][:width] for each in named_by)
     pairs = zip(*rows, strict=True)
-    return tuple((str(tokens[index]), weight) for index, weight in pairs if weight), skeleton[0]
+    return tuple((str(tokens[index]), weight) for index, weight in pairs if weight), skeleton

@@ -16,24 +16,22 @@ def crossing(character):
     """Tells of the name of a control whether it moves all points of the character to one side; the
     scene is then as it was."""
     path, mesh = next(iter(character.meshes.items()))
-    to_world = matrix_of(mesh.matrix_world) @ np.linalg.inv(character.layout.to_root(path))
-    normal = to_world[:3, :3] @ character.layout.normal
-    normal = normal / max(float(np.linalg.norm(normal)), 1e-30)
+    to_root = character.layout.to_root(path) @ np.linalg.inv(matrix_of(mesh.matrix_world))
 
-    def points():
+    def points(name, value):
+        character.set_values({name: value})
         depsgraph = bpy.context.evaluated_depsgraph_get()
         shown = (each.evaluated_get(depsgraph) for each in character.meshes.values())
         return np.concatenate([_world_points(each) for each in shown])
 
     def crosses(name):
         control, before = character.controls[name], character.values()[name]
-        found = []
-        for value in (control.base, control.minimum, control.maximum, before):
-            character.set_values({name: value})
-            found.append(points())
-        moves = np.array(found[1:3]) - found[0]
+        ends = (control.base, control.minimum, control.maximum, before)
+        base, *found, _ = [points(name, value) for value in ends]
+        moves = (np.array(found) - base) @ to_root[:3, :3].T
         ways = np.linalg.norm(moves, axis=2).sum(axis=1)
-        return bool((np.abs((moves @ normal).sum(axis=1)) > _SIDEWAYS * ways).any())
+        aside = np.abs((moves @ character.layout.normal).sum(axis=1))
+        return bool((aside > _SIDEWAYS * ways).any())
 
     return crosses
 

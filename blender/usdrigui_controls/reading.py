@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 
 import numpy as np
-from pxr import Usd, UsdGeom, UsdSkel
+from pxr import Gf, Usd, UsdGeom, UsdSkel
 
 from .joints import beside_parents
 from .layout import (
@@ -25,7 +25,17 @@ from .layout import (
     SkeletonRest,
     frozen,
 )
-from .properties import agree, applied, carriers, get, instances, named, points_of, targets
+from .properties import (
+    agree,
+    applied,
+    carriers,
+    get,
+    inherited,
+    instances,
+    named,
+    points_of,
+    targets,
+)
 
 _LATER = re.compile(r"(RigUI\w+API)_")
 """The schemas that are understood are those whose names end without a number."""
@@ -64,7 +74,8 @@ def _layout(scope):
     controls, elements = {}, []
     for prim in _elements(scope):
         mine = {each: _control(prim, each, base) for each in _controls_of(prim)}
-        controls.update({control.name: control for control in mine.values()})
+        for control in mine.values():
+            controls.setdefault(control.name, control)
         part = get(prim.GetParent(), "rigUI:drawing:part", "")
         elements.append(_element(prim, mine, widths.get(part) or width))
     return Layout(
@@ -85,18 +96,6 @@ def _elements(scope):
     walk = Usd.PrimRange(scope, Usd.PrimAllPrimsPredicate)
     found = dict.fromkeys([*filter(None, listed), *walk])
     return [prim for prim in found if "RigUIElementAPI" in applied(prim) and prim.IsActive()]
-
-
-def attributes_of(stage, root):
-    """By the name of each control of a character, the prim and the name of the attribute that holds
-    its value."""
-    return {
-        named(prim, "control", instance): (prim, f"rigUI:control:{instance}:value")
-        for scope in _scopes(stage)
-        if str(scope.GetParent().GetPath()) == root
-        for prim in reversed(_elements(scope))
-        for instance in _controls_of(prim)
-    }
 
 
 def _controls_of(prim):
@@ -132,6 +131,7 @@ def _control(prim, instance, base):
             for i, token in enumerate(tokens)
         ),
         joints=_joints(prim, instance, of, len(keys)),
+        attribute=f"{prim.GetPath()}.rigUI:control:{instance}:value",
     )
 
 
@@ -146,7 +146,7 @@ def _joints(prim, instance, of, count):
         if table.size:
             moves[i] = (np.radians, np.asarray, np.log)[i](table).reshape(moves[i].shape)
     return tuple(
-        JointDrive(skeletons[which[j]], joint, frozen(moves[:, :, j].swapaxes(0, 1).tolist()))
+        JointDrive((skeletons[which[j]], joint), frozen(moves[:, :, j].swapaxes(0, 1).tolist()))
         for j, joint in enumerate(joints)
     )
 
@@ -161,24 +161,22 @@ def _element(prim, mine, width):
             _name(stage.GetPrimAtPath(path)) for path in targets(prim, f"rigUI:element:{name}")
         )
 
-    on_face = targets(prim, "rigUI:anchor:prim")
-    held, skeleton = carriers(prim) if prim.IsA(UsdGeom.Subset) else ((), "")
-    flags = (get(prim, f"rigUI:control:{each}:mirrorReversed", False) for each in mine)
+    mesh = "".join(map(str, targets(prim, "rigUI:anchor:prim")[:1]))
+    held, skeleton = carriers(prim)
     return Element(
         name=_name(prim),
         label=prim.GetMetadata("displayName") or prim.GetName(),
         kind=get(prim, "rigUI:element:elementType", "slider"),
         members=tuple(_member(prim, *each) for each in mine.items()),
-        mesh=str(on_face[0]) if on_face else "",
+        mesh=mesh,
         point=get(prim, "rigUI:anchor:pointIndex", -1),
         position=get(prim, "rigUI:anchor:position", (0.0, 0.0, 0.0)),
         normal=get(prim, "rigUI:anchor:normal", (0.0, 0.0, 0.0)),
-        follows=bool(on_face) and get(prim, "rigUI:handle:adapt", "deform") != "static",
+        follows=bool(mesh) and get(prim, "rigUI:handle:adapt", "deform") != "static",
         carriers=held,
         skeleton=skeleton,
         side=get(prim, "rigUI:element:side", "none"),
         mirror="".join(others("mirror")[:1]),
-        reversed=tuple(i for i, each in enumerate(flags) if each),
         inner=others("members"),
         reason=prim.GetDocumentation() if prim.HasAuthoredDocumentation() else "",
         axes=_axes(prim, [*mine]),
@@ -191,9 +189,9 @@ def _axes(prim, mine):
     said = [get(prim, f"rigUI:control:{each}:opposes", "") for each in mine]
     agree(prim, {*said} <= {"", *mine}, "controls that it opposes")
     opposed = [(mine.index(each), i) for i, each in enumerate(said) if each]
-    ends = [end for pair in opposed for end in pair]
-    agree(prim, len({*ends}) == len(ends), "controls that it opposes")
-    return tuple(sorted([*opposed, *((i,) for i in range(len(mine)) if i not in ends)], key=min))
+    ends = {end: pair for pair in opposed for end in pair}
+    agree(prim, len(ends) == 2 * len(opposed), "controls that it opposes")
+    return tuple(sorted({ends.get(i, (i,)) for i in range(len(mine))}, key=min))
 
 
 def _name(prim):
@@ -206,7 +204,9 @@ def _member(prim, instance, control):
     steps = np.linspace(control.minimum, control.maximum, len(points)).tolist()
     values = of("trackValues", ()) or tuple(steps)
     agree(prim, len(values) == len(points) > 1, "points and values of a track")
-    return Member(control.name, values, points, of("magnification", 1.0))
+    return Member(
+        control.name, values, points, of("magnification", 1.0), of("mirrorReversed", False)
+    )
 
 
 # --- the character --------------------------------------------------------------------------------
@@ -214,24 +214,21 @@ def _member(prim, instance, control):
 
 def _meshes(root, scope):
     cache = UsdGeom.XformCache()
-    found = []
-    for prim in Usd.PrimRange(root, Usd.TraverseInstanceProxies(Usd.PrimDefaultPredicate)):
-        if prim.IsA(UsdGeom.Mesh) and not prim.GetPath().HasPrefix(scope.GetPath()):
-            to_root = _rows(_to_root(prim, root, cache))
-            found.append(MeshRest(str(prim.GetPath()), len(points_of(prim)), to_root))
-    return tuple(found)
+    walk = Usd.PrimRange(root, Usd.TraverseInstanceProxies(Usd.PrimDefaultPredicate))
+    return tuple(
+        MeshRest(str(prim.GetPath()), len(points_of(prim)), _rows(_to_root(prim, root, cache)))
+        for prim in walk
+        if prim.IsA(UsdGeom.Mesh) and not prim.GetPath().HasPrefix(scope.GetPath())
+    )
 
 
 def _to_root(prim, root, cache):
     """Mesh space to root space: through the skeleton where the mesh is skinned, else as it
     stands."""
-    binding = UsdSkel.BindingAPI(prim)
-    skeleton = binding.GetInheritedSkeleton()
-    inherited = UsdGeom.PrimvarsAPI(prim).FindPrimvarWithInheritance("skel:jointIndices")
-    if skeleton and inherited and inherited.HasAuthoredValue():
-        bind = UsdGeom.PrimvarsAPI(prim).FindPrimvarWithInheritance("skel:geomBindTransform").Get()
-        placed = _relative(skeleton.GetPrim(), root, cache)
-        return bind * placed if bind is not None else placed
+    skeleton = UsdSkel.BindingAPI(prim).GetInheritedSkeleton()
+    if skeleton and inherited(prim, "skel:jointIndices") is not None:
+        bind = inherited(prim, "skel:geomBindTransform") or Gf.Matrix4d(1.0)
+        return bind * _relative(skeleton.GetPrim(), root, cache)
     return _relative(prim, root, cache)
 
 

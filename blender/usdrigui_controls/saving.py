@@ -66,7 +66,7 @@ class SaveAnimation(bpy.types.Operator, ExportHelper):
         return {"FINISHED"}
 
 
-def save_animation(scene, target, steps=1, with_values=False):
+def save_animation(scene, target, steps, with_values):
     """Write the layer, with the values of the controls if these are asked for; returns its size in
     bytes.
 
@@ -99,9 +99,9 @@ def save_animation(scene, target, steps=1, with_values=False):
             parts.append(_Values(character, stage))
     first, last = scene.frame_start, scene.frame_end
     frames = [first + i / steps for i in range((last - first) * steps + 1)]
-    at_frames(scene, frames, lambda: [part.look() for part in parts])
-    for part in parts:
-        part.write(frames)
+    seen = at_frames(scene, frames, lambda: [part.look() for part in parts])
+    for part, looks in zip(parts, zip(*seen.values(), strict=True), strict=True):
+        part.write(frames, looks)
     stage.SetStartTimeCode(first)
     stage.SetEndTimeCode(last)
     written = Sdf.Layer.CreateAnonymous(target.suffix)
@@ -126,36 +126,34 @@ def _parts_of(character, stage):
     """What looks at one character at every frame and writes what it saw, parents before
     children."""
     return [
-        *(_Skeleton(character, stage, *each) for each in _skeletons(character, stage).items()),
+        *(_Skeleton(character, stage, *each) for each in _skinned(character, stage).items()),
         *(_Place(stage, *each) for each in sorted(_places(character, stage).items())),
     ]
 
 
-def _skeletons(character, stage):
-    """The armature, or None, of each skeleton that deforms something, by path."""
+def _skinned(character, stage):
+    """The meshes that each skeleton deforms, if any: prim paths by prim path."""
     from pxr import UsdSkel
 
-    found = dict(character.armatures)
+    found = {path: [] for path in character.armatures}
     for path in character.meshes:
         skeleton = UsdSkel.BindingAPI(stage.GetPrimAtPath(path)).GetInheritedSkeleton()
         if skeleton:
-            found.setdefault(str(skeleton.GetPath()), None)
+            found.setdefault(str(skeleton.GetPath()), []).append(path)
     return found
 
 
 def _places(character, stage):
     """The object of each prim that has its transform: as Blender exports it the one above a mesh or
     a skeleton, and those above that; else the prim itself, unless it is skinned."""
-    from pxr import UsdGeom
+    from .properties import inherited
 
     found = {}
     for path, thing in character.objects.items():
         prim = stage.GetPrimAtPath(path)
         above = prim.GetParent()
-        if not blender_name(above):
-            skinned = UsdGeom.PrimvarsAPI(prim).FindPrimvarWithInheritance("skel:jointIndices")
-            if not skinned.HasAuthoredValue():
-                found[path] = thing
+        if not blender_name(above) and inherited(prim, "skel:jointIndices") is None:
+            found[path] = thing
         while thing is not None and blender_name(above):
             found[str(above.GetPath())] = thing
             above, thing = above.GetParent(), thing.parent
@@ -165,59 +163,50 @@ def _places(character, stage):
 class _Skeleton:
     """The weights and the joints that one SkelAnimation holds."""
 
-    def __init__(self, character, stage, path, armature):
+    def __init__(self, character, stage, path, meshes):
         from pxr import UsdSkel
 
-        self.stage, self.armature = stage, armature
-        self.prim = UsdSkel.Skeleton(stage.GetPrimAtPath(path))
-        self.keys = self._keys(character)
-        joints = character.layout.skeleton(path).joints if armature else ()
+        self.stage, self.armature = stage, character.armatures.get(path)
+        self.prim = stage.GetPrimAtPath(path)
+        self.keys = {
+            token: key
+            for mesh in meshes
+            for token in tokens_of(stage.GetPrimAtPath(mesh))
+            if (key := character.shape_key(mesh, token))
+        }
+        joints = character.layout.skeleton(path).joints if self.armature else ()
         self.joints = [joint.path for joint in joints]
         self.parents = list(UsdSkel.Topology(self.joints).GetParentIndices())
         self.rest = np.reshape([joint.rest for joint in joints], (-1, 4, 4))
         names = [character.bone_name(path, joint) for joint in self.joints]
-        binds = self.prim.GetBindTransformsAttr().Get() or ()
+        binds = UsdSkel.Skeleton(self.prim).GetBindTransformsAttr().Get() or ()
         self.bones = [self._bone(*each) for each in zip(names, binds, strict=False)]
-        self.weights, self.locals = [], []
-
-    def _keys(self, character):
-        """Each token with the shape key that has its weight."""
-        from pxr import UsdSkel
-
-        found = {}
-        for path in character.meshes:
-            prim = self.stage.GetPrimAtPath(path)
-            if UsdSkel.BindingAPI(prim).GetInheritedSkeleton().GetPrim() == self.prim.GetPrim():
-                for token in tokens_of(prim):
-                    key = character.shape_key(path, token)
-                    if key is not None:
-                        found.setdefault(token, key)
-        return found
 
     def _bone(self, name, bind):
-        """Its name, and the bind transform seen from where the bone rests; None without a bone."""
-        bone = self.armature.data.bones.get(name)
-        return bone and (name, np.array(bind) @ np.linalg.inv(np.array(bone.matrix_local)).T)
+        """The bone, and the bind transform seen from where it rests; None without a bone."""
+        bone = self.armature.pose.bones.get(name)
+        return bone and (bone, np.array(bind) @ np.linalg.inv(np.array(bone.bone.matrix_local)).T)
 
     def look(self):
-        """Note weights and local transforms, as Blender has evaluated them."""
-        self.weights.append([0.0 if key.mute else key.value for key in self.keys.values()])
+        """Weights and local transforms, as Blender has evaluated them."""
+        weights = [0.0 if key.mute else key.value for key in self.keys.values()]
         placed = [np.eye(4)]  # where joints without a parent, -1, find it at the end
         for rest, above, bone in zip(self.rest, self.parents, self.bones, strict=True):
-            pose = bone and np.array(self.armature.pose.bones[bone[0]].matrix).T
-            placed.insert(-1, bone[1] @ pose if bone else rest @ placed[above])
-        self.locals.append(beside_parents(placed[:-1], self.parents))
+            placed.insert(
+                -1, bone[1] @ np.array(bone[0].matrix).T if bone else rest @ placed[above]
+            )
+        return weights, beside_parents(placed[:-1], self.parents)
 
-    def write(self, frames):
+    def write(self, frames, seen):
         """Write the weights that are ever away from 0 and the joints that ever leave their rest."""
         from pxr import UsdSkel, Vt
 
-        weights, locals_ = np.array(self.weights), np.array(self.locals)
+        weights, locals_ = map(np.array, zip(*seen, strict=True))
         moving = np.flatnonzero(np.abs(weights).max(axis=0, initial=0.0) > _SAME)
         away = np.abs(locals_ - self.rest).max(axis=(0, 2, 3))
         size = np.maximum(np.abs(self.rest).max(axis=(1, 2)), 1.0)
         joints = np.flatnonzero(away > _NOISE * size)
-        own = UsdSkel.BindingAPI(self.prim.GetPrim()).GetInheritedAnimationSource()
+        own = UsdSkel.BindingAPI(self.prim).GetInheritedAnimationSource()
         if not (len(moving) or len(joints) or own):
             return
         animation = self._animation(own)
@@ -242,7 +231,7 @@ class _Skeleton:
         if own:
             return UsdSkel.Animation(self.stage.OverridePrim(own.GetPath()))
         path = self.prim.GetPath().AppendChild("usdrigui_animation")
-        binding = UsdSkel.BindingAPI.Apply(self.prim.GetPrim())
+        binding = UsdSkel.BindingAPI.Apply(self.prim)
         binding.CreateAnimationSourceRel().SetTargets([path])
         return UsdSkel.Animation.Define(self.stage, path)
 
@@ -251,28 +240,26 @@ class _Place:
     """Where an object stands."""
 
     def __init__(self, stage, path, thing):
-        self.stage, self.path, self.thing = stage, path, thing
+        self.prim, self.thing = stage.GetPrimAtPath(path), thing
         self.to_stage = np.linalg.inv(scene_of(stage))
-        self.seen = []
 
     def look(self):
-        """Note its transform in the stage's world, for row vectors."""
-        self.seen.append(np.array(self.thing.matrix_world).T @ self.to_stage)
+        """Its transform in the stage's world, for row vectors."""
+        return np.array(self.thing.matrix_world).T @ self.to_stage
 
-    def write(self, frames):
+    def write(self, frames, seen):
         """A transform for the prim, where the object stands elsewhere than the prim does."""
         from pxr import Gf, UsdGeom
 
-        prim, cache = self.stage.GetPrimAtPath(self.path), UsdGeom.XformCache()
-        wanted, away = [], 0.0
-        for frame, world in zip(frames, self.seen, strict=True):
+        cache, wanted, away = UsdGeom.XformCache(), [], 0.0
+        for frame, world in zip(frames, seen, strict=True):
             cache.SetTime(frame)
-            above = np.array(cache.GetParentToWorldTransform(prim))
-            here = np.array(cache.GetLocalToWorldTransform(prim))
+            above = np.array(cache.GetParentToWorldTransform(self.prim))
+            here = np.array(cache.GetLocalToWorldTransform(self.prim))
             wanted.append(Gf.Matrix4d((world @ np.linalg.inv(above)).tolist()))
             away = max(away, np.abs(world - here).max() / np.abs(here).max())
         if away > 1e-5:
-            _sample(UsdGeom.Xformable(prim).MakeMatrixXform().GetAttr(), frames, wanted)
+            _sample(UsdGeom.Xformable(self.prim).MakeMatrixXform().GetAttr(), frames, wanted)
 
 
 class _Values:
@@ -280,29 +267,26 @@ class _Values:
     Of a pose they do not."""
 
     def __init__(self, character, stage):
-        from .reading import attributes_of
-
-        attributes = attributes_of(stage, character.layout.root)
-        self.holder, self.seen = character.holder, []
+        self.character = character
         self.told = [
-            (control, *attributes[name])
-            for name, control in character.controls.items()
-            if name in attributes and (control.plain or is_single_joint(control))
+            (control, prim)
+            for control in character.layout.controls
+            if (control.plain or is_single_joint(control))
+            and (prim := stage.GetPrimAtPath(control.attribute.partition(".")[0]))
         ]
 
     def look(self):
-        """Note the value of every control."""
-        values = Character(self.holder).values()
-        self.seen.append([values[control.name] for control, *_ in self.told])
+        """The value of every control."""
+        values = self.character.values()
+        return [values[control.name] for control, _ in self.told]
 
-    def write(self, frames):
+    def write(self, frames, seen):
         """Write those that are ever away from their default."""
         from pxr import Sdf
 
-        for (control, prim, name), values in zip(
-            self.told, zip(*self.seen, strict=True), strict=True
-        ):
+        for (control, prim), values in zip(self.told, zip(*seen, strict=True), strict=True):
             if np.abs(np.array(values) - control.default).max() > _SAME:
+                name = control.attribute.partition(".")[2]
                 made = prim.CreateAttribute(name, Sdf.ValueTypeNames.Double, custom=False)
                 _sample(made, frames, values)
 

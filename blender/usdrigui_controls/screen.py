@@ -59,29 +59,24 @@ class Screen:
         """(3,) each, the world vectors of one pixel to the right and one upward at a world
         point."""
         w = max(float(self.matrix[3, :3] @ point + self.matrix[3, 3]), 1e-30)
-        right, up = self.matrix[0, :3], self.matrix[1, :3]
-        return 2.0 * w / self.width * right / (right @ right), 2.0 * w / self.height * up / (
-            up @ up
-        )
+        axes = zip(self.matrix[:2, :3], (self.width, self.height), strict=True)
+        return [2.0 * w / size * axis / (axis @ axis) for axis, size in axes]
 
 
 def pick(screen, elements, pointer, radii, reach=8.0):
     """Index of the element whose handle is nearest to the ``pointer`` (2,), or -1.
 
-    ``elements`` are `Placed` ones or None, ``radii`` their handles' pixels; a handle is caught
-    within its radius, and within ``reach`` pixels however small it is drawn.  Each handle's
-    distance counts from its centre, so that of two handles on one spot the pointer takes the one it
-    is nearer to.
+    ``elements`` are `Placed` ones, ``radii`` their handles' pixels; a handle is caught within its
+    radius, and within ``reach`` pixels however small it is drawn.  Each handle's distance counts
+    from its centre, so that of two handles on one spot the pointer takes the one it is nearer to.
     """
-    shown = [i for i, placed in enumerate(elements) if placed is not None and screen.faces(placed)]
-    if not shown:
-        return -1
-    at = screen.project(np.array([elements[i].handle for i in shown]))
-    away = np.linalg.norm(at - pointer, axis=1)
-    caught = away <= np.maximum(np.array([radii[i] for i in shown]), reach)
-    if not caught.any():
-        return -1
-    return shown[int(np.argmin(np.where(caught, away, np.inf)))]
+    caught = []
+    for i, placed in enumerate(elements):
+        if screen.faces(placed):
+            away = np.linalg.norm(screen.project(placed.handle[None])[0] - pointer)
+            if away <= max(radii[i], reach):
+                caught.append((away, i))
+    return min(caught, default=(0.0, -1))[1]
 
 
 class Grab:

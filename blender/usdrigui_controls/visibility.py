@@ -38,15 +38,14 @@ class Item:
 opened = set()
 """(holder, name) of the coarse elements whose members are shown in their place."""
 _anchors = {}
-_items = []
-_dirty = True
+_items = None
+"""Those that can be seen; None once something may have moved."""
 
 
 def items(context):
     """All elements that can be seen, where they are now."""
-    global _dirty, _items
-    if _dirty:
-        _dirty = False
+    global _items
+    if _items is None:
         _items = _placed(context)
     return _items
 
@@ -66,34 +65,34 @@ def forget(*_):
 @bpy.app.handlers.persistent
 def touch(*_):
     """Something may have moved."""
-    global _dirty
-    _dirty = True
+    global _items
+    _items = None
 
 
 def _placed(context):
     found = []
-    settings = context.scene.usdrigui
-    depsgraph = context.view_layer.depsgraph
     for holder in holders(context.scene):
         try:
             character = Character(holder)
-            anchors = anchors_of(character)
+            anchors = _anchors.get(holder.name)
+            if anchors is None or anchors.layout is not character.layout:
+                anchors = _anchors[holder.name] = Anchors(character)
             values = character.values()
-            placed = anchors.place(depsgraph, values)
+            placed = anchors.place(context.view_layer.depsgraph, values)
         except (LayoutError, ReferenceError, KeyError, StopIteration):
             _anchors.pop(holder.name, None)
             continue
         members = _members(character.layout.elements)
         open_here = {name for where, name in opened if where == holder.name}
         for spot, where in zip(anchors.spots, placed, strict=True):
-            drawing, element = spot.drawing, spot.drawing.element
+            element = spot.drawing.element
             if (
                 where is not None
                 and is_visible(element.name, members, open_here)
-                and (element.mesh or settings.board)
+                and (element.mesh or context.scene.usdrigui.board)
             ):
-                mine = np.array([values[member.control] for member in element.members])
-                found.append(Item(holder.name, drawing, where, mine))
+                mine = np.array([values[name] for name in spot.base])
+                found.append(Item(holder.name, spot.drawing, where, mine))
     return found
 
 
@@ -111,14 +110,6 @@ def toggle(holder, element, elements):
 def _members(elements):
     """By the name of each coarse element, its members."""
     return {element.name: element.inner for element in elements if element.inner}
-
-
-def anchors_of(character):
-    """The `Anchors` of a character, found once."""
-    known = _anchors.get(character.holder.name)
-    if known is None or known.layout is not character.layout:
-        known = _anchors[character.holder.name] = Anchors(character)
-    return known
 
 
 _HANDLERS = (

@@ -46,11 +46,11 @@ def pose(found, question):
 
 def drag(_, question):
     ranges = zip(*(question[name] for name in ("minimum", "default", "maximum", "base")), strict=True)
-    rest = {"keys": (), "shapes": (), "joints": ()}
+    rest = {"keys": (), "shapes": (), "joints": (), "attribute": ""}
     controls = tuple(layout.Control(str(i), "", *each, **rest) for i, each in enumerate(ranges))
     tracks = [tuple((x, y, 0.0) for x, y in track) for track in question["tracks"]]
     members = tuple(
-        layout.Member(str(i), tuple(values), track, 1.0)
+        layout.Member(str(i), tuple(values), track, 1.0, False)
         for i, (values, track) in enumerate(zip(question["values"], tracks, strict=True))
     )
     given = {each.name: {"str": "", "int": 0, "bool": False}.get(each.type, ()) for each in fields(layout.Element)}
