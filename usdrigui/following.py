@@ -7,12 +7,12 @@ influences and blend shapes, as far as UsdSkel can express it (docs/decisions/15
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import compress
 
 import numpy as np
 
-from usdrigui.character import Flags, Indices, Record, Rig
+from usdrigui.character import Indices, Record, Rig
 from usdrigui.character.skinning import carrying_joint
+from usdrigui.model import Element
 
 
 class Following(Record):
@@ -39,15 +39,27 @@ class Shared(Record):
     there is none."""
 
 
-def shared(rig: Rig, owned: Sequence[Indices], points: Indices, on_board: Flags) -> Shared:
-    """The same for elements with the controls `owned`, anchored at `points` (elements,) of the rig;
-    `on_board` (elements,)."""
-    found = sorted({each for own in compress(owned, on_board) for each in own.tolist()})
-    board = [each for each in found if len(rig.controls[each].drive.joints)]
-    return Shared(np.array(board, dtype=np.int64), carrying_joint(rig.body, points[~on_board]))
+def shared(rig: Rig, elements: Sequence[Element]) -> Shared:
+    """The same for the elements of a layout that fits the rig."""
+    found, points = set[int](), list[int]()
+    for element in elements:
+        if element.anchor.on_board:
+            found.update(controls_of(rig, element).tolist())
+        else:
+            points.append(rig.body.point_of(element.anchor.mesh, element.anchor.point))
+    board = [each for each in sorted(found) if len(rig.controls[each].drive.joints)]
+    carrier = carrying_joint(rig.body, np.array(points, dtype=np.int64))
+    return Shared(np.array(board, dtype=np.int64), carrier)
 
 
-def following(own: Indices, all_of: Shared, *, on_board: bool, static: bool) -> Following:
-    """How an element with the controls `own` goes with the character."""
-    held = all_of.board if on_board else own
+def following(rig: Rig, element: Element, all_of: Shared) -> Following:
+    """How one element goes with the character."""
+    on_board, static = element.anchor.on_board, element.adapt == "static"
+    held = all_of.board if on_board else controls_of(rig, element)
     return Following(held, not on_board and not static, all_of.carrier if static else -1)
+
+
+def controls_of(rig: Rig, element: Element) -> Indices:
+    """The controls of an element, as indices into `Rig.controls`, in the order of its members."""
+    places = rig.control_indices
+    return np.array([places[each.control] for each in element.members], dtype=np.int64)

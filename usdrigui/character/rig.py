@@ -86,6 +86,11 @@ class Body(Record):
                 found[shape.channel] = (*found.get(shape.channel, ()), (index, shape))
         return found
 
+    @cached_property
+    def by_path(self) -> Mapping[str, RigMesh]:
+        """The meshes by their prim paths."""
+        return {mesh.path: mesh for mesh in self.meshes}
+
     @property
     def starts(self) -> Indices:
         """(len(meshes) + 1,) first point of each mesh; the last entry is the number of points."""

@@ -22,6 +22,7 @@ from usdrigui.character.skinning import with_descendants
 from usdrigui.character.subset import subset
 from usdrigui.character.surface import mesh_triangles, vertex_normals, weld
 from usdrigui.errors import Issue, issue
+from usdrigui.following import controls_of
 from usdrigui.layer import author
 from usdrigui.layer.control_api import slides
 from usdrigui.layer.properties import value_of
@@ -394,21 +395,19 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
     """None where nothing can be evaluated; `found` takes what is not as the character has it."""
     prims = element_prims(scope)
     drawing = {mesh: body.point_of(str(mesh.GetPath()), 0) for mesh in drawings(scope)}
-    topologies = {mesh.path: (mesh.topology.hash, len(mesh.points)) for mesh in body.meshes}
     for mesh, start in drawing.items():
         if start < 0:
             found.append(invalid_at(mesh, "its arrays contradict each other: it draws nothing"))
     rig, drawn = read_controls(scope, prims, body, found), []
     for prim, element in zip(prims, layout.elements, strict=True):
-        anchor = element.anchor
-        known, count = topologies.get(anchor.mesh, ("gone", 0))
+        anchor, held = element.anchor, body.by_path.get(element.anchor.mesh)
         point = body.point_of(anchor.mesh, anchor.point)
-        if not count:
+        if held is None:
             found.append(layout.mesh_gone(anchor.mesh))
-        elif change := anchor.mesh_change(known, count):
+        elif change := anchor.mesh_change(held.topology.hash, len(held.points)):
             found.append(issue("LAYOUT_TOPOLOGY", element.name, change))
-        elif anchor.point_count not in (0, count):
-            found.append(invalid_at(prim, f"rigUI:anchor:pointCount is not {count}"))
+        elif anchor.point_count not in (0, len(held.points)):
+            found.append(invalid_at(prim, f"rigUI:anchor:pointCount is not {len(held.points)}"))
         elif point >= 0 and element.controls.issubset(rig.control_names):
             drawn.append(
                 _Drawn(
@@ -419,7 +418,7 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
                     points_of(_faces(drawing, prim, "handle")),
                     points_of(_faces(drawing, prim, "track", "area")),
                     _lines(drawing, prim),
-                    np.array([rig.control_indices[each.control] for each in element.members]),
+                    controls_of(rig, element),
                 )
             )
     if not drawn:

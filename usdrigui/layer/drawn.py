@@ -18,6 +18,7 @@ import numpy as np
 
 from usdrigui.character import Floats, Indices, Record
 from usdrigui.character.deform import keyed
+from usdrigui.following import controls_of
 from usdrigui.layer.control_api import slides
 from usdrigui.layer.polyline import fewest_points
 from usdrigui.layer.skin_binding import AnchorBinding, JointBinding, PointShape, SkinBinding
@@ -114,18 +115,18 @@ def drawn_parts(skin: SkinBinding, element: Element, frame: LayoutFrame) -> tupl
         replace(binding, shapes=tuple(_short(shape, step) for shape in felt)),
         replace(binding, shapes=_felt(binding.shapes, _HAIR * width)),
     )
-    form, plain = _form(element, width, view), element.glyph is None
-    handle = (
-        _follower(binding, form, _HAIR_STEP * width if plain else step)
-        if binding.deforms
-        else _slider(skin, binding, element, form, step)
-    )
-    tracks = _tracks(skin, still, element, width)
-    lift = _LIFT * width if plain else 0.0
-    return (
-        replace(handle, points=in_steps(handle.points, step), lift=lift),
-        replace(tracks, points=in_steps(tracks.points, step)),
-    )
+    lift = _LIFT * width if element.glyph is None else 0.0
+    (around, faces), fine, bound = _form(element, width, view), step, binding.track
+    if binding.deforms:
+        # It has every shape and influence of the anchor.
+        bound, centre, shapes = binding.handle, binding.rest, binding.shapes
+        fine = _HAIR_STEP * width if lift else step
+    else:
+        centre, shapes = _sliding(skin, binding, element, step)
+    points = in_steps(centre + around @ bound.inverse, step)
+    spread = tuple(_uniform(shape, len(around), fine) for shape in shapes)
+    handle = Drawn("handle", points, faces, bound, spread, lift=lift)
+    return handle, _tracks(skin, still, element, width, step)
 
 
 def _short(shape: PointShape, step: float) -> PointShape:
@@ -144,10 +145,13 @@ def _felt(shapes: tuple[PointShape, ...], budget: float) -> tuple[PointShape, ..
 # --- tracks and areas -----------------------------------------------------------------------------
 
 
-def _tracks(skin: SkinBinding, binding: AnchorBinding, element: Element, width: float) -> Drawn:
-    """A spike for each member, and polygons between those that are neighbours (paper section
-    4.1)."""
-    base = skin.values[skin.own(element)]
+def _tracks(
+    skin: SkinBinding, binding: AnchorBinding, element: Element, width: float, step: float
+) -> Drawn:
+    """A spike for each member, and polygons between those that are neighbours (paper section 4.1).
+
+    They are bound to what the element's own controls leave alone.
+    """
     members = [_bent(member, element.anchor.normal, width) for member in element.members]
     spikes = [
         # Each a little narrower, so that two which begin in one place do not begin in the same
@@ -158,10 +162,10 @@ def _tracks(skin: SkinBinding, binding: AnchorBinding, element: Element, width: 
     areas = _areas(element)
     polygons = ((corners, Faces.alike(np.arange(len(corners))[None])) for _, corners in areas)
     positions, faces = together([*spikes, *polygons])
-    rows = [_values_along(base, i, member) for i, member in enumerate(members)]
-    rows += [_values_at(base, element.members, ends) for ends, _ in areas]
-    values = np.concatenate(rows)
-    return _still(skin, binding, element, values, positions, faces, len(areas), width)
+    values = _values_at(skin.values[controls_of(skin.rig, element)], members, areas)
+    shapes = _shapes_along(skin, binding, element, values, _HAIR_STEP * width)
+    points = in_steps(binding.track.unposed(positions) - _blended(skin, shapes), step)
+    return Drawn("tracks", points, faces, binding.track, shapes, len(areas))
 
 
 def _bent(member: Member, normal: Floats, width: float) -> Member:
@@ -210,53 +214,44 @@ def together(forms: Sequence[Form]) -> Form:
     return points, Faces(counts, np.concatenate(indices))
 
 
-def _values_along(base: Floats, position: int, member: Member) -> Floats:
-    """(q, members) value of each control with which the handle is at each point of a member's
-    spike."""
-    along = np.repeat(member.values, 2)[:-1]
-    rows = np.tile(base, (len(along), 1))
-    rows[:, position] = along
+def _values_at(
+    base: Floats, members: Sequence[Member], areas: Sequence[tuple[list[int], Floats]]
+) -> Floats:
+    """(q, members) value of each control with which the handle is at each point of the members'
+    spikes, and at each corner of the areas, of which -1 is the handle itself."""
+    values = [member.values for member in members]
+    moved = [(i, at) for i, each in enumerate(values) for at in np.repeat(each, 2)[:-1].tolist()]
+    moved += [
+        (end % len(values), float(end_of(values, end))) if end >= 0 else (0, base[0])
+        for ends, _ in areas
+        for end in ends
+    ]
+    rows = np.tile(base, (len(moved), 1))
+    for row, (which, at) in zip(rows, moved, strict=True):
+        row[which] = at
     return rows
 
 
-def _values_at(base: Floats, members: tuple[Member, ...], ends: list[int]) -> Floats:
-    """(q, members) the same at the corners of an area; -1 is the handle itself."""
-    rows, values = np.tile(base, (len(ends), 1)), [each.values for each in members]
-    for row, end in zip(rows, ends, strict=True):
-        if end >= 0:
-            row[end % len(members)] = end_of(values, end)
-    return rows
+def _shapes_along(
+    skin: SkinBinding, binding: AnchorBinding, element: Element, values: Floats, step: float
+) -> tuple[PointShape, ...]:
+    """What moves points at which the handle is with these `values` (q, members): all shapes but
+    those of the element's own controls.
 
-
-def _still(
-    skin: SkinBinding,
-    binding: AnchorBinding,
-    element: Element,
-    values: Floats,
-    positions: Floats,
-    faces: Faces,
-    areas: int,
-    width: float,
-) -> Drawn:
-    """What its element's own controls must not move, and all others must.
-
-    It is bound to what the own controls leave alone.  Where they turn joints, the other shapes'
-    offsets turn along the track as they do at the anchor when it is there.
+    Where these turn joints, the other shapes' offsets turn along the track as they do at the anchor
+    when it is there.
     """
-    bound = binding.track
     others = [shape for shape in binding.shapes if shape.channel not in binding.own_channels]
     if binding.turning and others:
-        maps = skin.maps_at(binding.handle, skin.own(element), values)
-        turns = maps[:, :3] @ bound.inverse
+        maps = skin.maps_at(binding.handle, controls_of(skin.rig, element), values)
+        turns = maps[:, :3] @ binding.track.inverse
         spread = [np.einsum("ki,qij->kqj", shape.offsets, turns) for shape in others]
     else:
         spread = [np.repeat(shape.offsets[:, None], len(values), axis=1) for shape in others]
-    shapes = tuple(
-        replace(shape, offsets=in_steps(offsets, _HAIR_STEP * width))
+    return tuple(
+        replace(shape, offsets=in_steps(offsets, step))
         for shape, offsets in zip(others, spread, strict=True)
     )
-    points = bound.unposed(positions) - _blended(skin, shapes)
-    return Drawn("tracks", points, faces, bound, shapes, areas)
 
 
 def _ribbon(line: Floats, normal: Floats, width: float) -> tuple[Floats, Indices]:
@@ -317,15 +312,6 @@ def _areas(element: Element) -> list[tuple[list[int], Floats]]:
 # --- handles --------------------------------------------------------------------------------------
 
 
-def _follower(binding: AnchorBinding, form: Form, step: float) -> Drawn:
-    """The handle of an element on the skin: it has every shape and influence of the anchor, whose
-    offsets all points but the first have in steps below `step`."""
-    around, faces = form
-    points = binding.rest + around @ binding.handle.inverse
-    shapes = tuple(_uniform(shape, len(around), step) for shape in binding.shapes)
-    return Drawn("handle", points, faces, binding.handle, shapes)
-
-
 def _form(element: Element, width: float, view: Floats) -> Form:
     """A handle in the base pose."""
     glyph, normal = element.glyph, element.anchor.normal
@@ -367,12 +353,11 @@ def _unit(direction: Floats, otherwise: Floats) -> Floats:
     return direction / length if length > 0.0 else otherwise
 
 
-def _slider(
-    skin: SkinBinding, binding: AnchorBinding, element: Element, form: Form, step: float
-) -> Drawn:
-    """The handle of an element that does not deform: its own controls' shapes take it along the
-    tracks."""
-    around, faces = form
+def _sliding(
+    skin: SkinBinding, binding: AnchorBinding, element: Element, step: float
+) -> tuple[Floats, tuple[PointShape, ...]]:
+    """(3,) where the handle of an element that does not deform rests, and the shapes of its own
+    controls, which take it along the tracks."""
     shapes: dict[int, PointShape] = {}
     for member in element.members:
         along = _along_track(skin, binding, member)
@@ -380,9 +365,7 @@ def _slider(
             shapes.setdefault(along.channel, _short(along, step))
     now = _blended(skin, tuple(shapes.values()))
     centre = binding.track.unposed(element.anchor.position[None])[0] - now
-    points = centre + around @ binding.track.inverse
-    spread = tuple(_uniform(shapes[channel], len(around), step) for channel in sorted(shapes))
-    return Drawn("handle", points, faces, binding.track, spread)
+    return centre, tuple(shapes[channel] for channel in sorted(shapes))
 
 
 def _along_track(skin: SkinBinding, binding: AnchorBinding, member: Member) -> PointShape | None:

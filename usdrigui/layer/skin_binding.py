@@ -107,13 +107,9 @@ class SkinBinding:
         self.rig = rig
         self.values = layout.base_values
         self.weights = channel_state(rig, self.values)[0]
-        self._meshes = {mesh.path: mesh for mesh in rig.body.meshes}
         self.size = _size(rig.body)
         self._positions = rig.control_indices
-        anchors = [each.anchor for each in layout.elements]
-        rows = np.array([rig.body.point_of(each.mesh, each.point) for each in anchors])
-        on_board = np.array([each.on_board for each in anchors], dtype=bool)
-        self._all_of = shared(rig, [*map(self.own, layout.elements)], rows, on_board)
+        self._all_of = shared(rig, layout.elements)
 
     def control(self, name: str) -> Control:
         """The rig's control of that name."""
@@ -126,13 +122,8 @@ class SkinBinding:
     def at_anchor(self, element: Element) -> AnchorBinding:
         """What carries one element."""
         body = self.rig.body
-        mesh, point = self._meshes[element.anchor.mesh], element.anchor.point
-        follows = following(
-            self.own(element),
-            self._all_of,
-            on_board=element.anchor.on_board,
-            static=element.adapt == "static",
-        )
+        mesh, point = body.by_path[element.anchor.mesh], element.anchor.point
+        follows = following(self.rig, element, self._all_of)
         held = [self.rig.controls[each] for each in follows.held.tolist()]
         deforms = follows.deforms
         skeleton, skin = _skeleton_of(body, mesh), mesh.skin
@@ -151,10 +142,6 @@ class SkinBinding:
             turning=turning,
             deforms=deforms,
         )
-
-    def own(self, element: Element) -> Indices:
-        """The controls of an element, as indices into `Rig.controls`."""
-        return np.array([self._positions[each.control] for each in element.members], dtype=np.int64)
 
     def maps_at(self, handle: JointBinding, controls: Indices, rows: Floats) -> Floats:
         """Affine maps (q, 4, 3) of the handle with some controls at the values of each of the rows

@@ -19,7 +19,7 @@ from usdrigui.character import Body, Floats, Indices, Record, Rig, RigMesh
 from usdrigui.character.deform import Posed, deform, posed
 from usdrigui.character.subset import subset
 from usdrigui.errors import meant, refuse
-from usdrigui.following import Following, following, shared
+from usdrigui.following import Following, controls_of, following, shared
 from usdrigui.model import Element, Layout
 from usdrigui.pose.handle_track import carried, facing, slid
 
@@ -81,8 +81,7 @@ def prepare(rig: Rig, layout: Layout) -> Poser:
         dtype=np.int64,
     )
     anchors, rows = subset(rig, points)
-    names = rig.control_indices
-    owned = tuple(_controls(names, element) for element in layout.elements)
+    owned = tuple(_controls(rig, element) for element in layout.elements)
     if len(layout.base_values) != len(rig.controls):
         raise refuse(
             "LAYOUT_STALE",
@@ -90,10 +89,8 @@ def prepare(rig: Rig, layout: Layout) -> Poser:
             "the base pose has another number of controls than the character",
         )
     base, still, still_base = posed(anchors, layout.base_values), anchors, None
-    on_board = np.array([each.anchor.on_board for each in layout.elements], dtype=bool)
-    static = [each.adapt == "static" for each in layout.elements]
-    all_of = shared(rig, owned, points, on_board)
-    if any(static) and all_of.carrier >= 0:
+    all_of = shared(rig, layout.elements)
+    if all_of.carrier >= 0 and any(each.adapt == "static" for each in layout.elements):
         still, _ = subset(on_one_joint(rig, all_of.carrier), points)
         still_base = posed(still, layout.base_values)
     return Poser(
@@ -102,10 +99,7 @@ def prepare(rig: Rig, layout: Layout) -> Poser:
         anchors,
         rows,
         owned,
-        tuple(
-            following(own, all_of, on_board=bool(board), static=stays)
-            for own, board, stays in zip(owned, on_board, static, strict=True)
-        ),
+        tuple(following(rig, element, all_of) for element in layout.elements),
         base,
         still,
         still_base or base,
@@ -223,23 +217,23 @@ def _carried(before: Floats, now: Floats, position: Floats) -> tuple[Floats, Flo
 
 def _anchor_point(body: Body, element: Element) -> int:
     """The point that an element is anchored at."""
-    anchor, hashes = element.anchor, {mesh.path: mesh.topology.hash for mesh in body.meshes}
+    anchor = element.anchor
     point = body.point_of(anchor.mesh, anchor.point)
-    if point >= 0 and anchor.fits(hashes[anchor.mesh]):
+    if point >= 0 and anchor.fits(body.by_path[anchor.mesh].topology.hash):
         return point
     what = f"its topology is not that which {element.name} is anchored to"
-    if anchor.mesh not in hashes:
+    if anchor.mesh not in body.by_path:
         what = f"the mesh that {element.name} is anchored to does not exist"
     raise refuse("LAYOUT_STALE", anchor.mesh, what)
 
 
-def _controls(names: Mapping[str, int], element: Element) -> Indices:
+def _controls(rig: Rig, element: Element) -> Indices:
     for member in element.members:
-        if member.control not in names:
+        if member.control not in rig.control_indices:
             raise refuse(
                 "LAYOUT_STALE", member.control, f"the control of {element.name} does not exist"
             )
-    return np.array([names[member.control] for member in element.members], dtype=np.int64)
+    return controls_of(rig, element)
 
 
 # --- elements that do not deform ------------------------------------------------------------------

@@ -224,7 +224,7 @@ def controls_of_tokens(found: Found) -> dict[str, str]:
 def left_off_tokens(found: Found, body: Body) -> tuple[LeftOff, ...]:
     """Tokens that no mesh implements, with the reason."""
     names = controls_of_tokens(found)
-    used = {shape.channel for mesh in body.meshes for shape in mesh.shapes}
+    used = body.shapes_by_channel
     shaped = {names[token] for (token, _), channel in found.tokens.items() if channel in used}
     reasons = {names[token]: reason for token, reason in found.shapeless.items()}
 

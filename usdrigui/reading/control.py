@@ -47,10 +47,9 @@ def blend_shape_drafts(
 ) -> list[Draft]:
     """One draft per token that some mesh implements; a token of several animations drives them
     all, and so do tokens with one of the `names`.  `ranges` are those of the channels."""
-    used = {shape.channel for mesh in body.meshes for shape in mesh.shapes}
     by_name: dict[str, list[int]] = {}
     for index, channel in enumerate(body.channels):
-        if index in used:
+        if index in body.shapes_by_channel:
             by_name.setdefault(names[channel.token], []).append(index)
     return [
         Draft(

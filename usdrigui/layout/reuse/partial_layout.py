@@ -31,11 +31,11 @@ def anchored_point(rig: Rig, where: str, anchor: str) -> int | None:
     local = int(number)
     if (point := rig.body.point_of(path, local)) >= 0:
         return point
-    counts = {mesh.path: len(mesh.points) for mesh in rig.body.meshes}
+    meshes = rig.body.by_path
     what = (
-        f"the mesh {path} has the points 0 to {counts[path] - 1}, not {local}"
-        if path in counts
-        else f"{rig.path} has no mesh {path!r}{meant(path, counts)}"
+        f"the mesh {path} has the points 0 to {len(meshes[path].points) - 1}, not {local}"
+        if path in meshes
+        else f"{rig.path} has no mesh {path!r}{meant(path, meshes)}"
     )
     raise refuse("CONFIG_VALUE", where, what)
 

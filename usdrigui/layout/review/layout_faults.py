@@ -53,18 +53,17 @@ def stale(
     posed = bool(settings.pose) or settings.time is not None
     # Positions of another base pose cannot be compared.
     comparable = not posed and np.allclose(layout.base_values, 0.0)
-    meshes = {mesh.path: mesh for mesh in rig.body.meshes}
     known = {*rig.control_names}
     lacking = not known.issuperset(layout.controls)
     renamed = match_layout(layout, rig, trajectories).renamed if lacking else {}
     anchored = dict.fromkeys(element.anchor.mesh for element in whole.elements)
-    lost = [path for path in anchored if path not in meshes]
+    lost = [path for path in anchored if path not in rig.body.by_path]
     for path in lost:
         yield whole.mesh_gone(path, len(whole.controls - known))
     # Controls go with the mesh that has their shapes; a renamed one has its own issue.
     along = layout.controls - renamed.keys() if lost else frozenset[str]()
     for element in layout.elements:
-        mesh = meshes.get(element.anchor.mesh)
+        mesh = rig.body.by_path.get(element.anchor.mesh)
         if mesh is not None:
             yield from _anchor_faults(
                 rig.body, trajectories.surface, element, mesh, comparable=comparable

@@ -351,22 +351,20 @@ def _elements(rig: Rig, layout: Layout) -> list[Json]:
     controls = rig.control_indices
     meshes = {mesh.path: index for index, mesh in enumerate(rig.body.meshes)}
     found = [_element(meshes, controls, each) for each in layout.elements]
-    own = [np.array([each["control"] for each in packed["members"]]) for packed in found]
-    rows = [rig.body.starts[packed["mesh"]] + packed["point"] for packed in found]
-    on_board = np.array([packed["onBoard"] for packed in found], dtype=bool)
-    all_of = shared(rig, own, np.array(rows, dtype=np.int64), on_board)
+    all_of = shared(rig, layout.elements)
     labels = shortened([element.label for element in layout.elements])
-    for packed, mine, label, element in zip(found, own, labels, layout.elements, strict=True):
+    for packed, label, element in zip(found, labels, layout.elements, strict=True):
         packed["label"] = label
-        static = element.adapt == "static"
         packed["follows"] = {
-            place: _fields(
-                following(mine, all_of, on_board=place == "board", static=static),
-                "held deforms joint",
-            )
+            place: _fields(following(rig, _on(place, element), all_of), "held deforms joint")
             for place in ("character", "board")
         }
     return found
+
+
+def _on(place: str, element: Element) -> Element:
+    """The element, were it on the character or the board."""
+    return replace(element, anchor=replace(element.anchor, on_board=place == "board"))
 
 
 def _element(meshes: dict[str, int], controls: Mapping[str, int], element: Element) -> Json:
