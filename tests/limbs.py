@@ -183,6 +183,21 @@ def whole_body(ahead=1.0, head="Head", bare=()):
     return with_default_controls(made)
 
 
+def with_shapes(rig, shapes):
+    """The same with blend shapes before its controls of joints: names to dense offsets (n, 3)."""
+    (mesh,) = rig.body.meshes
+    shaped = makers.rig(mesh.points, [], shapes)
+    own = replace(shaped.body.meshes[0], topology=mesh.topology, skin=mesh.skin)
+    body = replace(shaped.body, meshes=(own,), joints=rig.body.joints, skeletons=rig.body.skeletons)
+    return replace(shaped, body=body, controls=shaped.controls + rig.controls)
+
+
+def smiling(rig):
+    """The same with a blend shape: the head moves ahead, the back of it a little more."""
+    _, y, z = rig.body.meshes[0].points.T
+    return with_shapes(rig, {"smile": np.outer(np.where(y > 1.4, 0.05 - 0.02 * z, 0.0), [0.0, 0.0, 1.0])})
+
+
 def resting(rig, turns):
     """The same character, bound as before, with joints at rest turned by `turns` (rotation vectors) by their names."""
     joints = []

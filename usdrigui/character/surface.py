@@ -87,9 +87,10 @@ def faces_inward(points: Floats, corners: Indices) -> bool:
     the wrong way round.  Open and flat surfaces, whose volume means little, count as right."""
     if not len(corners):
         return False
-    a, b, c = (points[corners[:, i]] - points[np.unique(corners)].mean(axis=0) for i in range(3))
-    volume = float(np.einsum("ti,ti->t", a, np.cross(b, c)).sum()) / 6.0
-    return bool(volume < -0.01 * float(triangle_areas(points, corners).sum()) ** 1.5)
+    middle = points[np.unique(corners)].mean(axis=0)
+    a, b, c = np.moveaxis(points[corners] - middle, 1, 0)
+    volume = float(np.einsum("ti,ti->", a, np.cross(b, c))) / 6.0
+    return bool(volume < -0.01 * triangle_areas(points, corners).sum() ** 1.5)
 
 
 def point_areas(points: Floats, corners: Indices, places: Indices) -> Floats:

@@ -151,15 +151,14 @@ def pose_drafts(
         drive = pose_drive(pose, base)
         name = pose.name if pose.name not in taken else f"{pose.name}:pose"
         if len(drive.channels) or len(drive.joints):
-            span = Range(0.0, 0.0, 1.0, "default")
-            drafts.append(Draft(name, "", "pose", pose.name, span, partial(_as_posed, drive)))
+            drafts.append(Draft(name, "", "pose", pose.name, _WHOLE, partial(_as_posed, drive)))
         else:
             left_off.append(LeftOff(name, "read", "the pose equals the base pose"))
     return drafts, left_off
 
 
-_ANY_RANGE = Range(0.0, 0.0, 1.0, "default")
-"""Of a control whose own is refused, so that its other faults are found too."""
+_WHOLE = Range(0.0, 0.0, 1.0, "default")
+"""Of a pose; and of a control whose own is refused, so that its other faults are found too."""
 
 
 def settled(
@@ -182,7 +181,7 @@ def settled(
             if draft.range.maximum > draft.range.minimum:
                 excluded.append(control_of(draft, draft.name, override.label, draft.range))
             continue
-        span = _ANY_RANGE
+        span = _WHOLE
         with faults.collected():
             span = _ranged(draft, override)
         if span.maximum <= span.minimum:

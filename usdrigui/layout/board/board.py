@@ -60,7 +60,7 @@ def board_elements(
     """Elements of the board, in the reading order of its rows."""
     if not board:
         return []
-    rows = _rows(face.rig.controls, board)
+    rows = _rows(face, board)
     width, height = face.handle_width, _TALL * face.surface.face_size
     middle = face.symmetry.plane.projected(face.trajectories.middle)
     frame = face.views.screen
@@ -109,13 +109,11 @@ def _cell_widths(controls: tuple[Control, ...], rows: list[tuple[BoardEntry, ...
 
     A lone element's label may run on over the cells to its right.
     """
-    count = max(map(len, rows))
-    widths = [_TRACK + 2.0] * count
-    for cell in range(count):
-        for row in rows:
-            if len(row) > cell + 1 or (len(row) == count and cell == count - 1):
-                widths[cell] = max(widths[cell], _width(controls, row[cell]))
     lone = max((_width(controls, *row) for row in rows if len(row) == 1), default=0.0)
+    pairs = [row for row in rows if len(row) > 1]
+    widths = [
+        max(_width(controls, each) for each in cell) for cell in zip(*pairs, strict=False)
+    ] or [lone]
     widths[-1] += max(0.0, lone - sum(widths))
     return widths
 
@@ -128,15 +126,17 @@ def _label(controls: tuple[Control, ...], entry: BoardEntry) -> str:
     return common_label([controls[control].label for control in entry.controls])
 
 
-def _rows(controls: tuple[Control, ...], board: list[BoardEntry]) -> list[tuple[BoardEntry, ...]]:
-    """Rows of one element or of a pair, sorted by category and then by name."""
+def _rows(face: Face, board: list[BoardEntry]) -> list[tuple[BoardEntry, ...]]:
+    """Rows of one element or of a pair, the left one first, sorted by category and then by name."""
     ranked = sorted(
         board,
         key=lambda each: (
             CATEGORIES.index(each.category),
             each.group.name.lower(),
             each.group.name,
-            controls[each.controls[0]].name,
+            # In many languages the word for left comes after that for right.
+            -round(_aside(face, each), 1),
+            face.rig.controls[each.controls[0]].name,
         ),
     )
     rows = groupby(ranked, key=lambda each: (each.category, each.group.name))
@@ -251,10 +251,15 @@ def _member(face: Face, control: int, place: Floats, length: float, direction: F
 
 def _side(face: Face, entry: BoardEntry, row: tuple[BoardEntry, ...]) -> Side:
     """The side of a pair's element; of another one, which may have lost its pair, that on which
-    its first control acts."""
+    it acts."""
     if not face.symmetry.plane.normal.any():
         return "none"
     if len(row) == 2:
         return "left" if entry is row[0] else "right"
+    return side_at(_aside(face, entry), ASIDE)
+
+
+def _aside(face: Face, entry: BoardEntry) -> float:
+    """How far to the left the entry's first control acts, in face sizes."""
     motion = face.trajectories.motion_of(entry.controls[0])
-    return side_at(np.average(face.aside[motion.points], weights=motion.arc_length), ASIDE)
+    return np.average(face.aside[motion.points], weights=motion.arc_length)

@@ -85,14 +85,23 @@ def _without_drift(
 ) -> tuple[Motion, ...]:
     """The motions; shapes that move nearly every point, as solvers and scans leave them that were
     not held to the head, without the points that move no more than the rest."""
-    counts = np.diff(body.starts)
-    mesh_of = np.repeat(np.arange(len(counts)), counts)
     return tuple(
         motion
         if len(controls[motion.control].drive.joints)
-        else _beyond_drift(motion, int(counts[np.unique(mesh_of[motion.points])].sum()))
+        else _beyond_drift(motion, int(_on_meshes_of(body, motion.points).sum()))
         for motion in motions
     )
+
+
+def _on_meshes_of(body: Body, points: Indices) -> Flags:
+    """(n,) which points are on a mesh that has one of `points`."""
+    mesh_of = np.searchsorted(body.starts, np.arange(body.starts[-1]), side="right")
+    return np.isin(mesh_of, mesh_of[points])
+
+
+def _points(motions: Sequence[Motion]) -> Indices:
+    """All points of the motions, one after the other."""
+    return np.concatenate([np.zeros(0, int), *(motion.points for motion in motions)])
 
 
 def _beyond_drift(motion: Motion, count: int) -> Motion:
@@ -237,7 +246,10 @@ def _assembled(
     places = weld(base, _apart(rig.body, total_motion(motions, len(base)).astype(np.float64)))
     areas = point_areas(base, corners, places)
     normals = vertex_normals(base, corners, weld(base))
-    inward = faces_inward(base, corners)
+    # A floor or backdrop beside the character may enclose more than it does, and upside down.
+    inward = faces_inward(base, corners[_on_meshes_of(rig.body, _points(motions))[corners[:, 0]]])
+    found = "the faces enclose a negative volume; normals are taken the other way round"
+    issues = [issue("NORMALS_INWARD", rig.path, found)] if inward else []
     face_size, typical_length = _scale(rig, base, areas, motions, excluded)
     return Trajectories(
         BaseSurface(base, -normals if inward else normals, places, areas, face_size),
@@ -245,7 +257,7 @@ def _assembled(
         excluded,
         typical_length,
         left_off,
-        (*_inward(rig.path, inward), *_doubtful(rig.controls, motions, face_size, settings.tiny)),
+        (*issues, *_doubtful(rig.controls, motions, face_size, settings.tiny)),
     )
 
 
@@ -265,17 +277,12 @@ def _scale(
     size = (
         # The height of all that the motions move by at least half of their peak.
         float(np.ptp(base[_moved_most(shown)] @ rig.up) if shown else 0.0)
-        or diagonal(base[np.concatenate([np.zeros(0, int), *(each.points for each in shown)])])
+        or diagonal(base[_points(shown)])
         or diagonal(base)
         or float(peaks.max(initial=0.0))
         or 1.0
     )
     return size, float(np.median(peaks[local])) if local.any() else size
-
-
-def _inward(root: str, inward: bool) -> list[Issue]:
-    found = "the faces enclose a negative volume; normals are taken the other way round"
-    return [issue("NORMALS_INWARD", root, found)] if inward else []
 
 
 def _local(motions: tuple[Motion, ...], excluded: tuple[Motion, ...], areas: Floats) -> Flags:

@@ -53,10 +53,10 @@ def labels_of(
     cost, displacement = np.zeros(len(choice.anchors)), np.zeros(len(choice.anchors))
     for copy, controls in enumerate(choice.controls):
         worst, least = np.full(len(cost), -np.inf), np.full(len(cost), np.inf)
-        importance = max(
-            _importance(requests.overrides[control].importance) for control in controls
+        importances = (requests.overrides[control].importance for control in controls)
+        worth = known.settings.objective.displacement_weight * max(
+            1.0 if each is None else each for each in importances
         )
-        worth = known.settings.objective.displacement_weight * importance
         for control in controls:
             motion = face.trajectories.motions[sets[control].motion]
             unit = displacement_unit(motion.peak, face.trajectories.typical_length, terms)
@@ -120,10 +120,6 @@ def drawn_magnification(face: Face, motion: Motion, sources: Indices, least: flo
     """(R,) how much larger than the motion of `sources` a track is drawn, for it to be as long as
     `least` as it is measured: on the screen of a flat layout."""
     return magnification(drawn_lengths(face, motion, sources), least)
-
-
-def _importance(importance: float | None) -> float:
-    return 1.0 if importance is None else importance
 
 
 def drawn_lengths(face: Face, motion: Motion, sources: Indices) -> Floats:

@@ -41,7 +41,6 @@ def mirrored(
     The normal points to the character's left.  Where less than half of the moving region has a
     mirror image within ``symmetry.tolerance`` there is no symmetry: normal zero, partners -1.
     """
-    count = len(trajectories.surface.points)
     mirror = settings.symmetry
     tolerance = mirror.tolerance * trajectories.surface.face_size
     plane = named = None
@@ -52,8 +51,8 @@ def mirrored(
         if named and not (plane and abs(named.normal @ plane.normal) >= NEARLY_ALL):
             plane = named
     if plane is None:
-        return MirrorPlane(np.zeros(3), np.zeros(3)), np.full(count, -1, dtype=np.int64)
-    plane = _towards_left(plane, named, rig, trajectories)
+        return MirrorPlane(np.zeros(3), np.zeros(3)), np.full_like(trajectories.surface.places, -1)
+    plane = _towards_left(plane, named, rig.up, trajectories)
     plane = replace(plane, origin=plane.projected(trajectories.surface.points.mean(axis=0)))
     return plane, _partners(plane, trajectories, tolerance)
 
@@ -223,18 +222,19 @@ def _between(points: Floats, images: Floats, before: MirrorPlane) -> MirrorPlane
 
 
 def _towards_left(
-    plane: MirrorPlane, named: MirrorPlane | None, rig: Rig, trajectories: Trajectories
+    plane: MirrorPlane, named: MirrorPlane | None, up: Floats, trajectories: Trajectories
 ) -> MirrorPlane:
     """The plane with its normal to the character's left.
 
     What controls of skin move faces ahead.  The skin that a joint turns lies all around it: where
-    joints alone are controls, the names of the joints decide.
+    that of skin faces no way clearly, the names of the joints decide.
     """
-    if named is not None and all(
-        rig.controls[motion.control].kind == "joint" for motion in trajectories.motions
-    ):
-        return replace(plane, normal=towards(plane.normal, named.normal))
-    left = np.cross(rig.up, moving_normals(trajectories))
+    skin = tuple(motion for motion in trajectories.motions if not motion.of_joint)
+    left = np.cross(up, moving_normals(replace(trajectories, motions=skin)))
+    # Faces have .19 to .5, the pieces of a robot and a head of thin sheets .01 to .04.
+    if abs(plane.normal @ left) <= HARDLY_ANY * len(skin):
+        every = np.cross(up, moving_normals(trajectories))
+        left = every if named is None else named.normal
     return replace(plane, normal=towards(plane.normal, left))
 
 

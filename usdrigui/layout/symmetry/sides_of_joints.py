@@ -28,9 +28,10 @@ _COUNT = re.compile(r"[ _.-]*\d+$")
 def plane_of_names(body: Body) -> MirrorPlane | None:
     """The plane between the joints whose names have left and right, at the base pose; None where
     too few do or they do not agree."""
-    twins = _twins(body.joints)
-    left = (i for i in twins if side_of(body.joints[i].name) == "left")
-    return plane_of_pairs(body, {i: twins[i] for i in left})
+    twins = _twins(body.joints).items()
+    return plane_of_pairs(
+        body, {i: twin for i, twin in twins if side_of(body.joints[i].name) == "left"}
+    )
 
 
 def plane_of_pairs(body: Body, pairs: Mapping[int, int]) -> MirrorPlane | None:

@@ -16,7 +16,8 @@ SHAPES = makers.face_shapes(POINTS)
 
 
 def test_the_board_is_tidy_and_outside_the_silhouette():
-    more = {f"copy{i}": 0.3 * each for i, each in enumerate(list(SHAPES.values())[:8])}
+    # As in many languages, what is left comes after what is right by the names.
+    more = {f"copy{9 - i}": 0.3 * each for i, each in enumerate(list(SHAPES.values())[:8])}
     line = chain.lay_out(makers.face_with(whole=np.full_like(POINTS, 0.2), **more))
     board = [element for element in line.layout.elements if element.anchor.on_board]
     assert {element.category for element in board} == {"global", "composite"}
@@ -37,6 +38,7 @@ def test_the_board_is_tidy_and_outside_the_silhouette():
     for element in pairs:
         other = next(each for each in board if each.name == element.mirror)
         assert element.anchor.position[1] == pytest.approx(other.anchor.position[1])
+        assert element.side == ("right", "left")[int(element.name[-1]) % 2]
 
 
 def test_what_the_configuration_sends_beside_stands_under_a_heading_of_its_own():

@@ -136,14 +136,12 @@ def test_controls_of_the_whole_head_cover_it_and_no_other_does(kind):
 
 def jointed(angle):
     """The mask on one joint at the origin that turns about x."""
-    base = makers.rig(POINTS, QUADS, {"unused": makers.bump(POINTS, (0, 0), (0, 0, 1))})
     drive = makers.drive(joints=[0], turns=[[[0.0, 0.0, 0.0]], [[angle, 0.0, 0.0]]])
     control = replace(makers.control("jaw:rx", 0), kind="joint", drive=drive)
-    mesh = makers.changed(base.body.meshes[0], skin=makers.skin(len(POINTS)), shapes=())
+    mesh = makers.mesh(POINTS, QUADS, skin=makers.skin(len(POINTS)))
     joint = Joint("jaw", 0, -1, np.eye(4), np.eye(4), np.eye(4))
-    return makers.changed(
-        base, meshes=(mesh,), joints=(joint,), skeletons=(Skeleton("/Root/skel", "", np.eye(4)),), controls=(control,)
-    )
+    skeleton = Skeleton("/Root/skel", "", np.eye(4))
+    return makers.changed(makers.rig_of_meshes([mesh], []), joints=(joint,), skeletons=(skeleton,), controls=(control,))
 
 
 FULL, QUADS_FULL = makers.mask()
@@ -156,10 +154,13 @@ def test_faces_wound_inward_are_noticed_and_turned():
     sides = [[i, 12 + i, 12 + (i + 1) % 12, (i + 1) % 12] for i in range(12)]
     faces = [*sides, list(range(12)), list(range(23, 11, -1))]
     shapes = {"a": makers.bump(points, (0.0, 1.0), (0, 1, 0), 1.5)}
-    right = trajectories(makers.rig(points, faces, shapes), DENSE)
-    wrong = trajectories(makers.rig(points, [face[::-1] for face in faces], shapes), DENSE)
+    inside_out = [face[::-1] for face in faces]
+    # What no control moves encloses more.
+    backdrop = makers.mesh(2.0 * points, inside_out, path="/Root/backdrop")
+    right = trajectories(makers.rig_of_meshes([*makers.rig(points, faces, shapes).body.meshes, backdrop], ["a"]), DENSE)
+    wrong = trajectories(makers.rig(points, inside_out, shapes), DENSE)
     for found in (right, wrong):
-        assert (np.einsum("ni,ni->n", found.surface.normals, points) > 0.0).all()
+        assert (np.einsum("ni,ni->n", found.surface.normals[: len(points)], points) > 0.0).all()
     assert [each.code for each in wrong.issues] == ["NORMALS_INWARD"]
     assert not right.issues
 

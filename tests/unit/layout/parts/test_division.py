@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 from scipy.spatial.distance import pdist
 
-from usdrigui.character import Channel
 from usdrigui.layer import write_layout as layer
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.parts.division import divide
@@ -32,15 +31,7 @@ def named(rig, settings=None):
 
 def test_joints_of_a_face_that_shapes_move_are_a_part_of_their_own():
     """The face of a body is laid out as without its joints."""
-    (mesh,) = BODY.body.meshes
-    smile = makers.shape(0, np.where(mesh.points[:, 1:2] > 1.4, [[0.0, 0.0, 0.05]], 0.0))
-    smiling = makers.changed(
-        BODY,
-        meshes=(makers.changed(mesh, shapes=(smile,)),),
-        channels=(Channel("smile", "/Root/anim", 0),),
-        base_weights=np.zeros(1),
-        controls=(makers.control("smile", 0), *BODY.controls),
-    )
+    smiling = limbs.smiling(BODY)
     found = named(smiling)
     assert found["face"] == {"smile"}
     assert found["head"] == named(BODY)["face"]
@@ -193,15 +184,11 @@ def test_the_whole_says_of_the_part_that_is_not_proved_why():
 
 
 def test_blend_shapes_are_of_the_part_whose_skin_they_move_and_a_neck_is_of_the_face():
-    points, owners = BODY.body.meshes[0].points, BODY.body.meshes[0].skin.joints[:, 0]
+    owners = BODY.body.meshes[0].skin.joints
     paths = [joint.path for joint in BODY.body.joints]
     on = {"smile": "h/s/t/n/Head/k0", "swallow": "h/s/t/n", "biceps": "h/s/t/a0/a1", "nail": "h/s/t/a0/a1/a2/af00/af01"}
-    shapes = [0.01 * (owners == paths.index(path))[:, None] * np.array([0.0, 0.0, 1.0]) for path in on.values()]
-    mesh = makers.changed(BODY.body.meshes[0], shapes=tuple(makers.shape(i, each) for i, each in enumerate(shapes)))
-    made = makers.changed(
-        makers.rig_of_meshes([mesh], list(on)), joints=BODY.body.joints, skeletons=BODY.body.skeletons
-    )
-    assert len(points) == len(owners)
+    shapes = {name: (owners == paths.index(path)) * [[0.0, 0.0, 0.01]] for name, path in on.items()}
+    made = limbs.with_shapes(replace(BODY, controls=()), shapes)
     assert named(made) == {"face": {"smile", "swallow"}, "body": {"biceps", "nail"}}
 
 
