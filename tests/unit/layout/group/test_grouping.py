@@ -96,7 +96,7 @@ def turning(face, turns):
     controls = []
     for each, turn in zip(face.rig.controls, turns, strict=True):
         vectors = np.array([[[sign * amount, 0, 0] for amount in turn.values()] for sign in (-1.0, 1.0)])
-        drive = replace(each.drive, joints=np.array([*turn]), rotations=vectors)
+        drive = makers.drive(each.drive.channels, joints=[*turn], turns=vectors)
         controls.append(replace(each, kind="joint", drive=drive))
     joints = tuple(Joint(f"j{i}", 0, -1, np.eye(4), np.eye(4), np.eye(4)) for i in range(2))
     return replace(face, rig=makers.changed(face.rig, controls=tuple(controls), joints=joints))
