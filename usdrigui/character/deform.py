@@ -314,25 +314,26 @@ class _Reached(Record):
         mesh = body.meshes[index]
         shapes = tuple(shape for shape in mesh.shapes if shape.channel in channels)
         skin = mesh.skin
-        if skin is None or not turning.any():
+        held = np.diff(skin.by_joint.indptr) if skin is not None else np.zeros(0, dtype=np.int64)
+        joints = np.flatnonzero(turning[: len(held)] & (held > 0))
+        if skin is None or not len(joints):
             local = [np.zeros(0, dtype=np.int64), *(shape.points for shape in shapes)]
             return cls(index, np.unique(np.concatenate(local)), shapes, False, None)
-        joints = np.flatnonzero(turning[: skin.by_joint.shape[1]])
         acting = skin.by_joint[:, joints].tocsr()
         count = np.diff(acting.indptr)
-        reached, turns = count > 0, bool(acting.nnz)
+        reached = count > 0
         for shape in shapes:
             reached[shape.points] = True
         points = np.flatnonzero(reached)
-        if shapes or skin.method != "classicLinear" or not turns:
-            return cls(index, points, shapes, turns, None)
+        if shapes or skin.method != "classicLinear":
+            return cls(index, points, shapes, True, None)
         bound = bound_points(_blended(mesh, base.weights)[points], skin)
         owner = np.repeat(np.arange(len(points)), count[points])
         data = (acting.data[:, None] * bound[owner]).ravel()
         columns = (4 * joints[acting.indices][:, None] + np.arange(4)).ravel()
         ends = np.append(0, 4 * acting.indptr[1:][reached])
         weighted = csr_array((data, columns, ends), shape=(len(points), 4 * len(body.joints)))
-        return cls(index, points, (), turns, weighted)
+        return cls(index, points, (), True, weighted)
 
 
 def _shape_offsets(part: _Reached, weights: Floats, base: Floats) -> NDArray[np.floating]:

@@ -8,9 +8,9 @@ and the next one.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
-from functools import cached_property
+from functools import cache, cached_property, partial
 
 import numpy as np
 
@@ -54,6 +54,18 @@ class BoundSkin(Record):
         """Those of its joints."""
         return _bones(self.rig.body)
 
+    @cached_property
+    def below(self) -> Flags:
+        """(joints, joints) which of its joints (columns) are which or hang below them (rows)."""
+        joints = self.rig.body.joints
+        every = [with_descendants(joints, np.array([i])) for i in range(len(joints))]
+        return np.array(every).reshape(2 * (len(joints),))
+
+    @cached_property
+    def owned(self) -> Callable[[frozenset[int]], Floats | None]:
+        """What joints own of it, worked out once for all axes of a joint."""
+        return cache(partial(_owned, self))
+
 
 def bound_skin(rig: Rig) -> BoundSkin:
     """The skin of the rig at its bind pose."""
@@ -66,12 +78,17 @@ def owned_skin(skin: BoundSkin, control: Control) -> Floats | None:
 
     A joint without skin has what lies by its bone of the skin below it.
     """
-    body, bones = skin.rig.body, skin.bones
-    driven = set(control.drive.joints.tolist())
-    joints = {i for i in driven if body.joints[i].path == control.source} or driven
-    if control.kind != "joint" or not joints or len(control.drive.channels):
+    driven = frozenset(control.drive.joints.tolist())
+    joints = frozenset(i for i in driven if skin.rig.body.joints[i].path == control.source)
+    if control.kind != "joint" or not driven or len(control.drive.channels):
         return None
-    below = _below(body, joints)
+    return skin.owned(joints or driven)
+
+
+def _owned(skin: BoundSkin, joints: frozenset[int]) -> Floats | None:
+    """(n,) how much of each point the joints own; None where no skin hangs on them."""
+    body, bones = skin.rig.body, skin.bones
+    below = frozenset(np.flatnonzero(skin.below[[*joints]].any(axis=0)).tolist()) - joints
     has_bone = any(b.joint in joints and b.next in below for b in bones)
     for holders in (joints, *((joints | below,) if has_bone else ())):
         weights = _weights(body, holders)
@@ -83,13 +100,7 @@ def owned_skin(skin: BoundSkin, control: Control) -> Floats | None:
     return None
 
 
-def _below(body: Body, joints: set[int]) -> set[int]:
-    """All joints below `joints`."""
-    found = with_descendants(body.joints, np.array(sorted(joints)))
-    return set(np.flatnonzero(found).tolist()) - joints
-
-
-def _weights(body: Body, joints: set[int]) -> Floats:
+def _weights(body: Body, joints: frozenset[int]) -> Floats:
     """(n,) weight of `joints` together at every point of the rig."""
     total = np.zeros(int(body.starts[-1]))
     for start, mesh in zip(body.starts, body.meshes, strict=False):
@@ -101,17 +112,16 @@ def _weights(body: Body, joints: set[int]) -> Floats:
     return total
 
 
-def _by_own_bone(skin: BoundSkin, joints: set[int], owned: Flags) -> Floats:
+def _by_own_bone(skin: BoundSkin, joints: frozenset[int], owned: Flags) -> Floats:
     """(n,) one where a point lies along a bone of `joints`, less at its ends and where a bone above
     or below is nearer."""
-    body, bones, points = skin.rig.body, skin.bones, skin.points
+    bones, points = skin.bones, skin.points
     factor = np.ones(len(points))
     own = [b for b in bones if b.joint in joints and b.next not in joints]
     if not own:
         return factor
-    above, below = _above(body, joints), _below(body, joints)
     starts = {bone.start.tobytes() for bone in own}
-    chain = (above | below) - joints
+    chain = {*np.flatnonzero((skin.below | skin.below.T)[[*joints]].any(axis=0))} - joints
     rivals = [b for b in bones if b.joint in chain and b.start.tobytes() not in starts]
     near, share = _nearest(points[owned], own)
     rival, _ = _nearest(points[owned], rivals)
@@ -150,15 +160,6 @@ def _bones(body: Body) -> Sequence[Bone]:
         along = _LAST * (places[k] - places[parents[k]])
         if fan[parents[k]] < FAN and along.any():
             found.append(Bone(k, -1, places[k], along))
-    return found
-
-
-def _above(body: Body, joints: set[int]) -> set[int]:
-    """The joints from the parents of `joints` up to the root."""
-    found: set[int] = set()
-    for joint in joints:
-        while (joint := body.joints[joint].parent) >= 0:
-            found.add(joint)
     return found
 
 
