@@ -307,7 +307,7 @@ def _mccormick(problem: LayoutProblem, method: str, seconds: float) -> dict[str,
         return {"note": f"{len(labels.cost)} candidates: too large to write down"}
     pairs, penalty = _written_down(problem, labels, budget)
     whole = PlainProblem(labels.start, labels.cost, pairs + pairs.T)
-    found = solve_milp(whole, float(labels.best.sum()) + penalty - 1e-6, budget, budget.work_left)
+    found = solve_milp(whole, float(labels.best.sum()) + penalty - 1e-6, budget)
     cost = None if found.chosen is None else total_cost(problem, labels.candidate[found.chosen])
     return {"cost": cost, "bound": found.bound}
 

@@ -31,7 +31,7 @@ from usdrigui.model import (
 )
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import Progress, cheap_labels, exact, milp, quadruplets, reduce, solve
+from usdrigui.solve import Progress, cheap_labels, exact, milp, reduce, reduced_problem, solve
 from usdrigui.solve.assignment import assignment
 from usdrigui.solve.budget import LOWERED_AIM, Budget
 from usdrigui.solve.exact import infeasible_penalty, solve_whole
@@ -40,8 +40,7 @@ from usdrigui.solve.label_geometry import all_labels
 from usdrigui.solve.local_search import LocalSearch
 from usdrigui.solve.milp import program, solve_milp
 from usdrigui.solve.pair_costs import pair_costs
-from usdrigui.solve.quadruplets import quadruplet_rows
-from usdrigui.solve.reduced_problem import DEAREST, PlainProblem, ReducedProblem, Row, least_sums, undominated
+from usdrigui.solve.reduced_problem import DEAREST, PlainProblem, ReducedProblem, least_sums, undominated
 from usdrigui.solve.triplets import raise_bound
 
 Way = Callable[[pytest.MonkeyPatch], None]
@@ -121,19 +120,13 @@ def by_program(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(reduce, "SMALL", 10**9)
 
 
-def by_quadruplets(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What HiGHS gets has rows of quadruplets, and fewer labels by their reduced costs."""
-    by_program(monkeypatch)
-    monkeypatch.setattr(milp, "SMALL", -1)
-
-
 def by_joining(monkeypatch: pytest.MonkeyPatch) -> None:
     """Variables are joined for as long as there are two that interact."""
     by_bounds(monkeypatch)
     monkeypatch.setattr(reduce.Reduction, "_thinned", reduce.Reduction._excluded)
 
 
-WAYS = [as_it_is, by_bounds, by_few, by_triplets, by_program, by_quadruplets, by_joining]
+WAYS = [as_it_is, by_bounds, by_few, by_triplets, by_program, by_joining]
 
 
 @pytest.mark.parametrize("way", WAYS)
@@ -147,7 +140,7 @@ def test_agrees_with_enumeration_on_random_problems(way: Way, monkeypatch: pytes
 @pytest.mark.parametrize("seed", range(4))
 def test_proves_crowds_optimal(seed: int, way: Way, monkeypatch: pytest.MonkeyPatch) -> None:
     way(monkeypatch)
-    problem = crowd(seed, variables=4, candidates=14 if way in (by_program, by_quadruplets) else 30)
+    problem = crowd(seed, variables=4, candidates=14 if way is by_program else 30)
     assert faults(problem, solve(problem, HIGHS), best_of_all(problem)) == []
 
 
@@ -196,7 +189,7 @@ def test_the_program_has_the_costs_of_the_problem(seed: int) -> None:
     """Of every layout, whatever excludes some: rows are kept, columns as small as these allow."""
     problem = crowd(seed, variables=3, candidates=7)
     plain = plain_problem(problem)
-    labels, (rows, _) = len(plain.linear), program(plain)
+    labels, rows = len(plain.linear), program(plain)
     layouts, allowed = itertools.product(*(range(mine.start, mine.stop) for mine in plain.slices)), 0
     for layout in layouts:
         chosen = np.array(layout)
@@ -226,48 +219,6 @@ def test_a_program_that_forgets_a_cost_is_caught(monkeypatch: pytest.MonkeyPatch
         test_the_program_has_the_costs_of_the_problem(0)
 
 
-def violations(seed: int) -> list[Row]:
-    """Rows of quadruplets, at shares of labels drawn by chance, that a layout violates; each is
-    compared with all layouts that no pair excludes."""
-    plain, generator = plain_problem(crowd(seed, variables=5, candidates=5)), np.random.default_rng(seed)
-    labels, together = len(plain.linear), program(plain)[1]
-    values, alive = np.zeros(labels + int(together.max(initial=0)) + 1), generator.random(labels) < 0.8
-    alive[plain.start[:-1]] = True
-    for mine in plain.slices:
-        values[mine][alive[mine]] = generator.dirichlet(np.full(alive[mine].sum(), 0.3))
-    rows = quadruplet_rows(plain, together, values, alive, 20.0, generator, Budget(HIGHS))
-    assert len(rows) > 1
-    layouts = np.array([*itertools.product(*(mine.start + np.flatnonzero(alive[mine]) for mine in plain.slices))])
-    every = np.zeros((len(layouts), len(values)))
-    np.put_along_axis(every, layouts, 1.0, axis=1)
-    for a, b in np.argwhere(np.triu(together) > 0):
-        every[:, together[a, b]] = plain.pairs[layouts[:, a], layouts[:, b]]
-    every = every[np.isfinite(every).all(axis=1)]
-    assert len(every) > 100
-    assert all(row.values @ values[row.columns] < row.low for row in rows)
-    return [row for row in rows if (every[:, row.columns] @ row.values < row.low - 1e-9).any()]
-
-
-@pytest.mark.parametrize("seed", range(6))
-def test_rows_of_quadruplets_hold_for_every_layout(seed: int) -> None:
-    assert violations(seed) == []
-
-
-def test_a_row_of_quadruplets_that_asks_too_much_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    honest = quadruplets._lifted
-    raised = lambda *given: [honest(*given)[0] + 0.01, *honest(*given)[1:]]  # noqa: E731
-    monkeypatch.setattr(quadruplets, "_lifted", raised)
-    assert violations(0)
-
-
-def test_a_row_of_quadruplets_that_asks_too_much_raises_a_bound(monkeypatch: pytest.MonkeyPatch) -> None:
-    by_quadruplets(monkeypatch)
-    honest = milp.quadruplet_rows
-    dearer = lambda *given: [row._replace(low=row.low + 0.5) for row in honest(*given)]  # noqa: E731
-    monkeypatch.setattr(milp, "quadruplet_rows", dearer)
-    assert overstated([crowd(seed, 6, 8) for seed in range(4)], monkeypatch, HIGHS.work_limit) > 0
-
-
 def plain_problem(problem: LayoutProblem) -> PlainProblem:
     labels = all_labels(problem)
     pairs = pair_costs(problem, labels, Budget(HIGHS)).toarray()
@@ -286,11 +237,11 @@ def test_rounding_is_taken_off_a_bound_not_added() -> None:
 def test_a_cutoff_just_above_the_best_cost_finds_that_layout_again(seed: int) -> None:
     problem, budget = crowd(seed, variables=4, candidates=8), Budget(HIGHS)
     best, plain = solve(problem, replace(HIGHS, gap=1e-9)), plain_problem(problem)
-    found = solve_milp(plain, best.cost + 1e-5, budget, budget.work_left)
+    found = solve_milp(plain, best.cost + 1e-5, budget)
     assert found.chosen is not None
     assert plain.value(found.chosen) == pytest.approx(best.cost)
     assert all_labels(problem).candidate[found.chosen].tolist() == best.labels.tolist()
-    none = solve_milp(plain, best.cost - 1e-5, budget, budget.work_left)
+    none = solve_milp(plain, best.cost - 1e-5, budget)
     assert (none.chosen, none.bound) == (None, best.cost - 1e-5)
 
 
@@ -357,10 +308,10 @@ def test_a_bound_raised_is_caught(owner: type, name: str, amount: float, monkeyp
 def bounds_of_stopped_runs(seed: int) -> tuple[float, list[float]]:
     """The optimum, and what HiGHS claims of it that is stopped ever later."""
     plain, budget = plain_problem(crowd(seed, variables=4, candidates=15)), Budget(HIGHS)
-    best = solve_milp(plain, 100.0, budget, budget.work_left)
+    best = solve_milp(plain, 100.0, budget)
     assert best.chosen is not None
-    shares = [budget.work * share // 6 for share in range(1, 6)]
-    return plain.value(best.chosen), [solve_milp(plain, 100.0, Budget(HIGHS), most).bound for most in shares]
+    limits = [replace(HIGHS, work_limit=budget.work * share // 6) for share in range(1, 6)]
+    return plain.value(best.chosen), [solve_milp(plain, 100.0, Budget(each)).bound for each in limits]
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -392,6 +343,16 @@ def test_dominance_that_forgets_what_pairs_cost_is_caught(monkeypatch: pytest.Mo
     honest = undominated
     monkeypatch.setattr(reduce, "undominated", lambda start, linear, _, gone: honest(start, linear, 0 * gone, gone))
     assert overstated(random_problems(), monkeypatch, HIGHS.work_limit) > 0
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_what_can_replace_a_label_costs_no_more_in_the_mean(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    plain = plain_problem(crowd(seed, variables=4, candidates=20))
+    given = plain.start, 9 * plain.linear, plain.pairs, np.isinf(plain.pairs)
+    alive = undominated(*given)
+    monkeypatch.setattr(reduced_problem, "_cheaper_in_mean", lambda own, *_: ~np.eye(len(own), dtype=bool))
+    assert alive.tolist() == undominated(*given).tolist()
+    assert not alive.all()
 
 
 def test_of_labels_that_can_replace_each_other_one_is_kept() -> None:
@@ -464,7 +425,7 @@ def test_a_gap_of_nothing_is_proved(seed: int) -> None:
 def test_every_seed_is_one_that_highs_takes(seed: int, given: int) -> None:
     """It takes 31 bits, and no more."""
     plain = plain_problem(crowd(6, variables=3, candidates=10))
-    assert milp._loaded(plain, program(plain)[0], seed).getOptionValue("random_seed")[1] == given
+    assert milp._loaded(plain, program(plain), seed).getOptionValue("random_seed")[1] == given
 
 
 def test_highs_prints_nothing(capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:

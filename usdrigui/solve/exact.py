@@ -127,7 +127,7 @@ def _search(left: Reduction, incumbent: LocalSearch, budget: Budget) -> None:
     from usdrigui.solve.milp import solve_milp
 
     method, cutoff, rest = "highs", budget.cutoff, left.plain()
-    found = solve_milp(rest, cutoff, budget, budget.settings.work_limit)
+    found = solve_milp(rest, cutoff, budget)
     if found.chosen is not None:
         incumbent.improve_from(left.representatives(found.chosen))
     budget.found(method, bound=found.bound)

@@ -17,10 +17,9 @@ from usdrigui.model import LayoutProblem
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import LabelSet
 from usdrigui.solve.pair_costs import explicit_costs, geometry_costs, meeting
+from usdrigui.solve.reduced_problem import SAME
 
-SAME = 1e-9
-"""Costs that differ by no more are of the same layout."""
-TRIES = 20
+TRIES = 10
 """Of the search per variable, each time: thousands take a second where pair costs are at hand."""
 TRAPS = 0.5
 """How much worse a search among many labels may get on its way: a crowd has many traps."""

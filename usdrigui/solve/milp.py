@@ -9,8 +9,7 @@ variables a and b cost together is one column, with a row for each label r of a 
 
 q over the labels of a, s over those of b that q does not exclude: what any q costs less than r.
 These are the rows c_rs (x_r + x_s - 1) <= y_rs (G. P. McCormick, 1976) of all s, added up and
-lifted: labels r and q that cost much the same cost it where each is chosen by half.  Of programs
-that are not small, rows of quadruplets of variables raise the bound first.
+lifted: labels r and q that cost much the same cost it where each is chosen by half.
 """
 
 from __future__ import annotations
@@ -23,36 +22,37 @@ import numpy as np
 
 from usdrigui.character import Flags, Floats, Indices
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.quadruplets import QuietHighs, quadruplet_rows
-from usdrigui.solve.reduce import SLOW, SMALL, SWEEPS
 from usdrigui.solve.reduced_problem import EPSILON, PlainProblem, Row, Solution
 
-ENTRIES_PER_WORK = 4
+ENTRIES_PER_WORK = 16
 """Of the program, that are a unit of work each time HiGHS asks whether to go on."""
 TOLERANCE = 1e-9
 """Share of a dual bound by which HiGHS's rounding may be off."""
 
 
-def solve_milp(problem: PlainProblem, cutoff: float, budget: Budget, most: int) -> Solution:
+class QuietHighs(highspy.Highs):
+    """On one thread, and without the banner that subscribing to callbacks prints."""
+
+    def enableCallbacks(self) -> None:  # noqa: N802, D102
+        self.setOptionValue("output_flag", False)
+        self.setOptionValue("threads", 1)
+        super().enableCallbacks()  # type: ignore[no-untyped-call]
+
+
+def solve_milp(problem: PlainProblem, cutoff: float, budget: Budget) -> Solution:
     """Best layout that costs less than the cutoff, or the proof that there is none.
 
-    Complete unless `budget` stops it, or `most` work is done in all; the bound of a run that is
-    stopped holds.
+    Complete unless `budget` stops it; the bound of a run that is stopped holds.
     """
     base = float(problem.least.sum())
-    rows, together = program(problem)
-    highs = _loaded(problem, rows, budget.settings.seed)
+    highs = _loaded(problem, program(problem), budget.settings.seed)
     # With it nothing is searched that costs more, and no dual bound above it is one.
     highs.setOptionValue("objective_bound", cutoff - base)
-
-    raised = -np.inf
-    if len(problem.linear) + problem.costly_pairs() > SMALL:
-        raised = _raised(highs, problem, together, cutoff - base, budget)
 
     def stopped(event: highspy.HighsCallbackEvent) -> None:
         # HiGHS asks as often on every machine, and tells no iterations.
         budget.spend(highs.getNumNz() // ENTRIES_PER_WORK)
-        if budget.stopped() or budget.work >= most:
+        if budget.stopped():
             event.interrupt()
 
     highs.cbSimplexInterrupt.subscribe(stopped)
@@ -71,7 +71,7 @@ def solve_milp(problem: PlainProblem, cutoff: float, budget: Budget, most: int) 
         values = np.array(highs.getSolution().col_value)
         chosen = np.array([mine.start + int(values[mine].argmax()) for mine in problem.slices])
     cost = np.inf if chosen is None else problem.value(chosen)
-    bound = min(base + max(_lowered(info.mip_dual_bound), raised), cutoff, cost)
+    bound = min(base + _lowered(info.mip_dual_bound), cutoff, cost)
     return Solution(bound, chosen if cost < cutoff else None, figures)
 
 
@@ -80,44 +80,8 @@ def _lowered(value: float) -> float:
     return value - TOLERANCE * (1.0 + abs(value)) if np.isfinite(value) else -np.inf
 
 
-def _raised(
-    highs: highspy.Highs, problem: PlainProblem, together: Indices, spare: float, budget: Budget
-) -> float:
-    """Add rows of quadruplets, and take the labels out that no layout uses which costs less than
-    `spare`, for as long as that raises the bound of the linear program; the bound."""
-    count, rows = len(problem.linear), highs.getNumRow()
-    labels, generator = np.arange(count), np.random.default_rng(budget.settings.seed)
-    alive, missed, raised, rounds = np.ones(count, dtype=bool), [np.inf], -np.inf, SWEEPS // 2
-    _integral(highs, labels, False)
-    # The reduced cost of every column may be off by so much.
-    tolerance = float(highs.getOptionValue("dual_feasibility_tolerance")[1])
-    rounding = tolerance * highs.getNumCol() * (1.0 + spare)
-    while len(missed) <= rounds or missed[-1] < (1.0 - SLOW) * missed[-1 - rounds]:
-        highs.run()
-        info = highs.getInfo()
-        budget.spend(info.simplex_iteration_count * highs.getNumRow() // 2)
-        if highs.getModelStatus() != highspy.HighsModelStatus.kOptimal or budget.stopped():
-            break
-        found, raised = highs.getSolution(), info.objective_function_value - rounding
-        missed.append(spare - raised)
-        gone = np.flatnonzero(alive & (np.array(found.col_dual)[:count] > missed[-1] + rounding))
-        alive[gone] = False
-        if len(gone):
-            none = np.zeros(len(gone))
-            highs.changeColsBounds(len(gone), gone.astype(np.int32), none, none)
-        idle = rows + np.flatnonzero(np.array(found.row_dual)[rows:] == 0.0)
-        if len(idle):
-            highs.deleteRows(len(idle), idle.astype(np.int32))
-        values = np.array(found.col_value)
-        for row in quadruplet_rows(problem, together, values, alive, spare, generator, budget):
-            _add(highs, row)
-    _integral(highs, labels, True)
-    return raised
-
-
-def program(problem: PlainProblem) -> tuple[list[Row], Indices]:
-    """The rows of the program, and (variables, variables) the columns of what two cost together, -1
-    for nothing.
+def program(problem: PlainProblem) -> list[Row]:
+    """The rows of the program.
 
     Its columns are the labels, which cost what they cost above the least of their variable, and
     then one of cost 1 for each row that names it.
@@ -125,14 +89,12 @@ def program(problem: PlainProblem) -> tuple[list[Row], Indices]:
     names = [np.arange(mine.start, mine.stop) for mine in problem.slices]
     rows = [Row(labels, np.ones(len(labels)), 1.0, 1.0) for labels in names]
     rows += [Row(labels, np.ones(len(labels)), -np.inf, 1.0) for labels in _cliques(problem)]
-    column, together = len(problem.linear), np.full((len(problem.slices),) * 2, -1)
-    for (a, one), (b, other) in itertools.combinations(enumerate(problem.slices), 2):
+    column = len(problem.linear)
+    for one, other in itertools.combinations(problem.slices, 2):
         found = list(_lifted(problem, one, other, column))
-        if found:
-            together[[a, b], [b, a]] = column
         column += bool(found)
         rows += found
-    return rows, together
+    return rows
 
 
 def _lifted(problem: PlainProblem, one: slice, other: slice, column: int) -> Iterator[Row]:
@@ -163,21 +125,12 @@ def _loaded(problem: PlainProblem, rows: list[Row], seed: int) -> highspy.Highs:
     costs = np.append(problem.excess, np.ones(count - labels))
     highs.addVars(count, np.zeros(count), np.where(np.arange(count) < labels, 1.0, np.inf))
     highs.changeColsCost(count, np.arange(count, dtype=np.int32), costs)
-    _integral(highs, np.arange(labels), True)
+    names, whole = np.arange(labels, dtype=np.int32), highspy.HighsVarType.kInteger
+    highs.changeColsIntegrality(labels, names, np.full(labels, whole))
     for row in rows:
-        _add(highs, row)
+        columns = row.columns.astype(np.int32)
+        highs.addRow(row.low, row.high, len(columns), columns, row.values)
     return highs
-
-
-def _integral(highs: highspy.Highs, labels: Indices, whole: bool) -> None:
-    """Whether a label is chosen or not, or by a share."""
-    kind = highspy.HighsVarType.kInteger if whole else highspy.HighsVarType.kContinuous
-    highs.changeColsIntegrality(len(labels), labels.astype(np.int32), np.full(len(labels), kind))
-
-
-def _add(highs: highspy.Highs, row: Row) -> None:
-    columns = row.columns.astype(np.int32)
-    highs.addRow(row.low, row.high, len(columns), columns, row.values)
 
 
 # --- cliques --------------------------------------------------------------------------------------

@@ -22,6 +22,8 @@ from usdrigui.character import Flags, Floats, Indices, Record, Singles
 
 EPSILON = 1e-11
 """A cost that is not above is none."""
+SAME = 1e-9
+"""Costs that differ by no more are of the same layout."""
 LARGEST_TESTED = 1200
 """Labels whose pairs are tested and swept often: tests take the cube of their number."""
 DEAREST = 64.0
@@ -368,11 +370,26 @@ def undominated(start: Indices, linear: Floats, pairs: Floats, excluded: Flags) 
         # No replacement need pay for a pair that is excluded.
         used = np.where(excluded[low:high, others], np.inf, costs)
         own, mine = linear[low:high], alive[low:high]
-        for label in np.argsort(-own, kind="stable"):
-            mine[label] = False
-            more = np.maximum.reduceat(costs[mine] - used[label], first, axis=1).sum(axis=1)
-            mine[label] = not (own[mine] - own[label] + more <= 0).any()
+        rivals = _cheaper_in_mean(own, used, costs, first)
+        order = np.argsort(-own, kind="stable")
+        for label in order[rivals[order].any(axis=1)]:
+            better = np.flatnonzero(mine & rivals[label])
+            more = np.maximum.reduceat(costs[better] - used[label], first, axis=1).sum(axis=1)
+            mine[label] = not (own[better] - own[label] + more <= 0).any()
     return alive
+
+
+def _cheaper_in_mean(own: Floats, used: Floats, costs: Floats, first: Indices) -> Flags:
+    """(n, n) which labels (columns) of a variable can replace which (rows) at no more cost in the
+    mean over what these may be used with of each other variable: a mean is no more than the largest
+    of `undominated`, and one product gives all, which leaves few to be tried."""
+    allowed = used < np.inf
+    met = np.add.reduceat(allowed, first, axis=1, dtype=np.float64)
+    share = allowed / np.repeat(np.maximum(met, 1.0), np.diff(first, append=costs.shape[1]), axis=1)
+    mean = own + share @ np.minimum(costs, DEAREST).T
+    found = mean <= mean.diagonal()[:, None] + SAME
+    np.fill_diagonal(found, False)
+    return np.asarray(found)
 
 
 def least_sums(one: Floats, other: Floats) -> Floats:
