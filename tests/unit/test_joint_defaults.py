@@ -144,10 +144,11 @@ def test_an_elbow_is_one_axis_that_lies_across_the_bend_and_a_joint_without_skin
 
 
 @pytest.mark.parametrize("turned", [0, 1, 2])
-def test_an_eye_turns_about_the_axes_that_lie_across_its_gaze(turned):
-    """Whichever of its own axes looks ahead."""
+@pytest.mark.parametrize(("neck", "height"), [(0.5, 0.6), (0.5, 1.1), (0.0, 0.6)])
+def test_an_eye_turns_about_the_axes_that_lie_across_its_gaze(neck, height, turned):
+    """Whichever of its own axes looks ahead, high above most of its head, or on a head without a neck."""
     frame = np.roll(np.eye(3), turned, axis=0)
-    at = {"h": (0, 0, 0), "h/n": (0, 0.5, 0), "h/n/l": (0.2, 0.6, 0.4), "h/n/r": (-0.2, 0.6, 0.4)}
+    at = {"h": (0, 0.5 - neck, 0), "h/n": (0, 0.5, 0), "h/n/l": (0.2, height, 0.4), "h/n/r": (-0.2, height, 0.4)}
     at |= {f"h/n/{name}": (x, 0.1, 0.1) for name, x in (("a", 0.9), ("b", -0.9))}
     rig = limbs.skeleton_rig(list(at), np.array(list(at.values()), float), range(len(at)), frame)
     axes = [turn.axes[0] @ frame for turn in turns_of(rig) if rig.body.joints[turn.home].path in ("h/n/l", "h/n/r")]

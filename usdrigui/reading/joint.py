@@ -34,7 +34,7 @@ length."""
 _MATTERS = 0.5
 """Least lever of an axis against the best axis of a joint at the end of a chain."""
 
-_ROUND = 0.9
+_ROUND = 0.85
 """Least lever of an axis against the best one where the skin of a joint is a ball."""
 
 BALL = (-30.0, 30.0)
@@ -227,7 +227,8 @@ def _roll(tree: Tree, joint: int, bind: Floats, levers: list[float]) -> int:
     another joint.
 
     A joint without skin may end the bone.  A ball that lies wholly to one side of the mirror plane
-    is an eye; it looks out of the head, which holds it.
+    is an eye; it looks across the neck and the line between the eyes, or, on a head without a neck,
+    away from the skin of the head.
     """
     bone = np.abs(tree.own(joint, tree.direction([joint])))
     if bone.any() and not tree.on_plane(joint):
@@ -238,9 +239,12 @@ def _roll(tree: Tree, joint: int, bind: Floats, levers: list[float]) -> int:
     across, middle = tree.mirror
     if abs(float(tree.places[joint, across]) - middle) <= max(levers):
         return -1
-    points, weights = tree.skin[head]
-    out = tree.places[joint] - weights @ points / weights.sum()
-    out[across] = 0.0
+    neck = tree.places[head] - tree.places[max(tree.parents[head], 0)]
+    out = np.cross(neck, np.eye(3)[across])
+    if not out.any():
+        points, weights = tree.skin[head]
+        out = tree.places[joint] - weights @ points / weights.sum()
+        out[across] = 0.0
     return first_largest(np.abs(bind @ out))
 
 
