@@ -30,15 +30,6 @@ TOLERANCE = 1e-9
 """Share of a dual bound by which HiGHS's rounding may be off."""
 
 
-class QuietHighs(highspy.Highs):
-    """On one thread, and without the banner that subscribing to callbacks prints."""
-
-    def enableCallbacks(self) -> None:  # noqa: N802, D102
-        self.setOptionValue("output_flag", False)
-        self.setOptionValue("threads", 1)
-        super().enableCallbacks()  # type: ignore[no-untyped-call]
-
-
 def solve_milp(problem: PlainProblem, cutoff: float, budget: Budget) -> Solution:
     """Best layout that costs less than the cutoff, or the proof that there is none.
 
@@ -131,6 +122,15 @@ def _loaded(problem: PlainProblem, rows: list[Row], seed: int) -> highspy.Highs:
         columns = row.columns.astype(np.int32)
         highs.addRow(row.low, row.high, len(columns), columns, row.values)
     return highs
+
+
+class QuietHighs(highspy.Highs):
+    """On one thread, and without the banner that subscribing to callbacks prints."""
+
+    def enableCallbacks(self) -> None:  # noqa: N802, D102
+        self.setOptionValue("output_flag", False)
+        self.setOptionValue("threads", 1)
+        super().enableCallbacks()  # type: ignore[no-untyped-call]
 
 
 # --- cliques --------------------------------------------------------------------------------------
