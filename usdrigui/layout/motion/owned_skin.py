@@ -56,7 +56,7 @@ class BoundSkin(Record):
 
     @cached_property
     def below(self) -> Flags:
-        """(joints, joints) whether the second of two of its joints is the first or hangs below it."""
+        """(joints, joints) whether the second of two joints is the first or hangs below it."""
         joints = self.rig.body.joints
         every = [with_descendants(joints, np.array([i])) for i in range(len(joints))]
         return np.array(every).reshape(2 * (len(joints),))
