@@ -58,8 +58,7 @@ class BoundSkin(Record):
     def below(self) -> Flags:
         """(joints, joints) whether the second of two joints is the first or hangs below it."""
         joints = self.rig.body.joints
-        every = [with_descendants(joints, np.array([i])) for i in range(len(joints))]
-        return np.array(every).reshape(2 * (len(joints),))
+        return np.array([with_descendants(joints, at) for at in np.arange(len(joints))[:, None]])
 
     @cached_property
     def owned(self) -> Callable[[frozenset[int]], Floats | None]:

@@ -85,18 +85,20 @@ def _without_drift(
 ) -> tuple[Motion, ...]:
     """The motions; shapes that move nearly every point, as solvers and scans leave them that were
     not held to the head, without the points that move no more than the rest."""
+    counts = np.diff(body.starts)
     return tuple(
         motion
         if len(controls[motion.control].drive.joints)
-        else _beyond_drift(motion, int(_on_meshes_of(body, motion.points).sum()))
+        else _beyond_drift(motion, int(counts @ _meshes_with(body, motion.points)))
         for motion in motions
     )
 
 
-def _on_meshes_of(body: Body, points: Indices) -> Flags:
-    """(n,) which points are on a mesh that has one of `points`."""
-    mesh_of = np.searchsorted(body.starts, np.arange(body.starts[-1]), side="right")
-    return np.isin(mesh_of, mesh_of[points])
+def _meshes_with(body: Body, points: Indices) -> Flags:
+    """(meshes,) which have one of `points`."""
+    found = np.zeros(len(body.meshes), dtype=bool)
+    found[np.searchsorted(body.starts, points, side="right") - 1] = True
+    return found
 
 
 def _points(motions: Sequence[Motion]) -> Indices:
@@ -227,13 +229,6 @@ def _arc_lengths(offsets: Singles) -> Floats:
     return np.asarray(lengths.sum(axis=0, dtype=np.float64))
 
 
-def _apart(body: Body, motion: Floats) -> Floats:
-    """(n, 4) what keeps points at one position apart: moving unlike, or lying on a mesh that is not
-    shown."""
-    scale = float(np.abs(motion).max(initial=0.0)) or 1.0
-    return np.column_stack([motion, np.where(body.drawn, scale, 0.0)])
-
-
 def _assembled(
     rig: Rig,
     base: Floats,
@@ -243,11 +238,15 @@ def _assembled(
     settings: TrajectorySettings,
 ) -> Trajectories:
     corners = mesh_triangles(rig.body.meshes)
-    places = weld(base, _apart(rig.body, total_motion(motions, len(base)).astype(np.float64)))
+    motion = total_motion(motions, len(base)).astype(np.float64)
+    shown = rig.body.drawn * (np.abs(motion).max(initial=0.0) or 1.0)
+    # Points at one position are apart if they move unlike, or lie on a mesh that is not shown.
+    places = weld(base, np.column_stack([motion, shown]))
     areas = point_areas(base, corners, places)
     normals = vertex_normals(base, corners, weld(base))
     # A floor or backdrop beside the character may enclose more than it does, and upside down.
-    inward = faces_inward(base, corners[_on_meshes_of(rig.body, _points(motions))[corners[:, 0]]])
+    moved = np.repeat(_meshes_with(rig.body, _points(motions)), np.diff(rig.body.starts))
+    inward = faces_inward(base, corners[moved[corners[:, 0]]])
     found = "the faces enclose a negative volume; normals are taken the other way round"
     issues = [issue("NORMALS_INWARD", rig.path, found)] if inward else []
     face_size, typical_length = _scale(rig, base, areas, motions, excluded)
