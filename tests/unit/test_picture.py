@@ -311,6 +311,7 @@ def surface(outline):
         ((1, 0, 0), ["side, character's left", "three-quarter, character's left", "front"]),
         ((0, 0, -1), ["back"]),
         ((0.6, 0, 0.8), ["azimuth 36.9°, elevation 0°", "front", "three-quarter, character's right"]),
+        (np.array([-1, 1, -1]) / np.sqrt(3), ["three-quarter back, character's right, from above"]),
         (
             (0, 1, 0),
             ["above", "three-quarter, character's left", "three-quarter, character's right"],
@@ -401,7 +402,7 @@ def test_a_character_in_parts_has_a_close_up_of_each_part_and_of_each_hand():
     assert [each.title for each in found] == ["face", "hands, character's left", "hands, character's right", "body"]
     shown = [element.name for each in found for element in each.layout.elements]
     assert sorted(shown) == sorted(element.name for element in layout.elements)
-    np.testing.assert_allclose(found[2].views[0], found[1].views[0] * [-1.0, 1.0, 1.0], atol=1e-9)
+    np.testing.assert_allclose(found[2].views, np.array(found[1].views) * [-1.0, 1.0, 1.0], atol=1e-9)
     eyes = [next(element for element in each.layout.elements if element.side != "none") for each in found[1:3]]
     pair = replace(layout, elements=tuple(eyes))
     assert [each.title for each in sections(rig, pair, evaluate(prepare(rig, pair)))][1] == "hands"

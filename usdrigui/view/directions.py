@@ -22,12 +22,15 @@ than one sees."""
 _NAMES = {
     0.0: "front",
     TURN: "three-quarter, character's left",
-    -TURN: "three-quarter, character's right",
+    45.0: "three-quarter, character's left",
     90.0: "side, character's left",
-    -90.0: "side, character's right",
+    135.0: "three-quarter back, character's left",
     180.0: "back",
 }
-"""Of level views, by azimuth."""
+"""Of views, by azimuth; those of the other side are the character's right."""
+_HIGH = 30.0
+"""Elevation from which a view is one from above, however it lies around: those between two axes and
+among three have 45 and 35.3."""
 _APART, _BEYOND = 20.0, 90.0
 """A companion shows something else than the layout's own view, and still what that one sees."""
 
@@ -73,11 +76,13 @@ def caption(direction: Floats, ahead: Floats, up: Floats) -> str:
     azimuth, elevation = angles(direction, ahead, up)
     if abs(elevation) > 90.0 - _SAME:
         return "above" if elevation > 0.0 else "below"
+    names = [name for at, name in _NAMES.items() if abs(abs(azimuth) - at) < _SAME]
+    if not names or _SAME <= abs(elevation) < _HIGH:
+        return f"azimuth {_number(azimuth)}°, elevation {_number(elevation)}°"
+    name = names[0] if azimuth > 0.0 else names[0].replace("left", "right")
     if abs(elevation) < _SAME:
-        for at, name in _NAMES.items():
-            if abs(azimuth - at) < _SAME:
-                return name
-    return f"azimuth {_number(azimuth)}°, elevation {_number(elevation)}°"
+        return name
+    return f"{name}, from {'above' if elevation > 0.0 else 'below'}"
 
 
 def companions(direction: Floats, ahead: Floats, up: Floats) -> tuple[Floats, ...]:

@@ -27,7 +27,7 @@ from usdrigui.view.flat.marks import FORMS, form_of
 from usdrigui.view.flat.pillow import painted
 from usdrigui.view.flat.scene import INK, PAPER, QUIET, Label, Mark, Page, Panel, stacked
 from usdrigui.view.panels import board_of, body, marks_of, on_character
-from usdrigui.view.sections import Section, sections, undivided
+from usdrigui.view.sections import Section, sections
 
 _TITLE, _CAPTION, _LEGEND, _GAP, _EDGE = 66, 24, 42, 14, 22
 """Heights of the title above the panels, of captions and legend below, space between panels and
@@ -86,8 +86,7 @@ def scene(rig: Rig, layout: Layout, values: ArrayLike | None, wanted: Wanted) ->
     """The picture before it is drawn; arguments and errors as of `render`."""
     posed = evaluate(prepare(rig, layout), values)
     subject = subject_of(rig.body.meshes, posed.points, complexion(rig, layout))
-    parted = wanted.azimuth is None
-    close_ups = sections(rig, layout, posed) if parted else (undivided(layout, posed),)
+    close_ups = sections(rig, layout, posed, wanted.azimuth)
     pages = []
     for number, section in enumerate(close_ups):
         # What has no handle on the character, as tongue and teeth may, needs no picture of it.
@@ -101,7 +100,7 @@ def film(rig: Rig, layout: Layout, poses: ArrayLike) -> Iterator[Image.Image]:
     """One picture from the front per row of ``poses`` (frames, controls), all framed as the base
     pose is; raises as `render`."""
     poser, colours = prepare(rig, layout), complexion(rig, layout)
-    section, wanted = undivided(layout, evaluate(poser)), Wanted(0.0, FILM)
+    (section,), wanted = sections(rig, layout, evaluate(poser), 0.0), Wanted(0.0, FILM)
     subject = subject_of(rig.body.meshes, section.posed.points, colours)
     placed = _arranged(rig, section, subject.skin, wanted)
     for values in np.asarray(poses, dtype=np.float64):
@@ -139,28 +138,16 @@ def contact_sheet(
 # --- arrangement ----------------------------------------------------------------------------------
 
 
-def _directions(rig: Rig, section: Section, azimuth: float | None) -> list[tuple[Floats, str]]:
-    """Where the views are taken from, and what they are called: the one asked for, else those of
-    the section, else the layout's own and its companions."""
-    frame, up = section.layout.frame, rig.up
-    ahead = directions.ahead_of(section.layout, up)
-    if azimuth is not None:
-        towards = [directions.turned(frame.view, up, azimuth)]
-    else:
-        companions = directions.companions(frame.view, ahead, up)
-        towards = [*(section.views or (frame.view, *companions))]
-    return [(view, directions.caption(view, ahead, up)) for view in towards]
-
-
-def _frames(rig: Rig, section: Section, skin: Floats, azimuth: float | None) -> list[Frame]:
+def _frames(rig: Rig, section: Section, skin: Floats) -> list[Frame]:
     """What the views of a section show: its elements and the character around them."""
     placed = tuple(on_character(section.layout))
     tracks = [track for i in placed for track in section.posed.elements[i].tracks]
     frames = []
-    for towards, caption in _directions(rig, section, azimuth):
-        rows = directions.camera_rows(section.layout, rig.up, towards)
+    ahead = directions.ahead_of(section.layout, rig.up)
+    for view in section.views:
+        rows = directions.camera_rows(section.layout, rig.up, view)
         low, high = framed(tracks, skin, rows, section.layout.frame.handle_width)
-        frames.append(Frame(rows, low, high, caption, placed))
+        frames.append(Frame(rows, low, high, directions.caption(view, ahead, rig.up), placed))
     return frames
 
 
@@ -186,7 +173,7 @@ def _named(frame: Frame, names: Mapping[int, str], insets: Sequence[Frame]) -> F
 
 def _arranged(rig: Rig, section: Section, skin: Floats, wanted: Wanted) -> tuple[View, ...]:
     """The views of a section in a row, and insets into the first of them in a row below."""
-    frames = _frames(rig, section, skin, wanted.azimuth)
+    frames = _frames(rig, section, skin)
     insets = _insets(section, skin, frames[0]) if wanted.azimuth is None else []
     if wanted.labels:
         placed = frames[0].shown

@@ -31,31 +31,34 @@ class Section:
     """Of the elements shown, at their own handle width."""
     posed: PosedLayout
     views: tuple[Floats, ...]
-    """Directions to the viewer, the first with the board; empty for the layout's own and its
-    companions."""
+    """Directions to the viewer, the first with the board."""
 
 
-def undivided(layout: Layout, posed: PosedLayout) -> Section:
-    """All of a character as one section without a title."""
-    return Section("", layout, posed, ())
+def sections(
+    rig: Rig, layout: Layout, posed: PosedLayout, azimuth: float | None = None
+) -> tuple[Section, ...]:
+    """One section a part, in the order of `LayoutFrame.parts`.
 
-
-def sections(rig: Rig, layout: Layout, posed: PosedLayout) -> tuple[Section, ...]:
-    """One section a part, in the order of `LayoutFrame.parts`, undivided where there is one."""
+    A character in one part has one without a title, seen from the layout's own view and its
+    companions; with an `azimuth`, degrees from that view, so has any, seen from there alone.
+    """
+    up, view = rig.up, layout.frame.view
+    ahead = directions.ahead_of(layout, up)
+    if azimuth is not None:
+        return (Section("", layout, posed, (directions.turned(view, up, azimuth),)),)
     if len(layout.frame.parts) < 2:
-        return (undivided(layout, posed),)
+        return (Section("", layout, posed, (view, *directions.companions(view, ahead, up))),)
     found: list[Section] = []
     caster = make_caster(posed.points[mesh_triangles(rig.body.meshes, visible_only=True)])
-    up, mirrored = rig.up, layout.frame.plane.turned
-    ahead = directions.ahead_of(layout, up)
+    mirrored = layout.frame.plane.turned
     for part in layout.frame.parts:
         own = [i for i, e in enumerate(layout.elements) if e.part == part.name]
         title = _TITLES.get(part.name, part.name)
         sides = _sides(layout.elements, own) if part.name in OF_SIDES else {}
+        views = [part.view, *(() if sides else directions.companions(part.view, ahead, up))]
         for side, chosen in (sides or {"": own}).items():
             # The right side is looked at from where the left one is, in the mirror.
-            view = mirrored(part.view) if side == "right" else part.view
-            views = [view, *(() if side else directions.companions(view, ahead, up))]
+            views = [mirrored(view) for view in views] if side == "right" else views
             shown = [layout.elements[i] for i in chosen if not layout.elements[i].anchor.on_board]
             places = [e.anchor.position + 0.5 * part.handle_width * e.anchor.normal for e in shown]
             if places:
@@ -95,7 +98,7 @@ def _section(
         frame=replace(
             layout.frame,
             handle_width=part.handle_width,
-            view=views[0] if views else part.view,
+            view=views[0],
             parts=(),
         ),
         proof=replace(layout.proof, status=part.status, cost=part.cost, bound=part.bound),
