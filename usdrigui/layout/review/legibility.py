@@ -120,15 +120,18 @@ def _running_along(
     lengths = np.linalg.norm(steps, axis=1)
     counts = np.maximum(np.ceil(lengths).astype(np.int64), 1)
     piece = np.repeat(np.arange(len(starts)), counts)
-    number = np.arange(len(piece)) - np.repeat(np.cumsum(counts) - counts, counts)
-    share = (number + 0.5) / counts[piece]
+    share = np.concatenate([(np.arange(count) + 0.5) / count for count in counts])
     points = starts[piece] + share[:, None] * steps[piece]
-    gaps = segment_distances(points.T[None], starts[..., None], ends[..., None])
     alike = np.abs(steps @ steps.T) >= SAME_WAY * np.outer(lengths, lengths)
-    beside = (gaps < _ALONG) & alike[:, piece]
-    first_piece = np.searchsorted(of_track, np.arange(len(tracks)))
-    by_track = np.logical_or.reduceat(beside, first_piece, axis=0)
-    first_point = np.searchsorted(of_track[piece], np.arange(len(tracks)))
-    many = np.diff(np.append(first_point, len(piece)))
-    share_along = np.add.reduceat(by_track, first_point, axis=1, dtype=np.int64) / many
-    return [(one, other) for other, one in np.argwhere(share_along > _ALONG_SHARE).tolist()]
+    of_point = of_track[piece]
+    many = np.bincount(of_point, minlength=len(tracks))
+    found = []
+    for other, track in enumerate(tracks):
+        mine = of_track == other
+        low, high = track.min(axis=0) - _ALONG, track.max(axis=0) + _ALONG
+        near = np.flatnonzero(((points > low) & (points < high)).all(axis=1))
+        to_pieces = points[near].T[None], starts[mine, :, None], ends[mine, :, None]
+        beside = (segment_distances(*to_pieces) < _ALONG) & alike[mine][:, piece[near]]
+        along = np.bincount(of_point[near[beside.any(axis=0)]], minlength=len(tracks))
+        found += [(one, other) for one in np.flatnonzero(along > _ALONG_SHARE * many).tolist()]
+    return found
