@@ -50,6 +50,42 @@ def test_keys_are_dragged_copied_deleted_and_come_back(viewer):
     assert keyed(viewer) == {"brow_L": [[1, 0.25], [11, 0.75]]}
 
 
+@pytest.mark.parametrize("shows", ["Rows", "Curves"])
+def test_a_range_of_keys_is_scaled_turned_round_and_played(viewer, shows):
+    """Alt-drag of its last key; play stays within it; frames and values are told beside the curves."""
+    page, session = viewer.page, "usdrigui.app.session"
+    for frame, value in ((1, 0.2), (11, 0.8), (21, 0.4)):
+        key(viewer, frame, brow_L=value)
+    page.keyboard.press("d")
+    page.get_by_role("button", name=shows, exact=True).click()
+    keys = (
+        page.locator(".dope-row", has_text="brow_L").locator(".dope-key")
+        if shows == "Rows"
+        else page.locator(".curve-key")
+    )
+    page.evaluate("usdrigui.app.timeline.sheet.pickAll()")
+    first, last = (keys.nth(at).bounding_box() for at in (0, 2))
+    page.keyboard.down("Alt")
+    page.mouse.move(last["x"] + last["width"] / 2, last["y"] + last["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(
+        last["x"] + last["width"] / 2 + (last["x"] - first["x"]) / 2, last["y"] + last["height"] / 2, steps=4
+    )
+    page.mouse.up()
+    page.keyboard.up("Alt")
+    assert keyed(viewer) == {"brow_L": [[1, 0.2], [16, 0.8], [31, 0.4]]}
+    page.get_by_role("button", name="Reverse").click()
+    assert keyed(viewer) == {"brow_L": [[1, 0.4], [16, 0.8], [31, 0.2]]}
+    page.evaluate("usdrigui.app.timeline.go(40)")
+    page.keyboard.press("Space")
+    viewer.until(f"{session}.frame < 40")
+    page.keyboard.press("Space")
+    assert page.evaluate(f"{session}.frame") < 31
+    numbers = page.locator(".dope-ruler i" if shows == "Rows" else ".curve-number").all_text_contents()
+    assert {"5", "45"} <= {*numbers}
+    assert shows == "Rows" or {"0", "0.5", "1"} <= {*numbers}
+
+
 def test_what_changed_is_keyed_whatever_is_selected(viewer):
     viewer.page.evaluate("usdrigui.app.session.select([usdrigui.app.session.elements.list[0]])")
     selected = viewer.page.evaluate(

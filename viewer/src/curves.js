@@ -3,11 +3,11 @@
 
 import { keyedValue } from './animation.js';
 import { bendsOf } from './interpolation.js';
-import { changedKeys, keysWithin } from './keying.js';
-import { clamp } from './vectors.js';
+import { keysWithin, retimed } from './keying.js';
 
 export const REACH = { mouse: 8, touch: 22 }; // pixels around a key
-const EDGE = 12; // pixels around the curves
+export const WIDE = 60; // pixels from one number of a frame to the next, at least
+const EDGE = 14; // pixels around the curves
 const SVG = 'http://www.w3.org/2000/svg';
 
 export class Curves {
@@ -15,7 +15,6 @@ export class Curves {
   constructor(sheet) {
     this.sheet = sheet;
     this.size = [0, 0];
-    this.moved = [0, 0]; // frames and shares of the range, while keys are dragged
     this.node = /** @type {SVGSVGElement} */ (svg('svg', { class: 'curves', role: 'img', 'aria-label': 'Curves' }));
     this.node.addEventListener('pointerdown', (event) => this.press(event));
     new ResizeObserver(() => this.sheet.shows === 'curves' && !this.sheet.node.hidden && this.draw()).observe(this.node);
@@ -38,9 +37,14 @@ export class Curves {
     if (!this.sheet.scale || !width) return;
     this.size = [width, height];
     this.node.replaceChildren(
-      ...[0, 0.5, 1].map((share) => svg('line', { class: 'curve-grid', x1: 0, x2: width, y1: this.y(share), y2: this.y(share) })),
+      ...[0, 0.5, 1].flatMap((share) => this.level(share)),
+      ...roundFrames(this.sheet.scale, width / WIDE).flatMap((frame) => [
+        svg('line', { class: 'curve-grid', x1: this.x(frame), x2: this.x(frame), y1: 0, y2: height }),
+        text(frame, { class: 'curve-number', x: this.x(frame) + 3, y: height - 2 }),
+      ]),
       ...this.controls.flatMap((control) => this.curve(control)),
       svg('line', { class: 'curve-now', y1: 0, y2: height }),
+      ...this.band(),
     );
     this.moveNow();
   }
@@ -49,6 +53,17 @@ export class Curves {
     const now = this.node.querySelector('.curve-now');
     const x = this.size ? this.x(this.session.frame) : 0;
     if (now) setAll(now, { x1: x, x2: x });
+  }
+
+  /** A line across and what it stands for: a value of the one control that is shown, or of all a share of their ranges. */
+  level(share) {
+    const shown = this.controls.map((control) => this.session.controls[control]);
+    const value = ({ minimum, maximum }) => Number((minimum + share * (maximum - minimum)).toPrecision(3));
+    const words = shown.length > 1 ? `${100 * share} %` : shown.map(value).join();
+    return [
+      svg('line', { class: 'curve-grid', x1: 0, x2: this.size[0], y1: this.y(share), y2: this.y(share) }),
+      text(words, { class: 'curve-number', x: 2, y: this.y(share) - 2 }),
+    ];
   }
 
   curve(control) {
@@ -70,8 +85,7 @@ export class Curves {
 
   keyMark(control, frame, value, colour, label) {
     const [x, y] = this.place(control, frame, value);
-    const [by] = this.moved ?? [0];
-    const on = this.sheet.picked.has(`${control} ${this.sheet.preview ? frame - by : frame}`);
+    const on = this.sheet.isPicked(control, frame);
     const mark = svg('circle', { class: on ? 'curve-key on' : 'curve-key', cx: x, cy: y, r: 4.5, fill: on ? '#fff' : colour });
     mark.append(text(`${label}, frame ${frame}: ${value.toFixed(3)}`, {}, 'title'));
     return mark;
@@ -126,42 +140,45 @@ export class Curves {
     sheet.draw();
     const [first, last] = sheet.scale;
     const [wide, high] = this.size.map((each) => each - 2 * EDGE);
-    this.moved = [0, 0];
-    const change = ([frame, value], control) => {
-      const { minimum, maximum } = session.controls[control];
-      return [frame + this.moved[0], clamp(value + this.moved[1] * (maximum - minimum), minimum, maximum)];
-    };
-    sheet.follow(event, (now) => {
+    sheet.dragging(event, (now) => {
       const [dx, dy] = [now.clientX - event.clientX, now.clientY - event.clientY];
       const upright = now.shiftKey && Math.abs(dy) > Math.abs(dx);
-      this.moved = [upright ? 0 : Math.round((dx * (last - first)) / wide), now.shiftKey && !upright ? 0 : -dy / high];
-      sheet.preview = changedKeys(session.keys, sheet.pickedKeys, change);
-      sheet.draw();
-    }, () => {
-      if (this.moved.some((each) => each !== 0)) sheet.change('Move', change);
+      const by = upright ? 0 : Math.round((dx * (last - first)) / wide);
+      const up = now.shiftKey && !upright ? 0 : -dy / high;
+      const to = retimed(by, hit[1], now.altKey ? sheet.span : null);
+      return by || up ? ([frame, value], control) => {
+        const { minimum, maximum } = session.controls[control];
+        return [to(frame), value + up * (maximum - minimum)];
+      } : null;
     });
   }
 
   ranging(event, box, from) {
     const { sheet, session } = this;
-    const before = event.shiftKey ? [...sheet.picked] : [];
-    sheet.picked = new Set(before);
-    const frame = svg('rect', { class: 'curve-band' });
-    sheet.follow(event, (now) => {
+    sheet.selecting(event, (now) => {
       const to = [now.clientX - box.left, now.clientY - box.top];
       const [low, high] = [Math.min, Math.max].map((end) => [0, 1].map((axis) => end(from[axis], to[axis])));
-      const within = ([control, when]) => {
+      sheet.range = { controls: [], frames: [], corners: [low, high] };
+      return keysWithin(session.keys, this.controls).filter(([control, when]) => {
         const at = this.place(control, when, session.keys.get(control).find(([each]) => each === when)[1]);
         return at.every((value, axis) => value >= low[axis] && value <= high[axis]);
-      };
-      const keys = keysWithin(session.keys, this.controls).filter(within);
-      sheet.picked = new Set([...before, ...keys.map((key) => key.join(' '))]);
-      sheet.draw();
-      setAll(frame, { x: low[0], y: low[1], width: high[0] - low[0], height: high[1] - low[1] });
-      this.node.append(frame);
-    }, () => {});
-    sheet.draw();
+      });
+    });
   }
+
+  /** The range that is being picked. */
+  band() {
+    const [low, high] = this.sheet.range?.corners ?? [];
+    return low ? [svg('rect', { class: 'curve-band', x: low[0], y: low[1], width: high[0] - low[0], height: high[1] - low[1] })] : [];
+  }
+}
+
+/** Round frames of a range, `most` at most, about. */
+export function roundFrames([first, last], most) {
+  const rough = Math.max(1, (last - first) / Math.max(1, most));
+  const unit = 10 ** Math.floor(Math.log10(rough));
+  const step = unit * ([1, 2, 5].find((times) => times * unit >= rough) ?? 10);
+  return [...wholeFrames(first / step, last / step)].map((count) => count * step);
 }
 
 function* wholeFrames(first, last) {

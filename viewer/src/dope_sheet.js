@@ -1,10 +1,10 @@
 // All keys, in rows (one for all controls and one for each keyed one) or as curves: picked one by one or by a range, moved,
 // copied, pasted, taken away, and told how to go on to the next.
 
-import { Curves, REACH } from './curves.js';
+import { Curves, REACH, WIDE, roundFrames } from './curves.js';
 import { button, capitalised, counted, make, segmented } from './dom.js';
 import { WAYS, wayOf } from './interpolation.js';
-import { changedKeys, copiedKeys, keysGoing, keysWithin, movedKeys, pastedKeys, removedKeys } from './keying.js';
+import { changedKeys, copiedKeys, keysGoing, keysWithin, pastedKeys, removedKeys, retimed } from './keying.js';
 import { clamp } from './vectors.js';
 
 const MARKS = { linear: 'dope-key', smooth: 'dope-key round', stepped: 'dope-key square' };
@@ -15,13 +15,13 @@ export class DopeSheet {
     this.say = say;
     this.sound = sound;
     this.picked = new Set(); // 'control frame'
+    /** @type {{keys: Map<number, any[][]>, picked: Set<string>} | null} */
     this.preview = null; // keys as they are while some are dragged
     this.copied = null;
     /** @type {any[]} */
     this.rows = [];
-    /** @type {{controls: Set<number>, frames: number[]} | null} */
-    this.range = null; // that a drag from an empty place picks
-    this.by = 0; // frames that dragged keys have moved
+    /** @type {{controls: number[], frames: number[], corners?: number[][]} | null} */
+    this.range = null; // that a drag from an empty place picks, and among curves its corners
     this.shows = 'rows';
     this.body = make('div', { class: 'dope-rows', onpointerdown: (event) => this.press(event) });
     this.curves = new Curves(this);
@@ -41,7 +41,18 @@ export class DopeSheet {
   }
 
   get keys() {
-    return this.preview ?? this.session.keys;
+    return this.preview?.keys ?? this.session.keys;
+  }
+
+  isPicked(control, frame) {
+    return (this.preview ?? this).picked.has(`${control} ${frame}`);
+  }
+
+  /** First and last frame of the picked keys, where these are not one. */
+  get span() {
+    const frames = this.pickedKeys.map(([, frame]) => frame);
+    const [first, last] = [Math.min(...frames), Math.max(...frames)];
+    return first < last ? [first, last] : null;
   }
 
   // --- head ------------------------------------------------------------------------------------------
@@ -52,9 +63,12 @@ export class DopeSheet {
     const ways = segmented('How keys go to the next', WAYS.map((way) => [way, capitalised(way), `${capitalised(way)}: the picked keys, or all, and the first key of a control from now on`]),
       () => this.way, (way) => this.go(way));
     const count = make('output', { class: 'hint' });
-    this.head = make('div', { class: 'dope-head' }, shows, ways,
+    // After a click the keys of the keyboard are the sheet's again: Space plays.
+    const back = (event) => event.detail && this.node.focus({ preventScroll: true });
+    this.head = make('div', { class: 'dope-head', onclick: back }, shows, ways,
       button('Copy', 'Copy the picked keys (Ctrl+C)', () => this.copy()),
       button('Paste', 'Paste the copied keys from this frame on (Ctrl+V)', () => this.paste()),
+      button('Reverse', 'Turn the picked keys round in time', () => this.reverse()),
       button('Delete', 'Delete the picked keys (Delete)', () => this.remove()),
       count);
     this.head.update = () => {
@@ -79,10 +93,9 @@ export class DopeSheet {
   }
 
   counted() {
-    if (!this.picked.size) return 'Drag a key to move it, an empty place to pick a range';
-    const frames = this.pickedKeys.map(([, frame]) => frame);
-    const [first, last] = [Math.min(...frames), Math.max(...frames)];
-    return `${counted(this.picked.size, 'key')} picked, ${first === last ? `frame ${first}` : `frames ${first} to ${last}`}`;
+    if (!this.picked.size) return 'Drag a key to move it (Alt scales those picked), an empty place to pick a range';
+    const where = this.span ? `frames ${this.span.join(' to ')}` : `frame ${this.pickedKeys[0][1]}`;
+    return `${counted(this.picked.size, 'key')} picked, ${where}`;
   }
 
   // --- rows ------------------------------------------------------------------------------------------
@@ -119,7 +132,14 @@ export class DopeSheet {
     const tracks = [...this.keys];
     this.rows = [{ name: 'All', controls: tracks.map(([control]) => control) }, ...tracks.map(([control]) => ({ name: session.controls[control].label, controls: [control] }))];
     const none = make('p', { class: 'hint' }, 'No keys yet: K keys what is selected or changed, Auto-key every drag.');
-    return this.body.replaceChildren(...this.waveRow(), ...(tracks.length ? this.rows.map((row) => this.row(row)) : [none]));
+    return this.body.replaceChildren(this.ruler(), ...this.waveRow(), ...(tracks.length ? this.rows.map((row) => this.row(row)) : [none]));
+  }
+
+  /** The numbers of round frames. */
+  ruler() {
+    const frames = roundFrames(this.scale, this.body.clientWidth / WIDE);
+    const marks = frames.map((frame) => make('i', { style: { left: this.along(frame) } }, String(frame)));
+    return make('div', { class: 'dope-row', 'aria-hidden': 'true' }, make('span'), make('div', { class: 'dope-ruler' }, ...marks));
   }
 
   waveRow() {
@@ -139,7 +159,7 @@ export class DopeSheet {
   /** The range that is being picked. */
   band(controls) {
     const { range } = this;
-    if (!range || !controls.some((control) => range.controls.has(control))) return [];
+    if (!range || !controls.some((control) => range.controls.includes(control))) return [];
     const [from, to] = range.frames.map((frame) => this.along(frame));
     return [make('i', { class: 'dope-band', style: { left: from, width: `calc(${to} - ${from})` } })];
   }
@@ -151,7 +171,7 @@ export class DopeSheet {
 
   /** A mark stands for one key, or for all at a frame. */
   mark(name, frame, keys) {
-    const on = keys.every(([control]) => this.picked.has(`${control} ${this.preview ? frame - this.by : frame}`));
+    const on = keys.every(([control]) => this.isPicked(control, frame));
     const way = wayOf(keys[0][1]);
     const words = `${name}, frame ${frame}${way === 'linear' ? '' : `, ${way}`}`;
     return make('button', {
@@ -197,31 +217,50 @@ export class DopeSheet {
   moving(event, start, hit) {
     this.pick(hit, event.shiftKey);
     this.draw();
+    this.dragging(event, (moved) => {
+      const by = Math.round((moved.clientX - event.clientX) * start.perPixel);
+      const to = retimed(by, hit[0][1], moved.altKey ? this.span : null);
+      return by ? ([frame, value]) => [to(frame), value] : null;
+    });
+  }
+
+  /** Picked keys as a drag has them; `change` says how, null where nothing changes. */
+  dragging(event, change) {
+    const copies = (moved) => moved.ctrlKey || moved.metaKey;
     this.follow(event, (moved) => {
-      this.by = Math.round((moved.clientX - event.clientX) * start.perPixel);
-      this.preview = this.by ? movedKeys(this.session.keys, this.pickedKeys, this.by, moved.ctrlKey || moved.metaKey) : null;
+      const how = change(moved);
+      this.preview = how && this.changed(how, copies(moved));
       this.draw();
-    }, (released) => this.moveBy(this.by, released.ctrlKey || released.metaKey));
+    }, (released) => {
+      const how = change(released);
+      if (how) this.change(copies(released) ? 'Copy' : released.altKey ? 'Scale' : 'Move', how, copies(released));
+    });
   }
 
   ranging(event, start) {
-    const before = event.shiftKey ? [...this.picked] : [];
-    this.picked = new Set(before);
-    this.follow(event, (moved) => {
+    this.selecting(event, (moved) => {
       const end = this.at(moved);
       const controls = this.rows.slice(Math.min(start.row, end.row), Math.max(start.row, end.row) + 1).flatMap((row) => row.controls);
       /** @type {[number, number]} */
       const frames = [Math.min(start.frame, end.frame), Math.max(start.frame, end.frame)];
-      this.range = { controls: new Set(controls), frames };
-      this.picked = new Set([...before, ...keysWithin(this.session.keys, controls, frames).map((key) => key.join(' '))]);
+      this.range = { controls, frames };
+      return keysWithin(this.session.keys, controls, frames);
+    });
+  }
+
+  /** Pick the keys that a drag has `within` it, beside those picked before with Shift. */
+  selecting(event, within) {
+    const before = event.shiftKey ? [...this.picked] : [];
+    const take = (keys) => {
+      this.picked = new Set([...before, ...keys.map((key) => key.join(' '))]);
       this.draw();
-    }, () => {});
-    this.draw();
+    };
+    this.follow(event, (moved) => take(within(moved)), () => {});
+    take([]);
   }
 
   /** A drag: `move` hears of each step, `drop` of the end; nothing happens when it is broken off. */
   follow(event, move, drop) {
-    this.by = 0;
     const ends = new AbortController();
     const own = (act) => (each) => each.pointerId === event.pointerId && act(each);
     const end = (act) => own((each) => {
@@ -266,18 +305,28 @@ export class DopeSheet {
     this.change(copies ? 'Copy' : 'Move', ([frame, value]) => [frame + by, value], copies);
   }
 
-  /** Picked keys as `change` has them; they stay picked. */
-  change(label, change, copies = false) {
+  /** As `changedKeys`, of the picked keys, within the ranges of their controls. */
+  changed(change, copies) {
     const { keys, controls } = this.session;
-    const picked = this.pickedKeys;
-    /** @type {(key: any[], control: number) => [number, number]} */
-    const bounded = (key, control) => {
+    return changedKeys(keys, this.pickedKeys, (key, control) => {
       const [frame, value] = change(key, control);
       return [frame, clamp(value, controls[control].minimum, controls[control].maximum)];
-    };
-    const frameOf = ([control, frame]) => bounded(keys.get(control).find(([when]) => when === frame), control)[0];
-    this.picked = new Set(picked.map((key) => `${key[0]} ${frameOf(key)}`));
-    this.session.rekey(`${label} ${counted(picked.length, 'key')}`, changedKeys(keys, picked, bounded, copies));
+    }, copies);
+  }
+
+  /** Picked keys as `change` has them; they stay picked. */
+  change(label, change, copies = false) {
+    const words = `${label} ${counted(this.picked.size, 'key')}`;
+    const { keys, picked } = this.changed(change, copies);
+    this.picked = picked;
+    this.session.rekey(words, keys);
+  }
+
+  /** Picked keys in the opposite order, between the first and the last of them. */
+  reverse() {
+    const { span } = this;
+    if (span) this.change('Reverse', ([frame, value]) => [span[0] + span[1] - frame, value]);
+    else this.say('No range of keys is picked');
   }
 
   remove() {

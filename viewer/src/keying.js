@@ -9,11 +9,12 @@ const found = (keys, picked) =>
 /**
  * @typedef {Map<number, any[][]>} Keys
  *
- * Keys with those `picked` as `change` has them, [frame, value] to [frame, value], in place of what was there; `copies` leaves
- * the old.
+ * Keys with those `picked` as `change` has them, [frame, value] to [frame, value], in place of what was there, and which these
+ * are, 'control frame' each; `copies` leaves the old.
  */
 export function changedKeys(keys, picked, change, copies = false) {
-  return withKeys(copies ? keys : removedKeys(keys, picked), found(keys, picked).map(([control, key]) => [control, [...change(key, control), wayOf(key)]]));
+  const changed = found(keys, picked).map(([control, key]) => [control, [...change(key, control), wayOf(key)]]);
+  return { keys: withKeys(copies ? keys : removedKeys(keys, picked), changed), picked: new Set(changed.map(([control, [frame]]) => `${control} ${frame}`)) };
 }
 
 /** Keys with others, [control, [frame, value, way]] each, in place of what was there. */
@@ -23,8 +24,16 @@ export function withKeys(keys, added) {
   return out;
 }
 
-/** Keys with those picked `by` frames later. */
-export const movedKeys = (keys, picked, by, copies = false) => changedKeys(keys, picked, ([frame, value]) => [frame + by, value], copies);
+/**
+ * Where frames come as the key at `held` moves `by` frames: as much later, or within a `span` scaled about the end of it that is
+ * farther away.
+ * @param {number} by @param {number} held @param {number[] | null} span
+ */
+export function retimed(by, held, span) {
+  if (!span) return (frame) => frame + by;
+  const fixed = held - span[0] > span[1] - held ? span[0] : span[1];
+  return (frame) => Math.round(fixed + ((frame - fixed) * (held + by - fixed)) / (held - fixed));
+}
 
 export function removedKeys(keys, picked) {
   const out = new Map(keys);

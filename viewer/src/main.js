@@ -43,7 +43,7 @@ const SHORTCUTS = [
   ['K', 'key the selection and all that changed'],
   ['1  2  3  4  F', 'front, three-quarter, side, back; F: closer, on the face or the selection, and back'],
   ['Space', 'play'],
-  ['D', 'all keys in rows or as curves: drag moves (Ctrl: copies), a drag from an empty place picks, Delete takes away'],
+  ['D', 'all keys in rows or as curves: drag moves (Ctrl: copies, Alt: scales those picked), a drag from an empty place picks, Space plays these, Delete takes away'],
   ['O', 'onion skin: the keys before and after as outlines'],
   ['Ctrl+C, Ctrl+V', 'copy and paste the pose of the selection, or of all'],
   ['/  ?', 'search, these gestures and keys'],

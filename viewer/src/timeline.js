@@ -28,7 +28,7 @@ export class Timeline {
   }
 
   build() {
-    this.playButton = button('▶', 'Play or stop (Space)', () => this.toggle());
+    this.playButton = button('▶', 'Play or stop (Space); picked keys: between the first and the last of them', () => this.toggle());
     this.playButton.classList.add('play');
     this.autoButton = button('Auto-key', 'Every drag sets keys at this frame', () => this.session.flipOption('autoKey'));
     this.sheetButton = toggle('Keys', 'All keys in rows: drag moves them, Ctrl-drag copies, Delete takes them away (D)', () => !this.sheet.node.hidden, () => this.openSheet());
@@ -145,8 +145,7 @@ export class Timeline {
   }
 
   keyFrames() {
-    const { keys } = this.session;
-    return [...new Set([...keys.values()].flatMap((track) => track.map(([frame]) => frame)))].sort((a, b) => a - b);
+    return [...new Set(this.sheet.everyKey.map(([, frame]) => frame))].sort((a, b) => a - b);
   }
 
   // --- keys ------------------------------------------------------------------------------------------
@@ -198,8 +197,9 @@ export class Timeline {
 
   /** Frames by the clock of what is heard, where there is a sound. */
   async play() {
-    const [first, last] = this.session.range;
-    if (this.session.neutral || this.frame >= last) this.go(this.frame >= last ? first : this.frame);
+    const [first, last] = this.sheet.span ?? this.session.range;
+    const starts = this.frame < first || this.frame >= last;
+    if (this.session.neutral || starts) this.go(starts ? first : this.frame);
     this.playing = true;
     this.update();
     const clock = await this.sound.play(this.frame);

@@ -1,16 +1,17 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { changedKeys, copiedKeys, flipped, keysGoing, keysWithin, mirroredFrom, movedKeys, pastedKeys, removedKeys, tweened } from '../src/keying.js';
+import { changedKeys, copiedKeys, flipped, keysGoing, keysWithin, mirroredFrom, pastedKeys, removedKeys, retimed, tweened } from '../src/keying.js';
 import { Posing, oppositesOf, twinsOf } from '../src/posing.js';
 
 const sorted = (keys) => [...keys].sort(([a], [b]) => a - b);
 const KEYS = new Map([[0, [[1, 0.1], [5, 0.5]]], [2, [[5, 0.9]]]]);
 
 test('keys are moved over what is there, copied, and taken away; those given stay as they are', () => {
-  assert.deepEqual(sorted(movedKeys(KEYS, [[0, 1], [2, 5]], 4)), [[0, [[5, 0.1]]], [2, [[9, 0.9]]]]);
-  assert.deepEqual(sorted(movedKeys(KEYS, [[0, 1], [0, 5]], 4)), [[0, [[5, 0.1], [9, 0.5]]], [2, [[5, 0.9]]]]);
-  assert.deepEqual(movedKeys(KEYS, [[0, 1]], 2, true).get(0), [[1, 0.1], [3, 0.1], [5, 0.5]]);
+  const later = (by) => ([frame, value]) => [retimed(by, 1, null)(frame), value];
+  assert.deepEqual(sorted(changedKeys(KEYS, [[0, 1], [2, 5]], later(4)).keys), [[0, [[5, 0.1]]], [2, [[9, 0.9]]]]);
+  assert.deepEqual(sorted(changedKeys(KEYS, [[0, 1], [0, 5]], later(4)).keys), [[0, [[5, 0.1], [9, 0.5]]], [2, [[5, 0.9]]]]);
+  assert.deepEqual(changedKeys(KEYS, [[0, 1]], later(2), true).keys.get(0), [[1, 0.1], [3, 0.1], [5, 0.5]]);
   assert.deepEqual([...removedKeys(KEYS, [[2, 5], [0, 1], [1, 1]])], [[0, [[5, 0.5]]]]);
   assert.deepEqual(KEYS.get(0), [[1, 0.1], [5, 0.5]]);
 });
@@ -19,11 +20,16 @@ test('ranges of keys are found, changed, copied elsewhere and told how to go on;
   const keys = new Map([[0, [[1, 0.1, 'stepped'], [5, 0.5]]], [2, [[5, 0.9, 'smooth']]]]);
   const range = keysWithin(keys, [0, 2], [2, 6]);
   assert.deepEqual(range, [[0, 5], [2, 5]]);
-  assert.deepEqual(sorted(changedKeys(keys, range, ([frame, value], control) => [frame + 1, value / (control + 1)])), [[0, [[1, 0.1, 'stepped'], [6, 0.5]]], [2, [[6, 0.3, 'smooth']]]]);
+  assert.deepEqual(sorted(changedKeys(keys, range, ([frame, value], control) => [frame + 1, value / (control + 1)]).keys), [[0, [[1, 0.1, 'stepped'], [6, 0.5]]], [2, [[6, 0.3, 'smooth']]]]);
   const copied = copiedKeys(keys, [[0, 1], [2, 5]]);
   assert.deepEqual(copied, [[0, [0, 0.1, 'stepped']], [2, [4, 0.9, 'smooth']]]);
   assert.deepEqual(sorted(pastedKeys(keys, copied, 5)), [[0, [[1, 0.1, 'stepped'], [5, 0.1, 'stepped']]], [2, [[5, 0.9, 'smooth'], [9, 0.9, 'smooth']]]]);
   assert.deepEqual(sorted(keysGoing('linear', keys, [[0, 1], [0, 5], [2, 5]])), [[0, [[1, 0.1], [5, 0.5]]], [2, [[5, 0.9]]]]);
+});
+
+test('a range is scaled about the end that is farther from the key that is held', () => {
+  assert.deepEqual([10, 14, 20].map(retimed(10, 20, [10, 20])), [10, 18, 30]);
+  assert.deepEqual([10, 14, 20].map(retimed(5, 12, [10, 20])), [16, 18, 20]);
 });
 
 test('a tween lies between the keys on both sides, and needs both', () => {

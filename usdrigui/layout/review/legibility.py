@@ -130,8 +130,8 @@ def _running_along(
         mine = of_track == other
         low, high = track.min(axis=0) - _ALONG, track.max(axis=0) + _ALONG
         near = np.flatnonzero(((points > low) & (points < high)).all(axis=1))
-        to_pieces = points[near].T[None], starts[mine, :, None], ends[mine, :, None]
-        beside = (segment_distances(*to_pieces) < _ALONG) & alike[mine][:, piece[near]]
+        gaps = segment_distances(points[near].T[None], starts[mine, :, None], ends[mine, :, None])
+        beside = (gaps < _ALONG) & alike[mine][:, piece[near]]
         along = np.bincount(of_point[near[beside.any(axis=0)]], minlength=len(tracks))
         found += [(one, other) for one in np.flatnonzero(along > _ALONG_SHARE * many).tolist()]
     return found
