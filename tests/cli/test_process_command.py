@@ -29,6 +29,18 @@ def test_writes_the_layer_beside_the_source_and_leaves_the_source_alone(characte
     assert of_face == ["candidates", "problem", "solve", "layout"]
 
 
+def test_of_several_characters_each_stage_says_whose_it_is(character, capsys):
+    stage = character.with_name("crowd.usda")
+    both = [f'def "{name}" (references = @{character.name}@) {{}}' for name in "AB"]
+    stage.write_text("\n".join(["#usda 1.0", *both]))
+    assert main(["process", str(stage), "--dry-run"]) == 0
+    told = capsys.readouterr().err.splitlines()
+    assert [line.split()[-2:] for line in told if line.startswith("solve")] == [
+        ["/A/Char", "face"],
+        ["/B/Char", "face"],
+    ]
+
+
 def test_it_says_what_is_not_on_the_face_and_verbosely_where_every_control_stands(character, capsys):
     character.with_suffix(".rigui.toml").write_text(
         '[controls.chin]\nplace = "board"\n[groups.groups]\ncorner = ["smile_L", "sneer_L"]\n'

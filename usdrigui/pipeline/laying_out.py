@@ -269,18 +269,14 @@ def _laid_out(
             same = [report for _, report in reports if report.root == rig.path]
             if not any(report.rig.variant_path == rig.variant_path for report in same):
                 own = as_sibling(references, rig, same[0].layout) if same else references
-                laid = _lay_out(rig, each.settings, own, clock, stop)
-                reports.append((each, laid if own is references else _beside(laid, same[0].layout)))
+                whose = f"{rig.path} " if len(each.source.rigs) > 1 else ""
+                laid = _lay_out(rig, each.settings, own, replace(clock, part=whose), stop)
+                if own is not references:
+                    # What a variant keeps of the first one is no history of its own.
+                    kept = {same[0].layout.variant_path: laid.matchings["previous"]}
+                    laid = replace(laid, difference=None, matchings=kept)
+                reports.append((each, laid))
     return reports
-
-
-def _beside(report: CharacterReport, first: Layout) -> CharacterReport:
-    """What a variant keeps of the first one is no history of its own."""
-    return replace(
-        report,
-        difference=None,
-        matchings={first.variant_path: report.matchings["previous"]},
-    )
 
 
 def _report(
@@ -368,9 +364,10 @@ def _lay_out(
 
     character = character_of(rig, settings, references, clock)
     laid: list[LaidPart] = []
+    whose = clock.part
     for part in character.parts:
         neighbours = tuple(element for each in laid for element in each.layout.elements)
-        clock = replace(clock, part=part.name)
+        clock = replace(clock, part=whose + part.name)
         inputs = part_problem(character, part, neighbours, clock)
         with clock.stage("solve", can_stop=True):
             assignment = solve(inputs.placement.problem, settings.solve, clock.solving, stop)

@@ -20,7 +20,8 @@ class Event:
 
     stage: str
     detail: str = ""
-    """The part of the character that the stage is about, if it is about one, and how far it is."""
+    """The character, where there are several, the part of it that the stage is about, if it is
+    about one, and how far it is."""
     seconds: float | None = None
     """Given when the stage has ended."""
     can_stop: bool = False
@@ -36,7 +37,8 @@ class Clock:
 
     watch: ProgressCallback | None = None
     part: str = ""
-    """Of the character that is worked on, where the stages are those of one part."""
+    """Of the character that is worked on, where the stages are those of one part, after the path
+    of the character where there are several."""
     _seconds: dict[str, float] = field(default_factory=lambda: defaultdict(float))
 
     @property
