@@ -364,14 +364,13 @@ def _lay_out(
 
     character = character_of(rig, settings, references, clock)
     laid: list[LaidPart] = []
-    whose = clock.part
     for part in character.parts:
         neighbours = tuple(element for each in laid for element in each.layout.elements)
-        clock = replace(clock, part=whose + part.name)
-        inputs = part_problem(character, part, neighbours, clock)
-        with clock.stage("solve", can_stop=True):
-            assignment = solve(inputs.placement.problem, settings.solve, clock.solving, stop)
-        with clock.stage("layout"):
+        own_clock = replace(clock, part=clock.part + part.name)
+        inputs = part_problem(character, part, neighbours, own_clock)
+        with own_clock.stage("solve", can_stop=True):
+            assignment = solve(inputs.placement.problem, settings.solve, own_clock.solving, stop)
+        with own_clock.stage("layout"):
             made = layout_of(inputs, assignment)
             own = with_own_cost(inputs, part, made, assignment)
             made = replace(made, proof=proof_of(own, made.proof.weights))

@@ -62,27 +62,26 @@ def turned(direction: Floats, up: Floats, degrees: float) -> Floats:
 
 
 def angles(direction: Floats, ahead: Floats, up: Floats) -> tuple[float, float]:
-    """Azimuth within (-180, 180] and elevation; azimuth 0 straight above and below."""
+    """Azimuth within [-180, 180] and elevation; azimuth 0 straight above and below."""
     height = float(np.clip(direction @ up, -1.0, 1.0))
     level = direction - height * up
     if np.linalg.norm(level) < 1e-6:
         return 0.0, 90.0 if height > 0.0 else -90.0
     azimuth = float(np.degrees(np.arctan2(level @ np.cross(up, ahead), level @ ahead)))
-    return (azimuth if azimuth > -180.0 + _SAME else 180.0), float(np.degrees(np.arcsin(height)))
+    return azimuth, float(np.degrees(np.arcsin(height)))
 
 
 def caption(direction: Floats, ahead: Floats, up: Floats) -> str:
     """What a view is called: by its name where it has one, else by its angles."""
-    azimuth, elevation = angles(direction, ahead, up)
+    azimuth, elevation = (round(each, 1) + 0.0 for each in angles(direction, ahead, up))
+    above = "above" if elevation > 0.0 else "below"
     if abs(elevation) > 90.0 - _SAME:
-        return "above" if elevation > 0.0 else "below"
+        return above
     names = [name for at, name in _NAMES.items() if abs(abs(azimuth) - at) < _SAME]
     if not names or _SAME <= abs(elevation) < _HIGH:
-        return f"azimuth {_number(azimuth)}°, elevation {_number(elevation)}°"
+        return f"azimuth {azimuth:g}°, elevation {elevation:g}°"  # the sum leaves no minus before 0
     name = names[0] if azimuth > 0.0 else names[0].replace("left", "right")
-    if abs(elevation) < _SAME:
-        return name
-    return f"{name}, from {'above' if elevation > 0.0 else 'below'}"
+    return name if abs(elevation) < _SAME else f"{name}, from {above}"
 
 
 def companions(direction: Floats, ahead: Floats, up: Floats) -> tuple[Floats, ...]:
@@ -95,8 +94,3 @@ def companions(direction: Floats, ahead: Floats, up: Floats) -> tuple[Floats, ..
         if _APART < apart < _BEYOND + _SAME:
             near.append((round(apart, 1), other))
     return tuple(other for _, other in sorted(near, key=lambda each: each[0])[:2])
-
-
-def _number(degrees: float) -> str:
-    """To a tenth, without a minus before zero."""
-    return f"{round(degrees, 1) + 0.0:g}"
