@@ -54,8 +54,8 @@ def handles_of(layout):
         for axis in axes:
             for control, _ in axis:
                 del plain[control.name]  # it has its bone
-        parts = [axes] if len(axes) < 3 else [[axis] for axis in axes]
-        for axes_here in parts if axes else ():
+        parts = [axes] if 0 < len(axes) < 3 else [[axis] for axis in axes]
+        for axes_here in parts:
             label = element.name if len(parts) == 1 else axes_here[0][-1][0].name
             found.append(Handle(label, number, dict(zip((1, 0), axes_here, strict=False))))
     return found

@@ -102,13 +102,13 @@ def check_meshes(layout, objects):
     """Raise LayoutError unless the meshes that carry controls are among ``objects``, by prim path,
     with the points that they had."""
     needed = {element.mesh for element in layout.elements}
-    for path, points in ((each.path, each.points) for each in layout.meshes):
-        if path in needed and path not in objects:
+    for path, points in ((each.path, each.points) for each in layout.meshes if each.path in needed):
+        if path not in objects:
             raise LayoutError(
                 f"no object of the scene is the mesh {path} with {points} vertices: import that"
                 " character, or lay out the one that is here"
             )
-        count = len(objects[path].data.vertices) if path in needed else points
+        count = len(objects[path].data.vertices)
         if count != points:
             raise LayoutError(
                 f"{objects[path].name} has {count} vertices, {path} has {points}: lay it out again"
@@ -124,12 +124,12 @@ class Character:
         self.layout = parsed(holder[LAYOUT])
         self.controls = {control.name: control for control in self.layout.controls}
         skeletons = {each.path for each in self.layout.skeletons}
-        stored = holder.get(_OBJECTS, {})
+        stored = holder[_OBJECTS]
         pairs = ((path, stored.get(str(i))) for i, path in enumerate(self.layout.paths))
-        self.objects = {path: each for path, each in pairs if each is not None and each.data}
+        self.objects = {path: each for path, each in pairs if each and each.data}
         self.armatures = {path: each for path, each in self.objects.items() if path in skeletons}
         self.meshes = {path: each for path, each in self.objects.items() if path not in skeletons}
-        self.names = json.loads(holder.get(_NAMES, "{}"))
+        self.names = json.loads(holder[_NAMES])
 
     # --- values -----------------------------------------------------------------------------------
 

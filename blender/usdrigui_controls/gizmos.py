@@ -40,7 +40,7 @@ def active():
 def give(context, character, changed):
     """Set values of controls, and keyframes where Blender records."""
     character.set_values(changed)
-    if changed and context.scene.tool_settings.use_keyframe_insert_auto:
+    if context.scene.tool_settings.use_keyframe_insert_auto:
         character.insert_keys(changed)
     visibility.touch()
 

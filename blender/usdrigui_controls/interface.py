@@ -98,8 +98,10 @@ class OnControls:
     def execute(self, context):
         """Act, and tell how many there were."""
         if self.everything:
-            every = map(Character, holders(context.scene))
-            acted_on = [(character, [*character.controls]) for character in every]
+            acted_on = [
+                (character, [*character.controls])
+                for character in map(Character, holders(context.scene))
+            ]
         else:
             acted_on = [
                 (character, [member.control for member in element.members])

@@ -28,7 +28,7 @@ class JointFrame:
     def basis(self, move):
         """A bone's (location, (3, 3) rotation, scale) for a ``move``: (rotation vector,
         translation, log scale)."""
-        rotation, translation, scale = (np.asarray(part, dtype=np.float64) for part in move)
+        rotation, translation, scale = np.array(move, dtype=np.float64)
         location = self.unit * self.turn.T @ (self.offset + translation)
         return location, self.lead @ rotations(rotation).T, self.stretch * np.exp(scale)
 

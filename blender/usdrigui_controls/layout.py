@@ -189,10 +189,6 @@ class Layout:
                 found[skeleton.path, joint.path] = JointFrame(joint.bind, joint.rest, unit)
         return found
 
-    def skeleton(self, path):
-        """The `SkeletonRest` at a prim path."""
-        return next(each for each in self.skeletons if each.path == path)
-
     def to_root(self, path):
         """(4, 4) from the space of a mesh or a skeleton to root space, for column vectors; none
         where it is neither."""

@@ -61,24 +61,33 @@ class SaveAnimation(bpy.types.Operator, ExportHelper):
     def execute(self, context):
         """Play the scene once and write the layer."""
         target = Path(bpy.path.abspath(self.filepath))
-        size = save_animation(context.scene, target, self.steps, self.with_values)
-        self.report({"INFO"}, f"{self.filepath}: {size / 1024:.0f} KB")
+        scene = context.scene
+        save_animation(scene, target, self.steps, self.with_values)
+        self.report({"INFO"}, f"{self.filepath}: frames {scene.frame_start} to {scene.frame_end}")
         return {"FINISHED"}
 
 
 def save_animation(scene, target, steps, with_values):
-    """Write the layer, with the values of the controls if these are asked for; returns its size in
-    bytes.
+    """Write the layer, with the values of the controls if these are asked for.
 
     It sublayers the layer of each character's layout, which sublayers the character.  Raises
-    LayoutError without characters, where a source is gone, or the file cannot be written.
+    LayoutError without characters, where two are one in their source, a source is gone, or the file
+    cannot be written.
     """
     need_usd()
     from pxr import Sdf, Tf, Usd
 
-    if not holders(scene):
+    characters = {
+        (each.holder.get(SOURCE, ""), each.layout.root): each
+        for each in map(Character, holders(scene))
+    }
+    if not characters:
         raise LayoutError("no character of this scene has controls: lay one out, or load a layout")
-    sources = list(dict.fromkeys(holder.get(SOURCE, "") for holder in holders(scene)))
+    if len(characters) < len(holders(scene)):
+        raise LayoutError(
+            "a character and its copy have one layout: save each from a scene of its own"
+        )
+    sources = list(dict.fromkeys(source for source, _ in characters))
     for source in sources:
         if not Path(source).is_file():
             raise LayoutError(f"the layout {source or 'of this scene'} is gone: load it again")
@@ -92,7 +101,7 @@ def save_animation(scene, target, steps, with_values):
             layer.pseudoRoot.SetInfo(name, source.pseudoRoot.GetInfo(name))
     layer.framesPerSecond = layer.timeCodesPerSecond = scene.render.fps / scene.render.fps_base
     stage, parts = Usd.Stage.Open(layer), []
-    for character in map(Character, holders(scene)):
+    for character in characters.values():
         check_meshes(character.layout, character.meshes)
         parts += _parts_of(character, stage)
         if with_values:
@@ -112,7 +121,6 @@ def save_animation(scene, target, steps, with_values):
         written.Export(str(target))
     except (OSError, Tf.ErrorException) as error:
         raise LayoutError(f"{target} cannot be written: choose another place") from error
-    return target.stat().st_size
 
 
 def _relative(source, target):
@@ -174,7 +182,8 @@ class _Skeleton:
             for token in tokens_of(stage.GetPrimAtPath(mesh))
             if (key := character.shape_key(mesh, token))
         }
-        joints = character.layout.skeleton(path).joints if self.armature else ()
+        skeletons = (each for each in character.layout.skeletons if each.path == path)
+        joints = [each for skeleton in skeletons for each in skeleton.joints if self.armature]
         self.joints = [joint.path for joint in joints]
         self.parents = list(UsdSkel.Topology(self.joints).GetParentIndices())
         self.rest = np.reshape([joint.rest for joint in joints], (-1, 4, 4))

@@ -50,7 +50,9 @@ loaded = len(character().layout.elements)
 refused = [refusal(bpy.ops.usdrigui.load_layout, filepath=task["source"])]
 mesh = next(each for each in character().meshes.values() if each.data.shape_keys)
 mesh.shape_key_clear()
-mesh.data.vertices.add(1)
-refused.append(refusal(bpy.ops.usdrigui.save_animation, filepath=task["result"] + ".usda"))
+bpy.ops.object.select_all(action="SELECT")
+for spoil in (lambda: mesh.data.vertices.add(1), bpy.ops.object.duplicate):
+    spoil()
+    refused.append(refusal(bpy.ops.usdrigui.save_animation, filepath=task["result"] + ".usda"))
 np.savez(task["result"], keyed=keyed, flipped=flipped, rest=rest, loaded=loaded, refused=refused)
 bpy.ops.preferences.addon_disable(module=module)

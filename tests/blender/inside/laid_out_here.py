@@ -11,11 +11,17 @@ from usdrigui_controls.character import Character  # noqa: E402
 from usdrigui_controls.gizmos import Hand  # noqa: E402
 from usdrigui_controls.inbetweens import key_offsets  # noqa: E402
 
+
+def placed():
+    """Where each element is."""
+    return {element.name: (element.mesh, element.point) for element in Character(holder).layout.elements}
+
+
 found = {}
 character = Character(holder)
 found["controls"], found["missing"] = len(character.controls), character.missing()
 found["unchanged"] = native.fingerprint() == before
-places = {element.name: (element.mesh, element.point) for element in character.layout.elements}
+places = placed()
 values = {each.name: 0.5 * each.maximum for each in list(character.controls.values())[::3]}
 character.set_values(values)
 read = character.values()
@@ -29,9 +35,8 @@ mesh.data.vertices.foreach_set("select", [i == vertex for i in range(len(moved))
 Hand.chosen = ((holder.name, pinned.name),)
 assert bpy.ops.usdrigui.pin() == {"FINISHED"}
 assert bpy.ops.usdrigui.lay_out() == {"FINISHED"}
-now = Character(holder).layout.element(pinned.name)
-found["pinned"] = now.mesh == pinned.mesh and now.point == vertex != pinned.point
-again = {element.name: (element.mesh, element.point) for element in Character(holder).layout.elements}
+again = placed()
+found["pinned"] = again[pinned.name] == (pinned.mesh, vertex) != places[pinned.name]
 found["kept"] = sum(places[name] == again.get(name) for name in places) / len(places)
 bpy.ops.usdrigui.remove_layout()
 found["removed"] = native.fingerprint() == before and not [name for name in list(holder.keys()) if "usdrigui" in name]
