@@ -28,6 +28,7 @@ from usdrigui.conventions.name_words import (
 from usdrigui.conventions.sides import SIDES, Side
 from usdrigui.conventions.tables import (
     Action,
+    Words,
     action_of_unit,
     actions,
     joysticks,
@@ -95,7 +96,7 @@ def meanings(names: Sequence[str], *, numbers: bool = False) -> tuple[Meaning | 
     return tuple(found)
 
 
-def distinctive_words(names: Sequence[str]) -> tuple[tuple[str, ...], ...]:
+def distinctive_words(names: Sequence[str]) -> tuple[Words, ...]:
     """(names,) the words of each name of one rig, without those of their owner."""
     bare = [words(_without_owner(name)) for name in names]
     return tuple(without_makers(without_shared(bare)))
@@ -110,7 +111,7 @@ def _without_owner(name: str) -> str:
     return last if means else name
 
 
-def without_last_side(each: tuple[str, ...]) -> tuple[str, ...]:
+def without_last_side(each: Words) -> Words:
     """The words of a name without the last of those for a side; all of them where it has none."""
     return without_side(each)[1]
 
@@ -160,18 +161,18 @@ def same_act(one: Action, other: Action) -> bool:
     return one == other or not units_of(one.name).isdisjoint(units_of(other.name))
 
 
-def _spelling(each: tuple[str, ...]) -> Spelling:
+def _spelling(each: Words) -> Spelling:
     side, rest = without_side(each)
     return Spelling(frozenset(rest), side)
 
 
-def _plain(each: tuple[str, ...]) -> list[str]:
+def _plain(each: Words) -> list[str]:
     """The words of a name without its numbers and those in front that say whose it is."""
     makers = table("codes")["makers"]["words"]
     return [word for word in each if not word.isdigit() and word not in makers]
 
 
-def _counting(names: Sequence[tuple[str, ...]]) -> set[str]:
+def _counting(names: Sequence[Words]) -> set[str]:
     """The letters by which the `names` that are no more than letters are counted, ``targetA``,
     ``targetB`` and on with ``targetAA``: most are followed by the next one, phonemes are not."""
     alone = (each[0] for each in map(_plain, names) if len(each) == 1)
@@ -180,7 +181,7 @@ def _counting(names: Sequence[tuple[str, ...]]) -> set[str]:
     return letters if followed > _FOLLOWED * len(letters) else set()
 
 
-def _meaning(each: tuple[str, ...], unit: Action | None, *, spoken: bool) -> Meaning | None:
+def _meaning(each: Words, unit: Action | None, *, spoken: bool) -> Meaning | None:
     """The words in their order first (in mouthLeft the side is a direction), then without the side;
     before both the action `unit` of which the name is the number.  Phonemes are `spoken`, but for
     letters that count."""
@@ -200,7 +201,7 @@ def _meaning(each: tuple[str, ...], unit: Action | None, *, spoken: bool) -> Mea
     return None
 
 
-def _numbered_unit(each: tuple[str, ...]) -> Action | None:
+def _numbered_unit(each: Words) -> Action | None:
     """The action unit of ``AU12``, ``L12`` or ``12``, whatever side it names."""
     numbers = [word for word in each if word.isdigit()]
     if len(numbers) != 1 or not {*each} <= {*numbers, "au", "facs", *SIDES}:
@@ -208,14 +209,14 @@ def _numbered_unit(each: tuple[str, ...]) -> Action | None:
     return action_of_unit(int(numbers[0]))
 
 
-def _called_unit(each: tuple[str, ...]) -> Action | None:
+def _called_unit(each: Words) -> Action | None:
     """The action unit that a name gives: ``AU_27_MouthStretch``."""
     pairs = itertools.pairwise(each)
     numbers = {int(after) for word, after in pairs if word == "au" and after.isdigit()}
     return action_of_unit(*numbers) if len(numbers) == 1 else None
 
 
-def _coded(each: tuple[str, ...]) -> Action | None:
+def _coded(each: Words) -> Action | None:
     """Visemes by their phonemes, moods and identity series by their words."""
     codes = table("codes")
     plain = _plain(each)

@@ -8,7 +8,7 @@ from collections import Counter
 from functools import cache
 
 from usdrigui.conventions.sides import SIDES, Side
-from usdrigui.conventions.tables import known_words, phrases, table, vocabulary
+from usdrigui.conventions.tables import Words, known_words, phrases, table, vocabulary
 
 _WORD = re.compile(
     r"[A-Z]{2,}(?=[a-z][A-Z])|[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+|[左右]|[^\W\d_A-Za-z左右]+"
@@ -21,7 +21,7 @@ _SEVERAL = 3
 """Names of actions with which a word must begin to be their maker's."""
 
 
-def words(name: str) -> tuple[str, ...]:
+def words(name: str) -> Words:
     """The words of a name, lower case: ``eye-left-slit``, ``Look_In_Right`` and ``AU12L`` come
     apart alike."""
     codes = table("codes")
@@ -42,14 +42,14 @@ def _in_english(name: str) -> str:
 
 
 @cache
-def _unglued(word: str) -> tuple[str, ...]:
+def _unglued(word: str) -> Words:
     """The known words of which a word without capitals consists, the longest first: ``jawopen``,
     ``eyeblinkleft``, ``visemee``; the word itself where it is known or they do not make it up."""
     found = None if word in known_words() else _said(word) or _pieces(word)
     return found or (word,)
 
 
-def _said(word: str) -> tuple[str, ...] | None:
+def _said(word: str) -> Words | None:
     """`word` as a word for visemes and the phoneme behind it, which may be one letter."""
     visemes = table("codes")["visemes"]
     heads = (head for head in visemes["words"] if len(head) > 2 and word.startswith(head))
@@ -59,7 +59,7 @@ def _said(word: str) -> tuple[str, ...] | None:
     )
 
 
-def _pieces(word: str) -> tuple[str, ...] | None:
+def _pieces(word: str) -> Words | None:
     """`word` as known words of two letters or more; None where it is no such row."""
     if not word:
         return ()
@@ -69,7 +69,7 @@ def _pieces(word: str) -> tuple[str, ...] | None:
     return None
 
 
-def without_side(each: tuple[str, ...]) -> tuple[Side, tuple[str, ...]]:
+def without_side(each: Words) -> tuple[Side, Words]:
     """The side that the words name, the last such word counting, and the words without it."""
     for i in reversed(range(len(each))):
         if each[i] in SIDES and len(each) > 1:
@@ -77,7 +77,7 @@ def without_side(each: tuple[str, ...]) -> tuple[Side, tuple[str, ...]]:
     return "", each
 
 
-def side_and_direction(each: tuple[str, ...]) -> tuple[Side, Side, tuple[str, ...]]:
+def side_and_direction(each: Words) -> tuple[Side, Side, Words]:
     """The side on which a control acts by its name, the one to which it may go, and the words
     without the two: one word holds both unless there is another one behind which the eyes look."""
     looks = [i for i, word in enumerate(each) if word in _GAZE]
@@ -89,7 +89,7 @@ def side_and_direction(each: tuple[str, ...]) -> tuple[Side, Side, tuple[str, ..
     return side, SIDES[each[behind[0]]], rest
 
 
-def without_shared(names: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
+def without_shared(names: list[Words]) -> list[Words]:
     """The names without the words that nearly all of them begin or end with."""
     for end in (0, -1):
         while len(names) > 2:
@@ -103,7 +103,7 @@ def without_shared(names: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
     return names
 
 
-def without_makers(names: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
+def without_makers(names: list[Words]) -> list[Words]:
     """The names without the word of their owner: a word of no convention with which several
     names begin that mean actions without it.  VRoid's Fcl_MTH_A is beside ARKit's names in some
     rigs."""
@@ -118,7 +118,7 @@ def without_makers(names: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
 
 
 @cache
-def is_action(each: tuple[str, ...]) -> bool:
+def is_action(each: Words) -> bool:
     """Whether the words of a name are one of the phrases."""
     _, toward, rest = side_and_direction(each)
     return any(phrase.fits(rest, toward) for phrase in phrases())

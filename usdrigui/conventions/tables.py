@@ -17,6 +17,8 @@ Region = Literal[
     "eye", "gaze", "brow", "forehead", "cheek", "nose", "jaw", "chin",
     "mouth", "mouthCorner", "upperLip", "lowerLip", "ear", "neck", "head", "interior", "face",
 ]  # fmt: skip
+Words = tuple[str, ...]
+"""Those of a name, as `usdrigui.conventions.words` gives them."""
 
 _CORE = 2.0
 """Importance of the actions without which no face is animated."""
@@ -78,7 +80,7 @@ class Phrase:
     alone: frozenset[str] | None
     """The only other words that may be beside them; None for any."""
 
-    def fits(self, rest: tuple[str, ...], toward: Side) -> bool:
+    def fits(self, rest: Words, toward: Side) -> bool:
         """Whether the words of a name, and the side to which it may go, are such."""
         own = {*rest, toward} if self.directed else set(rest)
         if self.without & own:

@@ -19,13 +19,16 @@ from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import Element, Group
 from usdrigui.settings import LevelSettings
 
+Inner = dict[str, set[str]]
+"""Names of the members of each coarse group, by its name."""
+
 
 def with_levels(
     rig: Rig,
     groups: tuple[Group, ...],
     settings: LevelSettings,
     requests: Requests,
-    regions: dict[str, set[str]],
+    regions: Inner,
 ) -> tuple[Group, ...]:
     """The groups on their levels, and a group of its own for every axis of those that
     `levels.groups` opens; where nobody asks for levels, those of crowded `regions`.
@@ -43,9 +46,7 @@ def with_levels(
     inner = {name: {part.name for part in made} for name, made in parts.items()}
     inner |= _of_poses(rig, groups) if settings.poses else {}
     configured = _configured(rig, groups, requests)
-    inner = {
-        name: members for name, members in inner.items() if name not in configured
-    } | configured
+    inner |= configured
     derived = (made for name, made in parts.items() if name not in configured)
     everything = (*groups, *chain.from_iterable(derived))
     _check(inner, configured)
@@ -109,9 +110,9 @@ def _parts(rig: Rig, group: Group) -> Iterator[Group]:
         )
 
 
-def _of_poses(rig: Rig, groups: tuple[Group, ...]) -> dict[str, set[str]]:
+def _of_poses(rig: Rig, groups: tuple[Group, ...]) -> Inner:
     """Members of every pose: the groups of the other controls that set what it sets."""
-    found: dict[str, set[str]] = {}
+    found: Inner = {}
     driven = {
         group.name: _driven(rig.controls, group.all_controls, poses=False) for group in groups
     }
@@ -137,10 +138,10 @@ def _driven(
     )
 
 
-def _configured(rig: Rig, groups: tuple[Group, ...], requests: Requests) -> dict[str, set[str]]:
+def _configured(rig: Rig, groups: tuple[Group, ...], requests: Requests) -> Inner:
     """Members as the configuration names them; what a layout has to which this one adds may be
     named, and has no group here."""
-    found: dict[str, set[str]] = {}
+    found: Inner = {}
     faults = Faults()
     for name, members in requests.levels.items():
         with faults.collected():
@@ -173,7 +174,7 @@ def _named(rig: Rig, groups: tuple[Group, ...], name: str, where: str) -> Group 
     return next((group for group in groups if index in group.all_controls), None)
 
 
-def _check(inner: dict[str, set[str]], configured: dict[str, set[str]]) -> None:
+def _check(inner: Inner, configured: Inner) -> None:
     """Two levels: what the configuration names contradicts itself, what is derived gives way."""
     for name, members in inner.items():
         if name in members:
@@ -197,7 +198,7 @@ def _check(inner: dict[str, set[str]], configured: dict[str, set[str]]) -> None:
             inner[name].clear()
 
 
-def _with_states(groups: Iterable[Group], inner: dict[str, set[str]]) -> Iterator[Group]:
+def _with_states(groups: Iterable[Group], inner: Inner) -> Iterator[Group]:
     """The groups with their members and the states in which they are visible: none opened, each
     one."""
     coarse = sorted(name for name, members in inner.items() if members)

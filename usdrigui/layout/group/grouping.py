@@ -165,7 +165,7 @@ class _Grouping:
                     axes[-1] += (motion,)
                 else:
                     axes.append((motion,))
-            if len(_motions_of([_Merged(tuple(axes))])) < 2:
+            if sum(map(len, axes)) < 2:
                 what = "a group needs two controls that move something"
                 raise refuse("CONFIG_VALUE", f'groups.groups."{name}"', what)
             found.append(_Merged(tuple(axes), "grouped by the configuration", name))
@@ -448,7 +448,7 @@ class _Grouping:
         if not placed and all_aside(face.aside[self.sets[index].points]):
             return True
         # A name of the region alone does not place it in the middle.
-        is_expected = expected is not None and meaning is not None and not meaning.action.vague
+        is_expected = meaning is not None and not meaning.action.vague
         both_sides = expected.both_sides if expected is not None and is_expected else None
         return two_lobed(motion, face.aside[motion.points], face.views.anywhere, both_sides)
 

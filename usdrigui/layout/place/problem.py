@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from itertools import chain
+from itertools import chain, combinations
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -53,6 +53,10 @@ one covers another."""
 _COINCIDENT = 1e-9
 """Separation that forbids only a shared point, in face sizes."""
 
+Contradiction = tuple[RigUIError, tuple[frozenset[int], ...]]
+"""FIXED_IMPOSSIBLE where fixed anchors contradict each other, and the controls of each element that
+they are of."""
+
 
 class PlacementProblem(Record):
     """The problem whose solution is the layout of all groups that may stand on the face."""
@@ -61,9 +65,7 @@ class PlacementProblem(Record):
     problem: LayoutProblem
     choices: tuple[Choice, ...]
     """(variables,) what the labels of each variable mean."""
-    impossible: tuple[RigUIError, tuple[frozenset[int], ...]] | None = None
-    """FIXED_IMPOSSIBLE where the fixed anchors contradict each other, and the controls of each
-    element that they are of."""
+    impossible: Contradiction | None = None
 
 
 def placement_problem(
@@ -302,32 +304,29 @@ def _impossible(
     groups: tuple[Group, ...],
     choices: tuple[Choice, ...],
     overrides: tuple[ControlSettings, ...],
-) -> tuple[RigUIError, tuple[frozenset[int], ...]] | None:
+) -> Contradiction | None:
     """FIXED_IMPOSSIBLE when the fixed anchors contradict each other, naming them."""
     fixed = list(_fixed(groups, choices, overrides))
     controls = {number: groups[choices[number].group].all_controls for number in fixed}
 
-    def told(what: str, *numbers: int) -> tuple[RigUIError, tuple[frozenset[int], ...]]:
+    def told(what: str, *numbers: int) -> Contradiction:
         error = refuse("FIXED_IMPOSSIBLE", problem.variables[numbers[0]].name, what)
         return error, tuple(controls[number] for number in numbers)
 
     for number in fixed:
-        anchors = sorted({overrides[c].anchor for c in groups[choices[number].group].controls})
-        anchors = [anchor for anchor in anchors if anchor]
+        group = groups[choices[number].group]
+        anchors = sorted({overrides[control].anchor for control in group.controls} - {""})
         if len(anchors) > 1:
             return told(f"one element is fixed at {' and at '.join(anchors)}", number)
         if not len(choices[number].anchors):
             why = "not all of its controls can be anchored there, or its copies would collide"
             return told(f"cannot be anchored at {anchors[0]}: {why}", number)
-    for place, a in enumerate(fixed):
-        for b in fixed[place + 1 :]:
-            one, other = problem.variables[a], problem.variables[b]
-            if not problem.together[a, b]:
-                continue
-            apart = cdist(one.handles[0], other.handles[0]).min()
-            if apart < problem.separation:
-                share = f"{apart / problem.separation:.2f} of the least distance of two handles"
-                return told(f"is fixed at {share} from {other.name}", a, b)
+    for a, b in combinations(fixed, 2):
+        one, other = problem.variables[a], problem.variables[b]
+        apart = cdist(one.handles[0], other.handles[0]).min()
+        if problem.together[a, b] and apart < problem.separation:
+            share = f"{apart / problem.separation:.2f} of the least distance of two handles"
+            return told(f"is fixed at {share} from {other.name}", a, b)
     return None
 
 

@@ -10,7 +10,7 @@ from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
 from usdrigui.character import Control, Floats, Indices
-from usdrigui.character.joint_tree import unit
+from usdrigui.character.joint_tree import level, unit
 from usdrigui.errors import Faults, check_known, refuse
 from usdrigui.model import BaseSurface, Motion, Trajectories
 from usdrigui.settings import ControlSettings
@@ -85,9 +85,7 @@ def _axis(surface: BaseSurface, orbit: Sequence[Motion], up: Floats) -> tuple[Fl
     middles = np.stack([_middle(surface, motion) for motion in orbit])
     centre = middles.mean(axis=0)
     if len(orbit) == 2:
-        apart = unit(middles[1] - middles[0])
-        axis = up - (up @ apart) * apart
-        return centre, unit(axis)
+        return centre, level(up, unit(middles[1] - middles[0]))
     axis = np.linalg.svd(middles - centre)[2][2]
     turn = np.cross(middles[0] - centre, middles[1] - centre) @ axis
     # With three members 120 degrees apart either sense may be listed; the list decides.

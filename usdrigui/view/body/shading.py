@@ -11,6 +11,7 @@ import numpy as np
 from scipy.ndimage import maximum_filter, minimum_filter
 
 from usdrigui.character import Flags, Floats, Indices, Record, RigMesh, Singles
+from usdrigui.character.joint_tree import unit
 from usdrigui.character.rays import Caster, make_caster
 from usdrigui.character.surface import mesh_triangles, vertex_normals, weld
 
@@ -251,9 +252,9 @@ def _lit(normals: Singles) -> Singles:
     sky, ground = np.array(_SKY, dtype=np.float32), np.array(_GROUND, dtype=np.float32)
     light = ground + height * (sky - ground)
     for direction, colour in _LIGHTS:
-        toward = np.array(direction) / np.linalg.norm(direction)
+        toward = unit(np.array(direction))
         half = toward + np.array([0.0, 0.0, 1.0])
-        ways = np.stack([toward, half / np.linalg.norm(half)], axis=1).astype(np.float32)
+        ways = np.stack([toward, unit(half)], axis=1).astype(np.float32)
         facing, shine = np.split(n @ ways, 2, axis=1)
         # Light that wraps a little round the form keeps the turn to the shadow soft, as on skin.
         lit = np.maximum((facing + 0.15) / 1.15, 0.0)
