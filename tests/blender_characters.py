@@ -6,12 +6,11 @@ import laid_out
 import makers
 import numpy as np
 import skinned_stages
-from pxr import Sdf, Usd, UsdGeom
+from pxr import Usd, UsdGeom
 from usdskel_oracle import Oracle
 from viewer_layouts import member_at
 
 from usdrigui.character.deform import channel_state, posed
-from usdrigui.layer.write_layout import stage_metadata, write_layout
 from usdrigui.model import Element, Member
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
@@ -26,7 +25,7 @@ def written(source, **options):
     (rig,) = read_rigs(source, Settings())
     layout = laid_out.layout_of(rig, **options)
     target = source.with_name(f"{source.stem}.rigui.usda")
-    write_layout([(rig, layout)], source, target, stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
+    laid_out.written(source, rig, layout, target.name)
     return target, rig, layout
 
 
@@ -89,7 +88,7 @@ def sample(folder):
         drawn=makers.frame(0.44, normal=(1.0, 0.0, 0.0)),
     )
     target = folder / "char.rigui.usda"
-    write_layout([(rig, layout)], source, target, stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
+    laid_out.written(source, rig, layout, target.name)
     return target, rig, source
 
 

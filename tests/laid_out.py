@@ -13,7 +13,7 @@ from usdrigui.character.deform import channel_state, deform, knots, posed, sweep
 from usdrigui.layer.properties import element_name
 from usdrigui.layer.read_layout import element_prims, points_by_role
 from usdrigui.layer.write_layout import layer_for, stage_metadata
-from usdrigui.model import Element, Proof
+from usdrigui.model import Element, LayoutPart, Proof
 
 
 def layout_of(rig, seed=0, groups=None, base_values=None, beside=(), adapt="deform", only=None):
@@ -112,6 +112,13 @@ def keyed(path, rig, poses):
     stage.SetStartTimeCode(0)
     stage.SetEndTimeCode(len(poses) - 1)
     return stage
+
+
+def parted(layout, widths, names):
+    """The layout with parts whose handles have these widths, by name; `names` are those of its elements' parts."""
+    parts = tuple(LayoutPart(name, width, layout.frame.view, "optimal", 0.0, 0.0) for name, width in widths.items())
+    elements = tuple(replace(each, part=name) for each, name in zip(layout.elements, names, strict=False))
+    return replace(layout, elements=elements, frame=replace(layout.frame, parts=parts))
 
 
 def written(source, rig, layout, name="char.rigui.usda"):

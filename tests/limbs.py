@@ -68,12 +68,9 @@ def hand_rig():
 def body_rig():
     """Hips, a chest, a head, straight arms a and b along x, straight legs c and d down, with ends without skin."""
     at = {"h": (0, 0, 0), "h/s": (0, 0.5, 0), "h/s/n": (0, 1.0, 0), "h/s/n/e": (0, 1.4, 0)}
-    for side, name in ((1, "a"), (-1, "b")):
-        for k, x in enumerate((0.25, 0.85, 1.4, 1.6)):
-            at["h/s/" + "/".join(f"{name}{i}" for i in range(k + 1))] = (side * x, 0.9, 0)
-    for side, name in ((1, "c"), (-1, "d")):
-        for k, y in enumerate((-0.1, -0.9, -1.7, -1.9)):
-            at["h/" + "/".join(f"{name}{i}" for i in range(k + 1))] = (side * 0.2, y, 0)
+    for side, (arm, leg) in ((1, "ac"), (-1, "bd")):
+        hang(at, "h/s", arm, [(side * x, 0.9, 0) for x in (0.25, 0.85, 1.4, 1.6)])
+        hang(at, "h", leg, [(side * 0.2, y, 0) for y in (-0.1, -0.9, -1.7, -1.9)])
     names, places = by_depth(at)
     owners = [i for i, name in enumerate(names) if name[-1] not in "e3"]
     return skeleton_rig(names, places, owners)
@@ -91,6 +88,15 @@ def twisted_body(twists):
     names, places = by_depth(at)
     owners = [i for i, name in enumerate(names) if name[-1] != "e" and name not in limbs]
     return skeleton_rig(names, places, owners)
+
+
+def hang(at, path, name, places):
+    """Add joints `name`0, `name`1 and on at `places`, each below the one before, to those `at` the joint `path`; the
+    path of the last."""
+    for number, place in enumerate(places):
+        path += f"/{name}{number}"
+        at[path] = place
+    return path
 
 
 def by_depth(at):
@@ -163,19 +169,11 @@ def whole_body(ahead=1.0, head="Head", bare=()):
     for k, (x, y) in enumerate((x, y) for x in (-1, 0, 1) for y in (-1, 0, 1)):
         at[f"h/s/t/n/{head}/k{k}"] = (0.08 * x, 1.5 + 0.08 * y, ahead * (0.12 - 0.02 * abs(x)))
     for side, name in ((1, "a"), (-1, "b")):
-        arm = "h/s/t"
-        for k, x in enumerate((0.25, 0.85, 1.4)):
-            arm += f"/{name}{k}"
-            at[arm] = (side * x, 0.9, 0)
+        hand = hang(at, "h/s/t", name, [(side * x, 0.9, 0) for x in (0.25, 0.85, 1.4)])
         for finger in range(4):
-            chain = arm
-            for k, x in enumerate((1.5, 1.56, 1.61, 1.65)):
-                chain += f"/{name}f{finger}{k}"
-                at[chain] = (side * x, 0.9, 0.04 * (finger - 1.5))
-        leg = "h"
-        for k, y in enumerate((-0.1, -0.9, -1.7)):
-            leg += f"/{name}l{k}"
-            at[leg] = (side * 0.2, y, 0)
+            z = 0.04 * (finger - 1.5)
+            hang(at, hand, f"{name}f{finger}", [(side * x, 0.9, z) for x in (1.5, 1.56, 1.61, 1.65)])
+        hang(at, "h", f"{name}l", [(side * 0.2, y, 0) for y in (-0.1, -0.9, -1.7)])
     names, places = by_depth(at)
     ends = {name for name in names if "f" in name.rpartition("/")[2] and name[-1] == "3"}
     owners = [i for i, name in enumerate(names) if name not in ends and name[-2:] not in bare]

@@ -45,9 +45,13 @@ def decimated(rig, share):
     return changed(rig, meshes=tuple(_merged(mesh, _absorbed(mesh, share), np.array, 2) for mesh in rig.body.meshes))
 
 
+def _faces(mesh):
+    return np.split(mesh.topology.face_indices, np.cumsum(mesh.topology.face_counts)[:-1])
+
+
 def _absorbed(mesh, share):
     """(n, 1) which point each becomes: itself, or a neighbour that takes in two at most."""
-    corners = np.split(mesh.topology.face_indices, np.cumsum(mesh.topology.face_counts)[:-1])
+    corners = _faces(mesh)
     pairs = np.concatenate([np.stack([face, np.roll(face, 1)], axis=1) for face in corners])
     place, taken = np.arange(len(mesh.points)), np.zeros(len(mesh.points))
     left = (1.0 - share) * len(place)
@@ -61,8 +65,7 @@ def _merged(mesh: RigMesh, cell, reshaped, lost):
     """The mesh whose points of one cell (n, k) are one, without faces that have lost more corners."""
     _, kept, place = np.unique(cell, axis=0, return_index=True, return_inverse=True)
     place = place.reshape(-1)
-    corners = np.split(place[mesh.topology.face_indices], np.cumsum(mesh.topology.face_counts)[:-1])
-    shrunk = [(len(face), list(dict.fromkeys(face.tolist()))) for face in corners]
+    shrunk = [(len(face), list(dict.fromkeys(place[face].tolist()))) for face in _faces(mesh)]
     faces = [face for count, face in shrunk if len(face) >= max(3, count - lost)]
     old = mesh.points[kept]
     shapes = []
@@ -91,7 +94,7 @@ def split(rig):
 
 
 def _halves(mesh):
-    corners = np.split(mesh.topology.face_indices, np.cumsum(mesh.topology.face_counts)[:-1])
+    corners = _faces(mesh)
     for name, faces in (("", corners[: len(corners) // 2]), ("_more", corners[len(corners) // 2 :])):
         kept, place = np.unique(np.concatenate(faces), return_inverse=True)
         inside = [np.isin(shape.points, kept) for shape in mesh.shapes]

@@ -16,8 +16,13 @@ def grid(side=SIDE, size=1.0, seed=0):
     rng = np.random.default_rng(seed)
     x, y = np.meshgrid(np.linspace(-size, size, side), np.linspace(-size, size, side))
     points = np.stack([x, y, 0.2 * rng.normal(size=x.shape)], axis=-1).reshape(-1, 3)
+    return points, quads(side)
+
+
+def quads(side):
+    """The quads of a sheet of side^2 points, row by row."""
     corner = np.arange(side * side).reshape(side, side)[:-1, :-1].ravel()
-    return points, np.stack([corner, corner + 1, corner + side + 1, corner + side], axis=1)
+    return np.stack([corner, corner + 1, corner + side + 1, corner + side], axis=1)
 
 
 def matrix(rotation=(0.0, 0.0, 0.0), translation=(0.0, 0.0, 0.0), scale=(1.0, 1.0, 1.0)):

@@ -19,10 +19,8 @@ from pathlib import Path
 import laid_out
 import numpy as np
 import skinned_stages
-from pxr import Sdf
 
 from usdrigui.character.deform import deform
-from usdrigui.layer.write_layout import stage_metadata, write_layout
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
 from usdrigui.stages.schema import schema_path
@@ -75,8 +73,7 @@ def write_samples(folder: Path) -> dict[str, list[str]]:
         (rig,) = read_rigs(source, Settings())
         layout = laid_out.layout_of(rig)
         target = folder / f"{name}.rigui{suffix}"
-        metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
-        write_layout([(rig, layout)], source, target, metadata)
+        laid_out.written(source, rig, layout, target.name)
         rng = np.random.default_rng(11)
         poses = [rig.defaults, *(laid_out.random_values(rig, rng) for _ in range(2))]
         top = laid_out.keyed(str(target), rig, poses).GetRootLayer()

@@ -4,6 +4,7 @@ import json
 import xml.etree.ElementTree as ElementTree
 from dataclasses import replace
 
+import laid_out
 import numpy as np
 import pytest
 from laid_out import on_face
@@ -11,7 +12,6 @@ from laid_out import on_face
 from usdrigui import pipeline
 from usdrigui.cli import main
 from usdrigui.clients import picker
-from usdrigui.model import LayoutPart
 from usdrigui.settings import Settings
 from usdrigui.view.flat.scene import Label
 from usdrigui.view.flat.svg import svg
@@ -136,13 +136,8 @@ def test_characters_and_parts_are_side_by_side(characters, page):
     assert two.size == (2 * page.size[0], page.size[1])
     rig, layout = characters[0]
     widths = {"face": layout.frame.handle_width, "hands": 2.0 * layout.frame.handle_width}
-    parts = tuple(LayoutPart(name, width, layout.frame.view, "optimal", 0.0, 0.0) for name, width in widths.items())
-    first, *others = (
-        replace(each, part=part)
-        for each, part in zip(layout.elements, ["hands", *["face"] * len(layout.elements)], strict=False)
-    )
-    parted = replace(layout, elements=(first, *others), frame=replace(layout.frame, parts=parts))
-    made = picker.picker([(rig, parted)])
+    parts = ["hands", *["face"] * len(layout.elements)]
+    made = picker.picker([(rig, laid_out.parted(layout, widths, parts))])
     titles = [label.text for panel in made.panels if not panel.grounded for label in panel.labels]
     assert titles == ["face", "hands"]
     assert set(placed(made)) == {element.name for element in layout.elements}

@@ -17,7 +17,6 @@ from skel_stages import character
 
 from usdrigui.layer import baking
 from usdrigui.layer.read_layout import layout_scopes, read_layout
-from usdrigui.layer.write_layout import layer_for, stage_metadata
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import ReadSettings, load
 from usdrigui.view.web.packing import pack
@@ -74,8 +73,7 @@ def layer_of(source):
 
 def written_layout(source, rig):
     """A layout of all controls as it is read from its layer, which sublayers the source."""
-    metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
-    layer_for([(rig, laid_out.layout_of(rig))], str(source), metadata).Export(str(layer_of(source)))
+    laid_out.written(source, rig, laid_out.layout_of(rig), layer_of(source).name)
     (layout,) = read_layout(layer_of(source))
     return layout
 

@@ -1,7 +1,9 @@
 """The face fills the view, the board is a strip beside it, nothing overlaps under the pointer, fingers pose."""
 
 from dataclasses import replace
+from itertools import cycle
 
+import laid_out
 import makers
 import numpy as np
 import pytest
@@ -143,12 +145,8 @@ def test_what_is_always_needed_is_in_sight_and_the_rest_is_in_a_menu(opened, tmp
     rig = makers.face()
     layout = peak_layout(rig)
     parts = ("face", "inside the mouth", "eyes", "left hand and arm", "right hand and arm", "feet and legs", "body")
-    elements = tuple(replace(each, part=parts[i % 7]) for i, each in enumerate(layout.elements))
-    made = tuple(LayoutPart(part, 0.04, layout.frame.view, "optimal", 0.0, 0.0) for part in parts)
     path = tmp_path / "parts.html"
-    path.write_text(
-        page_html([(rig, replace(layout, elements=elements, frame=replace(layout.frame, parts=made)))], "p")
-    )
+    path.write_text(page_html([(rig, laid_out.parted(layout, dict.fromkeys(parts, 0.04), cycle(parts)))], "p"))
     viewer = opened(path, size)
     for name in ("Undo", "Redo", "Key", "Panel", "Shortcuts"):
         box = viewer.page.get_by_role("button", name=name, exact=True).bounding_box()

@@ -8,7 +8,6 @@ from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel, UsdUtils
 from usdskel_oracle import deformed_points
 
 from usdrigui.layer.read_layout import element_prims, layout_scopes, points_by_role, read_layout
-from usdrigui.layer.write_layout import stage_metadata, write_layout
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
 
@@ -23,9 +22,8 @@ def posed(tmp_path_factory):
     folder = tmp_path_factory.mktemp("char")
     source = skinned_stages.character(folder / "char.usda", moved=True, animated_joints=("Hips/Head", "Hips/Head/Jaw"))
     (rig,) = read_rigs(source, Settings())
-    metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
     target = folder / "char.rigui.usda"
-    write_layout([(rig, laid_out.layout_of(rig))], source, target, metadata)
+    laid_out.written(source, rig, laid_out.layout_of(rig))
     rng = np.random.default_rng(3)
     poses = [laid_out.random_values(rig, rng) for _ in range(POSES)]
     top = laid_out.keyed(str(target), rig, poses).GetRootLayer()

@@ -12,7 +12,6 @@ from usdrigui.character.deform import deform
 from usdrigui.errors import RigUIError
 from usdrigui.layer.baking import apart, bake, valued
 from usdrigui.layer.read_layout import element_prims
-from usdrigui.layer.write_layout import layer_for, stage_metadata
 from usdrigui.reader.in_memory import read_open_layouts
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import ReadSettings, Settings
@@ -41,9 +40,7 @@ def shot(tmp_path_factory):
     source = skinned_stages.character(folder / "made.usda", animated_joints=joints, reordered=True, moved=True)
     (rig,) = read_rigs(source, Settings())
     layout = laid_out.layout_of(rig, groups=GROUPS)
-    metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
-    layer = layer_for([(rig, layout)], str(source), metadata)
-    layer.Export(str(folder / "layout.usda"))
+    laid_out.written(source, rig, layout, "layout.usda")
     return rig, folder / "layout.usda"
 
 

@@ -19,8 +19,6 @@ import usdrigui
 from usdrigui.clients import blender_extension
 from usdrigui.errors import RigUIError
 from usdrigui.layer.read_layout import read_layout
-from usdrigui.layer.write_layout import stage_metadata, write_layout
-from usdrigui.model import LayoutPart
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
 
@@ -53,7 +51,7 @@ def laid(tmp_path_factory):
         ),
     )
     target = source.with_name("char.rigui.usda")
-    write_layout([(rig, layout)], source, target, stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
+    laid_out.written(source, rig, layout)
     return rig, layout, target
 
 
@@ -205,21 +203,13 @@ def test_a_layer_is_read_as_our_own_reader_does_and_survives_json(extension, lai
 def test_handles_are_as_wide_as_those_of_their_part(extension, laid):
     rig, layout, source = laid
     names = ("face", *["hands"] * (len(layout.elements) - 1))
-    elements = tuple(replace(each, part=part) for each, part in zip(layout.elements, names, strict=True))
-    parts = tuple(
-        LayoutPart(name, w, layout.frame.view, "optimal", 0.0, 0.0) for name, w in (("face", 0.02), ("hands", 0.3))
-    )
+    parted = laid_out.parted(layout, {"face": 0.02, "hands": 0.3}, names)
     target = source.with_name("parts.rigui.usda")
-    write_layout(
-        [(rig, replace(layout, elements=elements, frame=replace(layout.frame, parts=parts)))],
-        source.with_name("char.usda"),
-        target,
-        stage_metadata(Sdf.Layer.FindOrOpen(str(source.with_name("char.usda")))),
-    )
+    laid_out.written(source.with_name("char.usda"), rig, parted, target.name)
     stage = Usd.Stage.Open(str(target))
     (found,) = extension["reading"].read_layouts(stage)
     assert {each.name: each.width for each in found.elements} == pytest.approx(
-        {each.name: 0.02 if each.part == "face" else 0.3 for each in elements}
+        {each.name: 0.02 if each.part == "face" else 0.3 for each in parted.elements}
     )
 
 

@@ -14,7 +14,6 @@ from scipy.interpolate import BSpline
 from usdrigui.character import Glyph
 from usdrigui.errors import Exit, RigUIError
 from usdrigui.layer.read_layout import read_layout
-from usdrigui.layer.write_layout import layer_for, stage_metadata
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare
 from usdrigui.reader.reader_process import read_layouts_isolated
 from usdrigui.reading.character import read_rigs
@@ -255,13 +254,6 @@ def with_glyphs(layout):
     return replace(layout, elements=elements)
 
 
-def written(folder, rig, layout, source):
-    path = folder / "char.rigui.usda"
-    metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
-    layer_for([(rig, layout)], f"./{source.name}", metadata).Export(str(path))
-    return path
-
-
 @pytest.mark.parametrize("kind", [{}, {"method": "dualQuaternion", "moved": True}, {"skinned": False}])
 @pytest.mark.parametrize("adapt", ["deform", "static"])
 def test_glyphs_follow_the_face_wherever_usdskel_takes_it(tmp_path, kind, adapt):
@@ -271,8 +263,7 @@ def test_glyphs_follow_the_face_wherever_usdskel_takes_it(tmp_path, kind, adapt)
     rng = np.random.default_rng(4)
     # What a single weight drives; a still handle shows nothing else, and shapes bend what joints only turn.
     poses = [rig.defaults, laid_out.random_values(rig, rng)]
-    path = written(tmp_path, rig, layout, source)
-    stage = laid_out.baked(Sdf.Layer.FindOrOpen(str(path)), rig, poses)
+    stage = laid_out.baked(laid_out.written(source, rig, layout), rig, poses)
     poser, size = prepare(rig, layout), laid_out.diagonal(rig)
     for time, values in enumerate(poses):
         for element, at in zip(layout.elements, evaluate(poser, values).elements, strict=True):
@@ -286,9 +277,9 @@ def test_glyphs_come_back_from_the_layer(tmp_path):
     source = skinned_stages.character(tmp_path / "char.usda")
     (rig,) = read_rigs(source, load({}))
     layout = with_glyphs(laid_out.layout_of(rig, beside=("brow_L",)))
-    path = written(tmp_path, rig, layout, source)
-    assert not laid_out.validation_errors(Usd.Stage.Open(str(path)))
-    (back,) = read_layouts_isolated(path, ReadSettings()).layouts
+    layer = laid_out.written(source, rig, layout)
+    assert not laid_out.validation_errors(Usd.Stage.Open(layer))
+    (back,) = read_layouts_isolated(tmp_path / "char.rigui.usda", ReadSettings()).layouts
     for one, other in zip(layout.elements, back.elements, strict=True):
         assert (one.glyph.name, one.glyph.form) == (other.glyph.name, other.glyph.form)
         assert np.allclose(one.glyph.points, other.glyph.points, atol=1e-6)
@@ -303,8 +294,7 @@ def test_glyphs_come_back_from_the_layer(tmp_path):
 def test_a_glyph_that_its_handle_contradicts_is_refused(tmp_path, old, new):
     source = skinned_stages.character(tmp_path / "char.usda")
     (rig,) = read_rigs(source, load({}))
-    path = written(tmp_path, rig, with_glyphs(laid_out.layout_of(rig)), source)
-    text = path.read_text()
+    text = laid_out.written(source, rig, with_glyphs(laid_out.layout_of(rig))).ExportToString()
     assert old in text
     broken = tmp_path / "broken.usda"
     broken.write_text(text.replace(old, new))

@@ -40,6 +40,11 @@ DEATHS = {
 }
 
 
+def python(program, folder=None):
+    """The process of a program that has ended."""
+    return subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, cwd=folder)
+
+
 @pytest.fixture
 def run(tmp_path, monkeypatch):
     """Supervise a shell script in a worker's place."""
@@ -144,7 +149,7 @@ def test_the_supervisor_loads_neither_numpy_nor_usd(tmp_path):
         "code = run(['inspect', 'char.usda', '--json'], SimpleQueue())\n"
         'sys.exit(f\'{code} {sorted({"numpy", "pxr", "scipy", "rich"} & set(sys.modules))}\')'
     )
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, cwd=tmp_path)
+    done = python(program, tmp_path)
     assert json.loads(done.stdout)["issues"][0]["code"] == "WORKER_LOST"
     assert done.stderr.splitlines()[-1] == "4 []"
 
@@ -176,7 +181,7 @@ def test_signals_are_heeded_before_anything_is_loaded_that_python_has_not():
         "signal.signal = lambda *_: sys.exit(str(sorted({*sys.modules} - before - {'__future__'})))\n"
         "from usdrigui.__main__ import main; main()"
     )
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    done = python(program)
     assert done.stderr.strip() == "['usdrigui', 'usdrigui.__main__', 'usdrigui.version']"
 
 
@@ -194,7 +199,7 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 sys.argv = ["usdrigui", "inspect", "char.usda"]
 sys.exit(main())
 """
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, cwd=tmp_path)
+    done = python(program, tmp_path)
     assert done.returncode == Exit.LIMIT
     assert "INTERRUPTED" in done.stderr
     assert "Traceback" not in done.stderr
@@ -212,5 +217,5 @@ signal.last = Last()
 sys.argv = ["usdrigui", "--version"]
 sys.exit(main())
 """
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, cwd=tmp_path)
+    done = python(program, tmp_path)
     assert (done.returncode, done.stdout.split()[0]) == (0, "usdrigui")

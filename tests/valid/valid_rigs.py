@@ -170,9 +170,7 @@ def _surface(kind: str, rng: np.random.Generator, side: int) -> tuple[np.ndarray
     else:
         height = 0.0 if kind == "sheet" else 0.7 * np.sqrt(np.maximum(0.0, 1.0 - x**2 - 0.6 * y**2))
         points = np.stack([x, y, np.broadcast_to(height, x.shape)], axis=-1)
-    corner = np.arange(side * side).reshape(side, side)[:-1, :-1].ravel()
-    quads = np.stack([corner, corner + 1, corner + side + 1, corner + side], axis=1)
-    points = points.reshape(-1, 3)
+    quads, points = skel_stages.quads(side), points.reshape(-1, 3)
     if kind == "point":
         points = np.zeros_like(points)
     if kind == "line":

@@ -54,11 +54,7 @@ def without(rig, *names):
 def at_another_place(line, name, column=0):
     """The layout with one element moved to some other point that its control moves, beyond the candidates."""
     element = chain.by_name(line)[name]
-    motion = next(
-        each
-        for each in line.face.trajectories.motions
-        if line.face.rig.controls[each.control].name == element.members[0].control
-    )
+    motion = line.face.trajectories.motion_of(line.face.rig.control_indices[element.members[0].control])
     reach = np.linalg.norm(line.face.surface.points[motion.points] - element.anchor.position, axis=1)
     point = int(motion.points[np.argsort(reach)[len(reach) // 2 + column]])
     anchor = replace(element.anchor, point=point, position=np.array(line.face.surface.points[point]))

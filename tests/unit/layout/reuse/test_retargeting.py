@@ -78,11 +78,7 @@ def test_the_layout_itself_is_not_already_alike(theirs):
     base = theirs.face.surface.points
     moved = []
     for element in theirs.layout.elements:
-        motion = next(
-            m
-            for m in theirs.face.trajectories.motions
-            if theirs.face.rig.controls[m.control].name == element.members[0].control
-        )
+        motion = theirs.face.trajectories.motion_of(theirs.face.rig.control_indices[element.members[0].control])
         strong = motion.points[motion.arc_length >= 0.75 * motion.arc_length.max()]
         far = int(strong[np.argmax(np.linalg.norm(base[strong] - element.anchor.position, axis=1))])
         moved.append(replace(element, anchor=replace(element.anchor, point=far, position=np.array(base[far]))))
