@@ -84,18 +84,19 @@ class Evidence:
         """What makes a joystick of two axes, empty if nothing: of controls whose names are specific
         the convention has to have it, and the motions agree.  And how well they cross, in
         [0, 1]."""
-        found = {self.relation(a, b) for a in first for b in second}
-        known = self._of_axes(found, (*first, *second))
+        known = self._of_axes(first, second)
         least = MOST if known == "convention" else _SHARED
         shared, across = self._compared(first, second)
         fits = shared >= least and across <= _ACROSS and self.like(first, second)
         flat = self._flatness(second[0]) if fits else 0.0
         return known if fits else "", shared * (1.0 - across) * flat
 
-    def _of_axes(self, relations: set[Relation], motions: Sequence[int]) -> Relation:
-        if relations == {"convention"}:
+    def _of_axes(self, first: Sequence[int], second: Sequence[int]) -> Relation:
+        """The evidence of names on a joystick of two axes."""
+        found = {self.relation(a, b) for a in first for b in second}
+        if found == {"convention"}:
             return "convention"
-        return "" if "" in relations or any(map(self._specific, motions)) else "open"
+        return "" if "" in found or any(map(self._specific, (*first, *second))) else "open"
 
     def _compared(self, first: Sequence[int], second: Sequence[int]) -> tuple[float, float]:
         """Least overlap of the regions of two axes, and largest cosine of their directions."""
@@ -117,8 +118,9 @@ class Evidence:
         where they are expected."""
         face, share = self.face, np.ones(len(self.face.surface.points))
         for motion in (face.trajectories.motions[i] for i in motions):
-            stands, expected = motion.stands_on(), face.expected[motion.control]
-            stands = stands & face.views.anywhere[motion.points]
+            stands, expected = face.views.anywhere[motion.points], face.expected[motion.control]
+            # The handle of an eye is where its lids are open, not on the skin that it owns most.
+            stands = motion.stands_on(stands)
             if expected is not None and stands.any():
                 around = expected.regions(face.surface.points[motion.points])[1]
                 stands = kept_in(motion, stands, around, HELD)
@@ -159,8 +161,7 @@ class Evidence:
 
     def words_of_joystick(self, first: Sequence[int], second: Sequence[int]) -> str:
         """The reason for a joystick of two axes."""
-        found = {self.relation(a, b) for a in first for b in second}
-        by = " by convention" if found == {"convention"} else ""
+        by = " by convention" if self._of_axes(first, second) == "convention" else ""
         shared, across = self._compared(first, second)
         return f"two axes of one region: a joystick{by} ({_alike(across, shared)})"
 

@@ -88,6 +88,17 @@ def test_a_far_lesser_axis_makes_no_joystick():
     assert ("across", "upright") not in groups_of(swinging(0.05))[0]
 
 
+def test_the_axes_of_an_eye_share_what_the_lids_leave_of_it():
+    """No view sees the skin that its joint owns most."""
+    line = chain.problem_of(swinging(), chain.settings())
+    known, found = line.inputs.measured, line.face.trajectories
+    lids = POINTS[:, 1] > 0.6
+    motions = tuple(replace(each, owned=np.where(lids[each.points], 1.0, 0.5)) for each in found.motions)
+    views = replace(line.face.views, visible=line.face.views.visible & ~lids)
+    face = replace(line.face, trajectories=replace(found, motions=motions), views=views)
+    assert [group.kind for group in find_groups(replace(known, face=face), line.candidates)] == ["patch"]
+
+
 WHOLE, CURL, CARRIED = {0: 1.0, 1: 1.0}, {0: 1.0, 1: 2.0}, {0: 1.0, 1: 1.0 + 1e-5}
 
 
