@@ -45,16 +45,13 @@ def test_a_hand_gets_a_curl_and_a_spread_per_finger_and_a_wrist(made):
     ("aside", "long", "curled"), [(0, 4, 4), (0, 2, 2), (3, 4, 3)], ids=["legs", "short", "fingers"]
 )
 def test_what_hangs_on_the_middle_curls_whole_and_fingers_without_their_metacarpals(aside, long, curled):
-    names, places = ["m"], [(0.0, 0.0, 0.0)]
-    for side, start in ((1.0, "m/l"), (-1.0, "m/r")):
-        names.append(start)
-        places.append((side * aside, 0.0, 0.0))
+    at = {"m": (0.0, 0.0, 0.0)}
+    for side, name in ((1.0, "l"), (-1.0, "r")):
+        at[f"m/{name}"] = (side * aside, 0.0, 0.0)
         for strand in range(3):
-            chain = [f"{start[-1]}{strand}{k}" for k in range(long)]
-            hanging_on = start if aside else "m"
-            names += ["/".join([hanging_on, *chain[: k + 1]]) for k in range(long)]
-            places += [(side * (aside + 0.3), -y, 0.3 * (strand - 1)) for y in (0.2, 0.7, 1.2, 1.6)[:long]]
-    made = limbs.skeleton_rig(names, np.array(places), list(range(len(names))))
+            ways = [(side * (aside + 0.3), -y, 0.3 * (strand - 1)) for y in (0.2, 0.7, 1.2, 1.6)[:long]]
+            limbs.hang(at, f"m/{name}" if aside else "m", f"{name}{strand}", ways)
+    made = limbs.skeleton_rig(*limbs.by_depth(at), list(range(len(at))))
     assert {len(turn.joints) for turn in turns_of(made) if turn.name == "curl"} == {curled}
 
 
@@ -201,6 +198,16 @@ def test_helpers_off_the_way_change_no_degree_of_freedom():
     owners = [i for i, name in enumerate(names) if name[-1] not in "e3" and name[-3:-1] != "/m"]
     helped = limbs.skeleton_rig(names, places, owners)
     assert {(path[-2:], kind) for path, kind in kinds_of(helped)} == {(path[-2:], kind) for path, kind in kinds_of(rig)}
+
+
+@pytest.mark.parametrize("ways", [(0.0,), (-0.3, 0.3)], ids=["tail", "coat"])
+def test_legs_are_legs_beside_what_hangs_with_them(ways):
+    at = {joint.path: joint.bind[3, :3] for joint in limbs.body_rig().body.joints}
+    for number, way in enumerate(ways):
+        limbs.hang(at, "h", f"t{number}", [(way, -0.3 * k, -0.2) for k in range(1, 4)])
+    names, places = limbs.by_depth(at)
+    clad = limbs.skeleton_rig(names, places, [i for i, name in enumerate(names) if name[-1] not in "e3"])
+    assert {turn for turn in kinds_of(clad) if "/t" not in turn[0]} == kinds_of(limbs.body_rig())
 
 
 def test_a_head_turns_every_way_and_a_strand_across_its_bone():

@@ -62,10 +62,11 @@ def default_turns(tree: Tree) -> tuple[Turn, ...]:
     """The degrees of freedom of every joint that skin follows, in the order of the joints."""
     if len(tree.owners) < 2:
         return ()
-    fingers = {}
+    fingers, hinges = {}, _hinges(tree)
     for fan in fans(tree):
-        fingers.update(_fingers(tree, fan))
-    hinges = _hinges(tree)
+        legs = _legs(tree, fan, hinges)
+        strands = {finger: own for finger, own in _fingers(tree, fan).items() if finger not in legs}
+        fingers.update(strands if len(strands) > 1 else {})
     turns = [*chain.from_iterable(fingers.values())]
     for joint in sorted(tree.bearers.difference(*fingers)):
         turns.extend(_turns(tree, joint, hinges))
@@ -118,6 +119,25 @@ def _without_tip(tree: Tree, finger: tuple[int, ...]) -> tuple[int, ...]:
 
 
 # --- limbs and what is left -----------------------------------------------------------------------
+
+
+def _legs(tree: Tree, fan: Fan, hinges: dict[int, Turn]) -> set[tuple[int, ...]]:
+    """The chains of a fan that are legs, beside which a tail or a coat hangs: with a knee above a
+    foot, and longer than the way up to where chains part.  No finger is longer than its arm."""
+    parting = [
+        joint
+        for joint in (fan.joint, *tree.above(fan.joint))
+        if len(out := tree.branches(joint)) > max(1, sum(map(bool, map(tree.chain, out))))
+    ]
+    # Of a hand by itself nothing else parts.  The fingers of eighteen bodies are .55 of their arms
+    # or shorter, the legs of two 1.46 or longer.
+    ways = tree.places[parting] - tree.places[fan.joint]
+    arm = np.linalg.norm(ways, axis=1).min(initial=np.inf)
+    return {
+        chain
+        for chain in fan.chains
+        if hinges.keys() & {*chain[:-1]} and tree.max_path(chain[0], chain[0]) > arm
+    }
 
 
 def _hinges(tree: Tree) -> dict[int, Turn]:
