@@ -12,7 +12,7 @@ import numpy as np
 from scipy.spatial.distance import cdist
 
 from usdrigui.character import Body, Floats, Joint
-from usdrigui.character.joint_tree import Tree, unit
+from usdrigui.character.joint_tree import Tree, level, unit
 from usdrigui.conventions.sides import mirrored, side_of
 from usdrigui.layout.motion.owned_skin import joint_places
 from usdrigui.layout.parts.joint_regions import LIMB
@@ -115,24 +115,25 @@ def mirrored_joints(body: Body, plane: MirrorPlane) -> dict[int, int]:
 def legs_point(body: Body, plane: MirrorPlane) -> Floats:
     """(3,) unit direction of the limbs that part from the skeleton first, of both sides together:
     legs go down, under whatever stands on them.  Zero where these do not go one way, as the arms of
-    a bust do not, and where there are none."""
-    if not plane.normal.any():
-        return np.zeros(3)
+    a bust do not, or go along the trunk, as arms do that hang, and where there are none."""
     tree, twins = Tree(body.joints, body.meshes), mirrored_joints(body, plane)
     above = {
         joint: len([*tree.above(joint)])
         for joint, twin in twins.items()
-        if twin != joint and tree.depth[joint] >= LIMB
+        if twin != joint and tree.depth[joint] >= LIMB and plane.normal.any()
     }
-    first = min(above.values(), default=0)
+    if not above:
+        return np.zeros(3)
     places, ways = joint_places(body.skeletons, body.joints), np.zeros((1, 3))
-    for top in sorted(joint for joint, count in above.items() if count == first):
+    tops = sorted(joint for joint, count in above.items() if count == min(above.values()))
+    trunk = places[[joint for joint in sorted(tree.owners) if twins.get(joint) == joint]]
+    for top in tops:
         end = top
         while tree.next(end) >= 0:
             end = tree.next(end)
         ways = np.vstack([ways, places[end] - places[top]])
-    found = ways.sum(axis=0)
-    found -= (found @ plane.normal) * plane.normal
+    found = level(ways.sum(axis=0), plane.normal)
     # .98 or more in five bodies, whose arms go .07 to .81 of theirs.
-    one_way = np.linalg.norm(found) >= NEARLY_ALL * np.linalg.norm(ways, axis=1).sum()
-    return unit(found) if one_way else np.zeros(3)
+    one_way = found @ ways.sum(axis=0) >= NEARLY_ALL * np.linalg.norm(ways, axis=1).sum()
+    on_them = ((trunk - places[tops].mean(axis=0)) @ found).sum() <= 0.0
+    return found if one_way and on_them else np.zeros(3)

@@ -156,6 +156,15 @@ def test_arms_that_are_spread_do_not_tell_which_way_is_up():
     assert not legs_point(robot().body, ACROSS).any()
 
 
+def test_arms_that_hang_beside_a_trunk_without_legs_are_no_legs():
+    at = {"h": (0, 0, 0), "h/s": (0, 1, 0), "h/s/e": (0, 1.5, 0)}
+    for side, name in ((1, "a"), (-1, "b")):
+        limbs.hang(at, "h/s", name, [(0.3 * side, 1.2 - 0.5 * k, 0.6 * k) for k in range(3)])
+    made = limbs.skeleton_rig(*limbs.by_depth(at), list(range(len(at))))
+    assert not legs_point(made.body, ACROSS).any()
+    assert legs_point(limbs.whole_body().body, ACROSS) == pytest.approx([0.0, -1.0, 0.0])
+
+
 def modelled(rig):
     """A character bound, as it is modelled, in the pose in which this one rests."""
     world = in_skeleton_space(rig.body.joints, base_locals(rig.body.joints))
