@@ -66,7 +66,8 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     ]
     for fan in ends:
         fingers = tree.below([chain[0] for chain in fan.chains])
-        name = _end(rig.up, tree, fan.joint, fingers, spine)
+        in_root = body.skeletons[body.joints[fan.joint].skeleton].to_root[:3, :3]
+        name = _end(in_root @ rig.up, tree, fan.joint, fingers, spine)
         for joint in fingers:
             of_joint[joint] = of_skin[joint] = name
         of_skin[fan.joint] = name
@@ -170,7 +171,7 @@ def _carries_on(tree: Tree, fan: Fan) -> bool:
 
 def _end(up: Floats, tree: Tree, joint: int, fingers: set[int], spine: list[int]) -> str:
     """Feet stand on the ground, on legs with skin: their joint lies at the bottom of a character
-    that has more than them.  Hands beside a bust hang as low."""
+    that has more than them.  Hands beside a bust hang as low.  `up` is that of the Skeleton."""
     heights = (tree.places @ up)[sorted(tree.owners)]
     is_low = tree.places[joint] @ up <= heights.min() + _LOW * np.ptp(heights)
     on_leg = tree.owners & {*tree.above(joint)} - {*spine}

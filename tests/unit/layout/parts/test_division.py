@@ -8,13 +8,14 @@ import limbs
 import makers
 import numpy as np
 import pytest
+import rig_copies
 from scipy.spatial.distance import pdist
+from scipy.spatial.transform import Rotation
 
 from usdrigui.layer import write_layout as layer
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.parts.division import divide
 from usdrigui.layout.parts.joint_regions import seen_flat
-from usdrigui.model import LayoutPart
 from usdrigui.pipeline.joining import joined, joined_assignment
 from usdrigui.pipeline.stages import character_of, part_problem
 from usdrigui.settings import Settings, load
@@ -68,6 +69,12 @@ def test_joints_are_told_apart_into_face_hands_and_body(rig):
     assert found["hands"] == fingers
     assert {name.partition(":")[0] for name in found["face"]} == {f"k{k}" for k in range(9)}
     assert len(found["hands"]) == 16
+
+
+@pytest.mark.parametrize("axis", ["x", "y", "z"])
+def test_hands_are_no_feet_however_the_skeleton_is_turned_to_stand_up(axis):
+    rotation = Rotation.from_euler(axis, 90, degrees=True).as_matrix()
+    assert named(replace(rig_copies.turned(BODY, rotation), up=rotation @ BODY.up)) == named(BODY)
 
 
 @pytest.mark.parametrize(
@@ -242,14 +249,8 @@ def test_a_part_without_height_is_as_large_as_what_it_moves():
 def test_the_layer_draws_the_handles_of_each_part_at_its_own_width(monkeypatch):
     rig = makers.face()
     layout = laid_out.layout_of(rig, only=["chin", "smile_L"])
-    own = {element.name: name for element, name in zip(layout.elements, ("face", "body"), strict=True)}
     widths = {"face": 0.02, "body": 0.3}
-    parts = tuple(LayoutPart(name, width, layout.frame.view, "optimal", 0.0, 0.0) for name, width in widths.items())
-    layout = replace(
-        layout,
-        elements=tuple(replace(e, part=own[e.name]) for e in layout.elements),
-        frame=replace(layout.frame, parts=parts),
-    )
+    layout = laid_out.parted(layout, widths, widths)
     drawn, draw = {}, layer.drawn_parts
 
     def seen(skin, element, frame):
