@@ -140,8 +140,9 @@ def believed(
 
     `meanings` (controls,) as read from the names of the rig's controls.  Names count only
     where most of those with a place act there: numbers may count something else than action units,
-    and words may be those of other controls.  What mostly moves what is seen is not inside the
-    mouth, whatever it is called, and what moves both sides alike is not the control of one.
+    as those of joints do, and words may be those of other controls.  What mostly moves what is seen
+    is not inside the mouth, whatever it is called, and what moves both sides alike is not the
+    control of one.
     What moves the most of a part of the face, both sides alike and down, opens the jaw where no
     name does.
     """
@@ -154,6 +155,7 @@ def believed(
         if meaning is not None and (
             (meaning.action.category == "interior" and weight[seen].sum() > 0.5 * amount)
             or (meaning.side and own_image)
+            or (meaning.numbered and motion.of_joint)
         ):
             found[control] = None
         far = motion.arc_length >= NOTABLE * motion.arc_length.max()

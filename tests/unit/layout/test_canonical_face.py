@@ -3,9 +3,11 @@
 from dataclasses import replace
 
 import chain
+import limbs
 import makers
 import numpy as np
 import pytest
+import rig_copies
 
 from usdrigui.conventions import meanings
 from usdrigui.layout.canonical_face import Expectation, expectations
@@ -95,6 +97,11 @@ def test_names_are_believed_of_a_face_whose_ears_swing_with_its_brows_and_its_sm
     assert meant(swinging) == [*swinging]
     smile = chain.set_of(chain.with_candidates(makers.rig(POINTS, QUADS, swinging)), "mouthSmile_L")
     assert max(POINTS[smile.points, 1]) < 0.0
+
+
+def test_numbers_that_count_joints_are_no_action_units():
+    counted, _ = rig_copies.renamed(limbs.whole_body(), rig_copies.numbers())
+    assert {*chain.face_of(counted).meanings} == {None}
 
 
 def test_one_control_in_the_wrong_place_does_not_move_the_others():
