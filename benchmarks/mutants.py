@@ -330,10 +330,15 @@ def marked(path: str, mutants: Sequence[Mutant]) -> str:
         pair = [(start, -end, f"(_place_seen(*{places!r}) or ("), (end, -start, "))")]
         if _parses(_with(text, pair)):
             added += pair
-    future = re.search(r"^from __future__ import annotations\n", text, re.MULTILINE)
-    assert future, path
-    added.append((future.end(), 0, "from usdrigui._seen import seen as _place_seen\n"))
+    first = next(node.lineno for node in ast.parse(text).body if not _leads(node))
+    added.append((starts[first - 1], 0, "from usdrigui._seen import seen as _place_seen\n"))
     return _with(text, added)
+
+
+def _leads(node: ast.stmt) -> bool:
+    """Whether it is a docstring or an import from the future, which nothing else goes before."""
+    is_text = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+    return is_text or (isinstance(node, ast.ImportFrom) and node.module == "__future__")
 
 
 def _with(text: str, added: Sequence[tuple[int, int, str]]) -> str:

@@ -70,6 +70,14 @@ def character(
     return path
 
 
+def keyed(stage: Usd.Stage, rows: dict[float, dict[str, float]]) -> None:
+    """Give the animation of a character, by time code, the weights of some shapes, and zero to the others."""
+    animation = UsdSkel.Animation(stage.GetPrimAtPath("/World/Char/Anim"))
+    for time, row in rows.items():
+        weights = [row.get(token, 0.0) for token in animation.GetBlendShapesAttr().Get()]
+        animation.GetBlendShapeWeightsAttr().Set(weights, time)
+
+
 def _skeleton(stage: Usd.Stage, moved: bool) -> UsdSkel.Skeleton:
     skeleton = UsdSkel.Skeleton.Define(stage, "/World/Char/Skel")
     local = [Gf.Matrix4d().SetTranslate(_PLACES[joint]) for joint in JOINTS]

@@ -73,11 +73,7 @@ def test_turning_joints_count_too(tmp_path, capsys):
 def test_the_assets_own_animation_will_do(tmp_path, capsys):
     asset = skinned_stages.character(tmp_path / "char.usda")
     stage = Usd.Stage.Open(str(asset))
-    animation = UsdSkel.Animation(stage.GetPrimAtPath("/World/Char/Anim"))
-    tokens = list(animation.GetBlendShapesAttr().Get())
-    for time, value in enumerate(RAMP):
-        row = [float(value) if token == "chin" else 0.0 for token in tokens]
-        animation.GetBlendShapeWeightsAttr().Set(Vt.FloatArray(row), time)
+    skinned_stages.keyed(stage, {time: {"chin": value} for time, value in enumerate(RAMP.tolist())})
     stage.GetRootLayer().Save()
     told = run(capsys, "inspect", asset, "--animation", asset)
     (first, *_) = told["characters"][0]["animation"]["controls"]

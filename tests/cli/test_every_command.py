@@ -10,6 +10,10 @@ from usdrigui.cli import main
 from usdrigui.cli.parser import parser
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
+OTHERWISE = (
+    "--set controls.chin.place='board' --set controls.pucker.exclude=true --set controls.brow_R.maximum=0.5"
+    " --set groups.groups.far=['smile_L','brow_L'] --set objective.handle_size=0.05"
+)
 LINES = {
     "process": "char.usda",
     "inspect": "char.usda",
@@ -17,13 +21,13 @@ LINES = {
     "pin": "char.rigui.usda jawLeft=board -o said.usda",
     "unpin": "char.rigui.usda jawLeft -o said.usda",
     "pins": "char.rigui.usda",
-    "diff": "char.rigui.usda char.rigui.usda",
+    "diff": "char.rigui.usda other.rigui.usda",
     "view": "char.rigui.usda --html page.html",
     "bake": "char.rigui.usda",
     "picture": "char.rigui.usda -o char.png",
     "picker": "char.rigui.usda --svg picker.svg --dwpicker picker.json",
     "study": "char.usda",
-    "batch": "char.usda --jobs 1",
+    "batch": f"char.usda --jobs 1 --again {OTHERWISE}",
     "openjd": "char.usda -o job.json",
     "attach": "char.usda char.rigui.usda",
     "detach": "char.usda char.rigui.usda",
@@ -43,6 +47,9 @@ def test_each_command_is_among_them_and_in_the_documents():
 @pytest.mark.parametrize("command", LINES)
 def test_it_prints_its_closing_line_alone_or_one_document(command, folder, monkeypatch, capsys):
     monkeypatch.chdir(folder)
+    if command == "diff":
+        main(["process", "char.usda", "-o", "other.rigui.usda", *OTHERWISE.split()])
+        capsys.readouterr()
     line = [command, *LINES[command].split()]
     main([*line, "--quiet"])
     told = capsys.readouterr()

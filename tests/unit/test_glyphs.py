@@ -139,9 +139,18 @@ def test_bezier_pieces_are_followed(tmp_path):
     assert np.abs(glyph.points - fitted(np.array([*true, VERTICES[-1]]))).max() < 1e-6
 
 
-def test_splines_are_followed(tmp_path):
-    glyph = glyph_of(tmp_path, curve("cubic", VERTICES, basis="bspline"))
-    true = BSpline(np.arange(11) - 3.0, VERTICES, 3)(np.arange(4 * 6 + 1) / 6)
+@pytest.mark.parametrize(
+    ("wrap", "before", "after"),
+    [
+        ("nonperiodic", [], []),
+        ("periodic", [], VERTICES[:3]),
+        ("pinned", [2.0 * VERTICES[0] - VERTICES[1]], [2.0 * VERTICES[-1] - VERTICES[-2]]),
+    ],
+)
+def test_splines_are_followed(tmp_path, wrap, before, after):
+    glyph = glyph_of(tmp_path, curve("cubic", VERTICES, wrap=wrap, basis="bspline"))
+    through = np.array([*before, *VERTICES, *after])
+    true = BSpline(np.arange(len(through) + 4) - 3.0, through, 3)(np.arange(6 * len(through) - 17) / 6)
     assert np.abs(glyph.points - fitted(true)).max() < 1e-6
 
 

@@ -31,6 +31,7 @@ def test_a_mutant_of_every_kind_differs_in_one_expression(job, tmp_path, monkeyp
         ("choice", "0", "-1"),
     }
     made = list(job.mutants(path))
+    assert job.marked("code.py", made).startswith("from usdrigui._seen import")
     assert {(each.kind, each.old, each.new) for each in made} == changes
     for each in made:
         assert ast.dump(ast.parse(each.applied(text))) != ast.dump(ast.parse(text))

@@ -318,7 +318,7 @@ class Tree(Record):
     @cached_property
     def mirror(self) -> tuple[int, float] | None:
         """Axis and offset of the plane that mirrors the joints; None where none does."""
-        near = _ON_PLANE * (self.size or 1.0)
+        near = _ON_PLANE * self.size
         for axis in range(3):
             middle = float(np.median(self.places[list(self.owners)][:, axis]))
             image = self.places.copy()

@@ -37,7 +37,7 @@ def conform(reader: Sequence[str]) -> Iterator[Answered]:
         asked = [{k: v for k, v in each.items() if k not in _KEPT} for each in questions]
         answers, fault = _answers([*reader, str(folder / content["layer"])], asked)
         pairs = zip(questions, answers, strict=True) if not fault else ()
-        wrong = [fault] if fault else [_named(q) for q, a in pairs if not _agrees(q, a)]
+        wrong = [fault] if fault else [_named(q) for q, a in pairs if not agrees(q, a)]
         yield Answered(case.stem, tuple(wrong), answers.count(None), len(questions))
 
 
@@ -70,7 +70,8 @@ def _named(question: Mapping[str, Any]) -> str:
     return json.dumps(said, ensure_ascii=False)
 
 
-def _agrees(question: Mapping[str, Any], answer: Any) -> bool:
+def agrees(question: Mapping[str, Any], answer: Any) -> bool:
+    """Whether an answer is the one that is kept, as near as it says, or null."""
     if answer is None:
         return True
     steps = answer if isinstance(answer, list) else [answer]

@@ -15,21 +15,21 @@ _ENLARGED = 3.0
 def paths(motion: Motion, points: Indices) -> Floats:
     """(p, k, 3) offsets of `points` from their base positions at the motion's knots; zero where
     unmoved."""
-    rows, found = _rows(motion, points)
+    rows, found = rows_of(points, motion.points)
     offsets = motion.offsets[:, rows].astype(np.float64).transpose(1, 0, 2)
     return np.where(found[:, None, None], offsets, 0.0)
 
 
 def arc_lengths(motion: Motion, points: Indices) -> Floats:
     """(p,) arc lengths at `points`; zero where unmoved."""
-    rows, found = _rows(motion, points)
+    rows, found = rows_of(points, motion.points)
     return np.where(found, motion.arc_length[rows], 0.0)
 
 
-def _rows(motion: Motion, points: Indices) -> tuple[Indices, Flags]:
-    """(p,) the rows of `points` in the motion, and whether they are there."""
-    rows = np.minimum(np.searchsorted(motion.points, points), len(motion.points) - 1)
-    return rows, motion.points[rows] == points
+def rows_of(points: Indices, among: Indices) -> tuple[Indices, Flags]:
+    """(p,) the rows of `points` (p,) `among` ascending ones, and whether they are there."""
+    rows = np.minimum(np.searchsorted(among, points), len(among) - 1)
+    return rows, among[rows] == points
 
 
 def lengths(lines: Floats) -> Floats:

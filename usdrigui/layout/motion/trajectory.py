@@ -193,7 +193,7 @@ def _motion(
     if start_offsets.any():
         offsets = offsets - start_offsets
     arc = _arc_lengths(offsets)
-    moving = arc > max(settings.noise * arc.max(initial=0.0), 0.0)
+    moving = arc > settings.noise * arc.max(initial=0.0)
     owned = owned_skin(skin, rig.controls[index])
     own = None if owned is None else owned[points]
     motion = Motion(index, points, values, offsets, arc, own)

@@ -22,6 +22,7 @@ from usdrigui.layout.motion.tracks import (
     magnification,
     paths,
     resampled,
+    rows_of,
 )
 from usdrigui.layout.place.terms import LinearTerms, displacement_unit, linear_cost, off_plane
 from usdrigui.layout.reuse.prior_layout import PriorLayout
@@ -130,8 +131,8 @@ def drawn_lengths(face: Face, motion: Motion, sources: Indices) -> Floats:
 
 def _looked_up(candidate_set: CandidateSet, points: Indices) -> Floats:
     """(R,) linear costs at `points`; inf where the point is no candidate of this control."""
-    rows = np.minimum(np.searchsorted(candidate_set.points, points), len(candidate_set.points) - 1)
-    return np.where(candidate_set.points[rows] == points, candidate_set.cost[rows], np.inf)
+    rows, found = rows_of(points, candidate_set.points)
+    return np.where(found, candidate_set.cost[rows], np.inf)
 
 
 def _on_both_sides(face: Face, found: CandidateSet, terms: LinearTerms) -> CandidateSet:
