@@ -52,6 +52,10 @@ def test_shares_errors_and_answers_are_means_over_participants(two, capsys):
     )
     assert measure(found, "vertex error squared", "beside")["mean"] == pytest.approx(0.3)
     assert measure(found, study.QUESTIONS["overall"], "list")["mean"] == 2.5
+    assert measure(found, study.QUESTIONS["direct"], "face") | {"mean": 0} == {
+        "measure": study.QUESTIONS["direct"], "interface": "face", "participants": 2, "mean": 0,
+        "deviation": pytest.approx(0.5**0.5), "paper": 4.83,
+    }  # fmt: skip
 
 
 def test_the_table_names_the_paper_and_what_was_left_out(two, tmp_path, capsys):

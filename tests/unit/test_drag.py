@@ -60,6 +60,7 @@ def test_a_value_keeps_to_its_range_and_meets_the_base_pose_to_the_last_bit():
 def test_the_arms_of_an_axis_part_where_the_base_pose_is():
     axis = Axis((), np.array([-1.0, 0.0, 0.5, 1.0]), np.zeros((4, 2)), 0.5)
     assert [arm.at.tolist() for arm in axis.arms()] == [[-1.0, 0.0, 0.5], [0.5, 1.0]]
+    assert [arm.at.tolist() for arm in Axis((), axis.at, axis.points, -1.0).arms()] == [axis.at.tolist()]
 
 
 @pytest.mark.parametrize(("x", "branch"), [(67.5, 1), (68.5, 3)])
