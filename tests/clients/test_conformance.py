@@ -16,6 +16,7 @@ from usdrigui.clients.conforming import agrees, conform
 
 ROOT = Path(__file__).resolve().parents[2]
 SUITE, READERS = ROOT / "schemas" / "conformance", ROOT / "tests" / "readers"
+LIBRARY = (sys.executable, str(SUITE / "readers.py"))
 REPLAYING = """
 import json, pathlib, sys
 layer, asked = pathlib.Path(sys.argv[1]), json.load(sys.stdin)
@@ -39,6 +40,7 @@ def readers(tmp_path_factory):
     page, blender = ((sys.executable, str(READERS / f"{name}.py")) for name in ("page", "blender"))
     example = (sys.executable, str(SUITE / "reader.py"))
     return {
+        "library": (LIBRARY, 0),
         "page": (page, 1),
         "blender": ((*blender, str(folder)), 3),
         "example": (example, 11),
@@ -46,7 +48,7 @@ def readers(tmp_path_factory):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["blender", "example", "page"])
+@pytest.mark.parametrize("name", ["blender", "example", "page", "library"])
 def test_a_reader_of_ours_passes(readers, name):
     command, most = readers[name]
     found = [*conform(command)]
@@ -60,6 +62,7 @@ def test_the_library_answers_every_question(case):
     content = json.loads((SUITE / f"{case}.json").read_text("utf-8"))
     with scripts.loaded(SUITE / "readers.py") as reader:
         answers = reader.answers(SUITE / content["layer"], content["questions"])
+    assert None not in answers
     assert [q for q, a in zip(content["questions"], answers, strict=True) if not agrees(q, a)] == []
 
 

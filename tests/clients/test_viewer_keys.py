@@ -81,6 +81,12 @@ def test_a_range_of_keys_is_scaled_turned_round_and_played(viewer, shows):
     viewer.until(f"{session}.frame < 40")
     page.keyboard.press("Space")
     assert page.evaluate(f"{session}.frame") < 31
+    page.evaluate("usdrigui.app.timeline.openSheet(false)")
+    page.evaluate("usdrigui.app.timeline.go(40)")
+    page.keyboard.press("Space")
+    viewer.until(f"{session}.frame > 40")
+    page.keyboard.press("Space")
+    page.evaluate("usdrigui.app.timeline.openSheet(true)")
     numbers = page.locator(".dope-ruler i" if shows == "Rows" else ".curve-number").all_text_contents()
     assert {"5", "45"} <= {*numbers}
     assert shows == "Rows" or {"0", "0.5", "1"} <= {*numbers}

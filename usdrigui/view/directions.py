@@ -29,8 +29,8 @@ _NAMES = {
 }
 """Of views, by azimuth; those of the other side are the character's right."""
 _HIGH = 30.0
-"""Elevation from which a view is one from above, however it lies around: those between two axes and
-among three have 45 and 35.3."""
+"""Elevation, up or down, from which a view with a named azimuth is one from above or below: the
+directions between two axes have 45, those among three 35.3."""
 _APART, _BEYOND = 20.0, 90.0
 """A companion shows something else than the layout's own view, and still what that one sees."""
 
@@ -74,14 +74,14 @@ def angles(direction: Floats, ahead: Floats, up: Floats) -> tuple[float, float]:
 def caption(direction: Floats, ahead: Floats, up: Floats) -> str:
     """What a view is called: by its name where it has one, else by its angles."""
     azimuth, elevation = (round(each, 1) + 0.0 for each in angles(direction, ahead, up))
-    above = "above" if elevation > 0.0 else "below"
+    end = "above" if elevation > 0.0 else "below"
     if abs(elevation) > 90.0 - _SAME:
-        return above
+        return end
     names = [name for at, name in _NAMES.items() if abs(abs(azimuth) - at) < _SAME]
     if not names or _SAME <= abs(elevation) < _HIGH:
         return f"azimuth {azimuth:g}°, elevation {elevation:g}°"  # the sum leaves no minus before 0
     name = names[0] if azimuth > 0.0 else names[0].replace("left", "right")
-    return name if abs(elevation) < _SAME else f"{name}, from {above}"
+    return name if abs(elevation) < _SAME else f"{name}, from {end}"
 
 
 def companions(direction: Floats, ahead: Floats, up: Floats) -> tuple[Floats, ...]:

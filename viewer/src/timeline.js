@@ -197,7 +197,8 @@ export class Timeline {
 
   /** Frames by the clock of what is heard, where there is a sound. */
   async play() {
-    const [first, last] = this.sheet.span ?? this.session.range;
+    const picked = this.sheet.node.hidden ? null : this.sheet.span; // what one does not see does not bind
+    const [first, last] = picked ?? this.session.range;
     const starts = this.frame < first || this.frame >= last;
     if (this.session.neutral || starts) this.go(starts ? first : this.frame);
     this.playing = true;

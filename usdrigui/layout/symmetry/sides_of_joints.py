@@ -116,11 +116,12 @@ def legs_point(body: Body, plane: MirrorPlane) -> Floats:
     """(3,) unit direction of the limbs that part from the skeleton first, of both sides together:
     legs go down, under whatever stands on them.  Zero where these do not go one way, as the arms of
     a bust do not, or go along the trunk, as arms do that hang, and where there are none."""
-    tree, twins = Tree(body.joints, body.meshes), mirrored_joints(body, plane)
+    tree = Tree(body.joints, body.meshes)
+    twins = mirrored_joints(body, plane) if plane.normal.any() else {}
     above = {
         joint: len([*tree.above(joint)])
         for joint, twin in twins.items()
-        if twin != joint and tree.depth[joint] >= LIMB and plane.normal.any()
+        if twin != joint and tree.depth[joint] >= LIMB
     }
     if not above:
         return np.zeros(3)
@@ -132,8 +133,9 @@ def legs_point(body: Body, plane: MirrorPlane) -> Floats:
         while tree.next(end) >= 0:
             end = tree.next(end)
         ways = np.vstack([ways, places[end] - places[top]])
-    found = level(ways.sum(axis=0), plane.normal)
+    together = ways.sum(axis=0)
+    found = level(together, plane.normal)
     # .98 or more in five bodies, whose arms go .07 to .81 of theirs.
-    one_way = found @ ways.sum(axis=0) >= NEARLY_ALL * np.linalg.norm(ways, axis=1).sum()
+    one_way = found @ together >= NEARLY_ALL * np.linalg.norm(ways, axis=1).sum()
     on_them = ((trunk - places[tops].mean(axis=0)) @ found).sum() <= 0.0
     return found if one_way and on_them else np.zeros(3)
