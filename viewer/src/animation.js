@@ -6,7 +6,7 @@
 
 import { bendsOf, valueBetween } from './interpolation.js';
 import * as matrix from './matrix.js';
-import { dot, mixed } from './vectors.js';
+import { ascending, dot, known, mixed } from './vectors.js';
 
 const DEFAULT_RANGE = [1, 48];
 const DEFAULT_RATE = 24;
@@ -26,7 +26,7 @@ export class Animation {
     this.span = null; // first and last frame as set by hand, where no clip says them
     this.readings = this.controls.map(({ reading }) => this.clip && reading); // where the clip has their values
     this.moving = this.readings.map((reading) => reading !== null && this.isMoved(reading));
-    this.known = new Map();
+    this.recent = new Map(); // time -> the clip there
   }
 
   /** Whether the clip changes what a control is read from. */
@@ -82,7 +82,7 @@ export class Animation {
       for (const time of bendsOf(track)) times.add(time);
       if (this.moving[control]) times.add(track[0][0] - 1).add(track.at(-1)[0] + 1);
     }
-    return [...times].sort((a, b) => a - b);
+    return ascending(times);
   }
 
   // --- the clip --------------------------------------------------------------------------------------
@@ -93,11 +93,10 @@ export class Animation {
    */
   clipAt(time) {
     if (!this.clip) return { values: this.rest, weights: null, locals: null };
-    if (!this.known.has(time)) {
-      if (this.known.size >= 4) this.known.delete(this.known.keys().next().value);
-      this.known.set(time, this.readClip(time));
-    }
-    return this.known.get(time);
+    return known(this.recent, time, () => {
+      if (this.recent.size >= 4) this.recent.delete(this.recent.keys().next().value);
+      return this.readClip(time);
+    });
   }
 
   readClip(time) {
@@ -107,10 +106,13 @@ export class Animation {
     const values = Float64Array.from(this.controls, (control, index) => {
       const reading = this.readings[index];
       if (!reading) return control.default;
-      const away = reading.rises ? this.awayOfWeight(reading, weights) : this.awayOfJoint(reading, locals);
-      if (!reading.rises) {
-        const turned = turns.get(reading.joint) ?? [0, 0, 0];
-        turns.set(reading.joint, turned.map((value, axis) => value + away * reading.turn[axis]));
+      const { rises, joint } = reading;
+      const away = rises
+        ? (weights[rises[0][0]] - this.character.baseWeights[rises[0][0]]) / rises[0][1]
+        : this.turned(reading, matrix.polar(locals.subarray(16 * joint, 16 * joint + 16)).rotation);
+      if (!rises) {
+        const turned = turns.get(joint) ?? [0, 0, 0];
+        turns.set(joint, turned.map((value, axis) => value + away * reading.turn[axis]));
       }
       return control.default + away;
     });
@@ -120,14 +122,6 @@ export class Animation {
     });
     for (const [joint, turned] of turns) turnBack(locals.subarray(16 * joint, 16 * joint + 16), turned);
     return { values, weights, locals };
-  }
-
-  awayOfWeight({ rises: [[channel, rise]] }, weights) {
-    return (weights[channel] - this.character.baseWeights[channel]) / rise;
-  }
-
-  awayOfJoint(reading, locals) {
-    return this.turned(reading, matrix.polar(locals.subarray(16 * reading.joint, 16 * reading.joint + 16)).rotation);
   }
 
   /** The component along the control's own turn of a rotation from the rig's base. */

@@ -7,7 +7,8 @@
 import { decomposed } from './matrix.js';
 import { keysFrom, parsed, sayKeys } from './by_name.js';
 import { posed } from './notes.js';
-import { nested, number, quoted, rendered, stringsNamed } from './usda.js';
+import { keeping, layerText, number, quoted, stringsNamed } from './usda.js';
+import { ascending, known } from './vectors.js';
 
 /**
  * The layer as usda text ('' when nothing is animated by hand), to be put above the asset in `subLayers`, and the names
@@ -34,7 +35,7 @@ export function saidKeys(session) {
 function animated(session, stored) {
   const { animation } = session;
   const work = keysFrom(stored, session);
-  const written = [...new Set([...work.keys.keys(), ...work.constants.keys()])].sort((a, b) => a - b);
+  const written = ascending([...work.keys.keys(), ...work.constants.keys()]);
   const states = written.length ? statesAt(session, timesOf(animation, work), (time) => animation.at(time, work)) : [];
   return contentOf(session, written, states, animation.range(work.keys, work.span), stored);
 }
@@ -97,7 +98,7 @@ function timesOf(animation, work) {
       crossings(animation.controls[control].drive.values, [times[i], values[i][control]], [end, values[i + 1][control]]),
     ),
   );
-  return [...new Set([...times, ...more])].sort((a, b) => a - b);
+  return ascending([...times, ...more]);
 }
 
 /** Times inside a piece that is linear from one [time, value] to another, at which it crosses knots. */
@@ -172,25 +173,18 @@ function layerOf(parts, others = []) {
     works.set(own.root, { ...own, keys: { ...own.keys, ...keys }, standing: { ...own.standing, ...standing } });
   }
   const all = [...works.values()];
-  return [
-    '#usda 1.0',
-    '(',
-    `    defaultPrim = ${quoted(work.root.split('/')[1] ?? '')}`,
-    `    startTimeCode = ${number(Math.min(...parts.map(({ range }) => range[0])))}`,
-    `    endTimeCode = ${number(Math.max(...parts.map(({ range }) => range[1])))}`,
-    `    timeCodesPerSecond = ${number(rate)}`,
-    `    framesPerSecond = ${number(rate)}`,
-    '    customLayerData = {',
-    '        dictionary usdrigui = {',
-    `            string work = ${quoted(JSON.stringify(all.length > 1 ? { characters: all } : all[0]))}`,
-    `            string[] own = [${parts.flatMap(({ own }) => own).map(quoted).join(', ')}]`,
-    '        }',
-    '    }',
-    ')',
-    '',
-    ...rendered(nested(new Map(parts.flatMap(({ prims }) => [...prims])))),
-    '',
-  ].join('\n');
+  return layerText(new Map(parts.flatMap(({ prims }) => [...prims])), [
+    `defaultPrim = ${quoted(work.root.split('/')[1] ?? '')}`,
+    `startTimeCode = ${number(Math.min(...parts.map(({ range }) => range[0])))}`,
+    `endTimeCode = ${number(Math.max(...parts.map(({ range }) => range[1])))}`,
+    `timeCodesPerSecond = ${number(rate)}`,
+    `framesPerSecond = ${number(rate)}`,
+    ...keeping(
+      'customLayerData',
+      `string work = ${quoted(JSON.stringify(all.length > 1 ? { characters: all } : all[0]))}`,
+      `string[] own = [${parts.flatMap(({ own }) => own).map(quoted).join(', ')}]`,
+    ),
+  ]);
 }
 
 /**
@@ -202,10 +196,7 @@ function animationsOf({ character, controls: all }, controls) {
   const paths = skeletons.map(animationOf);
   const homes = channels.map((channel, index) => homesOf(character, paths, channel, index));
   const found = new Map();
-  const at = (path) => {
-    if (!found.has(path)) found.set(path, emptyAnimation(character, paths, path));
-    return found.get(path);
-  };
+  const at = (path) => known(found, path, () => emptyAnimation(character, paths, path));
   const unwritten = [];
   for (const control of controls) {
     const { drive, name } = all[control];

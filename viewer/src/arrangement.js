@@ -2,7 +2,7 @@
 // and what a pointer meets there.
 
 import { Dock } from './dock.js';
-import { alongTrack, clamp, dot, lengthOf } from './vectors.js';
+import { alongTrack, clamp, dot, known, lengthOf } from './vectors.js';
 import { lensAt } from './spread.js';
 
 const LEAST_HANDLE = 11;
@@ -11,7 +11,6 @@ const LEAST_TRACK = 30; // pixels: shorter tracks are drawn longer, and moved so
 const MOST_GAIN = 8;
 const STAY = 2; // least distances that the pointer may go before the lens comes after it
 export const BADGE = 6; // pixels of the sign at a coarse element, and at its open members
-export const FINGER = 44; // pixels that fingertips need
 
 export class Arrangement {
   constructor(session) {
@@ -58,8 +57,7 @@ export class Arrangement {
   /** From an element's scene units to pixels: a short track is lengthened about the place of its handle at rest. */
   mapOf(element, project) {
     const origin = project(element.origin);
-    if (!this.magnifications.has(element)) this.magnifications.set(element, magnificationOf(element.tracks.map((track) => track.map(project))));
-    const magnification = this.magnifications.get(element);
+    const magnification = known(this.magnifications, element, () => magnificationOf(element.tracks.map((track) => track.map(project))));
     const [dx, dy] = this.lens?.offsets.get(element) ?? [0, 0];
     return (point) => {
       const [x, y, depth] = project(point);

@@ -9,15 +9,12 @@ export class Bar {
   /** `app`: the page, whose commands the bar offers. */
   constructor(app) {
     this.app = app;
-    /** @type {any[]} */
-    this.pressed = [];
     this.groups = [this.chooser(), this.tabs(), ...this.toggles(), this.looks(), app.live?.makeNode(), this.study()].filter(Boolean);
     this.row = make('div', { class: 'bar-row' });
     this.menu = make('details', { class: 'menu' }, make('summary', { title: 'More', 'aria-label': 'More' }, '⋯'), make('div', { class: 'menu-items' }));
     this.title = make('h1', {}, app.scene.title);
     this.node = make('header', { class: 'bar' }, this.title, this.row, this.menu, this.always());
     new ResizeObserver(() => this.fit()).observe(this.node);
-    app.session.on('options', () => this.pressed.forEach((each) => each.update()));
   }
 
   /** Show each group for which those before it leave room; the others go into the menu. */
@@ -37,11 +34,6 @@ export class Bar {
     return button(label, title, onclick, { 'aria-label': name });
   }
 
-  updating(node) {
-    this.pressed.push(node);
-    return node;
-  }
-
   always() {
     const { app } = this;
     return make(
@@ -56,7 +48,7 @@ export class Bar {
   }
 
   panel(name, label, title) {
-    return this.updating(toggle(label, title, () => !this.app[name].node.hidden, () => this.app.fold(name)));
+    return this.app.session.updating(toggle(label, title, () => !this.app[name].node.hidden, () => this.app.fold(name)));
   }
 
   chooser() {
@@ -81,13 +73,13 @@ export class Bar {
     const { app } = this;
     const { session } = app;
     const option = (name, label, title) =>
-      this.updating(toggle(label, title, () => session.options[name], () => session.flipOption(name)));
+      session.updating(toggle(label, title, () => session.options[name], () => session.flipOption(name)));
     return [
       option('symmetric', 'Symmetry', 'Both sides at once (S)'),
       this.panel('list', 'List', 'All controls as sliders (C)'),
       this.panel('review', 'Review', 'Notes: words and strokes at frames, to send and to open (N)'),
       option('handles', 'Handles', 'Show or hide the handles (H)'),
-      this.updating(segmented('Where the controls are', [
+      session.updating(segmented('Where the controls are', [
         ['face', 'On face', 'Controls on the face'],
         ['beside', 'On copy', 'Controls on a copy of the face, the clean face next to it'],
       ], () => session.options.arrangement, (value) => app.setArrangement(value))),

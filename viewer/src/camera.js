@@ -3,6 +3,8 @@
 import { clamp, dot } from './vectors.js';
 
 const FIELD = (14 * Math.PI) / 180; // a long lens: what stands on the board does not turn it away
+/** Half of what is seen at a distance of 1, from top to bottom. */
+export const HALF = Math.tan(FIELD / 2);
 const STEEPEST = (88 * Math.PI) / 180;
 
 export class OrbitCamera {
@@ -53,7 +55,7 @@ export class OrbitCamera {
     );
     const [wide, high, deep] = spans.map(([low, top]) => top - low);
     const half = 0.5 * margin * Math.max(high, (wide * height) / Math.max(1, width), 1e-6);
-    this.distance = half / Math.tan(FIELD / 2) + 0.5 * deep;
+    this.distance = half / HALF + 0.5 * deep;
     this.size = Math.max(wide, high, deep);
   }
 
@@ -69,7 +71,7 @@ export class OrbitCamera {
 
   /** Scene units per pixel in the plane through the target. */
   pixelSize(height) {
-    return (2 * this.distance * Math.tan(FIELD / 2)) / height;
+    return (2 * this.distance * HALF) / height;
   }
 
   get position() {
@@ -86,7 +88,7 @@ export class OrbitCamera {
    */
   projector(column) {
     const eye = this.position;
-    const focal = column.height / (2 * Math.tan(FIELD / 2));
+    const focal = column.height / (2 * HALF);
     const [cx, cy] = [column.left + column.width / 2, column.top + column.height / 2];
     const { right, above, towards } = this;
     return (point) => {
@@ -99,9 +101,9 @@ export class OrbitCamera {
 
   /** The point at pixel (x, y) of a column, in the plane parallel to the screen at `depth`. */
   unproject(column, x, y, depth) {
-    const focal = column.height / (2 * Math.tan(FIELD / 2));
-    const across = ((x - column.left - column.width / 2) * depth) / focal;
-    const upward = (-(y - column.top - column.height / 2) * depth) / focal;
+    const perPixel = (2 * HALF * depth) / column.height;
+    const across = (x - column.left - column.width / 2) * perPixel;
+    const upward = -(y - column.top - column.height / 2) * perPixel;
     const offset = plus(plus(scaled(this.right, across), scaled(this.above, upward)), scaled(this.towards, -depth));
     return plus(this.position, offset);
   }

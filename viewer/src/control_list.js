@@ -1,7 +1,8 @@
 // The plain list of sliders: every control by name, searchable, and the baseline of the evaluation.
 
 import { headingOf } from './dock.js';
-import { longName, make, shownValue } from './dom.js';
+import { button, hint, longName, make, setAll } from './dom.js';
+import { known } from './vectors.js';
 
 const STEPS = 1000;
 
@@ -19,7 +20,8 @@ export class ControlList {
     });
     this.rows = session.controls.map((control, index) => this.makeRow(control, index));
     this.body = make('div', { class: 'rows' }, ...this.sections());
-    this.empty = make('p', { class: 'hint', hidden: true }, 'No control has this name.');
+    this.empty = hint('No control has this name.');
+    this.empty.hidden = true;
     this.node = make('section', { class: 'list', 'aria-label': 'Controls' }, this.search, this.body, this.empty);
     session.on('pose', () => this.updateValues());
     session.on('selection', () => this.updateMarks(true));
@@ -37,8 +39,7 @@ export class ControlList {
     this.rows.forEach((row, index) => {
       const element = this.session.elements.byControl.get(index);
       const name = !element ? 'Not in the layout' : element.onBoard ? headingOf(element) : '';
-      if (!names.has(name)) names.set(name, []);
-      names.get(name).push(row.node);
+      known(names, name, () => []).push(row.node);
     });
     const order = [...names].sort(([a], [b]) => rankOf(a) - rankOf(b));
     return order.flatMap(([name, nodes]) => (name ? [make('h3', {}, name), ...nodes] : nodes));
@@ -65,28 +66,16 @@ export class ControlList {
       onchange: () => {
         const value = parseFloat(number.value.replace(',', '.'));
         if (Number.isFinite(value)) change(value);
-        number.value = shownValue(session.values[index], control.maximum - control.minimum);
+        number.value = session.worded(index);
       },
       onfocus: () => number.select(),
     });
-    const lock = make('button', {
-      type: 'button',
-      class: 'lock',
-      title: 'Lock: neither drags nor pulls change it',
-      'aria-label': `Lock ${control.label}`,
-      onclick: () => session.toggleLock(index),
-    });
-    const name = make(
-      'button',
-      {
-        type: 'button',
-        class: 'name',
-        title: control.label === control.name ? control.name : `${control.label} (${control.name})`,
-        tabIndex: -1,
-        'aria-label': control.label,
-        onclick: (event) => element && session.reveal(element, event.shiftKey ? 'toggle' : 'replace'),
-      },
+    const lock = button('', 'Lock: neither drags nor pulls change it', () => session.toggleLock(index), { class: 'lock', 'aria-label': `Lock ${control.label}` });
+    const name = button(
       longName(control.label),
+      control.label === control.name ? control.name : `${control.label} (${control.name})`,
+      (event) => element && session.reveal(element, event.shiftKey ? 'toggle' : 'replace'),
+      { class: 'name', tabIndex: -1, 'aria-label': control.label },
     );
     const chip = make('i', { class: 'chip', style: { background: session.colours[element?.side ?? 'none'] } });
     const node = make(
@@ -118,7 +107,7 @@ export class ControlList {
       const ends = [value, session.rest[index]].map((each) => (100 * (each - minimum)) / range);
       slider.style.setProperty('--from', `${Math.min(...ends)}%`);
       slider.style.setProperty('--at', `${Math.max(...ends)}%`);
-      if (document.activeElement !== number) number.value = shownValue(value, range);
+      if (document.activeElement !== number) number.value = session.worded(index);
       node.classList.toggle('moved', value !== session.rest[index]);
     }
   }
@@ -130,7 +119,7 @@ export class ControlList {
       const selected = element !== undefined && session.selection.has(element.index);
       node.classList.toggle('selected', selected);
       node.classList.toggle('hovered', element !== undefined && session.hover === element);
-      lock.setAttribute('aria-pressed', String(session.locks.has(index)));
+      setAll(lock, { 'aria-pressed': session.locks.has(index) });
       if (selected) first ??= node;
     }
     if (reveal && first && !this.node.contains(document.activeElement)) first.scrollIntoView({ block: 'nearest' });

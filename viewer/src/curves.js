@@ -2,8 +2,10 @@
 // and value.
 
 import { keyedValue } from './animation.js';
+import { setAll } from './dom.js';
 import { bendsOf } from './interpolation.js';
 import { keysWithin, retimed } from './keying.js';
+import { ascending } from './vectors.js';
 
 export const REACH = { mouse: 8, touch: 22 }; // pixels around a key
 export const WIDE = 60; // pixels from one number of a frame to the next, at least
@@ -72,7 +74,7 @@ export class Curves {
     const colour = session.colours[session.elements.byControl.get(control)?.side ?? 'none'];
     const { label } = session.controls[control];
     const [[first], [last]] = [track[0], track.at(-1)];
-    const times = [...new Set([...track.map(([frame]) => frame), ...bendsOf(track), ...wholeFrames(first, last)])].sort((a, b) => a - b);
+    const times = ascending([...track.map(([frame]) => frame), ...bendsOf(track), ...wholeFrames(first, last)]);
     const points = times.map((time) => this.place(control, time, keyedValue(track, time, null)).join());
     const named = this.place(control, last, track.at(-1)[1]);
     const ends = named[0] > this.size[0] - 120;
@@ -183,10 +185,6 @@ export function roundFrames([first, last], most) {
 
 function* wholeFrames(first, last) {
   for (let frame = Math.ceil(first); frame <= last; frame++) yield frame;
-}
-
-function setAll(node, attributes) {
-  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, String(value));
 }
 
 function svg(tag, attributes) {

@@ -2,7 +2,7 @@
 
 import * as matrix from './matrix.js';
 import { Skeletons, prepareSkin, usedJoints } from './skeleton.js';
-import { mixed, shareAt } from './vectors.js';
+import { ascending, mixed, shareAt } from './vectors.js';
 
 export class Deformer {
   constructor(character) {
@@ -33,19 +33,19 @@ export class Deformer {
     }
   }
 
-  addDrive(index, value) {
+  /** Add what a control drives at a value, or with `sign` -1 take it away. */
+  addDrive(index, value, sign = 1) {
     const { drive } = this.controls[index];
     const [key, share] = shareAt(drive.values, value);
-    drive.channels.forEach((channel, i) => {
-      this.weights[channel] += mixed(drive.weights[key][i], drive.weights[key + 1][i], share);
-    });
+    const at = (rows, i) => sign * mixed(rows[key][i], rows[key + 1][i], share);
+    drive.channels.forEach((channel, i) => (this.weights[channel] += at(drive.weights, i)));
     drive.joints.forEach((joint, i) => {
-      for (let axis = 0; axis < 3; axis++) {
-        const at = 9 * joint + axis;
-        this.moves[at] += mixed(drive.rotations[key][i][axis], drive.rotations[key + 1][i][axis], share);
-        this.moves[at + 3] += mixed(drive.translations[key][i][axis], drive.translations[key + 1][i][axis], share);
-        this.moves[at + 6] += mixed(drive.scales[key][i][axis], drive.scales[key + 1][i][axis], share);
-      }
+      [drive.rotations, drive.translations, drive.scales].forEach((rows, part) => {
+        for (let axis = 0; axis < 3; axis++) {
+          const to = 9 * joint + 3 * part + axis;
+          this.moves[to] = settled(this.moves[to] + sign * mixed(rows[key][i][axis], rows[key + 1][i][axis], share));
+        }
+      });
     });
   }
 
@@ -142,23 +142,12 @@ export class Deformer {
     const { drive } = this.controls[index];
     const weights = drive.channels.map((channel) => this.weights[channel]);
     const moves = drive.joints.map((joint) => this.moves.slice(9 * joint, 9 * joint + 9));
-    this.subtractDrive(index, now);
+    this.addDrive(index, now, -1);
     this.addDrive(index, value);
     const result = use();
     drive.channels.forEach((channel, i) => (this.weights[channel] = weights[i]));
     drive.joints.forEach((joint, i) => this.moves.set(moves[i], 9 * joint));
     return result;
-  }
-
-  subtractDrive(index, value) {
-    const { weights, moves } = this;
-    [this.weights, this.moves] = [new Float64Array(weights.length), new Float64Array(moves.length)];
-    this.addDrive(index, value);
-    this.controls[index].drive.channels.forEach((channel) => (weights[channel] -= this.weights[channel]));
-    for (const joint of this.controls[index].drive.joints) {
-      for (let i = 9 * joint; i < 9 * joint + 9; i++) moves[i] = settled(moves[i] - this.moves[i]);
-    }
-    [this.weights, this.moves] = [weights, moves];
   }
 }
 
@@ -166,7 +155,7 @@ export class Deformer {
 const settled = (value) => (Math.abs(value) < 1e-14 ? 0 : value);
 
 function prepareMesh(mesh) {
-  mesh.root = matrix.flat(mesh.toRoot);
+  mesh.root = mesh.toRoot.flat();
   mesh.size = mesh.points.reduce((most, value) => Math.max(most, Math.abs(value)), 1e-30);
   mesh.maps = Float64Array.from([0, 1, 2, 3].flatMap((row) => mesh.root.slice(4 * row, 4 * row + 3)));
   mesh.plain = isIdentity(mesh.maps);
@@ -175,7 +164,7 @@ function prepareMesh(mesh) {
     usedJoints(mesh.skin);
   }
   for (const shape of mesh.shapes) {
-    shape.nodes = [...shape.weights, 0].sort((a, b) => a - b);
+    shape.nodes = ascending([...shape.weights, 0]);
     shape.zero = shape.nodes.indexOf(0);
   }
 }

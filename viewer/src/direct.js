@@ -38,8 +38,7 @@ const SAME = 1e-9; // shares of the range nearer to each other than this are one
  * grabbed point below which a control is left alone.
  */
 export function fitPull({ model, start, now, targets, groups, towards, locality }) {
-  const weights = rowWeights(targets.length, towards);
-  const away = (at) => weighted(targets.map((target, i) => target - at[i]), weights);
+  const away = (at) => weighted(targets.map((target, i) => target - at[i]), towards);
   /** @type {any} */
   let problem = null;
   let acting = null;
@@ -49,7 +48,7 @@ export function fitPull({ model, start, now, targets, groups, towards, locality 
     const here = model.linearise(found[round]);
     acting ??= local(model, groups, here, locality);
     if (!acting.length) return new Map();
-    problem = pullProblem(model, here, start, found[round], away(here.at), acting, weights);
+    problem = pullProblem(model, here, start, found[round], away(here.at), acting, towards);
     solution = solution ? rounded(problem, solved(problem, solution.held, solution.rest)) : oneEndOfEach(problem);
     found.push(taken(model, start, acting, allTheWay(problem, solution).x));
   }
@@ -114,18 +113,12 @@ function local(model, groups, here, locality) {
 
 const rangeOf = (model, group) => Math.max(...group.map((control) => model.maximum(control) - model.minimum(control)));
 
-/** Per constraint the direction that counts less: that to the viewer, for the grabbed place only. */
-function rowWeights(rows, towards) {
-  return Array.from({ length: rows / 3 }, (_, i) => (i === 0 && towards ? towards : null));
-}
-
-function weighted(rows, weights) {
+/** Rows of which those of the grabbed place, the first three, count less in the direction to the viewer. */
+function weighted(rows, towards) {
   const out = Float64Array.from(rows);
-  weights.forEach((towards, i) => {
-    if (!towards) return;
-    const deep = out[3 * i] * towards[0] + out[3 * i + 1] * towards[1] + out[3 * i + 2] * towards[2];
-    for (let axis = 0; axis < 3; axis++) out[3 * i + axis] -= (1 - DEPTH) * deep * towards[axis];
-  });
+  if (!towards) return out;
+  const deep = dot(towards, out);
+  for (let axis = 0; axis < 3; axis++) out[axis] -= (1 - DEPTH) * deep * towards[axis];
   return out;
 }
 
@@ -133,9 +126,9 @@ function weighted(rows, weights) {
  * The bounded problem in the controls' own units: x in values, not in shares of the range.  Of each of `pairs`
  * one variable at most is away from its `off`.
  */
-function pullProblem(model, here, start, current, away, acting, weights) {
+function pullProblem(model, here, start, current, away, acting, towards) {
   const made = acting.map((group) => columnOf(model, here, group, here.at.length));
-  const columns = made.map(({ column }) => weighted(column, weights));
+  const columns = made.map(({ column }) => weighted(column, towards));
   const right = Float64Array.from(away);
   acting.forEach(([first], k) => {
     for (let i = 0; i < right.length; i++) right[i] += columns[k][i] * (current[first] - start[first]);
@@ -364,16 +357,8 @@ function solveSymmetric(matrix, right) {
   return y;
 }
 
-function residual(columns, right, x) {
-  const rest = Float64Array.from(right);
-  columns.forEach((column, k) => {
-    if (x[k] !== 0) for (let i = 0; i < rest.length; i++) rest[i] -= column[i] * x[k];
-  });
-  return rest;
-}
-
 function cost({ columns, right, ridge, sparse }, x) {
-  const rest = residual(columns, right, x);
+  const rest = right.map((value, i) => columns.reduce((left, column, k) => left - column[i] * x[k], value));
   let sum = dot(rest, rest);
   for (let k = 0; k < x.length; k++) sum += (ridge[k] * Math.abs(x[k]) + (sparse?.[k] ?? 0)) * Math.abs(x[k]);
   return sum;

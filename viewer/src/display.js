@@ -2,8 +2,10 @@
 // pointed at.  Listeners hear of changes.
 
 import { Deformer } from './deform.js';
+import { download } from './dom.js';
 import { Elements } from './elements.js';
 import { Levels } from './levels.js';
+import { known } from './vectors.js';
 
 const DEFAULT_OPTIONS = {
   arrangement: 'face', // 'face': controls on the face; 'beside': on a copy of it, the clean face next to it
@@ -44,13 +46,26 @@ export class Display {
   }
 
   on(event, listener) {
-    if (!this.listeners.has(event)) this.listeners.set(event, new Set());
-    this.listeners.get(event).add(listener);
+    known(this.listeners, event, () => new Set()).add(listener);
   }
 
   /** A name for a file of this character. */
   fileNamed(what) {
     return `${this.character.root.split('/').at(-1) || 'character'}.${what}`;
+  }
+
+  /** Download a text as a file of this character; `say` hears of the controls that it could not hold. */
+  save(what, { text, unwritten = [] }, say = (words) => words) {
+    if (text) download(this.fileNamed(what), text);
+    this.emit('saved');
+    if (unwritten.length) say(`No animation drives ${unwritten.join(', ')}`);
+  }
+
+  /** Let a node renew itself, now and as the options change. */
+  updating(node) {
+    for (const event of ['options', 'layout']) this.on(event, () => node.update());
+    node.update();
+    return node;
   }
 
   emit(event) {

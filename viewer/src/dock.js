@@ -1,14 +1,13 @@
 // The board as a strip at the edge of the view: rows of short tracks with names, in pixels, wherever the camera looks.
 
 import { OrbitCamera, minus } from './camera.js';
-import { lastWord } from './dom.js';
+import { FINGER, contains, lastWord } from './dom.js';
 import { alongTrack, clamp, dot } from './vectors.js';
 
 const WIDE = 184; // pixels of a column of rows
 const CELL = 46; // of them for a track
 const ROW = 26;
 const SQUARE = 50; // height of a row whose element has several axes
-const FINGER = 44; // height of a row for fingertips
 const HEAD = 24;
 const PAD = 10;
 const FONT = '11.5px system-ui, sans-serif';
@@ -114,9 +113,8 @@ export class Dock {
     return this.session.elements.handleAt({ members, tracks }, this.session.values, origins);
   }
 
-  contains({ x, y }) {
-    const { rect } = this;
-    return Boolean(rect) && x >= rect.left && x < rect.left + rect.width && y >= rect.top && y < rect.top + rect.height;
+  contains(at) {
+    return Boolean(this.rect) && contains(this.rect, at);
   }
 
   /** Scroll by pixels; false where there is nothing more. */

@@ -2,6 +2,8 @@
 
 import { clamp } from './vectors.js';
 
+export const FINGER = 44; // pixels that fingertips need
+
 /** An element with properties, attributes (aria-*, data-*, role), event listeners (onX) and children. */
 export function make(tag, properties = {}, ...children) {
   const node = document.createElement(tag);
@@ -15,6 +17,34 @@ export function make(tag, properties = {}, ...children) {
   node.append(...children.filter((child) => child !== null && child !== undefined));
   return node;
 }
+
+/** Words beside what they explain. */
+export const hint = (...words) => make('p', { class: 'hint' }, ...words);
+
+export const actions = (...buttons) => make('div', { class: 'actions' }, ...buttons);
+
+/** A control with its name before it. */
+export const field = (name, node, more = {}) => make('label', { class: 'field', ...more }, make('span', {}, name), node);
+
+/** A slider whose bar is filled up to its value, which `input.update` renews; `oninput` hears of numbers. */
+export function slider(properties, current, oninput) {
+  const input = make('input', { type: 'range', ...properties, oninput: () => oninput(Number(input.value)) });
+  input.update = () => {
+    input.value = current();
+    input.style.setProperty('--at', along(input.value, [input.min, input.max]));
+  };
+  return input;
+}
+
+/** Where a frame or a value is between two, for a style. */
+export const along = (value, [first, last]) => `${(100 * (value - first)) / (last - first)}%`;
+
+export function setAll(node, attributes) {
+  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, String(value));
+}
+
+/** Whether [left, top, width, height] of the screen has a place in it. */
+export const contains = ({ left, top, width, height }, { x, y }) => x >= left && x < left + width && y >= top && y < top + height;
 
 /** "1 key", "2 keys". */
 export const counted = (number, what) => `${number} ${what}${number === 1 ? '' : 's'}`;
@@ -40,7 +70,7 @@ export const button = (label, title, onclick, more = {}) => make('button', { typ
 /** A button that is pressed or not; `icon` is short text. */
 export function toggle(label, title, isOn, press) {
   const node = button(label, title, press, { class: 'toggle' });
-  node.update = () => node.setAttribute('aria-pressed', String(isOn()));
+  node.update = () => setAll(node, { 'aria-pressed': isOn() });
   node.update();
   return node;
 }
@@ -50,13 +80,13 @@ export function segmented(name, choices, current, choose) {
   const buttons = choices.map(([value, label, title]) => button(label, title, () => choose(value)));
   const group = make('div', { class: 'segmented', role: 'group', 'aria-label': name }, ...buttons);
   group.update = () => {
-    buttons.forEach((each, i) => each.setAttribute('aria-pressed', String(choices[i][0] === current())));
+    buttons.forEach((each, i) => setAll(each, { 'aria-pressed': choices[i][0] === current() }));
   };
   group.update();
   return group;
 }
 
-export function download(name, text, type) {
+export function download(name, text, type = 'text/plain') {
   const address = URL.createObjectURL(new Blob([text], { type }));
   const link = make('a', { href: address, download: name });
   document.body.append(link);

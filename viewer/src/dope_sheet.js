@@ -2,10 +2,10 @@
 // copied, pasted, taken away, and told how to go on to the next.
 
 import { Curves, REACH, WIDE, roundFrames } from './curves.js';
-import { button, capitalised, counted, make, segmented } from './dom.js';
+import { along, button, capitalised, counted, hint, make, segmented } from './dom.js';
 import { WAYS, wayOf } from './interpolation.js';
 import { changedKeys, copiedKeys, keysGoing, keysWithin, pastedKeys, removedKeys, retimed } from './keying.js';
-import { clamp } from './vectors.js';
+import { clamp, known } from './vectors.js';
 
 const MARKS = { linear: 'dope-key', smooth: 'dope-key round', stepped: 'dope-key square' };
 
@@ -131,7 +131,7 @@ export class DopeSheet {
     if (this.shows === 'curves') return this.curves.draw();
     const tracks = [...this.keys];
     this.rows = [{ name: 'All', controls: tracks.map(([control]) => control) }, ...tracks.map(([control]) => ({ name: session.controls[control].label, controls: [control] }))];
-    const none = make('p', { class: 'hint' }, 'No keys yet: K keys what is selected or changed, Auto-key every drag.');
+    const none = hint('No keys yet: K keys what is selected or changed, Auto-key every drag.');
     return this.body.replaceChildren(this.ruler(), ...this.waveRow(), ...(tracks.length ? this.rows.map((row) => this.row(row)) : [none]));
   }
 
@@ -150,7 +150,7 @@ export class DopeSheet {
 
   row({ name, controls }) {
     const frames = new Map();
-    for (const control of controls) for (const key of this.keys.get(control)) frames.set(key[0], [...(frames.get(key[0]) ?? []), [control, key]]);
+    for (const control of controls) for (const key of this.keys.get(control)) known(frames, key[0], () => []).push([control, key]);
     const marks = [...frames].map(([frame, keys]) => this.mark(name, frame, keys));
     const now = make('i', { class: 'dope-now', style: { left: this.along(this.session.frame) } });
     return make('div', { class: 'dope-row' }, make('span', { title: name }, name), make('div', { class: 'dope-line' }, ...this.band(controls), ...marks, now));
@@ -165,8 +165,7 @@ export class DopeSheet {
   }
 
   along(frame) {
-    const [first, last] = this.scale;
-    return `${(100 * (frame - first)) / (last - first)}%`;
+    return along(frame, this.scale);
   }
 
   /** A mark stands for one key, or for all at a frame. */

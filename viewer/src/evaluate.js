@@ -1,7 +1,7 @@
 // The evaluation of the paper's section 5: match target poses with the slider list, the controls on the
 // face and the controls beside it, then answer questions; time, errors and answers as CSV (`usdrigui study` sums them).
 
-import { button, download, make } from './dom.js';
+import { actions, button, download, field, hint, make } from './dom.js';
 import { Hand } from './hand.js';
 import { parsed } from './by_name.js';
 import { posesOf } from './pose_library.js';
@@ -208,7 +208,7 @@ export class Evaluation {
 
   open() {
     const number = make('input', { type: 'number', min: 1, value: 1, 'aria-label': 'Participant number' });
-    const order = make('p', { class: 'hint' });
+    const order = hint();
     const describe = () => {
       const names = orderOf(Math.max(1, Number(number.value))).map((name) => INTERFACES[name]);
       order.textContent = `Order: ${names.join(' → ')}`;
@@ -216,14 +216,14 @@ export class Evaluation {
     number.addEventListener('input', describe);
     describe();
     const agreed = make('input', { type: 'checkbox' });
-    const level = make('select', { 'aria-label': 'Experience' }, ...['', ...LEVELS].map((each) => make('option', { value: each }, each || 'choose')));
+    const select = (name, choices) => make('select', { 'aria-label': name }, ...choices.map((each) => make('option', { value: each }, each || 'choose')));
+    const level = select('Experience', ['', ...LEVELS]);
     const sets = this.sets();
-    const chosen = make('select', { 'aria-label': 'Target faces' }, ...[...sets.keys()].map((each) => make('option', { value: each }, each)));
+    const chosen = select('Target faces', [...sets.keys()]);
     const first = button('Start', '', () => {
       this.setting = { level: level.value, targets: chosen.value };
       this.start(Math.max(1, Math.floor(Number(number.value)) || 1));
-    });
-    first.classList.add('primary');
+    }, { class: 'primary' });
     const allow = () => (first.disabled = !agreed.checked || !level.value);
     for (const input of [agreed, level]) input.addEventListener('change', allow);
     allow();
@@ -231,15 +231,13 @@ export class Evaluation {
     this.show(
       make('h2', {}, 'Match the target face'),
       make('p', {}, 'Fifteen faces, five with each of three interfaces, and one to practise on before each five. Change your face until it looks like the target, then press Done. Pulling the skin, shortcuts and playback are off, so that the interfaces can be compared.'),
-      make('label', { class: 'field' }, make('span', {}, 'Participant'), number),
+      field('Participant', number),
       order,
-      make('label', { class: 'field' }, make('span', {}, 'I animate faces as'), level),
-      make('label', { class: 'field' }, make('span', {}, 'Target faces'), chosen),
-      make('p', { class: 'hint' }, this.lacking),
+      field('I animate faces as', level),
+      field('Target faces', chosen),
+      hint(this.lacking),
       make('label', { class: 'field' }, agreed, make('span', {}, 'I agree that my times, errors, answers and what my pointer does are saved under this number, without my name, and may be published. I can stop at any time.')),
-      make(
-        'div',
-        { class: 'actions' },
+      actions(
         first,
         kept && button(`Go on with participant ${kept.participant}`, `${kept.results.length} of 15 faces are done`, () => {
           this.setting = kept.setting;
@@ -392,7 +390,7 @@ export class Evaluation {
       event.preventDefault();
       const answers = Object.fromEntries([...new FormData(form)].map(([name, value]) => [name, Number(value)]));
       this.thank(comment.value.trim() ? { ...answers, comment: comment.value.trim() } : answers);
-    } }, ...asked, comment, make('div', { class: 'actions' }, make('button', { type: 'submit', class: 'primary' }, 'Done')));
+    } }, ...asked, comment, actions(make('button', { type: 'submit', class: 'primary' }, 'Done')));
     this.show(make('h2', {}, 'How was it?'), form);
   }
 
@@ -405,9 +403,7 @@ export class Evaluation {
     this.show(
       make('h2', {}, 'Thank you'),
       this.summary(),
-      make(
-        'div',
-        { class: 'actions' },
+      actions(
         button('Save CSV', '', save, { class: 'primary' }),
         button('Save events', '', () => download(`events-${this.participant}.csv`, eventsCsv(this.participant, this.results), 'text/csv')),
         button('Close', '', () => this.close()),

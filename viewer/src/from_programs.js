@@ -6,6 +6,7 @@ import { keysFrom } from './by_name.js';
 import { withKey } from './interpolation.js';
 import { polar, quaternionMatrix } from './matrix.js';
 import { stringsIn, valuesIn } from './usda.js';
+import { known } from './vectors.js';
 
 const SAME = 1e-5; // of a control's range: single precision and a bit
 
@@ -20,7 +21,7 @@ export function withChanges(session, stored, { changed, names, written }) {
   const constants = new Map(work.constants);
   const values = Object.fromEntries(Object.entries(changed).map(([path, text]) => [path, valuesIn(text)]));
   const states = new Map();
-  const stateAt = (time) => states.get(time) ?? states.set(time, statesAt(session, [time], (when) => animation.at(when, work))[0]).get(time);
+  const stateAt = (time) => known(states, time, () => statesAt(session, [time], (when) => animation.at(when, work))[0]);
   controls.forEach(({ attribute, minimum, maximum }, control) => {
     const { samples, one } = values[attribute] ?? { samples: [], one: null };
     const isOurs = attribute in values && written.includes(attribute);

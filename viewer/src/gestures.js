@@ -3,7 +3,7 @@
 // handled once per drawn frame.
 
 import { dragTo, movedAlong } from './drag.js';
-import { FINGER } from './arrangement.js';
+import { FINGER } from './dom.js';
 import { Pull } from './pull.js';
 import { clamp } from './vectors.js';
 
@@ -164,7 +164,7 @@ export class Gestures {
 
   doubleClick(event) {
     const at = this.view.locate(event);
-    const element = this.view.controlsAt(at) ? this.view.overlay.elementAt(at.x, at.y) : null;
+    const element = this.view.elementAt(at);
     const hit = element ? null : this.view.pick(at);
     if (element) this.session.reset(element.members.map(({ control }) => control));
     else if (hit) this.view.dive(hit);
@@ -191,9 +191,8 @@ export class Gestures {
       return this.view.setCursor('crosshair');
     }
     const { overlay } = this.view;
-    const on = this.view.controlsAt(at);
-    if (on && at.column && !this.reach && overlay.point(at.x, at.y)) this.view.changed('overlay');
-    const element = on ? overlay.elementAt(at.x, at.y) : null;
+    if (this.view.controlsAt(at) && at.column && !this.reach && overlay.point(at.x, at.y)) this.view.changed('overlay');
+    const element = this.view.elementAt(at);
     this.session.setHover(element);
     const onSkin = !element && at.column?.kind !== 'target' && this.view.pick(at);
     return this.view.setCursor(element ? 'grab' : onSkin && this.session.options.skinDrag ? 'crosshair' : 'default');
@@ -209,7 +208,7 @@ export class Gestures {
     const coarse = view.controlsAt(at) ? view.overlay.badgeAt(at.x, at.y, reach ? reach / 2 : undefined) : null;
     if (coarse) return { click: () => session.openOrClose([coarse]) };
     if (reach && at.column && view.overlay.isAmbiguous(at.x, at.y, reach)) return this.opening(at);
-    const element = view.controlsAt(at) ? view.overlay.elementAt(at.x, at.y, reach) : null;
+    const element = view.elementAt(at, reach);
     if (!element && view.overlay.dock.contains(at)) return { drag: (_, [, dy]) => this.scroll(-dy) };
     if (event.altKey || !(element || at.column) || at.column?.kind === 'target') return this.orbiting();
     if (element && session.options.rearrange) return view.rearranging.gesture(element);
@@ -248,7 +247,7 @@ export class Gestures {
       begin: () => {
         this.view.overlay.point(at.x, at.y, FINGER);
         this.view.changed('overlay');
-        this.view.say?.('Several handles lay under the finger: drag the one you mean');
+        this.view.say('Several handles lay under the finger: drag the one you mean');
       },
     };
   }
@@ -305,7 +304,7 @@ export class Gestures {
         pull = new Pull(session, hit, view.camera.towards);
         this.setDragging('skin');
         view.setCursor(pull.acts ? 'grabbing' : 'not-allowed');
-        if (!pull.acts) view.say?.('No control that is free moves the skin here');
+        if (!pull.acts) view.say('No control that is free moves the skin here');
       },
       drag: (hand) => {
         const { column } = at;
@@ -314,13 +313,13 @@ export class Gestures {
         pull.to(pull.origin.map((value, axis) => value + to[axis] - from[axis]));
       },
       drop: () => {
-        if (pull.acts && before.every((value, i) => value === session.values[i])) view.say?.('No control that is free moves the skin here that way');
+        if (pull.acts && before.every((value, i) => value === session.values[i])) view.say('No control that is free moves the skin here that way');
         session.endEdit('Pull the skin', before);
       },
       click: () => view.showInfluences(hit),
       hold: () => {
         session.addPin(hit);
-        view.say?.('Pinned: pulls leave this point. A tap on the pin takes it out');
+        view.say('Pinned: pulls leave this point. A tap on the pin takes it out');
       },
       undo: () => before && session.set([...before.entries()]),
     };

@@ -1,7 +1,9 @@
 // Areas of influence: how far each point moves when a control goes through its range, and which controls
 // move a given point most.
 
+import { minus } from './camera.js';
 import { determinant3 } from './matrix.js';
+import { known } from './vectors.js';
 
 const GOOD_WAY = 64; // of 255: a quarter of the way that the point goes that moves most
 
@@ -17,8 +19,7 @@ export class Influence {
 
   /** The longest way that a control moves any point over its range, in scene units. */
   peak(index) {
-    if (!this.peaks.has(index)) this.peaks.set(index, this.longest(index));
-    return this.peaks.get(index);
+    return known(this.peaks, index, () => this.longest(index));
   }
 
   /** Of a control without joints: its shapes' largest offsets, and the scale of the mesh's map. */
@@ -41,12 +42,11 @@ export class Influence {
 
   /** Share of a control's motion that goes to one side, 0 to 1: its mean along `normal` over its mean length. */
   sidewaysOf(index, normal) {
-    if (this.sideways.has(index)) return this.sideways.get(index);
-    const { minimum, maximum } = this.character.controls[index];
-    const [still, low, high] = this.pointsAt(index, [this.rest[index], minimum, maximum]);
-    const share = Math.max(sideways(still, low, normal), sideways(still, high, normal));
-    this.sideways.set(index, share);
-    return share;
+    return known(this.sideways, index, () => {
+      const { minimum, maximum } = this.character.controls[index];
+      const [still, ...ends] = this.pointsAt(index, [this.rest[index], minimum, maximum]);
+      return Math.max(...ends.map((end) => sideways(still, end, normal)));
+    });
   }
 
   /** Whether a control moves joints, and by these at least half of the character's points a good way. */
@@ -60,8 +60,7 @@ export class Influence {
 
   /** 0 to 255 per point: displacement at the stronger end of the range, relative to the control's largest. */
   ofControl(index) {
-    if (!this.known.has(index)) this.known.set(index, this.measure(index));
-    return this.known.get(index);
+    return known(this.known, index, () => this.measure(index));
   }
 
   /** The largest influence of several controls at each point. */
@@ -104,10 +103,9 @@ export class Influence {
     const { deformer } = this;
     deformer.drive(values);
     const found = this.character.controls.map((control, index) => {
-      const low = deformer.withControl(index, values[index], control.minimum, at);
-      const high = deformer.withControl(index, values[index], control.maximum, at);
-      const rest = deformer.withControl(index, values[index], this.rest[index], at);
-      const distance = Math.max(apart(low, rest), apart(high, rest), apart(low, high));
+      const ends = [control.minimum, control.maximum, this.rest[index]];
+      const [low, high, rest] = ends.map((end) => deformer.withControl(index, values[index], end, at));
+      const distance = Math.max(...[[low, rest], [high, rest], [low, high]].map(([a, b]) => Math.hypot(...minus(a, b))));
       return { control: index, distance };
     });
     const most = found.reduce((a, { distance }) => Math.max(a, distance), 0);
@@ -129,8 +127,6 @@ function sideways(still, moved, normal) {
   }
   return length > 0 ? Math.abs(along) / length : 0;
 }
-
-const apart = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 
 /** Largest offset of a shape per unit of weight. */
 function largestOffset(shape) {

@@ -3,7 +3,7 @@
 
 import { keysFromLayer, poseLayer } from './animation_layer.js';
 import { headingOf } from './dock.js';
-import { button, capitalised, counted, download, longName, make, segmented, shownValue, takeFile, toggle } from './dom.js';
+import { actions, button, capitalised, counted, download, field, hint, longName, make, segmented, slider, takeFile, toggle } from './dom.js';
 import { poseFromJson, poseToJson } from './pose_io.js';
 import { Shelf } from './shelf.js';
 import { sideName } from './view.js';
@@ -16,8 +16,6 @@ export class Inspector {
     this.view = view;
     this.timeline = timeline;
     this.say = say;
-    this.updates = [];
-    this.kept = null;
     /** @type {any[]} */
     this.numbers = [];
     this.chosen = make('div', { class: 'chosen' });
@@ -41,19 +39,7 @@ export class Inspector {
       this.showSelection();
     });
     session.on('pose', () => this.updateNumbers());
-    session.on('options', () => this.update());
-    session.on('layout', () => this.update());
     this.showSelection();
-    this.update();
-  }
-
-  update() {
-    this.updates.forEach((update) => update());
-  }
-
-  updating(node) {
-    this.updates.push(() => node.update());
-    return node;
   }
 
   // --- selection -------------------------------------------------------------------------------------
@@ -64,16 +50,14 @@ export class Inspector {
     this.numbers = [];
     if (!elements.length) {
       this.chosen.replaceChildren(
-        make('p', { class: 'hint' }, 'Drag a handle, or pull the skin. Click the skin to see what acts there; shift-drag selects.'),
+        hint('Drag a handle, or pull the skin. Click the skin to see what acts there; shift-drag selects.'),
       );
       return;
     }
     this.chosen.replaceChildren(
       ...elements.slice(0, 8).map((element) => this.elementCard(element)),
-      ...(elements.length > 8 ? [make('p', { class: 'hint' }, `and ${elements.length - 8} more`)] : []),
-      make(
-        'div',
-        { class: 'actions' },
+      ...(elements.length > 8 ? [hint(`and ${elements.length - 8} more`)] : []),
+      actions(
         button('Zero', 'Selected controls to their defaults (0)', () => session.zero(session.chosenControls)),
         button('Reset', 'Selected controls to the base pose (R)', () => session.reset(session.chosenControls)),
         button('Hide', 'Hide the selected elements', () => session.hide(session.selectedElements)),
@@ -89,10 +73,10 @@ export class Inspector {
       'div',
       { class: 'card', style: { borderLeftColor: this.session.colours[element.side] } },
       make('div', { class: 'card-title' }, element.label),
-      side ? make('div', { class: 'hint' }, side) : null,
+      side ? hint(side) : null,
       this.levelButton(element),
       ...element.members.map(({ control }) => this.numberRow(control)),
-      element.reason ? make('div', { class: 'hint' }, `${capitalised(element.reason)}.`) : null,
+      element.reason ? hint(`${capitalised(element.reason)}.`) : null,
     );
   }
 
@@ -109,27 +93,26 @@ export class Inspector {
   numberRow(index) {
     const { session } = this;
     const control = session.controls[index];
-    const range = control.maximum - control.minimum;
     const input = make('input', {
       type: 'number',
-      step: range / 100,
+      step: (control.maximum - control.minimum) / 100,
       min: control.minimum,
       max: control.maximum,
       'aria-label': control.label,
       onchange: () => {
         const value = parseFloat(input.value);
         if (Number.isFinite(value)) session.edit(`Set ${control.label}`, () => session.set([[index, value]]), `number ${index}`);
-        input.value = shownValue(session.values[index], range);
+        input.value = session.worded(index);
       },
     });
-    this.numbers.push({ input, index, range });
-    const ends = `${shownValue(control.minimum, range)} … ${shownValue(control.maximum, range)}`;
+    this.numbers.push({ input, index });
+    const ends = `${session.worded(index, control.minimum)} … ${session.worded(index, control.maximum)}`;
     return make('label', { class: 'number-row', title: `${control.name}: ${ends}` }, longName(control.label), input);
   }
 
   updateNumbers() {
-    for (const { input, index, range } of this.numbers) {
-      if (document.activeElement !== input) input.value = shownValue(this.session.values[index], range);
+    for (const { input, index } of this.numbers) {
+      if (document.activeElement !== input) input.value = this.session.worded(index);
     }
   }
 
@@ -143,31 +126,28 @@ export class Inspector {
     session.deformer.drive(session.values);
     this.influences.hidden = false;
     this.influences.open = true;
-    const elementOf = (control) => session.elements.byControl.get(control);
     this.ranked.replaceChildren(
-      ...(found.length ? [] : [make('p', { class: 'hint' }, 'No control moves this point.')]),
-      ...found.slice(0, MOST_RANKED).map(({ control, share }) =>
-        make(
-          'button',
-          {
-            type: 'button',
-            class: 'ranked-row',
-            title: session.controls[control].label,
-            'aria-label': session.controls[control].label,
-            'data-control': session.controls[control].name,
-            onpointerenter: () => view.pointAt(control),
-            onpointerleave: () => view.pointAt(null),
-            onclick: (event) => {
-              this.choosing = true; // from the list, which stays
-              if (elementOf(control)) session.select([elementOf(control)], event.shiftKey ? 'toggle' : 'replace');
-              this.choosing = false;
-            },
-          },
-          make('i', { style: { width: `${Math.round(100 * share)}%`, background: session.colours[elementOf(control)?.side ?? 'none'] } }),
-          longName(session.controls[control].label),
-          make('small', {}, `${Math.round(100 * share)} %`),
-        ),
-      ),
+      ...(found.length ? [] : [hint('No control moves this point.')]),
+      ...found.slice(0, MOST_RANKED).map(({ control, share }) => {
+        const { label, name } = session.controls[control];
+        const element = session.elements.byControl.get(control);
+        const percent = Math.round(100 * share);
+        const choose = (event) => {
+          this.choosing = true; // from the list, which stays
+          if (element) session.select([element], event.shiftKey ? 'toggle' : 'replace');
+          this.choosing = false;
+        };
+        const row = button(longName(label), label, choose, {
+          class: 'ranked-row',
+          'aria-label': label,
+          'data-control': name,
+          onpointerenter: () => view.pointAt(control),
+          onpointerleave: () => view.pointAt(null),
+        });
+        row.prepend(make('i', { style: { width: `${percent}%`, background: session.colours[element?.side ?? 'none'] } }));
+        row.append(make('small', {}, `${percent} %`));
+        return row;
+      }),
     );
     this.influences.scrollIntoView({ block: 'nearest' });
   }
@@ -177,32 +157,21 @@ export class Inspector {
   option(name, choices, label) {
     const { session } = this;
     const node = segmented(label, choices, () => session.options[name], (value) => session.setOption(name, value));
-    return make('div', { class: 'field' }, make('span', {}, label), this.updating(node));
+    return make('div', { class: 'field' }, make('span', {}, label), session.updating(node));
   }
 
   check(name, label, title) {
     const { session } = this;
     const input = make('input', { type: 'checkbox', onchange: () => session.setOption(name, input.checked) });
     input.update = () => (input.checked = session.options[name]);
-    this.updating(input);
-    return make('label', { class: 'check', title }, input, label);
+    return make('label', { class: 'check', title }, session.updating(input), label);
   }
 
   slide(name, label, title, low, high) {
     const { session } = this;
-    const input = make('input', {
-      type: 'range',
-      min: low,
-      max: high,
-      step: (high - low) / 100,
-      'aria-label': label,
-      oninput: () => session.setOption(name, Number(input.value)),
-    });
-    input.update = () => {
-      input.value = session.options[name];
-      input.style.setProperty('--at', `${(100 * (session.options[name] - low)) / (high - low)}%`);
-    };
-    return make('label', { class: 'field', title }, make('span', {}, label), this.updating(input));
+    const properties = { min: low, max: high, step: (high - low) / 100, 'aria-label': label };
+    const input = slider(properties, () => session.options[name], (value) => session.setOption(name, value));
+    return field(label, session.updating(input), { title });
   }
 
   display() {
@@ -226,14 +195,14 @@ export class Inspector {
       this.check('heat', 'Show the area of influence', 'Heat map of the hovered or selected control'),
       this.check('onion', 'Onion skin', 'The keys before and after as outlines, amber and blue (O)'),
       this.check('follow', 'Elements follow the skin', 'Off: they stay where they are at rest'),
-      this.updating(showAll),
-      this.updating(this.drawnBy()),
+      session.updating(showAll),
+      session.updating(this.drawnBy()),
     );
   }
 
   /** Says so when the graphics card has no part in the picture. */
   drawnBy() {
-    const note = make('p', { class: 'hint' }, 'Drawn by the processor: this browser has no WebGL, or only one in software.');
+    const note = hint('Drawn by the processor: this browser has no WebGL, or only one in software.');
     note.update = () => (note.hidden = this.view.stage.drawnBy !== 'processor');
     return note;
   }
@@ -253,8 +222,8 @@ export class Inspector {
       {},
       this.check('skinDrag', 'The skin can be pulled'),
       this.slide('locality', 'Locality', 'Controls that matter less than this at the grabbed point stay as they are', 0.01, 0.6),
-      this.updating(pins),
-      make('p', { class: 'hint' }, 'Shift-click the skin to pin it; click a pin to take it out.'),
+      session.updating(pins),
+      hint('Shift-click the skin to pin it; click a pin to take it out.'),
     );
   }
 
@@ -262,27 +231,17 @@ export class Inspector {
 
   poses() {
     const { session, say } = this;
-    return make(
-      'div',
-      { class: 'actions' },
+    return actions(
       button('Zero all', 'Every control to its default', () => session.zero()),
       button('Reset all', 'Every control to the pose of the layout', () => session.reset()),
-      button('Copy', 'Keep the values of the selection, or of all controls', () => (this.kept = session.copy())),
-      button('Paste', 'Give the controls the values that were kept', () => this.kept && session.paste(this.kept)),
+      button('Copy', 'Keep the values of the selection, or of all controls', () => session.copy()),
+      button('Paste', 'Give the controls the values that were kept', () => session.paste()),
       button('Flip', 'The pose seen in a mirror', () => session.flip()),
       button('Left to right', 'The pose of the character’s left on its right, too', () => session.mirror('left')),
       button('Right to left', 'The pose of the character’s right on its left, too', () => session.mirror('right')),
       button('Copy JSON', 'The pose to the clipboard', () => this.copy()),
-      button('Save JSON', 'Download the pose', () => {
-        download(session.fileNamed('pose.json'), poseToJson(session), 'application/json');
-        session.emit('saved');
-      }),
-      button('Save pose layer', 'Download the pose as a USD layer', () => {
-        const { text, unwritten } = poseLayer(session);
-        if (text) download(session.fileNamed('pose.usda'), text, 'text/plain');
-        session.emit('saved');
-        if (unwritten.length) say(`No animation drives ${unwritten.join(', ')}`);
-      }),
+      button('Save JSON', 'Download the pose', () => session.save('pose.json', { text: poseToJson(session) })),
+      button('Save pose layer', 'Download the pose as a USD layer', () => session.save('pose.usda', poseLayer(session), say)),
       button('Load…', 'A pose or layer saved before', () => takeFile('.json,.usda,.usd', say, ({ text }) => this.load(text))),
     );
   }
@@ -310,7 +269,7 @@ export class Inspector {
   layout() {
     const { session, view } = this;
     const { layout } = session.character;
-    const moved = make('p', { class: 'hint' });
+    const moved = hint();
     moved.update = () => {
       const count = view.rearranging.moved.size;
       moved.textContent = count ? `${counted(count, 'element')} moved` : 'Drag an element to another point of the face, or off it.';
@@ -318,7 +277,7 @@ export class Inspector {
     };
     const rearrange = toggle('Rearrange', 'Drag elements to other points of the face', () => session.options.rearrange, () => session.flipOption('rearrange'));
     const save = button('Save corrections', 'Download the changes for `usdrigui process --corrections`: they hold for every later version', () =>
-      download(session.fileNamed('corrections.usda'), view.rearranging.corrections(), 'text/plain'),
+      download(session.fileNamed('corrections.usda'), view.rearranging.corrections()),
     );
     const facts = [
       `${layout.elements.length} elements, ${session.controls.length} controls`,
@@ -328,9 +287,9 @@ export class Inspector {
     return make(
       'div',
       {},
-      make('div', { class: 'actions' }, this.updating(rearrange), save),
-      this.updating(moved),
-      make('p', { class: 'hint' }, facts.join(' · ')),
+      actions(session.updating(rearrange), save),
+      session.updating(moved),
+      hint(facts.join(' · ')),
       left.length ? make('details', { class: 'left-off' }, make('summary', {}, 'Left off'), make('ul', {}, ...left)) : null,
     );
   }

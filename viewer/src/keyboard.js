@@ -1,6 +1,6 @@
 // Keys: shortcuts for the whole page, and every element reachable by Tab and moved by the arrow keys.
 
-import { make, shownValue } from './dom.js';
+import { make, setAll } from './dom.js';
 import { axisToward, movedAlong } from './drag.js';
 import { sideName } from './view.js';
 
@@ -56,17 +56,14 @@ export class Stops {
       const element = this.session.elements.list[each];
       const [first] = element.members;
       const { minimum, maximum } = this.session.controls[first.control];
-      const node = this.nodes[each];
-      node.setAttribute('aria-valuemin', minimum);
-      node.setAttribute('aria-valuemax', maximum);
-      node.setAttribute('aria-valuenow', this.session.values[first.control]);
-      node.setAttribute('aria-valuetext', element.members.map((member) => this.worded(member)).join(', '));
+      const words = element.members.map(({ control }) => `${this.session.controls[control].label} ${this.session.worded(control)}`);
+      setAll(this.nodes[each], {
+        'aria-valuemin': minimum,
+        'aria-valuemax': maximum,
+        'aria-valuenow': this.session.values[first.control],
+        'aria-valuetext': words.join(', '),
+      });
     }
-  }
-
-  worded({ control }) {
-    const { label, minimum, maximum } = this.session.controls[control];
-    return `${label} ${shownValue(this.session.values[control], maximum - minimum)}`;
   }
 
   key(event, element) {

@@ -1,12 +1,14 @@
 // Two levels of a layout: coarse elements first, and in place of an opened one its members; mirrors
 // usdrigui/visible.py.  Opening an element opens the one on the other side with it.
 
+import { known } from './vectors.js';
+
 export class Levels {
   constructor(elements) {
     this.named = new Map(elements.map((element) => [element.name, element]));
     this.holders = new Map();
     for (const coarse of elements) {
-      for (const name of coarse.inner) this.holders.set(name, [...(this.holders.get(name) ?? []), coarse.name]);
+      for (const name of coarse.inner) known(this.holders, name, () => []).push(coarse.name);
     }
     this.opened = new Set();
   }
@@ -15,10 +17,6 @@ export class Levels {
   coarseOf(element) {
     if (element.inner.length) return [element];
     return (this.holders.get(element.name) ?? []).map((name) => this.named.get(name));
-  }
-
-  isOpen(element) {
-    return this.opened.has(element.name);
   }
 
   shows(element) {

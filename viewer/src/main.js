@@ -92,12 +92,11 @@ class App {
     this.session = session;
     this.live?.follow(session);
     autosave.listen(() => this.say('This browser has no room to keep your work: save it before you close the page'));
-    this.view = new View(this.session);
+    this.view = new View(this.session, (text) => this.say(text));
     this.timeline = new Timeline(this.session, (text) => this.say(text));
     this.list = new ControlList(this.session, this.view);
     this.inspector = new Inspector(this.session, this.view, this.timeline, (text) => this.say(text));
     this.review = new Review(this.session, this.view, this.timeline, (text) => this.say(text), this.roots, () => this.reviewed());
-    this.view.say = (text) => this.say(text);
     this.evaluation = new Evaluation(this);
     this.stops = new Stops(this.session, this.view);
     this.help = this.makeHelp();
@@ -205,13 +204,15 @@ class App {
   }
 
   undo() {
-    const label = this.session.undo();
-    this.say(label ? `Undone: ${label}` : 'Nothing to undo');
+    this.sayDone('Undone', 'undo', this.session.undo());
   }
 
   redo() {
-    const label = this.session.redo();
-    this.say(label ? `Redone: ${label}` : 'Nothing to redo');
+    this.sayDone('Redone', 'redo', this.session.redo());
+  }
+
+  sayDone(done, todo, label) {
+    this.say(label ? `${done}: ${label}` : `Nothing to ${todo}`);
   }
 
   say(text) {
@@ -243,8 +244,8 @@ class App {
       k: () => this.timeline.key(),
       d: () => this.timeline.openSheet(),
       o: flip('onion'),
-      'Ctrl+c': () => (this.inspector.kept = this.session.copy()),
-      'Ctrl+v': () => this.inspector.kept && this.session.paste(this.inspector.kept),
+      'Ctrl+c': () => this.session.copy(),
+      'Ctrl+v': () => this.session.paste(),
       1: look(0, 0),
       2: look(0.7, 0.05),
       3: look(Math.PI / 2, 0),

@@ -5,9 +5,6 @@ import { dot, mixed, unit } from './vectors.js';
 
 export const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-/** 16 numbers from a nested 4x4 list. */
-export const flat = (rows) => rows.flat();
-
 export function multiply(a, b) {
   const out = new Array(16);
   for (let i = 0; i < 16; i += 4) {

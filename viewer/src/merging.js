@@ -1,6 +1,8 @@
 // Two pages on one animation: what both have said since they last agreed, merged per control and frame.
 // Works are as `sayKeys` says them: {keys: {name: [[frame, ...]]}, standing: {name: value}, span: [first, last] if set by hand}.
 
+import { ascending } from './vectors.js';
+
 /**
  * `base` is what both began from.  What one of them changed is taken from it; where both changed one thing differently
  * `mine` stands, and a key over its removal.  `conflicts` are the [control, frame] of these, frame null for a
@@ -16,7 +18,7 @@ export function merged(base, mine, theirs) {
   };
   const keys = perName(base.keys, mine.keys, theirs.keys, (name, ...tracks) => {
     const [b, m, t] = tracks.map((track) => new Map((track ?? []).map((key) => [key[0], key])));
-    const frames = [...new Set([...b.keys(), ...m.keys(), ...t.keys()])].sort((x, y) => x - y);
+    const frames = ascending([...b.keys(), ...m.keys(), ...t.keys()]);
     const track = frames.map((frame) => chosen([name, frame], b.get(frame), m.get(frame), t.get(frame))).filter(Boolean);
     return track.length ? track : undefined;
   });

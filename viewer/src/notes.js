@@ -3,7 +3,7 @@
 // so that it stands on the same place of the face in a page of any size.
 
 import { cross, minus, normalised, plus, scaled } from './camera.js';
-import { nested, number, quoted, rendered, stringsNamed, tuple } from './usda.js';
+import { keeping, layerText, number, quoted, stringsNamed, tuple } from './usda.js';
 import { byName, parsed, valuesByName } from './by_name.js';
 import { clamp, dot } from './vectors.js';
 
@@ -122,11 +122,11 @@ export function reviewLayer(parts) {
   for (const [session, notes] of parts) {
     if (!notes.length) continue;
     const home = `${session.character.root}/RigUIReview`;
-    prims.set(home, { type: 'def Scope', metadata: '', lines: ['uniform token purpose = "guide"'] });
+    prims.set(home, { type: 'def Scope', lines: ['uniform token purpose = "guide"'] });
     notes.forEach((note, index) => putNote(prims, `${home}/note_${index + 1}`, session, note));
   }
   const [first = ''] = [...prims.keys()].map((path) => path.split('/')[1]);
-  return ['#usda 1.0', '(', `    defaultPrim = ${quoted(first)}`, ')', '', ...rendered(nested(prims)), ''].join('\n');
+  return layerText(prims, [`defaultPrim = ${quoted(first)}`]);
 }
 
 function putNote(prims, path, session, note) {
@@ -135,16 +135,11 @@ function putNote(prims, path, session, note) {
     metadata: [
       `displayName = ${quoted(titleOf(note))}`,
       `doc = ${quoted(note.text)}`,
-      'customData = {',
-      '    dictionary usdrigui = {',
-      `        string note = ${quoted(JSON.stringify(saidNote(session, note)))}`,
-      '    }',
-      '}',
+      ...keeping('customData', `string note = ${quoted(JSON.stringify(saidNote(session, note)))}`),
     ].join('\n'),
-    lines: [],
   });
-  prims.set(`${path}/view`, { type: 'def Camera', metadata: '', lines: cameraLines(note.look) });
-  if (note.strokes.length) prims.set(`${path}/strokes`, { type: 'def BasisCurves', metadata: '', lines: curveLines(note) });
+  prims.set(`${path}/view`, { type: 'def Camera', lines: cameraLines(note.look) });
+  if (note.strokes.length) prims.set(`${path}/strokes`, { type: 'def BasisCurves', lines: curveLines(note) });
 }
 
 /** "Frame 12" */

@@ -38,7 +38,7 @@ export class Overlay extends Arrangement {
       if (this.dock.rect) this.drawDock();
     }
     this.drawPins();
-    strokes.forEach((stroke) => this.drawStroke(stroke));
+    strokes.forEach((points) => this.drawStroke(points));
     this.drawPlacing();
     if (this.marquee) this.drawMarquee(this.marquee);
   }
@@ -98,14 +98,9 @@ export class Overlay extends Arrangement {
   /** From a handle that the lens has moved to its place on the skin. */
   drawLeader({ element, home, handle, hidden }) {
     if (!home || Math.hypot(home[0] - handle[0], home[1] - handle[1]) < 3) return;
-    const { pen } = this;
-    pen.globalAlpha = 0.5 * this.strength(element, hidden);
-    pen.lineWidth = 1;
-    pen.strokeStyle = '#f4f5f7';
-    pen.beginPath();
-    pen.moveTo(home[0], home[1]);
-    pen.lineTo(handle[0], handle[1]);
-    pen.stroke();
+    this.pen.globalAlpha = 0.5 * this.strength(element, hidden);
+    lines(this.pen, [home, handle]);
+    stroke(this.pen, 1, '#f4f5f7');
   }
 
   /** The sign of a second level: plus at what can be opened, minus at the members of what is open. */
@@ -115,21 +110,12 @@ export class Overlay extends Arrangement {
     const { pen } = this;
     const strength = this.strength(drawn.element, drawn.hidden);
     if (strength < 0.3) return;
+    const [x, y] = at;
+    const [across, down] = [[[x - 3, y], [x + 3, y]], [[x, y - 3], [x, y + 3]]];
     pen.globalAlpha = strength;
-    pen.beginPath();
-    pen.arc(at[0], at[1], BADGE, 0, 7);
-    pen.fillStyle = '#f4f5f7';
-    pen.fill();
-    pen.lineWidth = 1.6;
-    pen.strokeStyle = '#16181b';
-    pen.beginPath();
-    pen.moveTo(at[0] - 3, at[1]);
-    pen.lineTo(at[0] + 3, at[1]);
-    if (drawn.element.inner.length) {
-      pen.moveTo(at[0], at[1] - 3);
-      pen.lineTo(at[0], at[1] + 3);
-    }
-    pen.stroke();
+    disc(pen, at, BADGE, '#f4f5f7');
+    lines(pen, across, ...(drawn.element.inner.length ? [down] : []));
+    stroke(pen, 1.6, '#16181b');
     pen.globalAlpha = 1;
   }
 
@@ -169,8 +155,7 @@ export class Overlay extends Arrangement {
     const marked = session.selection.has(element.index) || session.hover === element;
     const colour = this.colour(element);
     if (element.axes.length > 1) this.drawPatch(drawn, colour, marked);
-    pen.lineCap = 'round';
-    pen.lineJoin = 'round';
+    Object.assign(pen, { lineCap: 'round', lineJoin: 'round' });
     const faint = this.strength(element, false) < FAINT;
     tracks.forEach((track) => {
       if (!faint) this.strokeRuns(element, track, '#14161a', marked ? 5.5 : 4, 0.55);
@@ -183,29 +168,21 @@ export class Overlay extends Arrangement {
   /** Stroke a track run by run, so that covered stretches are drawn fainter. */
   strokeRuns(element, track, colour, width, alpha) {
     const { pen } = this;
-    pen.strokeStyle = colour;
-    pen.lineWidth = width;
     let i = 0;
     while (i + 1 < track.length) {
       const covered = track[i].covered && track[i + 1].covered;
       pen.globalAlpha = alpha * this.strength(element, covered);
-      pen.beginPath();
-      pen.moveTo(track[i].at[0], track[i].at[1]);
-      do {
-        i++;
-        pen.lineTo(track[i].at[0], track[i].at[1]);
-      } while (i + 1 < track.length && (track[i].covered && track[i + 1].covered) === covered);
-      if (pen.globalAlpha > 0) pen.stroke();
+      const run = [track[i].at];
+      do run.push(track[++i].at);
+      while (i + 1 < track.length && (track[i].covered && track[i + 1].covered) === covered);
+      lines(pen, run);
+      if (pen.globalAlpha > 0) stroke(pen, width, colour);
     }
   }
 
   drawEnd(element, { at, covered }, colour) {
-    const { pen } = this;
-    pen.globalAlpha = 0.9 * this.strength(element, covered);
-    pen.fillStyle = colour;
-    pen.beginPath();
-    pen.arc(at[0], at[1], 2.2, 0, 7);
-    pen.fill();
+    this.pen.globalAlpha = 0.9 * this.strength(element, covered);
+    disc(this.pen, at, 2.2, colour);
   }
 
   /** The area that a two-axis element spans, or the sectors of a fan. */
@@ -223,10 +200,7 @@ export class Overlay extends Arrangement {
     for (let k = 0; k < count; k++) {
       const [a, b] = [ordered[k], ordered[(k + 1) % ordered.length]];
       if (count > 1 && turn(a[1], b[1]) > Math.PI + 1e-6) continue;
-      pen.beginPath();
-      for (const [i, j] of [[0, 0], [1, 0], [1, 1], [0, 1]]) {
-        pen.lineTo(origin[0] + a[i][0] + b[j][0], origin[1] + a[i][1] + b[j][1]);
-      }
+      lines(pen, [[0, 0], [1, 0], [1, 1], [0, 1]].map(([i, j]) => [0, 1].map((axis) => origin[axis] + a[i][axis] + b[j][axis])));
       pen.fill();
     }
   }
@@ -249,17 +223,11 @@ export class Overlay extends Arrangement {
     else {
       pen.beginPath();
       outline(pen, element.axes.length, x, y, radius);
-      if (strength >= FAINT) {
-        pen.lineWidth = 4;
-        pen.strokeStyle = 'rgba(15, 17, 20, 0.75)';
-        pen.stroke();
-      }
+      if (strength >= FAINT) stroke(pen, 4, 'rgba(15, 17, 20, 0.75)');
       pen.fillStyle = inside;
       pen.fill();
       if (!moved && strength >= FAINT) this.fillHalf(element, x, y, radius);
-      pen.lineWidth = selected ? 2.6 : 1.8;
-      pen.strokeStyle = rim;
-      pen.stroke();
+      stroke(pen, selected ? 2.6 : 1.8, rim);
     }
     if (locked) drawCross(pen, x, y, radius * 0.5, moved ? '#16181b' : this.colour(element));
     if (hover || selected) this.drawHalo(element, x, y, radius + 4.5, selected && !hover ? 0.35 : 0.7);
@@ -292,26 +260,21 @@ export class Overlay extends Arrangement {
       if (closed) path.closePath();
       return path;
     });
-    const stroke = (lineWidth, strokeStyle) => {
-      Object.assign(pen, { lineWidth, strokeStyle });
-      for (const path of paths) pen.stroke(path);
-    };
-    stroke(closed ? 2 * width + 2 : width + 2.2, 'rgba(15, 17, 20, 0.75)');
-    stroke(closed ? 2 * width : width, rim);
+    const line = (wide, colour) => paths.forEach((path) => stroke(pen, wide, colour, path));
+    line(closed ? 2 * width + 2 : width + 2.2, 'rgba(15, 17, 20, 0.75)');
+    line(closed ? 2 * width : width, rim);
     if (!closed) return;
     pen.fillStyle = inside;
     for (const path of paths) pen.fill(path);
-    stroke(0.7, inside);
+    line(0.7, inside);
   }
 
   drawHalo(element, x, y, radius, alpha) {
     const { pen } = this;
     pen.globalAlpha = alpha;
-    pen.lineWidth = 1.4;
-    pen.strokeStyle = '#ffffff';
     pen.beginPath();
     outline(pen, element.axes.length, x, y, radius);
-    pen.stroke();
+    stroke(pen, 1.4, '#ffffff');
   }
 
   /** Labels of all visible handles, left out where they would cover one another. */
@@ -345,19 +308,10 @@ export class Overlay extends Arrangement {
     const { pen } = this;
     for (const [x, y, depth] of this.pinned ?? []) {
       if (depth <= 0) continue;
-      pen.lineWidth = 3.5;
-      pen.strokeStyle = '#14161a';
-      pen.beginPath();
-      pen.moveTo(x, y);
-      pen.lineTo(x + 5, y - 13);
-      pen.stroke();
-      pen.lineWidth = 1.6;
-      pen.strokeStyle = '#f2f3f5';
-      pen.stroke();
-      pen.beginPath();
-      pen.arc(x + 5.5, y - 15, 4.5, 0, 7);
-      pen.fillStyle = '#f08c4b';
-      pen.fill();
+      lines(pen, [[x, y], [x + 5, y - 13]]);
+      stroke(pen, 3.5, '#14161a');
+      stroke(pen, 1.6, '#f2f3f5');
+      disc(pen, [x + 5.5, y - 15], 4.5, '#f08c4b');
       pen.stroke();
     }
   }
@@ -368,12 +322,8 @@ export class Overlay extends Arrangement {
     const { pen } = this;
     const { from, to, free, refused } = this.placing;
     pen.setLineDash([4, 4]);
-    pen.lineWidth = 1.5;
-    pen.strokeStyle = refused ? this.session.colours.right : free ? '#9aa0a8' : '#7ee787';
-    pen.beginPath();
-    pen.moveTo(from[0], from[1]);
-    pen.lineTo(to[0], to[1]);
-    pen.stroke();
+    lines(pen, [from, to]);
+    stroke(pen, 1.5, refused ? this.session.colours.right : free ? '#9aa0a8' : '#7ee787');
     pen.setLineDash([]);
     pen.beginPath();
     pen.arc(to[0], to[1], 8, 0, 7);
@@ -389,19 +339,33 @@ export class Overlay extends Arrangement {
     pen.strokeRect(x0 + 0.5, y0 + 0.5, x1 - x0, y1 - y0);
   }
 
-  drawStroke(stroke) {
+  drawStroke(points) {
     const { pen } = this;
-    pen.lineCap = 'round';
-    pen.lineJoin = 'round';
-    pen.beginPath();
-    stroke.forEach(([x, y]) => pen.lineTo(x, y));
-    if (stroke.length === 1) pen.lineTo(stroke[0][0], stroke[0][1]);
-    for (const [width, colour] of [[5.5, '#14161a'], [3, '#f0a94b']]) {
-      pen.lineWidth = width;
-      pen.strokeStyle = colour;
-      pen.stroke();
-    }
+    Object.assign(pen, { lineCap: 'round', lineJoin: 'round' });
+    lines(pen, [...points, points.at(-1)]); // a dot has one
+    stroke(pen, 5.5, '#14161a');
+    stroke(pen, 3, '#f0a94b');
   }
+}
+
+/** Begin a path with lines, each through points of its own. @param {number[][][]} all */
+function lines(pen, ...all) {
+  pen.beginPath();
+  for (const points of all) points.forEach(([x, y], i) => (i ? pen.lineTo(x, y) : pen.moveTo(x, y)));
+}
+
+/** @param {Path2D | null} [path] in place of the one begun */
+function stroke(pen, lineWidth, strokeStyle, path = null) {
+  Object.assign(pen, { lineWidth, strokeStyle });
+  if (path) pen.stroke(path);
+  else pen.stroke();
+}
+
+function disc(pen, at, radius, fillStyle) {
+  pen.beginPath();
+  pen.arc(at[0], at[1], radius, 0, 7);
+  pen.fillStyle = fillStyle;
+  pen.fill();
 }
 
 /** Circle for one axis, diamond for two, triangle for a fan. */
@@ -419,14 +383,8 @@ function outline(pen, axes, x, y, radius) {
 }
 
 function drawCross(pen, x, y, reach, colour) {
-  pen.lineWidth = 1.8;
-  pen.strokeStyle = colour;
-  pen.beginPath();
-  pen.moveTo(x - reach, y - reach);
-  pen.lineTo(x + reach, y + reach);
-  pen.moveTo(x + reach, y - reach);
-  pen.lineTo(x - reach, y + reach);
-  pen.stroke();
+  lines(pen, [[x - reach, y - reach], [x + reach, y + reach]], [[x + reach, y - reach], [x - reach, y + reach]]);
+  stroke(pen, 1.8, colour);
 }
 
 const overlapping = (a, b) => a[0] < b[0] + b[2] && b[0] < a[0] + a[2] && a[1] < b[1] + b[3] && b[1] < a[1] + a[3];

@@ -3,6 +3,7 @@
 // points and straight lines between them; what WebGL draws looks the same (webgl.js has the same light).
 // From the same view as before only the tiles are drawn anew in which something has moved or changed its light.
 
+import { HALF } from './camera.js';
 import { covering, placed } from './dom.js';
 import { smooth } from './eye.js';
 import { clamp } from './vectors.js';
@@ -111,9 +112,9 @@ export class Painter {
   }
 
   /** Whether the same face is seen from the same place as in the picture before, alone. */
-  seesAgain(columns, { position, right, above, fieldDegrees }, skins) {
+  seesAgain(columns, { position, right, above }, skins) {
     const own = skins[0] ? [skins[0].points, skins[0].colours] : [];
-    const view = [columns.length, ...columns.flatMap(({ left, top, width, height }) => [left, top, width, height]), ...position, ...right, ...above, fieldDegrees, ...own];
+    const view = [columns.length, ...columns.flatMap(({ left, top, width, height }) => [left, top, width, height]), ...position, ...right, ...above, ...own];
     const again = columns.length === 1 && view.length === this.view.length && view.every((value, i) => value === this.view[i]);
     this.view = view;
     return again;
@@ -217,9 +218,9 @@ export class Painter {
   }
 
   /** Pixel and nearness (1 / depth, 0 behind the viewer) of every point. */
-  project(points, column, { position, right, above, towards, fieldDegrees }) {
+  project(points, column, { position, right, above, towards }) {
     const { screen, before, changed } = this;
-    const focal = (this.ratio * column.height) / (2 * Math.tan((fieldDegrees * Math.PI) / 360));
+    const focal = (this.ratio * column.height) / (2 * HALF);
     const cx = this.ratio * (column.left + column.width / 2) - 0.5;
     const cy = this.ratio * (column.top + column.height / 2) - 0.5;
     const [ex, ey, ez] = position;

@@ -1,6 +1,8 @@
 // What lies under the pointer: the triangle of the skin at a pixel, and whether the skin hides a point.
 // Both work on the points projected to the screen, which is renewed only when pose or camera change.
 
+import { HALF } from './camera.js';
+
 const CELL = 3; // pixels per cell of the depth grid
 
 export class ScreenSurface {
@@ -23,7 +25,7 @@ export class ScreenSurface {
     const { points, screen } = this;
     const eye = camera.position;
     const { right, above, towards } = camera;
-    const focal = column.height / (2 * Math.tan((camera.fieldDegrees * Math.PI) / 360));
+    const focal = column.height / (2 * HALF);
     const cx = column.left + column.width / 2;
     const cy = column.top + column.height / 2;
     for (let i = 0; i < points.length; i += 3) {

@@ -3,42 +3,23 @@
 
 import { poseAnimations } from './animation_layer.js';
 import { byName, valuesByName } from './by_name.js';
-import { quoted, stringsNamed } from './usda.js';
+import { keeping, layerText, quoted, stringsNamed } from './usda.js';
 
 /** The layer of `poses` ({name, values: control index -> value, picture}) as usda text, and controls that it cannot hold. */
 export function posesLayer(session, poses) {
   const lost = new Set();
-  const taken = new Set();
-  const prims = poses.flatMap((pose) => {
-    const { animations, unwritten } = poseAnimations(session, pose.values);
-    unwritten.forEach((name) => lost.add(name));
-    return posePrim(pose, animations, session, taken);
-  });
-  const text = ['#usda 1.0', '(', '    defaultPrim = "Poses"', ')', '', 'def Scope "Poses"', '{', ...prims.map((line) => `    ${line}`), '}', ''].join('\n');
-  return { text, unwritten: [...lost] };
-}
-
-function posePrim({ name, values, picture }, animations, session, taken) {
-  const own = new Set();
-  const stored = { name, values: valuesByName(session, values), picture };
-  return [
-    `def Scope ${quoted(identifier(name, taken))} (`,
-    `    displayName = ${quoted(name)}`,
-    '    customData = {',
-    '        dictionary usdrigui = {',
-    `            string pose = ${quoted(JSON.stringify(stored))}`,
-    '        }',
-    '    }',
-    ')',
-    '{',
-    ...animations.flatMap(({ path, lines }) => [
-      `    def SkelAnimation ${quoted(identifier(path.split('/').at(-1), own))}`,
-      '    {',
-      ...lines.map((line) => `        ${line}`),
-      '    }',
-    ]),
-    '}',
-  ];
+  /** @type {Map<string, object>} */
+  const prims = new Map([['/Poses', { type: 'def Scope' }]]);
+  for (const { name, values, picture } of poses) {
+    const { animations, unwritten } = poseAnimations(session, values);
+    unwritten.forEach((control) => lost.add(control));
+    const stored = { name, values: valuesByName(session, values), picture };
+    const home = freePath('/Poses', name, prims);
+    const metadata = [`displayName = ${quoted(name)}`, ...keeping('customData', `string pose = ${quoted(JSON.stringify(stored))}`)].join('\n');
+    prims.set(home, { type: 'def Scope', metadata });
+    for (const { path, lines } of animations) prims.set(freePath(home, path.split('/').at(-1), prims), { type: 'def SkelAnimation', lines });
+  }
+  return { text: layerText(prims, ['defaultPrim = "Poses"']), unwritten: [...lost] };
 }
 
 /** Poses from such a layer; throws an Error for people where there is none of this character. */
@@ -59,11 +40,10 @@ export function poseFrom({ name, values, picture }, session) {
   return known.size ? { name: String(name), values: known, picture: shown } : null;
 }
 
-/** A name that USD allows, and that none has taken. */
-function identifier(name, taken) {
-  const plain = name.replace(/[^A-Za-z0-9_]/g, '_').replace(/^(?=[0-9]|$)/, '_');
+/** A path below another with a name that USD allows, and that no prim has taken. */
+function freePath(home, name, prims) {
+  const plain = `${home}/${name.replace(/[^A-Za-z0-9_]/g, '_').replace(/^(?=[0-9]|$)/, '_')}`;
   let free = plain;
-  for (let number = 2; taken.has(free); number++) free = `${plain}_${number}`;
-  taken.add(free);
+  for (let number = 2; prims.has(free); number++) free = `${plain}_${number}`;
   return free;
 }

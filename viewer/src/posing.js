@@ -2,6 +2,7 @@
 // change in a pull.
 
 import { Display } from './display.js';
+import { shownValue } from './dom.js';
 import { Influence } from './heat.js';
 import { clamp } from './vectors.js';
 
@@ -68,6 +69,12 @@ export class Posing extends Display {
   toggleLock(control) {
     if (!this.locks.delete(control)) this.locks.add(control);
     this.emit('options');
+  }
+
+  /** A control's value, or another, for people. */
+  worded(index, value = this.values[index]) {
+    const { minimum, maximum } = this.controls[index];
+    return shownValue(value, maximum - minimum);
   }
 
   // --- points of the skin ----------------------------------------------------------------------------

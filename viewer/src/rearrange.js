@@ -2,7 +2,7 @@
 // beside the face; the changes are written as the layer of corrections that `usdrigui process --corrections` reads.
 
 import { minus, scaled } from './camera.js';
-import { nested, number, quoted, rendered, tuple } from './usda.js';
+import { layerText, number, quoted, tuple } from './usda.js';
 import { dot } from './vectors.js';
 
 const HOLDER = '/RigUICorrections/';
@@ -36,7 +36,7 @@ export class Rearranging {
       },
       drop: () => {
         clear();
-        if (place && !this.holds(element, place.nearest)) view.say?.(`${element.label} does not move this point: drop it on the coloured area`);
+        if (place && !this.holds(element, place.nearest)) view.say(`${element.label} does not move this point: drop it on the coloured area`);
         else if (place) this.moveToSkin(element, place.nearest);
         else this.moveBeside(element);
       },
@@ -121,9 +121,7 @@ export class Rearranging {
 
   /** Every point's position at some values of the controls. */
   pointsAt(rest) {
-    const { deformer, values } = this.session;
-    const points = Float32Array.from(deformer.pose(rest));
-    deformer.pose(values);
+    const points = this.session.deformer.posedAside(rest);
     return (point) => points.subarray(3 * point, 3 * point + 3);
   }
 
@@ -131,7 +129,7 @@ export class Rearranging {
   corrections() {
     const { character, controls, elements } = this.session;
     const prims = new Map();
-    prims.set(character.root + HOLDER, { ...PRIM, metadata: '' });
+    prims.set(character.root + HOLDER, { type: 'def Scope' });
     for (const [index, lines] of this.moved) {
       for (const { control } of elements.list[index].members) {
         const { name } = controls[control];
@@ -140,7 +138,7 @@ export class Rearranging {
         prims.set(path, { ...PRIM, lines: [said('uniform string rigUI:correction:control', quoted(name)), ...lines] });
       }
     }
-    return ['#usda 1.0', '', ...rendered(nested(prims)), ''].join('\n');
+    return layerText(prims);
   }
 }
 

@@ -1,7 +1,7 @@
 // The review: notes at frames, each with a pose, a view, words and strokes over the face; sent and opened as a small USD layer
 // (notes.js, docs/decisions/142).
 
-import { button, counted, download, make, takeFile, toggle } from './dom.js';
+import { actions, button, counted, download, hint, make, takeFile, toggle } from './dom.js';
 import { minus } from './camera.js';
 import { isSeenFrom, joined, lookOf, notesIn, notesOf, pairOf, placeOf, posed, reviewLayer, saidPose, thinned, titleOf } from './notes.js';
 import { dot } from './vectors.js';
@@ -26,7 +26,7 @@ export class Review {
     this.back = button('Take back', 'Take away the last stroke of this note', () => this.takeBack());
     this.saving = button('Save review', 'Download the notes as a small USD layer, to send', () => this.save());
     this.node = make('aside', { class: 'review', 'aria-label': 'Review' },
-      make('div', { class: 'actions' },
+      actions(
         button('Add note', 'A note on the frame, the pose and the view shown now', () => this.write()),
         this.pen, this.back, this.saving, button('Open…', 'Add the notes of a review that somebody sent', () => this.open())),
       this.list);
@@ -68,7 +68,7 @@ export class Review {
   note(more = {}) {
     const { session } = this;
     const { frame, neutral, values, section } = session;
-    const id = Array.from(crypto.getRandomValues(new Uint8Array(6)), (byte) => byte.toString(16).padStart(2, '0')).join('');
+    const id = crypto.getRandomValues(new Uint32Array(2)).join('-');
     return { id, frame, neutral, text: '', done: false, values: saidPose(session, values), section: section.title, look: this.look(), strokes: [], ...more };
   }
 
@@ -157,7 +157,7 @@ export class Review {
     this.shown = state;
     this.view.changed('overlay');
     if (this.typing) return; // into what stands there
-    const none = make('p', { class: 'hint' }, 'No notes yet. Pose the face or turn the view, then draw on it or add a note. Send the saved file back: `usdrigui view LAYER --review FILE` opens it.');
+    const none = hint('No notes yet. Pose the face or turn the view, then draw on it or add a note. Send the saved file back: `usdrigui view LAYER --review FILE` opens it.');
     this.list.replaceChildren(...(session.notes.length ? session.notes.map((note, index) => this.item(note, index)) : [none]));
   }
 
@@ -187,16 +187,16 @@ export class Review {
   /** What the pose of the chosen note and one's own give each other. */
   poseActions(note) {
     const { session } = this;
-    if (session.looks) return make('div', { class: 'actions' }, button('Take this pose', 'Set the controls to the pose of the note', () => session.adopt()));
+    if (session.looks) return actions(button('Take this pose', 'Set the controls to the pose of the note', () => session.adopt()));
     if (!this.isHere(note)) return null;
     const give = () => this.change('Give a note the pose', note, { values: saidPose(session, session.values) });
-    return make('div', { class: 'actions' }, button('Set pose', 'Give the note the pose shown now', give));
+    return actions(button('Set pose', 'Give the note the pose shown now', give));
   }
 
   // --- files -----------------------------------------------------------------------------------------
 
   save() {
-    download('review.usda', reviewLayer(this.partsOf()), 'text/plain');
+    download('review.usda', reviewLayer(this.partsOf()));
     for (const [session] of this.partsOf()) session.sent = session.notes;
     this.say(`Saved review.usda, ${counted(this.session.notes.length, 'note')}`);
   }

@@ -3,13 +3,13 @@
 
 const GAZE_STEP = 3 / 8192;
 const KINDS = {
-  u1: [Uint8Array, 1],
-  u2: [Uint16Array, 2],
-  i2: [Int16Array, 2],
-  u4: [Uint32Array, 4],
-  i4: [Int32Array, 4],
-  f4: [Float32Array, 4],
-  f8: [Float64Array, 8],
+  u1: Uint8Array,
+  u2: Uint16Array,
+  i2: Int16Array,
+  u4: Uint32Array,
+  i4: Int32Array,
+  f4: Float32Array,
+  f8: Float64Array,
 };
 
 /** Scene ({title, characters}) from the page's base64 text. */
@@ -85,7 +85,8 @@ function decodeSkin(skin, body) {
 }
 
 function decodeArray(entry, body) {
-  const [Type, width] = KINDS[entry.kind];
+  const Type = KINDS[entry.kind];
+  const width = Type.BYTES_PER_ELEMENT;
   const count = entry.shape.reduce((product, size) => product * size, 1);
   const bytes = new Uint8Array(count * width);
   for (let plane = 0; plane < width; plane++) {

@@ -227,13 +227,14 @@ export class Session extends Posing {
 
   // --- poses -----------------------------------------------------------------------------------------
 
-  /** Values of the chosen controls, for `paste`. */
+  /** Values of the chosen controls; `paste` gives them back. */
   copy() {
-    return new Map(this.chosenControls.map((index) => [index, this.values[index]]));
+    this.copied = new Map(this.chosenControls.map((index) => [index, this.values[index]]));
+    return this.copied;
   }
 
-  paste(pose) {
-    this.asWritten('Paste the pose', pose);
+  paste() {
+    if (this.copied) this.asWritten('Paste the pose', this.copied);
   }
 
   /** The pose seen in a mirror. */

@@ -2,7 +2,7 @@
 // and goes out and in as a USD layer of SkelAnimations, one Scope for each pose (docs/decisions/141).
 
 import { posesLayer, posesFromLayer } from './pose_library.js';
-import { button, counted, download, make, takeFile } from './dom.js';
+import { actions, button, counted, field, hint, make, slider, takeFile } from './dom.js';
 import { portrait } from './portrait.js';
 
 export class Shelf {
@@ -14,7 +14,7 @@ export class Shelf {
     this.grid = make('div', { class: 'shelf' });
     this.saving = button('Save shelf', 'Download the poses as a USD layer', () => this.save());
     this.node = make('div', {}, this.grid, this.amount(),
-      make('div', { class: 'actions' },
+      actions(
         button('Keep pose', 'Put the pose of the selection, or of all controls, on the shelf', () => this.keep()),
         this.saving,
         button('Open…', 'Add the poses of a layer saved before', () => this.open())));
@@ -23,15 +23,13 @@ export class Shelf {
   }
 
   amount() {
-    const input = make('input', {
-      type: 'range', min: 0, max: 100, value: 100, title: 'How far a click goes from the present pose to the kept one', 'aria-label': 'Share of the pose',
-      oninput: () => {
-        this.share = Number(input.value) / 100;
-        input.style.setProperty('--at', `${input.value}%`);
-      },
-    });
-    input.style.setProperty('--at', '100%');
-    return make('label', { class: 'field' }, make('span', {}, 'Share'), input);
+    const input = slider({ min: 0, max: 100, title: 'How far a click goes from the present pose to the kept one', 'aria-label': 'Share of the pose' },
+      () => 100 * this.share, (value) => {
+        this.share = value / 100;
+        input.update();
+      });
+    input.update();
+    return field('Share', input);
   }
 
   update() {
@@ -39,7 +37,7 @@ export class Shelf {
     if (this.shown === shelf) return;
     this.shown = shelf;
     this.saving.disabled = !shelf.length;
-    const none = make('p', { class: 'hint' }, 'No poses yet. Keep the present one; a click on its picture gives it back.');
+    const none = hint('No poses yet. Keep the present one; a click on its picture gives it back.');
     this.grid.replaceChildren(...(shelf.length ? shelf.map((pose) => this.item(pose)) : [none]));
   }
 
@@ -78,10 +76,7 @@ export class Shelf {
   }
 
   save() {
-    const { text, unwritten } = posesLayer(this.session, this.session.shelf);
-    download(this.session.fileNamed('poses.usda'), text, 'text/plain');
-    this.session.emit('saved');
-    if (unwritten.length) this.say(`No animation drives ${unwritten.join(', ')}`);
+    this.session.save('poses.usda', posesLayer(this.session, this.session.shelf), this.say);
   }
 
   open() {

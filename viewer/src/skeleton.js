@@ -2,6 +2,7 @@
 // Mirrors usdrigui/character/deform.py: a local transform S R moves to exp(scales) S exp(rotations) R.
 
 import * as matrix from './matrix.js';
+import { ascending, dot, known } from './vectors.js';
 
 const SAME = 1e-8;
 
@@ -9,12 +10,12 @@ export class Skeletons {
   constructor(character) {
     this.joints = character.joints;
     this.count = this.joints.length;
-    this.toRoot = character.skeletons.map((each) => matrix.flat(each.toRoot));
+    this.toRoot = character.skeletons.map((each) => each.toRoot.flat());
     this.unbind = this.joints.map((_, i) => matrix.inverse(character.bind.subarray(16 * i, 16 * i + 16)));
     this.restLocals = character.base;
     this.locals = character.base;
     this.factors = new Map();
-    this.whole = this.joints.map((_, i) => i);
+    this.whole = [...this.joints.keys()];
   }
 
   /** Take other local transforms (an animation's frame) as the base; null takes the rig's own again. */
@@ -29,7 +30,7 @@ export class Skeletons {
     for (let joint of joints) {
       for (; joint >= 0 && !needed.has(joint); joint = this.joints[joint].parent) needed.add(joint);
     }
-    return [...needed].sort((a, b) => a - b);
+    return ascending(needed);
   }
 
   /** Skinning matrices (inverse bind times pose) of the joints in `chain`, as a sparse list by joint. */
@@ -52,8 +53,7 @@ export class Skeletons {
     let still = true;
     for (let i = at; i < at + 9 && still; i++) still = moves[i] === 0;
     if (still) return base;
-    if (!this.factors.has(joint)) this.factors.set(joint, matrix.polar(base));
-    const { stretch, rotation } = this.factors.get(joint);
+    const { stretch, rotation } = known(this.factors, joint, () => matrix.polar(base));
     const turn = matrix.rotationOf(moves[at], moves[at + 1], moves[at + 2]);
     const turned = matrix.multiply3(matrix.multiply3(stretch, turn), rotation);
     const local = Array.from(base);
@@ -108,7 +108,7 @@ export class Skeletons {
 
 /** Add to a decoded skin what evaluation needs. */
 export function prepareSkin(skin) {
-  skin.bind = matrix.flat(skin.geomBind);
+  skin.bind = skin.geomBind.flat();
   skin.sumsToOne = true;
   for (let row = 0; row < skin.rows && skin.sumsToOne; row++) {
     let total = 0;
@@ -118,7 +118,7 @@ export function prepareSkin(skin) {
 }
 
 export function usedJoints(skin) {
-  skin.used ??= [...new Set(skin.joints.filter((_, i) => skin.weights[i] !== 0))].sort((a, b) => a - b);
+  skin.used ??= ascending(skin.joints.filter((_, i) => skin.weights[i] !== 0));
   return skin.used;
 }
 
@@ -171,8 +171,7 @@ function dualQuaternionMap(skin, row, duals) {
     const weight = skin.weights[i];
     if (weight === 0) continue;
     const joint = duals[skin.joints[i]];
-    const dot = joint.real.reduce((sum, value, k) => sum + value * reference[k], 0);
-    const signed = dot < 0 ? -weight : weight;
+    const signed = dot(joint.real, reference) < 0 ? -weight : weight;
     for (let k = 0; k < 9; k++) stretch[k] += weight * joint.stretch[k];
     for (let k = 0; k < 4; k++) {
       real[k] += signed * joint.real[k];

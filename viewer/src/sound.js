@@ -2,6 +2,7 @@
 // It is sent nowhere; of the file only the name and the frame at which it begins are part of the work.
 
 import { make } from './dom.js';
+import { known } from './vectors.js';
 
 const BLIP = 0.08; // seconds that are heard of a frame while time is dragged
 const PATIENCE = 300; // milliseconds that a browser has to open its output
@@ -88,8 +89,7 @@ export class Sound {
   /** A canvas with the wave between two frames, to be stretched over them. */
   wave(first, last, height = 30) {
     const key = [first, last, height, this.start].join();
-    if (!this.waves.has(key)) this.waves.set(key, this.drawn(first, last, height));
-    return this.waves.get(key);
+    return known(this.waves, key, () => this.drawn(first, last, height));
   }
 
   drawn(first, last, height) {

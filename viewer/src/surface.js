@@ -1,5 +1,8 @@
 // The drawn surface: triangles of all visible meshes over the character's points, and their normals.
 
+import { HALF } from './camera.js';
+import { known } from './vectors.js';
+
 /** Triangles (3 indices each, into all points) of the visible meshes. */
 export function visibleTriangles(character) {
   const shown = character.meshes.filter((mesh) => mesh.visible);
@@ -21,17 +24,16 @@ export function texturing({ meshes, texture, pointCount }) {
   const places = new Array(2 * pointCount).fill(NaN);
   /** @type {number[][]} */
   const [doubles, corners, on] = [[], [], []];
-  const known = new Map();
+  const vertices = new Map();
   const vertexAt = (point, x, y) => {
     if (Number.isNaN(places[2 * point])) [places[2 * point], places[2 * point + 1]] = [x, y];
     if (places[2 * point] === x && places[2 * point + 1] === y) return point;
     const key = `${point} ${x} ${y}`;
-    if (!known.has(key)) {
-      known.set(key, pointCount + doubles.length);
+    return known(vertices, key, () => {
       doubles.push(point);
       places.push(x, y);
-    }
-    return known.get(key);
+      return pointCount + doubles.length - 1;
+    });
   };
   for (const { start, triangles, visible, texture: own } of meshes) {
     if (!visible) continue;
@@ -84,8 +86,7 @@ export function seams(character, triangles) {
     for (let local = 0; local < mesh.count; local++) {
       if (!open[mesh.start + local]) continue;
       const key = `${mesh.path} ${mesh.points.subarray(3 * local, 3 * local + 3).join()}`;
-      if (groups.has(key)) groups.get(key).push(mesh.start + local);
-      else groups.set(key, [mesh.start + local]);
+      known(groups, key, () => []).push(mesh.start + local);
     }
   }
   return [...groups.values()].filter((group) => group.length > 1);
@@ -93,24 +94,23 @@ export function seams(character, triangles) {
 
 function openPoints(triangles, count) {
   const open = new Uint8Array(count);
-  for (const [key, used] of edgeUses(triangles, count)) {
-    if (used === 1) open[Math.floor(key / count)] = open[key % count] = 1;
-  }
+  for (const key of openEdges(triangles, count)) open[Math.floor(key / count)] = open[key % count] = 1;
   return open;
 }
 
-/** How many triangles use each edge, by the key `lower index * count + higher index`. */
-function edgeUses(triangles, count) {
+/** Edges that one triangle alone has, by the key `lower index * count + higher index`. */
+function openEdges(triangles, count) {
   const uses = new Map();
   for (let t = 0; t < triangles.length; t += 3) {
     for (let k = 0; k < 3; k++) {
       const [a, b] = [triangles[t + k], triangles[t + ((k + 1) % 3)]];
-      const key = Math.min(a, b) * count + Math.max(a, b);
-      uses.set(key, (uses.get(key) ?? 0) + 1);
+      add(uses, Math.min(a, b) * count + Math.max(a, b));
     }
   }
-  return uses;
+  return [...uses].filter(([, used]) => used === 1).map(([key]) => key);
 }
+
+const add = (sums, key, by = 1) => sums.set(key, (sums.get(key) ?? 0) + by);
 
 /** Area-weighted normals, not of unit length (the shader normalises), into `normals`. */
 export function sumNormals(points, triangles, welded, normals) {
@@ -167,8 +167,8 @@ export function facings(points, triangles) {
   const volume = new Map();
   for (let t = 0; t < triangles.length; t += 3) {
     const key = part[triangles[t]];
-    size.set(key, (size.get(key) ?? 0) + 1);
-    volume.set(key, (volume.get(key) ?? 0) + signedVolume(points, triangles, t, 3 * key));
+    add(size, key);
+    add(volume, key, signedVolume(points, triangles, t, 3 * key));
   }
   const rim = rimLengths(triangles, part, points.length / 3);
   const out = new Int8Array(triangles.length / 3);
@@ -205,11 +205,7 @@ function signedVolume(points, triangles, t, from) {
 /** Number of open edges of each part. */
 function rimLengths(triangles, part, count) {
   const rims = new Map();
-  for (const [key, used] of edgeUses(triangles, count)) {
-    if (used !== 1) continue;
-    const of = part[key % count];
-    rims.set(of, (rims.get(of) ?? 0) + 1);
-  }
+  for (const key of openEdges(triangles, count)) add(rims, part[key % count]);
   return rims;
 }
 
@@ -248,8 +244,7 @@ function towardsEye(points, a, b, c, eye) {
 }
 
 /** Per point, bits for the sides of the picture beyond which it lies. */
-function outsides(points, { right, above, towards, fieldDegrees }, eye, wide) {
-  const high = Math.tan((fieldDegrees * Math.PI) / 360);
+function outsides(points, { right, above, towards }, eye, wide) {
   const out = new Uint8Array(points.length / 3);
   for (let k = 0, i = 0; k < out.length; k++, i += 3) {
     const x = points[i] - eye[0];
@@ -258,7 +253,7 @@ function outsides(points, { right, above, towards, fieldDegrees }, eye, wide) {
     const depth = -(x * towards[0] + y * towards[1] + z * towards[2]);
     const across = x * right[0] + y * right[1] + z * right[2];
     const upward = x * above[0] + y * above[1] + z * above[2];
-    const [edge, top] = [depth * high * wide, depth * high];
+    const [edge, top] = [depth * HALF * wide, depth * HALF];
     out[k] = (across > edge ? 1 : 0) | (across < -edge ? 2 : 0) | (upward > top ? 4 : 0) | (upward < -top ? 8 : 0) | (depth <= 0 ? 16 : 0);
   }
   return out;

@@ -2,9 +2,9 @@
 
 import { animationLayer } from './animation_layer.js';
 import { DopeSheet } from './dope_sheet.js';
-import { button, counted, download, make, takeFile, toggle } from './dom.js';
+import { along, button, counted, download, make, takeFile, toggle } from './dom.js';
 import { Sound } from './sound.js';
-import { clamp } from './vectors.js';
+import { ascending, clamp } from './vectors.js';
 
 export class Timeline {
   /** @type {HTMLInputElement[]} */ ends;
@@ -30,7 +30,7 @@ export class Timeline {
   build() {
     this.playButton = button('▶', 'Play or stop (Space); picked keys: between the first and the last of them', () => this.toggle());
     this.playButton.classList.add('play');
-    this.autoButton = button('Auto-key', 'Every drag sets keys at this frame', () => this.session.flipOption('autoKey'));
+    this.autoButton = toggle('Auto-key', 'Every drag sets keys at this frame', () => this.session.options.autoKey, () => this.session.flipOption('autoKey'));
     this.sheetButton = toggle('Keys', 'All keys in rows: drag moves them, Ctrl-drag copies, Delete takes them away (D)', () => !this.sheet.node.hidden, () => this.openSheet());
     this.slider = make('input', {
       type: 'range',
@@ -75,23 +75,23 @@ export class Timeline {
 
   update() {
     const { session } = this;
-    const [first, last] = session.range;
-    const along = (frame) => `${(100 * (frame - first)) / (last - first)}%`;
+    const { range } = session;
+    const [first, last] = range;
     this.number.textContent = session.neutral && session.animation.clip?.times.length > 1 ? 'neutral' : `${this.frame}`;
     this.number.title = session.neutral ? 'The pose of the layout; the time line shows the animation' : 'Frame';
     Object.assign(this.slider, { min: first, max: last, value: this.frame });
     this.ends.forEach((input, i) => {
       input.hidden = !session.animation.isFree;
-      if (document.activeElement !== input) input.value = String([first, last][i]);
+      if (document.activeElement !== input) input.value = String(range[i]);
     });
-    this.slider.style.setProperty('--at', along(this.frame));
+    this.slider.style.setProperty('--at', along(this.frame, range));
     this.playButton.textContent = this.playing ? '■' : '▶';
     const loose = session.unkeyed().length;
     this.unkeyed.textContent = loose ? `${loose} not keyed` : '';
-    this.autoButton.setAttribute('aria-pressed', String(session.options.autoKey));
+    this.autoButton.update();
     this.showSound(first, last);
     const noted = new Set(session.notes.filter(({ neutral }) => !neutral).map(({ frame }) => frame));
-    const tick = (name) => (frame) => make('i', { class: name, style: { left: along(frame) } });
+    const tick = (name) => (frame) => make('i', { class: name, style: { left: along(frame, range) } });
     this.ticks.replaceChildren(...this.keyFrames().map(tick('')), ...[...noted].map(tick('noted')));
   }
 
@@ -145,7 +145,7 @@ export class Timeline {
   }
 
   keyFrames() {
-    return [...new Set(this.sheet.everyKey.map(([, frame]) => frame))].sort((a, b) => a - b);
+    return ascending(this.sheet.everyKey.map(([, frame]) => frame));
   }
 
   // --- keys ------------------------------------------------------------------------------------------
@@ -227,7 +227,7 @@ export class Timeline {
       return;
     }
     const name = session.fileNamed('animation.usda');
-    download(name, text, 'text/plain');
+    download(name, text);
     session.emit('saved');
     const lost = session.unkeyed();
     const notes = [

@@ -3,8 +3,17 @@
 import { parsed } from './by_name.js';
 import { rounded } from './vectors.js';
 
+/** A layer of prims by path ({type, metadata, lines}, of which any may be missing), with lines of metadata. */
+export function layerText(prims, metadata = []) {
+  const head = metadata.length ? ['(', ...metadata.map((line) => `    ${line}`), ')'] : [];
+  return ['#usda 1.0', ...head, '', ...rendered(nested(prims)), ''].join('\n');
+}
+
+/** Metadata, `customData` or `customLayerData`, in which the viewer keeps what it reads again. */
+export const keeping = (home, ...lines) => [`${home} = {`, '    dictionary usdrigui = {', ...lines.map((line) => `        ${line}`), '    }', '}'];
+
 /** Prims nested by path, those that share ancestors sharing the overs. */
-export function nested(prims) {
+function nested(prims) {
   const tree = { children: new Map() };
   for (const [path, prim] of prims) {
     let node = tree;
@@ -17,7 +26,7 @@ export function nested(prims) {
   return tree;
 }
 
-export function rendered({ children }, indent = '') {
+function rendered({ children }, indent = '') {
   return [...children].flatMap(([name, child]) => [
     `${indent}${child.type} ${quoted(name)}${child.metadata && ' ('}`,
     ...(child.metadata ? [...child.metadata.split('\n').map((line) => `${indent}    ${line}`), `${indent})`] : []),

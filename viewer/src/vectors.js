@@ -4,6 +4,15 @@ export const rounded = (value) => Number(value.toPrecision(9));
 export const clamp = (value, low, high) => Math.min(high, Math.max(low, value));
 export const mixed = (a, b, share) => (1 - share) * a + share * b;
 
+/** Different numbers in ascending order. @param {Iterable<number>} values */
+export const ascending = (values) => [...new Set(values)].sort((a, b) => a - b);
+
+/** What a map holds for a key; what it does not hold yet is made of the key, and kept. */
+export function known(map, key, make) {
+  if (!map.has(key)) map.set(key, make(key));
+  return map.get(key);
+}
+
 export function dot(a, b) {
   let sum = 0;
   for (let i = 0; i < a.length; i++) sum += a[i] * b[i];

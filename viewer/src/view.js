@@ -8,7 +8,7 @@ import { Overlay } from './overlay.js';
 import { ScreenSurface } from './pick.js';
 import { Rearranging } from './rearrange.js';
 import { Stage } from './stage.js';
-import { make, shownValue, SNAP } from './dom.js';
+import { SNAP, contains, make } from './dom.js';
 import { dot } from './vectors.js';
 
 const SLOW = 45; // milliseconds per frame above which the picture is drawn coarser while it changes
@@ -21,7 +21,9 @@ export class View {
   /** @type {number} */ ratio;
   /** @type {number} */ closeness;
 
-  constructor(session) {
+  /** `say` tells people something. */
+  constructor(session, say) {
+    this.say = say;
     this.session = session;
     const marks = make('canvas', { class: 'marks' });
     this.tip = make('div', { class: 'tip', hidden: true });
@@ -38,7 +40,6 @@ export class View {
     this.rearranging = new Rearranging(this);
     this.gestures = new Gestures(this);
     this.kinds = null;
-    this.say = null;
     this.closeLook = null; // of frameClosely, as long as nothing else moves the camera
     this.showsInfluence = false; // while its key is held
     this.bare = false; // while all elements are hidden by theirs
@@ -204,13 +205,17 @@ export class View {
   locate(event) {
     const box = this.surface.getBoundingClientRect();
     const at = { x: event.clientX - box.left, y: event.clientY - box.top };
-    const within = ({ left, top, width, height }) => at.x >= left && at.x < left + width && at.y >= top && at.y < top + height;
-    return { ...at, column: this.overlay.dock.contains(at) ? null : (this.columns.find(within) ?? null) };
+    return { ...at, column: this.overlay.dock.contains(at) ? null : (this.columns.find((column) => contains(column, at)) ?? null) };
   }
 
   /** Whether elements can be there: on the face that shows them, or on the board. */
   controlsAt(at) {
     return this.overlay.dock.contains(at) || (at.column !== null && at.column === this.controlsColumn);
+  }
+
+  /** The element under a pointer, if any. */
+  elementAt(at, reach = 0) {
+    return this.controlsAt(at) ? this.overlay.elementAt(at.x, at.y, reach) : null;
   }
 
   /** Look at a region of the skin as closely as to tell what is there apart, or at the whole face again. */
@@ -342,15 +347,12 @@ export class View {
   // --- words -----------------------------------------------------------------------------------------
 
   placeTip() {
-    const { hover, dragging, values, controls } = this.session;
+    const { hover, dragging, controls } = this.session;
     const element = dragging && dragging !== 'skin' ? dragging : hover;
     const drawn = element && this.overlay.drawn.find((each) => each.element === element);
     this.tip.hidden = !drawn || !this.session.options.handles;
     if (this.tip.hidden) return;
-    const lines = element.members.map(({ control }) => {
-      const { label, minimum, maximum } = controls[control];
-      return make('div', {}, make('b', {}, shownValue(values[control], maximum - minimum)), ` ${label}`);
-    });
+    const lines = element.members.map(({ control }) => make('div', {}, make('b', {}, this.session.worded(control)), ` ${controls[control].label}`));
     const heading = make('div', { class: 'tip-side', style: { borderColor: this.session.colours[element.side] } }, sideName(element.side));
     this.tip.replaceChildren(...(sideName(element.side) ? [heading] : []), ...lines);
     const [x, y] = drawn.handle;
