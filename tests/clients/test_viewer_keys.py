@@ -28,25 +28,46 @@ def key(viewer, frame, **values):
     viewer.page.keyboard.press("k")
 
 
+def drag(page, start, end):
+    page.mouse.move(*start)
+    page.mouse.down()
+    page.mouse.move(*end, steps=4)
+    page.mouse.up()
+
+
+KEYS_ON_THE_TRAIL = """() => {
+  const { session, trails, view } = usdrigui.app;
+  session.select(session.elements.list.filter(({ label }) => label === 'brow_L'));
+  view.freshen();
+  const { canvas, box: [left, top] } = view.overlay;
+  const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', { willReadFrequently: true });
+  copy.drawImage(canvas, 0, 0);
+  const drawn = ({ frame, at }) => [frame, ...copy.getImageData(at[0] - left, at[1] - top, 1, 1).data];
+  return trails.shown().map(({ places }) => places.filter(({ isKey }) => isKey).map(drawn));
+}"""
+
+
 def test_keys_are_dragged_copied_deleted_and_come_back(viewer):
+    """Where they are dragged to they are on the trail of their handle, too."""
+    page = viewer.page
     key(viewer, 1, brow_L=0.25)
     key(viewer, 11, brow_L=0.75)
-    viewer.page.keyboard.press("d")
-    row = viewer.page.locator(".dope-row", has_text="brow_L")
+    page.keyboard.press("d")
+    row = page.locator(".dope-row", has_text="brow_L")
     mark, line = row.locator(".dope-key").nth(1), row.locator(".dope-line").bounding_box()
     box, per_frame = mark.bounding_box(), line["width"] / 47
     start = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-    viewer.page.mouse.move(*start)
-    viewer.page.mouse.down()
-    viewer.page.mouse.move(start[0] + 10 * per_frame, start[1], steps=4)
-    viewer.page.mouse.up()
+    drag(page, start, (start[0] + 10 * per_frame, start[1]))
     assert keyed(viewer) == {"brow_L": [[1, 0.25], [21, 0.75]]}
-    viewer.page.keyboard.press("Control+ArrowRight")
+    assert page.evaluate(KEYS_ON_THE_TRAIL) == []
+    page.keyboard.press("t")
+    assert page.evaluate(KEYS_ON_THE_TRAIL) == [[[frame, 240, 169, 75, 255] for frame in (1, 21)]]
+    page.keyboard.press("Control+ArrowRight")
     assert keyed(viewer) == {"brow_L": [[1, 0.25], [21, 0.75], [22, 0.75]]}
-    viewer.page.keyboard.press("Delete")
+    page.keyboard.press("Delete")
     assert keyed(viewer) == {"brow_L": [[1, 0.25], [21, 0.75]]}
     for _ in range(3):
-        viewer.page.keyboard.press("Control+z")
+        page.keyboard.press("Control+z")
     assert keyed(viewer) == {"brow_L": [[1, 0.25], [11, 0.75]]}
 
 
@@ -66,12 +87,8 @@ def test_a_range_of_keys_is_scaled_turned_round_and_played(viewer, shows):
     page.evaluate("usdrigui.app.timeline.sheet.pickAll()")
     first, last = (keys.nth(at).bounding_box() for at in (0, 2))
     page.keyboard.down("Alt")
-    page.mouse.move(last["x"] + last["width"] / 2, last["y"] + last["height"] / 2)
-    page.mouse.down()
-    page.mouse.move(
-        last["x"] + last["width"] / 2 + (last["x"] - first["x"]) / 2, last["y"] + last["height"] / 2, steps=4
-    )
-    page.mouse.up()
+    x, y = last["x"] + last["width"] / 2, last["y"] + last["height"] / 2
+    drag(page, (x, y), (x + (last["x"] - first["x"]) / 2, y))
     page.keyboard.up("Alt")
     assert keyed(viewer) == {"brow_L": [[1, 0.2], [16, 0.8], [31, 0.4]]}
     page.get_by_role("button", name="Reverse").click()
@@ -139,10 +156,8 @@ def test_ways_shelf_and_sound_are_undone_and_come_back_with_the_page(viewer, tmp
         key(viewer, frame, brow_L=value)
     page.keyboard.press("d")
     line = page.locator(".dope-row", has_text="brow_L").locator(".dope-line").bounding_box()
-    page.mouse.move(line["x"] + 0.15 * line["width"], line["y"] + 8)
-    page.mouse.down()
-    page.mouse.move(line["x"] + 0.7 * line["width"], line["y"] + 8, steps=3)
-    page.mouse.up()
+    start, end = ((line["x"] + share * line["width"], line["y"] + 8) for share in (0.15, 0.7))
+    drag(page, start, end)
     page.get_by_role("button", name="Smooth").click()
     ways = {"brow_L": [[1, 0.2], [11, 0.6, "smooth"], [31, 0.4, "smooth"]]}
     assert keyed(viewer) == ways

@@ -54,9 +54,9 @@ export class Arrangement {
     if (this.lens) this.shift();
   }
 
-  /** From an element's scene units to pixels: a short track is lengthened about the place of its handle at rest. */
-  mapOf(element, project) {
-    const origin = project(element.origin);
+  /** From an element's scene units to pixels: a short track is lengthened about the place of its handle at rest, `middle`. */
+  mapOf(element, project, middle = element.origin) {
+    const origin = project(middle);
     const magnification = known(this.magnifications, element, () => magnificationOf(element.tracks.map((track) => track.map(project))));
     const [dx, dy] = this.lens?.offsets.get(element) ?? [0, 0];
     return (point) => {

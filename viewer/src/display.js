@@ -21,6 +21,7 @@ const DEFAULT_OPTIONS = {
   autoKey: false,
   draw: false, // strokes of a review over the view
   onion: false,
+  trails: false, // of the selected handles
   interpolation: 'linear', // of the first key of a control
   locality: 0.1,
   skinDrag: true,

@@ -124,6 +124,7 @@ export class DopeSheet {
 
   draw() {
     const { session } = this;
+    session.emit('picked');
     this.look = [...this.picked, this.shows, ...session.selection].join();
     this.body.hidden = this.shows !== 'rows';
     this.curves.node.style.display = this.shows === 'curves' ? '' : 'none';

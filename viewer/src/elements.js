@@ -42,10 +42,10 @@ export class Elements {
     element.enlarged = element.members.some((member) => member.magnification !== 1);
   }
 
-  /** Move all elements to the pose of `values`; with `still` none deforms. */
-  follow(values, still = false) {
+  /** Move elements, all or some, to the pose of `values`; with `still` none deforms. */
+  follow(values, still = false, list = this.list) {
     this.deformer.drive(values);
-    for (const element of this.list) this.followOne(element, values, still || !element.deforms);
+    for (const element of list) this.followOne(element, values, still || !element.deforms);
   }
 
   followOne(element, values, detached) {

@@ -16,6 +16,7 @@ import { Review } from './review.js';
 import { readScene } from './scene.js';
 import { Session } from './session.js';
 import { Timeline } from './timeline.js';
+import { Trails } from './trails.js';
 import { View } from './view.js';
 import { isAllKeys, resume } from './work.js';
 
@@ -44,7 +45,7 @@ const SHORTCUTS = [
   ['1  2  3  4  F', 'front, three-quarter, side, back; F: closer, on the face or the selection, and back'],
   ['Space', 'play'],
   ['D', 'all keys in rows or as curves: drag moves (Ctrl: copies, Alt: scales those picked), a drag from an empty place picks, Space plays these, Delete takes away'],
-  ['O', 'onion skin: the keys before and after as outlines'],
+  ['O  T', 'onion skin: the keys before and after as outlines; motion trails of the selected handles on the face, a dot for each key'],
   ['Ctrl+C, Ctrl+V', 'copy and paste the pose of the selection, or of all'],
   ['/  ?', 'search, these gestures and keys'],
   ['Ctrl+Z, Ctrl+Shift+Z', 'undo, redo'],
@@ -94,6 +95,7 @@ class App {
     autosave.listen(() => this.say('This browser has no room to keep your work: save it before you close the page'));
     this.view = new View(this.session, (text) => this.say(text));
     this.timeline = new Timeline(this.session, (text) => this.say(text));
+    this.trails = new Trails(this.session, this.view, this.timeline);
     this.list = new ControlList(this.session, this.view);
     this.inspector = new Inspector(this.session, this.view, this.timeline, (text) => this.say(text));
     this.review = new Review(this.session, this.view, this.timeline, (text) => this.say(text), this.roots, () => this.reviewed());
@@ -244,6 +246,7 @@ class App {
       k: () => this.timeline.key(),
       d: () => this.timeline.openSheet(),
       o: flip('onion'),
+      t: flip('trails'),
       'Ctrl+c': () => this.session.copy(),
       'Ctrl+v': () => this.session.paste(),
       1: look(0, 0),

@@ -3,6 +3,7 @@
 import { make } from './dom.js';
 import { Painter } from './painter.js';
 import { sumNormals } from './surface.js';
+import { alike } from './vectors.js';
 
 /** @typedef {[number, number, number]} Colour */
 /** @type {Colour} */
@@ -24,7 +25,7 @@ export class Onion {
   /** Called after every picture: what is drawn for another frame, other keys or another camera goes at once. */
   follow() {
     const wanted = this.wanted();
-    if (wanted.length === this.drawn.length && wanted.every((each, i) => each === this.drawn[i])) return;
+    if (alike(wanted, this.drawn)) return;
     this.node.hidden = true;
     this.drawn = [];
     clearTimeout(this.timer);
@@ -58,7 +59,9 @@ export class Onion {
   /** How much of an outline each pixel has at a frame, 0 to 255. */
   outlineAt(frame) {
     const { view, painter } = this;
-    const points = pointsAtFrame(view.session, frame);
+    const { deformer } = view.session;
+    const points = view.session.atFrame(frame, (values) => deformer.posedAside(values));
+    deformer.updateMaps();
     const normals = new Float32Array(points.length);
     sumNormals(points, view.stage.triangles, view.stage.welded, normals);
     const skin = { ...view.stage.skin, points, normals, paint: new Uint8Array((4 * points.length) / 3) };
@@ -74,18 +77,6 @@ export function keysAround({ keys, frame, selection, chosenControls }) {
   const frames = (own.length ? own : [...keys]).flatMap(([, track]) => track.map(([when]) => when));
   const [past, future] = [frames.filter((when) => when < frame), frames.filter((when) => when > frame)];
   return { before: past.length ? Math.max(...past) : null, after: future.length ? Math.min(...future) : null };
-}
-
-/** All points at another frame; what is shown stays as it is. */
-function pointsAtFrame(session, frame) {
-  const { deformer, animation } = session;
-  const { values, weights, locals } = animation.at(frame, { keys: session.keys, constants: session.allConstants() });
-  deformer.setBase(weights, locals);
-  const found = deformer.posedAside(values);
-  session.showBase();
-  deformer.drive(session.values);
-  deformer.updateMaps();
-  return found;
 }
 
 /** A picture's outlines: steps in depth or in its light. */

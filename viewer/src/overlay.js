@@ -24,15 +24,16 @@ export class Overlay extends Arrangement {
     this.box = null;
   }
 
-  /** `strokes` of a review lie over all. */
-  draw(strokes = []) {
+  /** `strokes` of a review lie over all, `trails` (trails.js) over the handles. */
+  draw(strokes = [], trails = []) {
     const { pen, session } = this;
-    this.cover(strokes);
+    this.cover(strokes, trails);
     pen.clearRect(0, 0, this.width, this.height);
     if (session.options.handles && this.column) {
       this.clipTo(this.column);
       const order = this.drawn.filter(({ element }) => !element.onBoard).sort((a, b) => b.handle[2] - a.handle[2]);
       this.drawElements(order);
+      trails.forEach((trail) => this.drawTrail(trail));
       if (session.options.labels === 'all') this.drawLabels(order);
       pen.restore();
       if (this.dock.rect) this.drawDock();
@@ -44,9 +45,9 @@ export class Overlay extends Arrangement {
   }
 
   /** Let the canvas cover what is to be drawn and no more: what is empty takes time to show too. */
-  cover(strokes) {
+  cover(strokes, trails) {
     const { canvas, pen, ratio } = this;
-    const box = covering(this.reach(strokes), this.box, [this.width, this.height]);
+    const box = covering(this.reach(strokes, trails), this.box, [this.width, this.height]);
     if (box === this.box) return;
     this.box = box;
     canvas.width = Math.round((box[2] - box[0]) * ratio);
@@ -56,7 +57,7 @@ export class Overlay extends Arrangement {
   }
 
   /** [left, top, right, bottom] around all that is drawn. */
-  reach(strokes) {
+  reach(strokes, trails) {
     const { session, dock } = this;
     if (strokes.length || this.marquee || this.placing || session.options.labels === 'all') return [0, 0, this.width, this.height];
     const shown = session.options.handles ? this.drawn : [];
@@ -69,7 +70,7 @@ export class Overlay extends Arrangement {
       if (y < top) top = y;
       if (y > bottom) bottom = y;
     };
-    [...ends, ...(this.pinned ?? [])].forEach(extend);
+    [...ends, ...(this.pinned ?? []), ...trails.flatMap(({ places }) => places.map(({ at }) => at))].forEach(extend);
     for (const { element, handle, home, tracks, origin, corners } of shown) {
       const about = (from, factor) => ([x, y]) => extend([from[0] + factor * (x - from[0]), from[1] + factor * (y - from[1])]);
       const onTrack = about(origin, element.axes.length > 1 ? 2 : 1); // patches reach as far as two tracks together
@@ -328,6 +329,23 @@ export class Overlay extends Arrangement {
     pen.beginPath();
     pen.arc(to[0], to[1], 8, 0, 7);
     pen.stroke();
+  }
+
+  /** The way of a handle: a tick at every frame, a larger dot at a key, a white one at the present frame. */
+  drawTrail({ colour: side, places }) {
+    const { pen, session } = this;
+    const before = places.filter(({ at }) => at[2] > 0);
+    const now = before.findLast(({ frame }) => frame <= session.frame);
+    Object.assign(pen, { globalAlpha: 1, lineCap: 'round', lineJoin: 'round' });
+    lines(pen, before.map(({ at }) => at));
+    stroke(pen, 4, '#14161a');
+    stroke(pen, 2, side);
+    const [ticks, keys] = [false, true].map((kind) => before.filter(({ isKey }) => isKey === kind));
+    for (const place of [...ticks, ...keys, ...(now ? [now] : [])]) {
+      const [radius, colour] = place === now ? [4.5, '#ffffff'] : place.isKey ? [4, '#f0a94b'] : [1.5, '#f4f5f7'];
+      disc(pen, place.at, radius, colour);
+      if (radius > 2) stroke(pen, 1.5, '#14161a');
+    }
   }
 
   drawMarquee([x0, y0, x1, y1]) {

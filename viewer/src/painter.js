@@ -6,7 +6,7 @@
 import { HALF } from './camera.js';
 import { covering, placed } from './dom.js';
 import { smooth } from './eye.js';
-import { clamp } from './vectors.js';
+import { alike, clamp } from './vectors.js';
 
 export const GROUND = '#1f2124'; // as in style.css
 const BACKGROUND = 0xff24211f | 0; // the same as alpha, blue, green, red
@@ -115,7 +115,7 @@ export class Painter {
   seesAgain(columns, { position, right, above }, skins) {
     const own = skins[0] ? [skins[0].points, skins[0].colours] : [];
     const view = [columns.length, ...columns.flatMap(({ left, top, width, height }) => [left, top, width, height]), ...position, ...right, ...above, ...own];
-    const again = columns.length === 1 && view.length === this.view.length && view.every((value, i) => value === this.view[i]);
+    const again = columns.length === 1 && alike(view, this.view);
     this.view = view;
     return again;
   }

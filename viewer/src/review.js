@@ -4,7 +4,7 @@
 import { actions, button, counted, download, hint, make, takeFile, toggle } from './dom.js';
 import { minus } from './camera.js';
 import { isSeenFrom, joined, lookOf, notesIn, notesOf, pairOf, placeOf, posed, reviewLayer, saidPose, thinned, titleOf } from './notes.js';
-import { dot } from './vectors.js';
+import { alike, dot } from './vectors.js';
 
 const LEAST = 0.7; // pixels that a point of a stroke must be off the line between others
 
@@ -20,7 +20,8 @@ export class Review {
     view.review = this;
     /** @type {any} */
     this.line = null; // the stroke being drawn, as pairs
-    this.shown = null; // the notes and the chosen one that the list is made of
+    /** @type {any[]} */
+    this.shown = []; // the notes and the chosen one that the list is made of
     this.list = make('div', { class: 'notes' });
     this.pen = toggle('Draw', 'Draw on the view: two fingers, the wheel and other buttons still move it', () => session.options.draw, () => this.setPen());
     this.back = button('Take back', 'Take away the last stroke of this note', () => this.takeBack());
@@ -153,7 +154,7 @@ export class Review {
     this.back.disabled = !chosen?.strokes.length;
     this.saving.disabled = !session.notes.length;
     const state = [session.notes, session.note, chosen && this.isHere(chosen), session.looks];
-    if (this.shown?.every((each, i) => each === state[i])) return;
+    if (alike(state, this.shown)) return;
     this.shown = state;
     this.view.changed('overlay');
     if (this.typing) return; // into what stands there

@@ -358,6 +358,16 @@ export class Session extends Posing {
     this.emit('changed');
   }
 
+  /** What `use` makes of the values at another frame, over its base pose; what is shown stays as it is. */
+  atFrame(frame, use) {
+    const { values, weights, locals } = this.animation.at(frame, { keys: this.keys, constants: this.allConstants() });
+    this.deformer.setBase(weights, locals);
+    const made = use(values);
+    this.showBase();
+    this.deformer.drive(this.values);
+    return made;
+  }
+
   /** Put the frame's pose, or the layout's base pose, under the values. */
   showBase() {
     const { weights, locals } = this.neutral ? { weights: null, locals: null } : this.animation.clipAt(this.frame);

@@ -195,10 +195,14 @@ export class Timeline {
     this.update();
   }
 
+  /** First and last frame that play: of the picked keys in an open sheet, for what one does not see does not bind, or of all. */
+  get played() {
+    return (this.sheet.node.hidden ? null : this.sheet.span) ?? this.session.range;
+  }
+
   /** Frames by the clock of what is heard, where there is a sound. */
   async play() {
-    const picked = this.sheet.node.hidden ? null : this.sheet.span; // what one does not see does not bind
-    const [first, last] = picked ?? this.session.range;
+    const [first, last] = this.played;
     const starts = this.frame < first || this.frame >= last;
     if (this.session.neutral || starts) this.go(starts ? first : this.frame);
     this.playing = true;

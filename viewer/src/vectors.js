@@ -7,6 +7,9 @@ export const mixed = (a, b, share) => (1 - share) * a + share * b;
 /** Different numbers in ascending order. @param {Iterable<number>} values */
 export const ascending = (values) => [...new Set(values)].sort((a, b) => a - b);
 
+/** Whether two lists hold the same things. */
+export const alike = (a, b) => a.length === b.length && a.every((each, i) => each === b[i]);
+
 /** What a map holds for a key; what it does not hold yet is made of the key, and kept. */
 export function known(map, key, make) {
   if (!map.has(key)) map.set(key, make(key));

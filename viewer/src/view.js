@@ -45,6 +45,7 @@ export class View {
     this.bare = false; // while all elements are hidden by theirs
     this.onInfluences = null;
     this.review = null;
+    this.trails = null;
     this.columns = [];
     this.stale = new Set(['pose', 'camera', 'overlay']);
     this.fineness = 1;
@@ -259,7 +260,7 @@ export class View {
       this.drawn++;
     }
     this.arrangeOverlay(turned);
-    this.overlay.draw(this.review?.lines() ?? []);
+    this.overlay.draw(this.review?.lines(), this.trails?.shown());
     this.onion.follow();
     this.placeTip();
     this.nameSides();
