@@ -13,12 +13,6 @@ from usdrigui.layer.control_api import _driven_joints
 from usdrigui.layer.write_layout import author_variant
 
 
-def driven(weights, values=(0.0, 1.0)):
-    """A control that drives the channels 0, 1, ... as the columns of `weights` (keys, channels) say."""
-    table = np.array(weights, dtype=np.float64)
-    return replace(makers.control("c", 0), drive=makers.drive(range(table.shape[1]), values, table))
-
-
 def turning(skeletons, rotations, translations, scales, extent=2.0):
     """A rig and a control of one joint in each of these skeletons; rows (joints, 3) at the value 1."""
     rest = np.eye(4)

@@ -45,10 +45,6 @@ def hanging(folder):
     return path
 
 
-def encoded(record):
-    return b"".join(record_stream.encode(record))
-
-
 # --- the same as without -----------------------------------------------------------------------------
 
 

@@ -236,7 +236,7 @@ class Tree(Record):
 
     def above(self, joint: int) -> Iterator[int]:
         """The joints from the parent up to the root."""
-        while joint >= 0 and (joint := self.parents[joint]) >= 0:
+        while (joint := self.parents[joint]) >= 0:
             yield joint
 
     def below(self, joints: Iterable[int]) -> set[int]:

@@ -183,7 +183,7 @@ class _Around(Record):
 
 def _frame(surface: BaseSurface, plane: MirrorPlane, ahead: Floats, up: Floats) -> FaceFrame:
     """The face's frame at the middle of the character."""
-    middle = surface.points.mean(axis=0) if len(surface.points) else np.zeros(3)
+    middle = surface.points.mean(axis=0)
     axes = np.stack([np.cross(up, ahead), up, ahead])
     return FaceFrame(plane.projected(middle), axes, surface.face_size)
 

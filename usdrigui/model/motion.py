@@ -126,7 +126,7 @@ class Motion(Record):
     def missing(self, points: Indices) -> Floats:
         """(q,) the share that is missing at each of `points`, of those that move, of what the joint
         of the control owns where it may stand; zero for other controls."""
-        if self.owned is None or not len(points):
+        if self.owned is None:
             return np.zeros(len(points))
         owned = self.owned[np.searchsorted(self.points, points)]
         return 1.0 - np.minimum(owned / max(_STANDS * float(owned.max()), 1e-300), 1.0)

@@ -127,8 +127,9 @@ def _check_places(
     """Collect what is wrong with the places that the configuration gives one control."""
     override, where = settings[name], f'controls."{name}"'
     for key, anchor in (("anchor", override.anchor), ("inner_anchor", override.inner_anchor)):
-        with faults.collected():
-            anchored_point(rig, f"{where}.{key}", anchor)
+        if anchor:
+            with faults.collected():
+                anchored_point(rig, f"{where}.{key}", anchor)
     if override.near:
         with faults.collected():
             check_near(rig, f"{where}.near", override.near)

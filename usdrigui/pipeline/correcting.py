@@ -175,7 +175,7 @@ def _placed(known: Correction, value: str, rig: Rig, layout: Layout) -> Correcti
             what = "neither here, board, face, free, MESH_PATH#POINT nor X,Y,Z"
             raise refuse("CONFIG_VALUE", known.control, f"{value!r} is {what}") from None
         point = int(np.linalg.norm(rest - position, axis=1).argmin())
-    mesh, local = rig.body.mesh_of(point or 0)
+    mesh, local = rig.body.mesh_of(point)
     x, y, z = position.tolist()
     path = rig.body.meshes[mesh].path
     return replace(known, place="point", position=(x, y, z), mesh=path, point=local)

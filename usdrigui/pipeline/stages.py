@@ -28,7 +28,7 @@ from usdrigui.layout.motion.trajectory import at_scale_of_a_side, of_controls, t
 from usdrigui.layout.parts.division import divide
 from usdrigui.layout.parts.joint_regions import FACE, OF_SIDES, seen_flat
 from usdrigui.layout.place.candidates import find_candidates
-from usdrigui.layout.place.handle_width import handle_width, on_face
+from usdrigui.layout.place.handle_width import handle_width
 from usdrigui.layout.place.problem import (
     PlacementProblem,
     penalty_of,
@@ -145,7 +145,7 @@ def measured(character: Character, part: CharacterPart, neighbours: Sequence[Ele
     face = Face(rig, found, symmetry, views, meant, expected)
     alike = similarity(displacement_fields(found))
     classification = classify(face, alike, requests, settings.candidates)
-    placed = on_face(found.motions, classification, requests.overrides)
+    placed = np.array([not each.category for each in classification])
     places = found.surface.points @ views.axes.T
     flat, behind = seen_flat(part.name, settings.candidates.space, places)
     axes = views.drawing_axes(flat)

@@ -16,7 +16,7 @@ def check_value(path: str, value: Any) -> None:
     """Raise CONFIG_VALUE where the setting at `path` (``solve.gap``) may not have a value."""
     section, name = path.partition(".")[0], path.rpartition(".")[2]
     about = settings_table().get(section, {}).get(name)
-    if about is not None and about.bounds and value is not None:
+    if about is not None and about.bounds:
         least, largest = about.bounds
         if not least <= value <= largest:
             expected = f"expected {least:g} to {largest:g}, got {value:g}"

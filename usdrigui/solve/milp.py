@@ -112,7 +112,7 @@ def _loaded(problem: PlainProblem, rows: list[Row], seed: int) -> highspy.Highs:
         highs.setOptionValue(name, value)
     highs.setOptionValue("random_seed", seed % 2**31)
     labels = len(problem.linear)
-    count = max(labels, 1 + max(int(row.columns[-1]) for row in rows))
+    count = 1 + max(int(row.columns[-1]) for row in rows)
     costs = np.append(problem.excess, np.ones(count - labels))
     highs.addVars(count, np.zeros(count), np.where(np.arange(count) < labels, 1.0, np.inf))
     highs.changeColsCost(count, np.arange(count, dtype=np.int32), costs)

@@ -123,7 +123,7 @@ def tables_of(owner: Indices, pairs: Floats | csr_array) -> list[Strip]:
     """Tables of (n, n) pair costs, the earlier variable first: of all variables where the costs are
     dense, of those that have a pair where they are sparse.  `owner` (n,) is each label's
     variable."""
-    start = np.searchsorted(owner, np.arange(int(owner[-1]) + 2 if len(owner) else 1))
+    start = np.searchsorted(owner, np.arange(int(owner[-1]) + 2))
     every = np.ones((len(start), len(start)), dtype=bool)
     used = every if isinstance(pairs, np.ndarray) else interacting(owner, pairs)
     found = []
@@ -161,7 +161,7 @@ class ReducedProblem:
         self.costs = costs
         """(n,) linear costs."""
         self.constant = constant
-        self.count = int(owner[-1]) + 1 if len(owner) else 0
+        self.count = int(owner[-1]) + 1
         self.start = np.searchsorted(owner, np.arange(self.count + 1))
         """(count + 1,) first label of each variable."""
         self.slices = [slice(low, high) for low, high in itertools.pairwise(self.start.tolist())]

@@ -87,13 +87,12 @@ def board_elements(
 def _boards(requests: Requests, middle: float, half: float, up: Floats) -> list[Element]:
     """The elements of a board that exists already, and of the boards of other parts as high as this
     one."""
-    elements = requests.existing.elements if requests.existing is not None else ()
     near = [
         each
         for each in requests.neighbours
         if abs(float(each.anchor.position @ up) - middle) <= half
     ]
-    return [element for element in (*elements, *near) if element.anchor.on_board]
+    return [element for element in (*requests.existing_elements, *near) if element.anchor.on_board]
 
 
 def _right_end(element: Element, frame: Floats, width: float) -> float:
@@ -153,7 +152,7 @@ def _columns(
     for row in rows:
         # A joystick needs room above and below.
         tall = 3 if any(each.group.kind != "slider" for each in row) else 1
-        heading = 1 if row[0].category != category or line == 0 else 0
+        heading = 1 if row[0].category != category else 0
         if line and line + heading + tall > most:
             columns.append([])
             line, heading = 0, 1
@@ -230,7 +229,7 @@ def _directions(group: Group, frame: Floats) -> list[Floats]:
     opposites to the other side; the members of a fan spread over the half circle."""
     found: list[Floats] = [frame[0]] * len(group.controls)
     for number, axis in enumerate(group.axes):
-        angle = np.pi * number / max(len(group.axes), 2)
+        angle = np.pi * number / len(group.axes)
         direction = np.cos(angle) * frame[0] + np.sin(angle) * frame[1]
         found[axis[-1]] = direction
         if len(axis) == 2:

@@ -153,9 +153,8 @@ def _kept(motions: tuple[Motion, ...], twins: Indices, visible: Flags) -> Floats
     found = np.ones(len(motions))
     for index, motion in enumerate(motions):
         if not motion.of_joint:
-            found[index] = motion.arc_length[visible[motion.points]].max(initial=0.0) / max(
-                motion.peak, 1e-300
-            )
+            seen = motion.arc_length[visible[motion.points]]
+            found[index] = seen.max(initial=0.0) / motion.peak
     return np.maximum(found, np.where(twins < 0, found, found[twins]))
 
 

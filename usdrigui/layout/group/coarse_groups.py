@@ -169,7 +169,7 @@ def _named(rig: Rig, groups: tuple[Group, ...], name: str, where: str) -> Group 
     if index < 0:
         if name in {left.control for left in rig.left_off}:
             return None
-        known = (*(group.name for group in groups if group.name), *rig.control_names)
+        known = (*(group.name for group in groups), *rig.control_names)
         check_known(name, known, where, f"{rig.path} has no control or element")
     return next((group for group in groups if index in group.all_controls), None)
 

@@ -125,7 +125,7 @@ class Evidence:
                 around = expected.regions(face.surface.points[motion.points])[1]
                 stands = kept_in(motion, stands, around, HELD)
             kept = np.zeros(len(share))
-            kept[motion.points] = stands * motion.arc_length / max(motion.peak, 1e-300)
+            kept[motion.points] = stands * motion.arc_length / motion.peak
             share = np.minimum(share, kept)
         return float(share.max(initial=0.0))
 
@@ -144,7 +144,7 @@ class Evidence:
         fields, vectors = self.similarity.fields, self.similarity.fields.vectors[index]
         normals = self.face.surface.normals[fields.places]
         out = fields.weights @ np.einsum("mi,mi->m", vectors, normals) ** 2
-        return 1.0 - float(out) / max(float(self.similarity.norm[index]) ** 2, 1e-300)
+        return 1.0 - float(out) / float(self.similarity.norm[index]) ** 2
 
     def uprightness(self, index: int) -> float:
         """Share of a motion that runs upright on the screen."""

@@ -45,7 +45,6 @@ def _fixed_in_mirror(face: Face, requests: Requests, control: int) -> bool:
     if twin < 0 or not overrides[twin].anchor:
         return False
     pair = [fixed_anchor(rig, rig.control_names[c], overrides[c].anchor) for c in (control, twin)]
-    points = np.array([point for point in pair if point is not None])
-    apart = symmetry.apart[points]
-    left, right = points if apart[0] >= apart[1] else points[::-1]
+    apart = symmetry.apart[pair]
+    left, right = pair if apart[0] >= apart[1] else pair[::-1]
     return bool(symmetry.partner[left] == right)

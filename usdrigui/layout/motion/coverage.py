@@ -40,7 +40,7 @@ def shares_of_face(motions: Sequence[Motion], areas: Floats) -> Floats:
     """
     flags = notable_points([motion.on_own_skin() for motion in motions], len(areas))
     size = flags @ areas
-    local = size <= _MANY_TIMES * float(np.median(size)) if len(size) else np.zeros(0, dtype=bool)
+    local = size <= _MANY_TIMES * float(np.median(size))
     face = np.where(flags[local].any(axis=0), areas, 0.0)
     total = float(face.sum())
     return flags @ face / total if total > 0.0 else np.zeros(len(motions))
@@ -58,7 +58,7 @@ def coverage_of_smaller(motions: Sequence[Motion], areas: Floats) -> Floats:
     size = flags @ areas
     share = np.zeros(len(motions))
     face = np.zeros(len(areas), dtype=bool)
-    usual = _MANY_TIMES * float(np.median(size)) if len(size) else 0.0
+    usual = _MANY_TIMES * float(np.median(size))
     for index in np.argsort(rounded(size), kind="stable"):
         known = float(areas[face].sum())
         if size[index] > usual and known > 0.0:

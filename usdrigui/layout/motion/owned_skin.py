@@ -79,7 +79,7 @@ def owned_skin(skin: BoundSkin, control: Control) -> Floats | None:
     """
     driven = frozenset(control.drive.joints.tolist())
     joints = frozenset(i for i in driven if skin.rig.body.joints[i].path == control.source)
-    if control.kind != "joint" or not driven or len(control.drive.channels):
+    if control.kind != "joint" or len(control.drive.channels):
         return None
     return skin.owned(joints or driven)
 

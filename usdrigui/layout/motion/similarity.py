@@ -76,7 +76,7 @@ def displacement_fields(trajectories: Trajectories) -> DisplacementFields:
     for motion in trajectories.motions:
         moved[motion.points] += motion.arc_length / motion.arc_length.max(initial=1e-300)
     moved[~trajectories.surface.first] = 0.0
-    places = _most_moved(moved, max(1, _ENTRIES // max(1, len(trajectories.motions))))
+    places = _most_moved(moved, _ENTRIES // len(trajectories.motions))
     row = rows_of(places, count)
     vectors = np.zeros((len(trajectories.motions), len(places), 3), dtype=np.float32)
     for field, motion in zip(vectors, trajectories.motions, strict=True):
@@ -86,7 +86,7 @@ def displacement_fields(trajectories: Trajectories) -> DisplacementFields:
     weights = trajectories.surface.areas[places]
     if not weights.any():
         weights = np.ones(len(places))
-    return DisplacementFields(places, vectors, weights / max(float(weights.mean()), 1e-300))
+    return DisplacementFields(places, vectors, weights / float(weights.mean()))
 
 
 def rows_of(places: Indices, count: int) -> Indices:

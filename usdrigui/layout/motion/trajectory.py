@@ -212,7 +212,7 @@ def _refined(
         found = swept.offsets(middles)
         chord = 0.5 * (offsets[where] + offsets[where + 1])
         missed = np.linalg.norm(found - chord, axis=2).max(axis=1, initial=0.0)
-        allowed = settings.tolerance * max(float(_arc_lengths(offsets).max(initial=0.0)), 1e-30)
+        allowed = settings.tolerance * float(_arc_lengths(offsets).max(initial=0.0))
         # The middle is kept, and a chord of half the length misses a smooth curve by a quarter;
         # both halves of a piece stay pending where that is too much.
         pending[where] = missed > 4.0 * allowed

@@ -179,7 +179,7 @@ class _Names:
 
     def of(self, control: Control, motion: Motion) -> str:
         """The part of a control."""
-        if control.kind == "joint" and len(control.drive.joints):
+        if control.kind == "joint":
             driven = control.drive.joints.tolist()
             own: int = next(
                 (i for i in driven if self.rig.body.joints[i].path == control.source), driven[0]

@@ -51,9 +51,6 @@ def find_candidates(known: Measured) -> Candidates:
         zip(face.trajectories.motions, known.classification, strict=True)
     ):
         name = face.control_name(motion.control)
-        if known.requests.overrides[motion.control].exclude:
-            left_off.append(LeftOff(name, STAGE, "excluded by the configuration"))
-            continue
         points, sources = _places(known, motion, found.category)
         if not len(points):
             reason = "moves only points that coincide with points it leaves at rest"
@@ -102,8 +99,8 @@ def _places(known: Measured, motion: Motion, category: str) -> tuple[Indices, In
     face, override = known.face, known.requests.overrides[motion.control]
     name = face.control_name(motion.control)
     peak = motion.points[[first_largest(np.where(motion.stands_on(), motion.arc_length, 0.0))]]
-    fixed = fixed_anchor(face.rig, name, override.anchor)
-    if fixed is not None:
+    if override.anchor:
+        fixed = fixed_anchor(face.rig, name, override.anchor)
         point = np.array([fixed], dtype=np.int64)
         return point, point if moves(motion.points, name, override, fixed) else peak
     if category:
@@ -256,8 +253,7 @@ def _pruned(known: Measured, motion: Motion, seen: Flags, some: Flags) -> Indice
     moving = (large & (arc >= min(settings.prune_at * float(arc[some].mean()), peak))) | middle
     large |= middle
     for kept in (seen & moving, seen & large):
-        if settings.occlusion:
-            kept = _without_occluded(known, motion, kept)
+        kept = _without_occluded(known, motion, kept)
         # A corner of the mouth that is drawn back runs into the cheek: its handle stands there
         # nevertheless.
         if arc[kept].max(initial=0.0) >= KEPT * peak:

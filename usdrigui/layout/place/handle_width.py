@@ -8,19 +8,17 @@ within a few widths.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 from scipy.spatial import cKDTree
 
 from usdrigui.character import Flags, Floats, Indices
-from usdrigui.layout.classify.classification import Classification
 from usdrigui.layout.face import AROUND
 from usdrigui.layout.shares import KEPT, SAMPLE
 from usdrigui.layout.visibility import Views
 from usdrigui.model import Motion, Trajectories
-from usdrigui.settings import ControlSettings, ObjectiveSettings
+from usdrigui.settings import ObjectiveSettings
 
 _FINGER = 0.8
 """Of the usual width: a narrower handle is missed by a finger where the part fills a screen."""
@@ -99,19 +97,6 @@ def _gathered(points: Floats, weights: Floats, size: float) -> tuple[Floats, Flo
     return middles, total
 
 
-def on_face(
-    motions: tuple[Motion, ...],
-    classification: Sequence[Classification],
-    overrides: Sequence[ControlSettings],
-) -> Flags:
-    """(motions,) those of the controls that are to stand on the face."""
-    found = zip(motions, classification, strict=True)
-    return np.array(
-        [not (overrides[motion.control].exclude or each.category) for motion, each in found],
-        dtype=bool,
-    )
-
-
 def wanted(trajectories: Trajectories, anywhere: Flags, motion: Motion) -> tuple[Indices, Floats]:
     """Points where a control keeps most of its displacement, none where it is seen nowhere, and the
     share of each in their area."""
@@ -120,9 +105,9 @@ def wanted(trajectories: Trajectories, anywhere: Flags, motion: Motion) -> tuple
     arc = np.where(motion.stands_on(seen), motion.arc_length, 0.0)
     points = motion.points[(arc > 0.0) & (arc >= KEPT * arc.max(initial=0.0))]
     areas = surface.areas[points]
-    return points, areas / areas.sum() if areas.any() else np.full(
-        len(points), 1.0 / max(len(points), 1)
-    )
+    if not areas.any():
+        areas = np.ones(len(points))
+    return points, areas / areas.sum()
 
 
 def _wanted(trajectories: Trajectories, anywhere: Flags, placed: Flags) -> tuple[Floats, Floats]:

@@ -113,4 +113,5 @@ def off_plane(face: Face, points: Indices, weight: float, *, of_joint: bool) -> 
     cost = weight * np.abs(apart) + np.where(apart < -NOTHING, _TIE, 0.0)
     if of_joint and weight:
         cost += _BESIDE * (np.abs(apart) > ON_PLANE)
-    return cost - cost.min(initial=np.inf) if len(cost) else cost
+    cost -= cost.min(initial=np.inf)
+    return cost

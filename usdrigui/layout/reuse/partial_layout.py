@@ -14,17 +14,15 @@ MIRROR = "mirror:"
 """In front of what ``near`` names: its mirror image."""
 
 
-def fixed_anchor(rig: Rig, name: str, anchor: str) -> int | None:
+def fixed_anchor(rig: Rig, name: str, anchor: str) -> int:
     """The point of a partial layout that ``anchor`` fixes; raises as `anchored_point`."""
     return anchored_point(rig, f'controls."{name}".anchor', anchor)
 
 
-def anchored_point(rig: Rig, where: str, anchor: str) -> int | None:
-    """Index into all points of the rig of ``MESH_PATH#POINT``; None for an empty text.
+def anchored_point(rig: Rig, where: str, anchor: str) -> int:
+    """Index into all points of the rig of ``MESH_PATH#POINT``.
 
     Raises CONFIG_VALUE for `where` when there is no such mesh or point."""
-    if not anchor:
-        return None
     path, mark, number = anchor.rpartition("#")
     if not mark or not number.isdecimal():
         raise refuse("CONFIG_VALUE", where, f"{anchor!r} is not MESH_PATH#POINT")

@@ -212,7 +212,7 @@ def with_twins(
     for control in (motion.control for motion in trajectories.motions):
         twin, override = int(symmetry.twins[control]), overrides[control]
         own = overrides[twin]
-        fixed = own.anchor or own.place or own.near or own.exclude
+        fixed = own.anchor or own.place or own.near
         if twin in (-1, control) or fixed or not own.follow_twin:
             continue
         if override.near and not override.anchor:
@@ -220,7 +220,7 @@ def with_twins(
             found[twin] = replace(own, near=near, within=within)
         if override.anchor:
             point = fixed_anchor(rig, rig.control_names[control], override.anchor)
-            image = -1 if point is None else _image(trajectories, symmetry, twin, point)
+            image = _image(trajectories, symmetry, twin, point)
             if image >= 0:
                 found[twin] = replace(own, anchor=place_of(rig.body, image))
     return tuple(found)

@@ -42,9 +42,8 @@ class Requests(Record):
     @property
     def existing_names(self) -> frozenset[str]:
         """Names of the elements of the existing layout, and of their controls."""
-        if self.existing is None:
-            return frozenset()
-        return self.existing.controls | {element.name for element in self.existing.elements}
+        elements = self.existing_elements
+        return frozenset().union(*({each.name, *each.controls} for each in elements))
 
     def of_axes(self) -> Requests:
         """What holds for the sliders that controls have of their own under a coarse element."""

@@ -21,7 +21,6 @@ from usdrigui.errors import (
 )
 from usdrigui.layout.face import Face
 from usdrigui.layout.reuse.identity import match_layout
-from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.shares import NOTHING
 from usdrigui.model import (
     Anchor,
@@ -123,18 +122,12 @@ def _off(body: Body, surface: BaseSurface, anchor: Anchor) -> float:
     return float(np.linalg.norm(here - anchor.position)) / surface.face_size
 
 
-def unplaced(
-    face: Face, layout: Layout, requests: Requests, listed: frozenset[str]
-) -> Iterator[Issue]:
+def unplaced(face: Face, layout: Layout, listed: frozenset[str]) -> Iterator[Issue]:
     """Controls that move something and have no element, nor are `listed` without one."""
     known = layout.controls | {left.control for left in layout.left_off}
     if not layout.proof.method:  # only the list shows what is left off by hand
         known |= listed
-    names = [
-        face.control_name(motion.control)
-        for motion in face.trajectories.motions
-        if not requests.overrides[motion.control].exclude
-    ]
+    names = [face.control_name(motion.control) for motion in face.trajectories.motions]
     new = [name for name in names if name not in known]
     if len(new) > 1 and not listed and not layout.proof.method:
         clause = "controls have no element, and rigUI:layout:baseControls lists none"

@@ -43,7 +43,7 @@ def review(
     width = layout.frame.handle_width or face.handle_width
     faults = [
         *stale(face.rig, face.trajectories, (layout, whole), known.settings.read),
-        *unplaced(face, layout, known.requests, frozenset(whole.listed)),
+        *unplaced(face, layout, frozenset(whole.listed)),
         *crowded(layout.elements, width),
     ]
     sound = sound_elements(face, layout.elements)

@@ -44,7 +44,7 @@ def _groups_apart(known: Measured, elements: tuple[Element, ...]) -> Iterator[Is
 
 
 def _narrow_handles(face: Face, asked: ObjectiveSettings) -> Iterator[Issue]:
-    size = face.handle_width / max(face.surface.face_size, 1e-300)
+    size = face.handle_width / face.surface.face_size
     if asked.handle_size > max(ObjectiveSettings().handle_size, 1.001 * size):
         limit = f"{asked.max_neighbours:g} controls within four handle widths on average"
         found = f"handles of {size:.3g} instead of {asked.handle_size:g}, for no more than {limit}"

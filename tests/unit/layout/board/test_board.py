@@ -1,7 +1,5 @@
 """The board."""
 
-from types import SimpleNamespace
-
 import chain
 import makers
 import numpy as np
@@ -87,9 +85,3 @@ def test_the_board_hangs_on_the_joint_that_holds_the_face():
     line = chain.lay_out(rig)
     whole = chain.by_name(line)["whole"]
     assert head[whole.anchor.point] == 1.0
-
-
-def scene(base, *lengths):
-    """Trajectories of motions that move every point by these lengths."""
-    motions = [SimpleNamespace(points=np.arange(len(base)), arc_length=np.array(each, dtype=float)) for each in lengths]
-    return SimpleNamespace(surface=SimpleNamespace(points=np.array(base, dtype=float), face_size=1.0), motions=motions)

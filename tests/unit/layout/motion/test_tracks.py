@@ -10,9 +10,6 @@ from usdrigui.layout.motion.tracks import magnification, resampled
 POINTS, QUADS = makers.mask()
 
 
-SHAPES = makers.face_shapes(POINTS)
-
-
 def test_tracks_are_sampled_at_equal_steps_of_arc_length():
     line = np.array([[[0.0, 0, 0], [1, 0, 0], [1, 3, 0]]])
     assert np.allclose(resampled(line, 5)[0], [[0, 0, 0], [1, 0, 0], [1, 1, 0], [1, 2, 0], [1, 3, 0]])

@@ -10,9 +10,6 @@ from usdrigui.errors import RigUIError
 POINTS, QUADS = makers.mask()
 
 
-SHAPES = makers.face_shapes(POINTS)
-
-
 def test_a_hidden_control_may_stand_at_a_visible_proxy():
     found = chain.chosen(makers.face_with_teeth(), controls={"teeth": {"place": "proxy"}})("teeth")
     assert found.category != "hidden"
