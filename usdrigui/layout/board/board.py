@@ -18,7 +18,7 @@ from usdrigui.character import Control, Floats, Record
 from usdrigui.layout.board.board_place import anchor_point, silhouette
 from usdrigui.layout.face import Face
 from usdrigui.layout.glyph_fitting import fitted_glyph
-from usdrigui.layout.names import common_label, element_name
+from usdrigui.layout.names import common_label
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.lobes import ASIDE, side_at
 from usdrigui.model import Element, Group, Member, Side
@@ -49,6 +49,7 @@ class BoardEntry:
     """One element of the board."""
 
     group: Group
+    name: str
     controls: tuple[int, ...]
     category: str
     reason: str
@@ -180,12 +181,7 @@ def _element(
     face, requests, group = drawing.face, drawing.requests, entry.group
     if group.kind != "slider":
         place = place - drawing.frame[1] * _ROW * face.handle_width
-    known = face.rig.control_names
-    names = [
-        element_name([face.control_name(control) for control in each.controls], known)
-        for each in row
-    ]
-    own = row.index(entry)
+    other = row[1 - row.index(entry)].name if len(row) == 2 else ""
     toward, side = face.views.directions[0], _side(face, entry, row)
     anchor = replace(face.anchor(drawing.carrier), position=place, normal=toward, on_board=True)
     length = _TRACK * face.handle_width * (1.0 if len(entry.controls) == 1 else 0.5)
@@ -198,14 +194,12 @@ def _element(
     overrides = [requests.overrides[control] for control in entry.controls]
     flipped = face.symmetry.reversed
     return Element(
-        name=names[own],
+        name=entry.name,
         kind=group.kind,
         members=members,
         opposed=group.opposed,
-        mirror=names[1 - own] if len(row) == 2 else "",
-        reversed=tuple(
-            m for m, each in enumerate(entry.controls) if len(row) == 2 and flipped[each]
-        ),
+        mirror=other,
+        reversed=tuple(m for m, each in enumerate(entry.controls) if other and flipped[each]),
         anchor=anchor,
         label=_label(face.rig.controls, entry),
         side=side,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, replace
 
 import numpy as np
@@ -41,11 +41,8 @@ def layout(
     otherwise; `part` is the name of what is laid out."""
     face, requests, settings = known.face, known.requests, known.settings
     elements: list[Element] = []
-    board = [
-        BoardEntry(group, controls, group.category, group.reason_of(controls))
-        for group in placement.groups
-        if group.category
-        for controls in _once(group.copies)
+    off: list[tuple[Group, str, str]] = [
+        (group, group.category, "") for group in placement.groups if group.category
     ]
     for choice, label in zip(placement.choices, assignment.labels, strict=True):
         group = placement.groups[choice.group]
@@ -55,9 +52,14 @@ def layout(
                 if len(choice.anchors)
                 else f"no place on the {part}"
             )
-            board.extend(BoardEntry(group, copy, "crowded", reason) for copy in _once(group.copies))
+            off.append((group, "crowded", reason))
         else:
             elements.extend(_on_face(known, group, choice, int(label)))
+    board = [
+        BoardEntry(group, name, copy, category, reason or group.reason_of(copy))
+        for group, category, reason in off
+        for name, copy in _once(names_of_copies(face.rig, group), group.copies)
+    ]
     elements.extend(board_elements(face, board, requests, settings.output.adapt))
     asked = asdict(settings.objective).items()
     weights = tuple(
@@ -96,20 +98,22 @@ def proof_of(assignment: Assignment, weights: tuple[tuple[str, float], ...]) -> 
     )
 
 
-def _once(copies: tuple[tuple[int, ...], ...]) -> Iterator[tuple[int, ...]]:
-    """The copies of a group that hold other controls: of a double element one is enough on the
-    board."""
-    return (
-        copy for i, copy in enumerate(copies) if set(copy) not in [set(each) for each in copies[:i]]
-    )
+def _once(
+    names: Sequence[str], copies: Sequence[tuple[int, ...]]
+) -> Iterator[tuple[str, tuple[int, ...]]]:
+    """Name and controls of the copies of a group that hold other controls: of a double element one
+    is enough on the board."""
+    for i, (name, copy) in enumerate(zip(names, copies, strict=True)):
+        if set(copy) not in [set(each) for each in copies[:i]]:
+            yield name, copy
 
 
-def names_of_copies(rig: Rig, group: Group, choice: Choice) -> list[str]:
+def names_of_copies(rig: Rig, group: Group) -> list[str]:
     """Names of the element and of its images, each unique."""
     given = [group.name, *group.image_names]
     own = [
         element_name([rig.control_names[each] for each in copy], rig.control_names)
-        for copy in choice.controls
+        for copy in group.copies
     ]
     names = [chosen or name for chosen, name in zip(given, own, strict=False)]
     if len(set(names)) < len(names):
@@ -121,7 +125,7 @@ def names_of_copies(rig: Rig, group: Group, choice: Choice) -> list[str]:
 def _on_face(known: Measured, group: Group, choice: Choice, label: int) -> list[Element]:
     """The element of a group and of its mirror images."""
     face, requests, settings = known.face, known.requests, known.settings.output
-    names = names_of_copies(face.rig, group, choice)
+    names = names_of_copies(face.rig, group)
     least = settings.min_track * face.handle_width
     made, sides = [], _sides(face, choice.anchors[label])
     for copy, controls in enumerate(choice.controls):

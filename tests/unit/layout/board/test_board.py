@@ -52,6 +52,15 @@ def test_what_the_configuration_sends_beside_stands_under_a_heading_of_its_own()
     assert heights["whole"] - heights["chin"] == pytest.approx(4.8 * line.layout.frame.handle_width)
 
 
+def test_a_fan_on_the_board_spreads_over_the_half_circle():
+    names = ["chin", "pucker", "smile_L", "brow_L"]
+    said = {"controls": {name: {"place": "board"} for name in names}, "groups": {"groups": {"fan": names}}}
+    fan = chain.by_name(chain.lay_out(makers.face(), chain.settings(**said)))["fan"]
+    assert fan.kind == "fan"
+    x, y, _ = np.array([member.track[-1] - member.track[0] for member in fan.members]).T
+    assert np.degrees(np.arctan2(y, x)) == pytest.approx([0.0, 45.0, 90.0, 135.0], abs=0.1)
+
+
 def test_a_crowded_face_sends_the_least_displaced_controls_to_the_board():
     crowd = {
         f"c{i}": makers.bump(POINTS, (0.0, -0.2), (np.sin(i), np.cos(i), 0.3), 0.05, 0.02 + 0.01 * i) for i in range(8)
