@@ -1,6 +1,7 @@
 """Two levels: which elements are coarse, which are their members, and who is kept apart from whom."""
 
 from dataclasses import replace
+from itertools import combinations
 
 import chain
 import makers
@@ -9,13 +10,16 @@ import pytest
 from chain import by_name, lay_out, problem_of, settings
 from laid_out import on_face
 
-from usdrigui.character import Control
+from usdrigui.character import Control, LeftOff
 from usdrigui.errors import RigUIError
 from usdrigui.layout.review.difference import difference
 from usdrigui.layout.review.review import review
 from usdrigui.model.levels import inner_names, outer_first, shown, shown_of_all, states
 
 FACE = makers.face()
+JOYSTICK = settings(groups={"groups": {"mouth": ["pucker", "chin"]}}, levels={"groups": True})
+ON_FACE = {"board_composite": False}
+WINK = (LeftOff("wink", "read", "moves nothing"),)
 
 
 def with_pose(name="grin", shapes=("smile_L", "smile_R", "pucker")):
@@ -27,10 +31,10 @@ def with_pose(name="grin", shapes=("smile_L", "smile_R", "pucker")):
     return replace(FACE, controls=(*FACE.controls, made))
 
 
-def mouth(**more):
-    return settings(
-        levels={"members": {"grin": ["smile_L", "smile_R", "pucker"]}}, candidates={"board_composite": False}, **more
-    )
+@pytest.fixture(scope="module")
+def grinning():
+    levels = {"members": {"grin": ["smile_L", "smile_R", "pucker"]}}
+    return lay_out(with_pose(), settings(levels=levels, candidates=ON_FACE))
 
 
 def reviewed(line, layout):
@@ -38,10 +42,9 @@ def reviewed(line, layout):
     return review(inputs.measured, inputs.candidates, layout)
 
 
-def test_a_coarse_control_has_the_named_members_on_both_sides():
-    line = lay_out(with_pose(), mouth())
-    assert by_name(line)["grin"].inner == ("pucker", "smile_L", "smile_R")
-    assert inner_names(line.layout.elements) == {"pucker", "smile_L", "smile_R"}
+def test_a_coarse_control_has_the_named_members_on_both_sides(grinning):
+    assert by_name(grinning)["grin"].inner == ("pucker", "smile_L", "smile_R")
+    assert inner_names(grinning.layout.elements) == {"pucker", "smile_L", "smile_R"}
 
 
 def test_what_is_said_of_one_side_holds_for_the_other():
@@ -52,15 +55,15 @@ def test_what_is_said_of_one_side_holds_for_the_other():
 
 
 def test_poses_are_coarse_when_asked_for():
-    line = lay_out(with_pose(), settings(levels={"poses": True}, candidates={"board_composite": False}))
+    line = lay_out(with_pose(), settings(levels={"poses": True}, candidates=ON_FACE))
     assert by_name(line)["grin"].inner == ("pucker", "smile_L", "smile_R")
 
 
 def test_members_stand_where_they_would_alone_as_the_coarse_one_is_hidden_then():
     """The pose moves the mouth as its members do; seen together they have to make room for each other."""
-    together = lay_out(with_pose(shapes=("pucker",)), settings(candidates={"board_composite": False}))
+    together = lay_out(with_pose(shapes=("pucker",)), settings(candidates=ON_FACE))
     levels = {"members": {"grin": ["pucker"]}}
-    apart = lay_out(with_pose(shapes=("pucker",)), settings(levels=levels, candidates={"board_composite": False}))
+    apart = lay_out(with_pose(shapes=("pucker",)), settings(levels=levels, candidates=ON_FACE))
     alone = lay_out(FACE)
     assert by_name(apart)["pucker"].anchor.point == by_name(alone)["pucker"].anchor.point
     assert by_name(apart)["grin"].anchor.point == by_name(alone)["pucker"].anchor.point
@@ -91,7 +94,7 @@ def crowded_face():
 @pytest.mark.parametrize("asked", [True, False])
 def test_a_crowded_face_has_the_rest_of_a_region_behind_one_element(asked):
     levels = {"crowds": asked}
-    said = settings(levels=levels, candidates={"board_composite": False}, objective={"max_neighbours": 8.0})
+    said = settings(levels=levels, candidates=ON_FACE, objective={"max_neighbours": 8.0})
     groups = problem_of(crowded_face(), said).inputs.placement.groups
     coarse = {group.name: group.inner for group in groups if group.inner}
     assert bool(coarse) is asked
@@ -100,32 +103,38 @@ def test_a_crowded_face_has_the_rest_of_a_region_behind_one_element(asked):
 
 
 def test_a_pose_is_no_member_of_itself_in_a_group_with_what_it_sets():
-    levels, kept = {"poses": True}, {"board_composite": False}
+    levels = {"poses": True}
     groups = {"groups": {"both": ["grin", "pucker"]}}
-    line = lay_out(with_pose(), settings(levels=levels, candidates=kept, groups=groups))
+    line = lay_out(with_pose(), settings(levels=levels, candidates=ON_FACE, groups=groups))
     assert by_name(line)["both"].inner == ("smile_L", "smile_R")
 
 
-def test_members_of_one_coarse_control_are_kept_apart():
-    line = lay_out(with_pose(), mouth())
-    width = line.layout.frame.handle_width
-    placed = on_face(line.layout)
+def test_members_of_one_coarse_control_are_kept_apart(grinning):
+    width = grinning.layout.frame.handle_width
+    placed = on_face(grinning.layout)
     seen = states(placed)
-    for a in placed:
-        for b in placed:
-            if a is not b and seen[a.name] & seen[b.name]:
-                assert np.linalg.norm(a.anchor.position - b.anchor.position) >= width
+    for a, b in combinations(placed, 2):
+        if seen[a.name] & seen[b.name]:
+            assert np.linalg.norm(a.anchor.position - b.anchor.position) >= width
 
 
 def test_joysticks_are_opened_into_their_axes():
-    groups = {"groups": {"mouth": ["pucker", "chin"]}}
-    line = lay_out(FACE, settings(groups=groups, levels={"groups": True}))
-    elements = by_name(line)
+    elements = by_name(lay_out(FACE, JOYSTICK))
     assert elements["mouth"].inner == ("chin", "pucker")
     assert elements["mouth"].kind == "patch"
     assert {elements[name].kind for name in ("chin", "pucker")} == {"slider"}
     # Each axis has its own best place, which the two together do not.
     assert elements["pucker"].anchor.point == by_name(lay_out(FACE))["pucker"].anchor.point
+
+
+def test_pairs_are_opened_on_both_sides_and_what_is_on_the_board_is_not():
+    lids = {"lid": ["brow_L", "blink_L"], "lidR": ["brow_R", "blink_R"]}
+    groups = {"groups": {**lids, "mouth": ["pucker", "chin"]}}
+    board = {name: {"place": "board"} for name in groups["groups"]["mouth"]}
+    elements = by_name(lay_out(FACE, settings(groups=groups, levels={"groups": True}, controls=board)))
+    assert {name: set(elements[name].inner) for name in lids} == {name: set(names) for name, names in lids.items()}
+    assert (elements["brow_L"].mirror, elements["blink_R"].mirror) == ("brow_R", "blink_L")
+    assert elements["mouth"].inner == ()
 
 
 def test_what_is_shown_when_something_is_opened():
@@ -142,27 +151,21 @@ def test_what_is_shown_when_something_is_opened():
 # --- over the life of a rig --------------------------------------------------------------------------
 
 
-def joystick(**more):
-    return settings(groups={"groups": {"mouth": ["pucker", "chin"]}}, levels={"groups": True}, **more)
-
-
 def anchors(layout):
     return {element.name: element.anchor.point for element in layout.elements}
 
 
-def test_a_layout_with_levels_is_sound():
-    line = lay_out(with_pose(), mouth())
-    assert reviewed(line, line.layout).issues == ()
+def test_a_layout_with_levels_is_sound(grinning):
+    assert reviewed(grinning, grinning.layout).issues == ()
 
 
-def test_two_handles_on_one_spot_are_a_fault_only_where_both_are_visible():
-    line = lay_out(with_pose(), mouth())
-    elements = by_name(line)
+def test_two_handles_on_one_spot_are_a_fault_only_where_both_are_visible(grinning):
+    elements = by_name(grinning)
 
     def faults(first, second):
         moved = replace(elements[first], anchor=elements[second].anchor)
-        spoiled = tuple(moved if each.name == first else each for each in line.layout.elements)
-        found = reviewed(line, replace(line.layout, elements=spoiled)).issues
+        spoiled = tuple(moved if each.name == first else each for each in grinning.layout.elements)
+        found = reviewed(grinning, replace(grinning.layout, elements=spoiled)).issues
         return {each.code for each in found}
 
     assert "LAYOUT_HANDLES_COLLIDE" in faults("pucker", "smile_L")
@@ -170,15 +173,15 @@ def test_two_handles_on_one_spot_are_a_fault_only_where_both_are_visible():
 
 
 def test_a_layout_with_levels_can_be_fixed_and_kept():
-    first = lay_out(FACE, joystick()).layout
-    assert anchors(lay_out(FACE, joystick(), fixed=first).layout) == anchors(first)
-    kept = lay_out(FACE, joystick(), prior=chain.prior(first, FACE, 0.2)).layout
+    first = lay_out(FACE, JOYSTICK).layout
+    assert anchors(lay_out(FACE, JOYSTICK, fixed=first).layout) == anchors(first)
+    kept = lay_out(FACE, JOYSTICK, prior=chain.prior(first, FACE, 0.2)).layout
     assert anchors(kept) == anchors(first)
     assert not difference(first, kept).changes
 
 
 def test_the_first_level_comes_first():
-    layout = lay_out(FACE, joystick()).layout
+    layout = lay_out(FACE, JOYSTICK).layout
     names = [element.name for element in outer_first(layout.elements)]
     assert set(names[-2:]) == {"chin", "pucker"}
 
@@ -194,13 +197,25 @@ def test_the_first_level_comes_first():
         ({"pucker": ["pucker"]}, "CONFIG_VALUE"),
         ({"pucker": ["chin"], "chin": ["smile_L"]}, "CONFIG_VALUE"),
         ({"pucker": []}, "CONFIG_VALUE"),
+        ({"pucker": ["wink"]}, "none of its members has an element"),
+        ({"wink": ["pucker"]}, "wink has no element"),
     ],
 )
 def test_levels_that_make_no_sense_are_refused(members, code):
     with pytest.raises(RigUIError, match=code):
-        problem_of(FACE, settings(levels={"members": members}))
+        problem_of(replace(FACE, left_off=WINK), settings(levels={"members": members}))
 
 
-def test_derived_members_give_way_to_configured_ones():
-    chosen = settings(levels={"poses": True, "members": {"grin": ["pucker"]}}, candidates={"board_composite": False})
-    assert by_name(lay_out(with_pose(), chosen))["grin"].inner == ("pucker",)
+@pytest.mark.parametrize(
+    ("members", "inner"),
+    [
+        ({"grin": ["pucker"]}, {"grin": ("mouth",), "mouth": ()}),
+        ({"mouth": ["brow_L", "wink"]}, {"mouth": ("brow_L", "brow_R"), "grin": ("smile_L", "smile_R")}),
+    ],
+)
+def test_derived_members_give_way_to_configured_ones(members, inner):
+    levels = {"poses": True, "groups": True, "members": members}
+    groups = {"groups": {"mouth": ["pucker", "chin"]}}
+    chosen = settings(levels=levels, candidates=ON_FACE, groups=groups)
+    elements = by_name(lay_out(replace(with_pose(), left_off=WINK), chosen))
+    assert {name: elements[name].inner for name in inner} == inner

@@ -51,6 +51,17 @@ def without(rig, *names):
     return replace(rig, controls=tuple(control for control in rig.controls if control.name not in names))
 
 
+def edited(layout, **new):
+    """The layout with other values of fields of some elements, by name."""
+    return replace(layout, elements=tuple(replace(each, **new.get(each.name, {})) for each in layout.elements))
+
+
+def beside(layout, name):
+    """The layout with an element on the board."""
+    (anchor,) = (each.anchor for each in layout.elements if each.name == name)
+    return edited(layout, **{name: {"anchor": replace(anchor, on_board=True)}})
+
+
 def at_another_place(line, name, column=0):
     """The layout with one element moved to some other point that its control moves, beyond the candidates."""
     element = chain.by_name(line)[name]
@@ -58,8 +69,7 @@ def at_another_place(line, name, column=0):
     reach = np.linalg.norm(line.face.surface.points[motion.points] - element.anchor.position, axis=1)
     point = int(motion.points[np.argsort(reach)[len(reach) // 2 + column]])
     anchor = replace(element.anchor, point=point, position=np.array(line.face.surface.points[point]))
-    changed = tuple(replace(each, anchor=anchor) if each is element else each for each in line.layout.elements)
-    return replace(line.layout, elements=changed), point
+    return edited(line.layout, **{name: {"anchor": anchor}}), point
 
 
 # --- fixed -------------------------------------------------------------------------------------------
@@ -111,9 +121,7 @@ def test_the_rest_is_optimal_given_what_is_fixed(face, before):
 
 
 def test_fixing_beside_keeps_a_control_off_the_face(face, before):
-    element = chain.by_name(before)["chin"]
-    beside = replace(element, anchor=replace(element.anchor, on_board=True))
-    assert anchors(lay_out(face, fixed=replace(before.layout, elements=(beside,))).layout)["chin"] == "board"
+    assert anchors(lay_out(face, fixed=beside(before.layout, "chin")).layout)["chin"] == "board"
 
 
 def test_the_configuration_is_stronger_than_the_fixed_layer(face, before):
@@ -196,9 +204,7 @@ def test_where_no_point_is_left_all_within_a_handle_of_the_nearest_may_be_taken(
 
 
 def test_a_control_sent_to_the_board_stays_there_at_the_penalty(face, before):
-    element = chain.by_name(before)["chin"]
-    beside = replace(element, anchor=replace(element.anchor, on_board=True))
-    layout = replace(before.layout, elements=tuple(beside if e is element else e for e in before.layout.elements))
+    layout = beside(before.layout, "chin")
     assert anchors(lay_out(face, prior=chain.prior(layout, face, 5.0)).layout)["chin"] == "board"
     assert anchors(lay_out(face, prior=chain.prior(layout, face, 1e-3)).layout)["chin"] != "board"
 
@@ -228,10 +234,7 @@ def test_every_move_between_two_layouts_has_a_reason(before):
     chin = chain.by_name(before)["chin"]
     half = replace(chin.members[0], peak=0.5 * chin.members[0].peak)
     told = {
-        "it moves its farthest point 0.50 times as far as before": replace(
-            before.layout,
-            elements=tuple(replace(e, members=(half,)) if e.name == "chin" else e for e in before.layout.elements),
-        ),
+        "it moves its farthest point 0.50 times as far as before": edited(before.layout, chin={"members": (half,)}),
         "no reason recorded": before.layout,
         "made with other settings: objective.displacement_weight": replace(
             before.layout,
@@ -246,16 +249,9 @@ def test_every_move_between_two_layouts_has_a_reason(before):
 
 @pytest.mark.parametrize("pinned_before", [(), ("anchor",)])
 def test_of_a_swap_the_control_that_a_person_anchored_is_the_cause(before, pinned_before):
-    chin, pucker = map(chain.by_name(before).get, ("chin", "pucker"))
-    swapped = {
-        "chin": replace(chin, anchor=pucker.anchor, pinned=("anchor",)),
-        "pucker": replace(pucker, anchor=chin.anchor),
-    }
-
-    def of(changed):
-        return replace(before.layout, elements=tuple(changed.get(e.name, e) for e in before.layout.elements))
-
-    found = difference(of({"chin": replace(chin, pinned=pinned_before)}), of(swapped))
+    chin, pucker = (chain.by_name(before)[name].anchor for name in ("chin", "pucker"))
+    swapped = edited(before.layout, chin={"anchor": pucker, "pinned": ("anchor",)}, pucker={"anchor": chin})
+    found = difference(edited(before.layout, chin={"pinned": pinned_before}), swapped)
     assert {change.control: change.why for change in found.changes} == {
         "chin": ("its anchor, or its twin's, was decided by a person",),
         "pucker": ("its place is taken by chin, whose anchor was decided by a person",),
