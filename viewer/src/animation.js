@@ -154,13 +154,7 @@ export class Animation {
   /** The samples around a time, and the share of the later one; before the first and after the last these hold. */
   between(time) {
     const { times } = this.clip;
-    let low = 0;
-    let end = times.length - 1;
-    while (low < end) {
-      const middle = (low + end + 1) >> 1;
-      if (times[middle] <= time) low = middle;
-      else end = middle - 1;
-    }
+    const low = Math.max(0, times.findLastIndex((each) => each <= time));
     const high = Math.min(low + 1, times.length - 1);
     const share = high > low ? Math.max(0, (time - times[low]) / (times[high] - times[low])) : 0;
     return { low, high, share };

@@ -15,8 +15,7 @@ import { ascending, known } from './vectors.js';
  * of controls that it cannot hold, since no Skeleton with an animation is known for them.
  */
 export function animationLayer(session) {
-  const { animations, unwritten, ...rest } = animated(session, saidKeys(session));
-  return { text: animations.size ? layerOf([rest]) : '', unwritten };
+  return layerAlone(animated(session, saidKeys(session)));
 }
 
 /** One layer of all characters, each with its work, and works of what none of them has; equal works give equal text. */
@@ -47,9 +46,10 @@ export function poseLayer(session) {
   const states = statesAt(session, [frame], () => ({ ...base, values }));
   const all = [...session.controls.keys()];
   const constants = new Map(all.map((control) => [control, values[control]]));
-  const content = contentOf(session, all, states, [frame, frame], sayKeys(session, { keys: new Map(), constants }));
-  return { text: content.animations.size ? layerOf([content]) : '', unwritten: content.unwritten };
+  return layerAlone(contentOf(session, all, states, [frame, frame], sayKeys(session, { keys: new Map(), constants })));
 }
+
+const layerAlone = (content) => ({ text: content.animations.size ? layerOf([content]) : '', unwritten: content.unwritten });
 
 /**
  * Values by control index as SkelAnimations of default values, [{path of the character's own, lines}], with the channels and

@@ -3,7 +3,7 @@
 import { button, make, segmented, toggle } from './dom.js';
 
 /** @type {[string, number, number][]} */
-const LOOKS = [['Front', 0, 0], ['¾', 0.7, 0.05], ['Side', Math.PI / 2, 0], ['Back', Math.PI, 0]];
+export const LOOKS = [['Front', 0, 0], ['¾', 0.7, 0.05], ['Side', Math.PI / 2, 0], ['Back', Math.PI, 0]];
 
 export class Bar {
   /** `app`: the page, whose commands the bar offers. */

@@ -1,7 +1,7 @@
 // The plain list of sliders: every control by name, searchable, and the baseline of the evaluation.
 
 import { headingOf } from './dock.js';
-import { button, hint, longName, make, setAll } from './dom.js';
+import { button, hint, longName, make, setAll, valueField } from './dom.js';
 import { known } from './vectors.js';
 
 const STEPS = 1000;
@@ -48,28 +48,20 @@ export class ControlList {
   makeRow(control, index) {
     const { session, view } = this;
     const element = session.elements.byControl.get(index);
-    const change = (value) => session.edit(`Set ${control.label}`, () => session.set([[index, value]]), `list ${index}`);
     const slider = make('input', {
       type: 'range',
       min: 0,
       max: STEPS,
       step: 1,
       'aria-label': control.label,
-      oninput: () => change(control.minimum + (slider.value / STEPS) * (control.maximum - control.minimum)),
+      oninput: () => {
+        const value = control.minimum + (slider.value / STEPS) * (control.maximum - control.minimum);
+        session.edit(`Set ${control.label}`, () => session.set([[index, value]]), `list ${index}`);
+      },
       ondblclick: () => session.reset([index]),
     });
-    const number = make('input', {
-      type: 'text',
-      inputMode: 'decimal',
-      class: 'number',
-      'aria-label': `${control.label}, value`,
-      onchange: () => {
-        const value = parseFloat(number.value.replace(',', '.'));
-        if (Number.isFinite(value)) change(value);
-        number.value = session.worded(index);
-      },
-      onfocus: () => number.select(),
-    });
+    const properties = { type: 'text', inputMode: 'decimal', class: 'number', 'aria-label': `${control.label}, value`, onfocus: () => number.select() };
+    const number = valueField(session, index, properties, 'list');
     const lock = button('', 'Lock: neither drags nor pulls change it', () => session.toggleLock(index), { class: 'lock', 'aria-label': `Lock ${control.label}` });
     const name = button(
       longName(control.label),

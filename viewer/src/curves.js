@@ -4,7 +4,7 @@
 import { keyedValue } from './animation.js';
 import { setAll } from './dom.js';
 import { bendsOf } from './interpolation.js';
-import { keysWithin, retimed } from './keying.js';
+import { retimed } from './keying.js';
 import { ascending } from './vectors.js';
 
 export const REACH = { mouse: 8, touch: 22 }; // pixels around a key
@@ -109,18 +109,16 @@ export class Curves {
     return [this.x(frame), this.y((value - minimum) / (maximum - minimum))];
   }
 
+  /** All keys that are shown: {key: [control, frame], at: its place}. */
+  get shown() {
+    return this.controls.flatMap((control) => this.session.keys.get(control).map(([frame, value]) => ({ key: [control, frame], at: this.place(control, frame, value) })));
+  }
+
   /** The shown key nearest to a place, as [control, frame], or null. */
   keyAt(x, y, reach) {
-    /** @type {[number[] | null, number]} */
-    let [best, nearest] = [null, reach];
-    for (const control of this.controls) {
-      for (const [frame, value] of this.session.keys.get(control)) {
-        const at = this.place(control, frame, value);
-        const away = Math.hypot(at[0] - x, at[1] - y);
-        if (away <= nearest) [best, nearest] = [[control, frame], away];
-      }
-    }
-    return best;
+    const away = ({ at }) => Math.hypot(at[0] - x, at[1] - y);
+    const [nearest] = this.shown.filter((each) => away(each) <= reach).sort((a, b) => away(a) - away(b));
+    return nearest?.key ?? null;
   }
 
   // --- hand ------------------------------------------------------------------------------------------
@@ -156,15 +154,12 @@ export class Curves {
   }
 
   ranging(event, box, from) {
-    const { sheet, session } = this;
+    const { sheet } = this;
     sheet.selecting(event, (now) => {
       const to = [now.clientX - box.left, now.clientY - box.top];
       const [low, high] = [Math.min, Math.max].map((end) => [0, 1].map((axis) => end(from[axis], to[axis])));
       sheet.range = { controls: [], frames: [], corners: [low, high] };
-      return keysWithin(session.keys, this.controls).filter(([control, when]) => {
-        const at = this.place(control, when, session.keys.get(control).find(([each]) => each === when)[1]);
-        return at.every((value, axis) => value >= low[axis] && value <= high[axis]);
-      });
+      return this.shown.filter(({ at }) => at.every((value, axis) => value >= low[axis] && value <= high[axis])).map(({ key }) => key);
     });
   }
 

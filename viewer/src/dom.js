@@ -36,6 +36,21 @@ export function slider(properties, current, oninput) {
   return input;
 }
 
+/** A field for one of a session's values: what is no number gives way to the value again. */
+export function valueField(session, index, properties, merge) {
+  const { label } = session.controls[index];
+  const input = make('input', {
+    'aria-label': label,
+    ...properties,
+    onchange: () => {
+      const value = parseFloat(input.value.replace(',', '.'));
+      if (Number.isFinite(value)) session.edit(`Set ${label}`, () => session.set([[index, value]]), `${merge} ${index}`);
+      input.value = session.worded(index);
+    },
+  });
+  return input;
+}
+
 /** Where a frame or a value is between two, for a style. */
 export const along = (value, [first, last]) => `${(100 * (value - first)) / (last - first)}%`;
 

@@ -113,10 +113,14 @@ export class DopeSheet {
     this.draw();
   }
 
+  /** What is to be shown of the keys. */
+  get asked() {
+    return [...this.picked, this.shows, ...this.session.selection].join();
+  }
+
   /** Only time has gone on. */
   moveNow() {
-    const look = [...this.picked, this.shows, ...this.session.selection].join();
-    if (this.look !== look) return false;
+    if (this.look !== this.asked) return false;
     for (const node of this.body.querySelectorAll('.dope-now')) node.style.left = this.along(this.session.frame);
     this.curves.moveNow();
     return true;
@@ -125,7 +129,7 @@ export class DopeSheet {
   draw() {
     const { session } = this;
     session.emit('picked');
-    this.look = [...this.picked, this.shows, ...session.selection].join();
+    this.look = this.asked;
     this.body.hidden = this.shows !== 'rows';
     this.curves.node.style.display = this.shows === 'curves' ? '' : 'none';
     this.head.update();

@@ -169,7 +169,7 @@ const EVENTS = ['participant', 'trial', 'face', 'interface', 'event', 'seconds',
 
 /** The results as CSV text: a row per face, then one per answer; shares are of the participant's total, as in figure 15. */
 export function toCsv(participant, results, answers = {}, setting = {}) {
-  const same = ['level', 'order', 'targets', 'character', 'layout', 'version'].map((name) => setting[name] ?? '');
+  const same = COLUMNS.slice(COLUMNS.indexOf('level')).map((name) => setting[name] ?? '');
   const total = results.reduce((sum, { seconds }) => sum + seconds, 0);
   const faces = results.map((each, i) => [
     participant, each.block, each.name, i + 1, each.face, each.controls, each.seconds.toFixed(2),

@@ -276,7 +276,7 @@ export class Gestures {
         session.set(this.withSelection(element, drag, changed, before));
       },
       drop: () => session.endEdit(`Drag ${element.label}`, before),
-      undo: () => before && session.set([...before.entries()]),
+      undo: () => this.takeBack(before),
     };
   }
 
@@ -321,7 +321,7 @@ export class Gestures {
         session.addPin(hit);
         view.say('Pinned: pulls leave this point. A tap on the pin takes it out');
       },
-      undo: () => before && session.set([...before.entries()]),
+      undo: () => this.takeBack(before),
     };
   }
 
@@ -341,6 +341,11 @@ export class Gestures {
       click: () => hit && session.addPin(hit),
       undo: () => (view.overlay.marquee = null),
     };
+  }
+
+  /** What a drag has done. */
+  takeBack(before) {
+    if (before) this.session.set([...before.entries()]);
   }
 
   setDragging(what) {

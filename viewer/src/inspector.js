@@ -3,7 +3,7 @@
 
 import { keysFromLayer, poseLayer } from './animation_layer.js';
 import { headingOf } from './dock.js';
-import { actions, button, capitalised, counted, download, field, hint, longName, make, segmented, slider, takeFile, toggle } from './dom.js';
+import { actions, button, capitalised, counted, download, field, hint, longName, make, segmented, slider, takeFile, toggle, valueField } from './dom.js';
 import { poseFromJson, poseToJson } from './pose_io.js';
 import { Shelf } from './shelf.js';
 import { sideName } from './view.js';
@@ -93,20 +93,10 @@ export class Inspector {
   numberRow(index) {
     const { session } = this;
     const control = session.controls[index];
-    const input = make('input', {
-      type: 'number',
-      step: (control.maximum - control.minimum) / 100,
-      min: control.minimum,
-      max: control.maximum,
-      'aria-label': control.label,
-      onchange: () => {
-        const value = parseFloat(input.value);
-        if (Number.isFinite(value)) session.edit(`Set ${control.label}`, () => session.set([[index, value]]), `number ${index}`);
-        input.value = session.worded(index);
-      },
-    });
+    const { minimum, maximum } = control;
+    const input = valueField(session, index, { type: 'number', step: (maximum - minimum) / 100, min: minimum, max: maximum }, 'number');
     this.numbers.push({ input, index });
-    const ends = `${session.worded(index, control.minimum)} … ${session.worded(index, control.maximum)}`;
+    const ends = `${session.worded(index, minimum)} … ${session.worded(index, maximum)}`;
     return make('label', { class: 'number-row', title: `${control.name}: ${ends}` }, longName(control.label), input);
   }
 

@@ -29,8 +29,7 @@ export class Levels {
     for (const element of elements) {
       for (const name of [element.name, element.mirror]) {
         if (!this.named.get(name)?.inner.length) continue;
-        if (open) this.opened.add(name);
-        else this.opened.delete(name);
+        this.opened[open ? 'add' : 'delete'](name);
       }
     }
   }

@@ -3,7 +3,7 @@
 import './style.css';
 import { Autosave, browserStorage } from './autosave.js';
 import { ControlList } from './control_list.js';
-import { Bar } from './bar.js';
+import { Bar, LOOKS } from './bar.js';
 import { byName } from './by_name.js';
 import { button, make } from './dom.js';
 import { Evaluation, trialsFor } from './evaluate.js';
@@ -61,6 +61,7 @@ class App {
   /** @type {Evaluation} */ evaluation;
 
   constructor(scene) {
+    this.tell = (text) => this.say(text);
     this.scene = scene;
     this.node = /** @type {HTMLElement} */ (document.getElementById('app'));
     this.notice = make('div', { class: 'notice', role: 'status', hidden: true });
@@ -93,12 +94,12 @@ class App {
     this.session = session;
     this.live?.follow(session);
     autosave.listen(() => this.say('This browser has no room to keep your work: save it before you close the page'));
-    this.view = new View(this.session, (text) => this.say(text));
-    this.timeline = new Timeline(this.session, (text) => this.say(text));
+    this.view = new View(this.session, this.tell);
+    this.timeline = new Timeline(this.session, this.tell);
     this.trails = new Trails(this.session, this.view, this.timeline);
     this.list = new ControlList(this.session, this.view);
-    this.inspector = new Inspector(this.session, this.view, this.timeline, (text) => this.say(text));
-    this.review = new Review(this.session, this.view, this.timeline, (text) => this.say(text), this.roots, () => this.reviewed());
+    this.inspector = new Inspector(this.session, this.view, this.timeline, this.tell);
+    this.review = new Review(this.session, this.view, this.timeline, this.tell, this.roots, () => this.reviewed());
     this.evaluation = new Evaluation(this);
     this.stops = new Stops(this.session, this.view);
     this.help = this.makeHelp();
@@ -137,7 +138,7 @@ class App {
       session.options.autoKey = true;
       if (session.animation.clip) session.go(session.frame);
     }
-    return new Live(sessions, live, (text) => this.say(text));
+    return new Live(sessions, live, this.tell);
   }
 
   // --- work from before ------------------------------------------------------------------------------
@@ -228,7 +229,7 @@ class App {
 
   shortcuts() {
     const flip = (name) => () => this.session.flipOption(name);
-    const look = (azimuth, elevation) => () => this.view.home(azimuth, elevation);
+    const looks = LOOKS.map(([, azimuth, elevation], i) => [i + 1, () => this.view.home(azimuth, elevation)]);
     return {
       'Ctrl+z': () => this.undo(),
       'Ctrl+Shift+z': () => this.redo(),
@@ -249,10 +250,7 @@ class App {
       t: flip('trails'),
       'Ctrl+c': () => this.session.copy(),
       'Ctrl+v': () => this.session.paste(),
-      1: look(0, 0),
-      2: look(0.7, 0.05),
-      3: look(Math.PI / 2, 0),
-      4: look(Math.PI, 0),
+      ...Object.fromEntries(looks),
       f: () => this.view.frameClosely(),
       ' ': () => this.timeline.toggle(),
       '/': () => {

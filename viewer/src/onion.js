@@ -3,7 +3,7 @@
 import { make } from './dom.js';
 import { Painter } from './painter.js';
 import { sumNormals } from './surface.js';
-import { alike } from './vectors.js';
+import { alike, ascending } from './vectors.js';
 
 /** @typedef {[number, number, number]} Colour */
 /** @type {Colour} */
@@ -74,9 +74,8 @@ export class Onion {
 export function keysAround({ keys, frame, selection, chosenControls }) {
   const chosen = new Set(selection.size ? chosenControls : []);
   const own = [...keys].filter(([control]) => chosen.has(control));
-  const frames = (own.length ? own : [...keys]).flatMap(([, track]) => track.map(([when]) => when));
-  const [past, future] = [frames.filter((when) => when < frame), frames.filter((when) => when > frame)];
-  return { before: past.length ? Math.max(...past) : null, after: future.length ? Math.min(...future) : null };
+  const frames = ascending((own.length ? own : [...keys]).flatMap(([, track]) => track.map(([when]) => when)));
+  return { before: frames.findLast((when) => when < frame) ?? null, after: frames.find((when) => when > frame) ?? null };
 }
 
 /** A picture's outlines: steps in depth or in its light. */

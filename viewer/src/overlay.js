@@ -83,10 +83,7 @@ export class Overlay extends Arrangement {
   }
 
   drawElements(order) {
-    order.forEach((each) => this.drawLeader(each));
-    order.forEach((each) => this.drawTracks(each));
-    order.forEach((each) => this.drawHandle(each));
-    order.forEach((each) => this.drawBadge(each));
+    for (const part of ['drawLeader', 'drawTracks', 'drawHandle', 'drawBadge']) order.forEach((each) => this[part](each));
   }
 
   drawDock() {

@@ -77,8 +77,7 @@ function decodeSkin(skin, body) {
   const steps = decodeArray(skin.weights, body);
   skin.weights = new Float64Array(steps.length);
   for (let row = 0; row < rows; row++) {
-    let total = 0;
-    for (let i = row * width; i < (row + 1) * width; i++) total += steps[i];
+    const total = steps.subarray(row * width, (row + 1) * width).reduce((sum, each) => sum + each, 0);
     const unit = Math.abs(total - 65535) <= width ? total : 65535;
     for (let i = row * width; i < (row + 1) * width; i++) skin.weights[i] = steps[i] / unit;
   }

@@ -166,9 +166,7 @@ export class Session extends Posing {
 
   /** Key controls at this frame, at their present values. */
   key(controls) {
-    const before = this.snapshot();
-    this.setKeys(controls);
-    this.step(`Key frame ${this.frame}`, before);
+    this.record(`Key frame ${this.frame}`, () => this.setKeys(controls));
   }
 
   setKeys(controls) {
@@ -190,15 +188,18 @@ export class Session extends Posing {
 
   /** Other keys at this frame, as one undoable step. */
   rekey(label, keys) {
-    const before = this.snapshot();
-    this.takeKeys(keys, this.constants);
-    this.step(label, before);
+    this.record(label, () => this.takeKeys(keys, this.constants));
   }
 
   /** Another shelf, other notes, another sound or span, as one undoable step. @param {string | null} [merge] */
   put(label, what, merge = null) {
+    this.record(label, () => Object.assign(this, what), merge);
+  }
+
+  /** Do a change of anything but values as one undoable step. @param {string | null} [merge] */
+  record(label, change, merge = null) {
     const before = this.snapshot();
-    Object.assign(this, what);
+    change();
     this.step(label, before, merge);
   }
 

@@ -1,7 +1,7 @@
 // The drawn surface: triangles of all visible meshes over the character's points, and their normals.
 
-import { HALF } from './camera.js';
-import { known } from './vectors.js';
+import { HALF, cross } from './camera.js';
+import { dot, known } from './vectors.js';
 
 /** Triangles (3 indices each, into all points) of the visible meshes. */
 export function visibleTriangles(character) {
@@ -197,9 +197,7 @@ function parts(triangles, count) {
 /** Six times the volume between a triangle and the point at `from`. */
 function signedVolume(points, triangles, t, from) {
   const [a, b, c] = [0, 1, 2].map((k) => [0, 1, 2].map((axis) => points[3 * triangles[t + k] + axis] - points[from + axis]));
-  return (
-    a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
-  );
+  return dot(a, cross(b, c));
 }
 
 /** Number of open edges of each part. */

@@ -28,8 +28,7 @@ export class Timeline {
   }
 
   build() {
-    this.playButton = button('▶', 'Play or stop (Space); picked keys: between the first and the last of them', () => this.toggle());
-    this.playButton.classList.add('play');
+    this.playButton = button('▶', 'Play or stop (Space); picked keys: between the first and the last of them', () => this.toggle(), { class: 'play' });
     this.autoButton = toggle('Auto-key', 'Every drag sets keys at this frame', () => this.session.options.autoKey, () => this.session.flipOption('autoKey'));
     this.sheetButton = toggle('Keys', 'All keys in rows: drag moves them, Ctrl-drag copies, Delete takes them away (D)', () => !this.sheet.node.hidden, () => this.openSheet());
     this.slider = make('input', {

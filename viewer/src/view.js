@@ -27,7 +27,7 @@ export class View {
     this.session = session;
     const marks = make('canvas', { class: 'marks' });
     this.tip = make('div', { class: 'tip', hidden: true });
-    this.sides = [make('div', { class: 'side-tag' }), make('div', { class: 'side-tag' })];
+    this.sides = [make('div', { class: 'side-tag', style: { left: '14px' } }), make('div', { class: 'side-tag' })];
     this.captions = make('div', { class: 'captions' });
     this.surface = make('div', { class: 'surface', tabIndex: 0, role: 'application', 'aria-label': 'Face: drag handles or skin' });
     this.stage = new Stage(session.character, session.deformer.points, drawingAsked());
@@ -372,7 +372,6 @@ export class View {
       if (!name) return;
       node.textContent = i === 0 ? `◂ Character’s ${name}` : `Character’s ${name} ▸`;
       node.style.borderColor = this.session.colours[name];
-      if (i === 0) node.style.left = '14px';
     });
   }
 

@@ -181,12 +181,15 @@ function made(skin, { triangles, gaze, texturing }, tints, texture) {
   const dynamic = (array, size, normalised = false) =>
     new THREE.BufferAttribute(array, size, normalised).setUsage(THREE.DynamicDrawUsage);
   geometry.setIndex(dynamic(new Uint32Array(triangles.length), 1));
-  geometry.setAttribute('position', dynamic(all(skin.points, 3), 3));
-  geometry.setAttribute('normal', dynamic(all(skin.normals, 3), 3));
-  geometry.setAttribute('paint', dynamic(all(skin.paint, 4), 4, true));
-  geometry.setAttribute('own', new THREE.BufferAttribute(all(skin.colours, 3), 3));
-  geometry.setAttribute('gaze', new THREE.BufferAttribute(all(gaze, 2), 2));
-  if (texturing) geometry.setAttribute('place', new THREE.BufferAttribute(texturing.places, 2));
+  const attributes = {
+    position: dynamic(all(skin.points, 3), 3),
+    normal: dynamic(all(skin.normals, 3), 3),
+    paint: dynamic(all(skin.paint, 4), 4, true),
+    own: new THREE.BufferAttribute(all(skin.colours, 3), 3),
+    gaze: new THREE.BufferAttribute(all(gaze, 2), 2),
+    ...(texturing && { place: new THREE.BufferAttribute(texturing.places, 2) }),
+  };
+  for (const [name, attribute] of Object.entries(attributes)) geometry.setAttribute(name, attribute);
   const material = new THREE.ShaderMaterial({
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
