@@ -1,11 +1,10 @@
 """Characters with layouts for Blender, and where USD says that their points are in Blender's world."""
 
-from pathlib import Path
-
 import laid_out
 import makers
 import numpy as np
 import skinned_stages
+from folders import SAMPLE
 from pxr import Usd, UsdGeom
 from usdskel_oracle import Oracle
 from viewer_layouts import member_at
@@ -15,7 +14,6 @@ from usdrigui.model import Element, Member
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
 
-SAMPLE = Path(__file__).resolve().parents[1] / "sample_assets" / "char.usda"
 Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
 """Row-vector map from Y up to Z up."""
 

@@ -68,10 +68,20 @@ def problem_of(rig, settings=None, base_values=None, prior=NO_PRIOR, fixed=None)
     return Line(stages.part_problem(whole, whole.parts[0]))
 
 
+def with_motions(rig):
+    """A rig and its trajectories."""
+    return rig, trajectories(rig, Settings().trajectories)
+
+
+def today(rig):
+    """A rig as it moves today."""
+    _, found = with_motions(rig)
+    return Today(rig, found.surface.points, found)
+
+
 def prior(layout, rig, penalty):
     """An earlier layout of a rig, or of one like it, as a prior."""
-    found = trajectories(rig, Settings().trajectories)
-    return prior_of_previous(layout, Today(rig, found.surface.points, found), penalty)
+    return prior_of_previous(layout, today(rig), penalty)
 
 
 def measured(rig, settings=None, base_values=None):

@@ -16,3 +16,8 @@ def elements(layer):
     """By name, of the one layout of a layer."""
     (layout,) = read_layout(layer)
     return {element.name: element for element in layout.elements}
+
+
+def contents(folder):
+    """The files of a folder, by name."""
+    return {each.name: each.read_bytes() for each in folder.iterdir()}

@@ -23,7 +23,7 @@ def layout_of(rig, seed=0, groups=None, base_values=None, beside=(), adapt="defo
     base = posed(rig, values)
     index = rig.control_indices
     groups = [(name,) for name in (only or index)] if groups is None else groups
-    width = 0.02 * float(np.linalg.norm(np.ptp(base.points, axis=0)))
+    width = 0.02 * extent(base.points)
     elements = []
     for names in groups:
         swept = [sweep(rig, base, index[name], knots(rig, index[name])) for name in names]
@@ -49,9 +49,14 @@ def layout_of(rig, seed=0, groups=None, base_values=None, beside=(), adapt="defo
     )
 
 
+def extent(points):
+    """Diagonal of the box around points."""
+    return float(np.linalg.norm(np.ptp(points, axis=0)))
+
+
 def diagonal(rig):
     """Of the character's box, in the base pose."""
-    return float(np.linalg.norm(np.ptp(deform(rig), axis=0)))
+    return extent(deform(rig))
 
 
 def on_face(layout):

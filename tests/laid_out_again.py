@@ -1,8 +1,7 @@
 """Real rigs laid out with earlier layouts to heed, as the pipeline does but without files."""
 
-from pathlib import Path
-
 import pytest
+from folders import ASSETS
 
 from usdrigui.pipeline.reference_layouts import ReferenceLayouts
 from usdrigui.pipeline.stages import build_problem, layout_of
@@ -10,7 +9,6 @@ from usdrigui.reader.reader_process import read_rigs_isolated
 from usdrigui.settings import load
 from usdrigui.solve import solve
 
-ASSETS = Path(__file__).resolve().parents[1].parent / "shared" / "assets"
 SETTINGS = load({"solve": {"gap": 1e-2}})
 
 

@@ -5,6 +5,7 @@ with named bumps, whose correct layout is known by construction.
 """
 
 from dataclasses import fields, is_dataclass, replace
+from types import MappingProxyType
 
 import numpy as np
 
@@ -19,6 +20,7 @@ from usdrigui.character import (
     Skin,
     Topology,
 )
+from usdrigui.character.record import freeze
 from usdrigui.model import Anchor, Layout, LayoutFrame, Member, MirrorPlane, Proof
 
 Y_UP = np.array([0.0, 1.0, 0.0])
@@ -177,6 +179,9 @@ def face(columns=33, rows=41, height=2.0, ranges=None, up=Y_UP):
     return rig(points, quads, face_shapes(points, height / 2.0), ranges, up)
 
 
+POINTS, QUADS = mask()
+SHAPES = MappingProxyType(face_shapes(POINTS))
+freeze((POINTS, *SHAPES.values()))
 TEETH = np.array([[-0.3, -0.6, 0.2], [0.3, -0.6, 0.2], [0.3, -0.3, 0.2], [-0.3, -0.3, 0.2]])
 """(4, 3) a plate behind the skin of the face."""
 
@@ -198,8 +203,7 @@ def star(arms=5):
 
 def face_with(**more):
     """The face with further shapes, by name."""
-    points, faces = mask()
-    return rig(points, faces, {**face_shapes(points), **more})
+    return rig(POINTS, QUADS, {**SHAPES, **more})
 
 
 def face_with_teeth(skin_moves=0.0, visible=True, name="teeth", at=TEETH):

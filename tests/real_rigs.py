@@ -6,13 +6,13 @@ from pathlib import Path
 import chain
 import makers
 import numpy as np
+from folders import ASSETS
 from pxr import Gf, Usd, UsdGeom
 
 from usdrigui.character import Channel
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
 
-ASSETS = Path(__file__).resolve().parents[2] / "shared" / "assets"
 WORK = 100_000
 """Work after which a solve ends: every claim tested must hold without the last per cent of the cost."""
 

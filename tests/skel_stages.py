@@ -47,7 +47,11 @@ def add_mesh(stage, path, skeleton=None, seed=0, transform=None, side=SIDE):
     return mesh
 
 
-def add_shape(mesh, token, offsets, indices=None, inbetweens=None):
+EVEN = np.ones((SIDE**2, 3))
+"""Every point of a mesh by one unit along each axis."""
+
+
+def add_shape(mesh, token, offsets=EVEN, indices=None, inbetweens=None):
     """Append a BlendShape of `offsets` (p, 3); `inbetweens` maps weights to offsets."""
     prim = mesh.GetPrim()
     api = UsdSkel.BindingAPI.Apply(prim)

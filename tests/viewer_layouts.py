@@ -23,7 +23,7 @@ def animated(rig, frames=(1.0, 11.0), **weights):
 def peak_layout(rig, view=(0.0, 0.0, 1.0), mirrors=None, groups=(), beside=()):
     """One slider per control; `groups` are (name, kind, control names, opposed) that share an element."""
     base = posed(rig)
-    names = [control.name for control in rig.controls]
+    names = rig.control_names
     grouped = {name for group in groups for name in group[2]}
     elements = [
         element(rig, base, name, "slider", (name,), (), mirrors, name in beside)

@@ -1,18 +1,16 @@
 """Blender's own evaluated meshes under the extension's controls, against UsdSkel."""
 
-from pathlib import Path
-
 import blender_characters as characters
 import laid_out
 import numpy as np
 import pytest
+from folders import SAMPLE
 from real_rigs import ASSETS
 
 from usdrigui.pose.evaluate import elements_at, prepare
 
 CLOSE = 1e-5
 """Of the diagonal of the character."""
-SAMPLE = Path(__file__).resolve().parents[2] / "sample_assets" / "char.usda"
 
 
 def poses_of(rig, count=2):
@@ -29,8 +27,8 @@ def poses_of(rig, count=2):
 
 def checked(run_inside, python, layer, source, rig, layout):
     poses = poses_of(rig)
-    names = [control.name for control in rig.controls]
-    laid = {member.control for element in layout.elements for member in element.members}
+    names = rig.control_names
+    laid = layout.controls
     for pose in poses:
         for j, name in enumerate(names):
             pose[j] = pose[j] if name in laid else rig.controls[j].default

@@ -27,7 +27,7 @@ def test_a_name_comes_back_from_the_layer(name, tmp_path):
     path = traps.trapped(tmp_path, name)
     assert triggers.command("process", path)[0] == 0
     (layout,) = read_layout(tmp_path / "char.rigui.usda")
-    names = {member.control for element in layout.elements for member in element.members}
+    names = layout.controls
     assert names == ({"lächeln", "怒り"} if "ASCII" in name else {'<b>&"smile', "frown"})
 
 

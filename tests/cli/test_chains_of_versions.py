@@ -109,7 +109,7 @@ def written(version, path):
 
 def somewhere(version, control, random):
     """A point that a control moves by half of its peak at least: its mesh, its number and its position in the scene."""
-    names = [each.name for each in version.rig.controls]
+    names = version.rig.control_names
     drive = version.rig.controls[names.index(version.names[control])].drive
     shapes = [(m, s) for m in version.rig.body.meshes for s in m.shapes if s.channel == int(drive.channels[0])]
     far = [np.linalg.norm(shape.offsets[-1], axis=1) for _, shape in shapes]

@@ -1,15 +1,15 @@
 """Laws of every command: its one closing line, its one document, and the page that tells of it."""
 
 import json
-from pathlib import Path
 
 import figures
 import pytest
+from folders import ROOT
 
 from usdrigui.cli import main
 from usdrigui.cli.parser import parser
 
-DOCS = Path(__file__).resolve().parents[2] / "docs"
+DOCS = ROOT / "docs"
 OTHERWISE = (
     "--set controls.chin.place='board' --set controls.pucker.exclude=true --set controls.brow_R.maximum=0.5"
     " --set groups.groups.far=['smile_L','brow_L'] --set objective.handle_size=0.05"

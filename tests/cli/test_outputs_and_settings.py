@@ -3,15 +3,14 @@
 import json
 import re
 import shutil
-from pathlib import Path
 
 import pytest
 import skinned_stages
+from folders import ROOT
 from pxr import Sdf, Usd
 
 from usdrigui.cli import main
 
-ROOT = Path(__file__).resolve().parents[2]
 QUICK = ("--quiet", "--set", "solve.work_limit=20000")
 
 

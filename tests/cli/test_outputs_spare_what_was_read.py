@@ -5,6 +5,7 @@ import shutil
 
 import minimal_assets
 import pytest
+from commands import contents
 
 from usdrigui.cli import main
 from usdrigui.clients.batch import run
@@ -78,10 +79,10 @@ def test_an_output_that_is_a_file_of_the_run_is_refused(folder, monkeypatch, cap
     monkeypatch.setattr(run, "run_local", lambda *_: pytest.fail("the batch began to work"))
     (output,) = (each for each in command if each.startswith("out."))
     link(victim, output)
-    before = {each.name: each.read_bytes() for each in folder.iterdir()}
+    before = contents(folder)
     assert main([*command]) == 3
     assert f"FILE_TARGET {output}" in capsys.readouterr().err
-    assert {each.name: each.read_bytes() for each in folder.iterdir()} == before
+    assert contents(folder) == before
 
 
 @pytest.mark.parametrize("name", ["char.rigui.png", "char.rigui.batch.json"])
@@ -112,7 +113,7 @@ def test_the_layout_that_a_run_succeeds_is_replaced(folder):
 
 
 def test_two_outputs_of_one_run_are_two_files(folder, capsys):
-    before = {each.name: each.read_bytes() for each in folder.iterdir()}
+    before = contents(folder)
     assert main(["process", ASSET, "--report", "out.png", "--preview", "./out.png", "-o", "new.usda"]) == 3
     assert "FILE_TARGET out.png: is out.png, which this run writes already" in capsys.readouterr().err
-    assert {each.name: each.read_bytes() for each in folder.iterdir()} == before
+    assert contents(folder) == before

@@ -1,15 +1,15 @@
 """docs/internals/report.md names every field of the report."""
 
 import re
-from pathlib import Path
 
 import scripts
 import skinned_stages
+from folders import ROOT
 
 from usdrigui import load_settings, process
 from usdrigui.report.run_documents import to_json
 
-PAGE = Path(__file__).resolve().parents[2] / "docs" / "internals" / "report.md"
+PAGE = ROOT / "docs" / "internals" / "report.md"
 
 
 def test_every_field_is_documented(tmp_path):

@@ -1,5 +1,7 @@
 """`usdrigui sample DIR`: the character that the documents work on."""
 
+from commands import contents
+
 from usdrigui.cli import main
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
@@ -9,10 +11,10 @@ def test_the_sample_is_written_and_again_and_takes_no_place_of_another_file(tmp_
     folder = tmp_path / "new" / "first"
     assert main(["sample", str(folder)]) == 0
     assert [len(read_rigs(folder / name, Settings())) for name in ("char.usda", "hero.usda")] == [1, 1]
-    before = {path.name: path.read_bytes() for path in folder.iterdir()}
+    before = contents(folder)
     assert main(["sample", str(folder)]) == 0
     assert "unchanged" in capsys.readouterr().out
-    assert {path.name: path.read_bytes() for path in folder.iterdir()} == before
+    assert contents(folder) == before
     other = folder.with_name("char.usda")
     other.write_text("#usda 1.0\n")
     assert main(["sample", str(other.parent)]) == 3

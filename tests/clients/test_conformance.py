@@ -5,16 +5,16 @@ import json
 import shutil
 import sys
 import zipfile
-from pathlib import Path
 
 import pytest
 import scripts
+from commands import contents
+from folders import ROOT
 
 from usdrigui.cli import main
 from usdrigui.clients import blender_extension
 from usdrigui.clients.conforming import agrees, conform
 
-ROOT = Path(__file__).resolve().parents[2]
 SUITE, READERS = ROOT / "schemas" / "conformance", ROOT / "tests" / "readers"
 LIBRARY = (sys.executable, str(SUITE / "readers.py"))
 REPLAYING = """
@@ -90,7 +90,7 @@ def test_the_suite_is_current(tmp_path, monkeypatch):
     drags, layers = (importlib.import_module(name) for name in ("drags", "layers"))
     assert drags.written() == drags.FILE.read_text(encoding="utf-8")
     layers.make(tmp_path)
-    made = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    made = contents(tmp_path)
     kept = {path.name: path.read_bytes() for path in SUITE.iterdir() if path.suffix in (".usda", ".json", ".toml")}
     assert made.keys() == kept.keys() - {"drags.json", "ruff.toml"}
     stale = {name for name, content in made.items() if content != kept[name]}

@@ -10,10 +10,11 @@ from pathlib import Path
 import pytest
 import skinned_stages
 import studio_assets
+from folders import ROOT
 
 from usdrigui.layer.read_layout import read_layout
 
-DOCS = Path(__file__).resolve().parents[2] / "docs"
+DOCS = ROOT / "docs"
 BLOCK = re.compile(r"^<!-- run(?:: (?P<needs>\S+))? -->\n```sh\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
 PAGES = ("hosts.md", "internals/assets.md", "animator.md", "pipeline.md", "rigger.md")
 

@@ -5,18 +5,15 @@ import shutil
 from pathlib import Path
 
 import pytest
+from commands import contents
+from folders import ROOT
 from pxr import Sdf, Usd
 
 import usdrigui
 from usdrigui import RigUIError
 from usdrigui.cli import main
 
-ROOT = Path(__file__).resolve().parents[2]
 QUICK = {"solve": {"gap": 5e-2}}
-
-
-def contents(folder):
-    return {path.name: path.read_bytes() for path in folder.iterdir()}
 
 
 def test_dir_lists_the_interface_and_all_of_it_is_there():

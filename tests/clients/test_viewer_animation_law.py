@@ -28,7 +28,7 @@ SEEDS = range(24)
 
 
 def random_actions(rig, rng, last):
-    names = [control.name for control in rig.controls]
+    names = rig.control_names
 
     def some():
         return rng.choice(names, min(len(names), rng.integers(1, 4)), replace=False).tolist()

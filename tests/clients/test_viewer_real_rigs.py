@@ -1,11 +1,12 @@
 """Real rigs in the viewer, with the layouts that `usdrigui process` gives them: sizes, drags, pulls, playback."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 from browser_pages import Viewer
+from folders import ASSETS, SAMPLE
+from laid_out import extent
 from makers import changed
 
 from usdrigui import pipeline
@@ -13,11 +14,9 @@ from usdrigui.character.deform import deform
 from usdrigui.cli import main
 from usdrigui.settings import Settings
 
-REPOSITORY = Path(__file__).resolve().parents[2]
-ASSETS = REPOSITORY.parent / "shared" / "assets"
 RIGS = {
     # file, most megabytes, a control to drag
-    "sample": (REPOSITORY / "sample_assets" / "char.usda", 3.0, "jawOpen"),
+    "sample": (SAMPLE, 3.0, "jawOpen"),
     "vitruvian": (ASSETS / "vitruvian.usdc", 12.0, "Jaw_Lower"),
     "ict": (ASSETS / "ict_face57.usdc", 12.0, "jawOpen"),
     "poses": (ASSETS / "mh_poseunits.usdc", 12.0, "JawDrop"),
@@ -96,7 +95,7 @@ def assert_points_equal(viewer, rig, expected):
     """The viewer's points are those of the library, as far as 16-bit steps allow."""
     points = np.array(viewer.page.evaluate("usdrigui.points()")).reshape(-1, 3)
     shown_points = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in rig.body.meshes])
-    diagonal = float(np.linalg.norm(np.ptp(expected, axis=0)))
+    diagonal = extent(expected)
     assert np.abs(points - expected)[shown_points].max() <= 3e-5 * diagonal
 
 

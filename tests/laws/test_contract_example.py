@@ -52,7 +52,7 @@ def test_controls_that_a_layout_lists_are_not_news(layer):
 def test_values_of_the_base_pose_are_those_of_the_names_beside_them(layer):
     layer.write_text(EXAMPLE, encoding="utf-8")
     ((rig, _),) = load_layer(layer, Settings()).characters
-    names = [each.name for each in rig.controls]
+    names = rig.control_names
     listed = LISTED.format(", ".join(f'"{name}"' for name in reversed(names)))
     values = f"double[] rigUI:layout:baseValues = {list(reversed(range(len(names))))}"
     text = EXAMPLE.replace('uniform token purpose = "guide"', f"{values}\n{listed}")

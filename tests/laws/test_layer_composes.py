@@ -131,7 +131,7 @@ def test_handles_are_on_the_skin_behind_the_arc(posed, tmp_path, arc):
         skin = {element.anchor.mesh: [] for element in layout.elements}
         for path in skin:
             skin[path] = [deformed_points(stage, layout.root, path, time) for time in range(POSES)]
-        size = np.linalg.norm(np.ptp(np.concatenate([skin[path][0] for path in skin]), axis=0))
+        size = laid_out.extent(np.concatenate([skin[path][0] for path in skin]))
         drawn = {}
         for element, prim in zip(layout.elements, element_prims(scope), strict=True):
             mesh, points = str(prim.GetParent().GetPath()), points_by_role(prim, "handle")

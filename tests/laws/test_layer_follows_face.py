@@ -91,7 +91,7 @@ def with_far_shape(source, far):
 @pytest.mark.parametrize("far", [1e4, 1e6])
 def test_a_shape_that_hides_the_face_far_away_moves_no_handle(tmp_path, far):
     source, plain = skinned_stages.read(tmp_path)
-    names = [control.name for control in plain.controls]
+    names = plain.control_names
     alone = laid_out.baked(written(source, plain, laid_out.layout_of(plain)), plain, [plain.defaults])
     rig = with_far_shape(source, far)
     layout = laid_out.layout_of(rig, only=names)

@@ -6,6 +6,7 @@ import chain
 import makers
 import numpy as np
 import pytest
+from makers import POINTS, QUADS, SHAPES
 
 ROTATION = makers.rotation(3)
 Y_TO_Z = np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]])
@@ -19,11 +20,7 @@ def plain():
 
 def anchors(line):
     """Anchor point of every element on the face, by the controls it holds."""
-    return {
-        frozenset(member.control for member in element.members): element.anchor.point
-        for element in line.layout.elements
-        if not element.anchor.on_board
-    }
+    return {element.controls: element.anchor.point for element in line.layout.elements if not element.anchor.on_board}
 
 
 def test_the_face_is_laid_out_at_all(plain):
@@ -78,9 +75,8 @@ def test_a_mirrored_character_gets_the_mirrored_layout(plain):
 
 def puffing():
     """The face with a control that puffs both cheeks: symmetric, and nothing of it on the plane."""
-    points, quads = makers.mask()
-    puff = sum(makers.bump(points, (x, -0.1), (x, 0.0, 1.0), 0.2, 0.1) for x in (-0.45, 0.45))
-    return makers.rig(points, quads, makers.face_shapes(points) | {"puff": puff})
+    puff = sum(makers.bump(POINTS, (x, -0.1), (x, 0.0, 1.0), 0.2, 0.1) for x in (-0.45, 0.45))
+    return makers.rig(POINTS, QUADS, SHAPES | {"puff": puff})
 
 
 @pytest.mark.parametrize("matrix", [np.eye(3), MIRROR, 100.0 * ROTATION], ids=["plain", "mirrored", "turned"])
@@ -110,10 +106,9 @@ def test_displacement_alone_takes_every_peak():
         symmetry={"plane_weight": 0.0},
         groups={"opposed": False},
     )
-    points, quads = makers.mask()
-    shapes = {name: offsets for name, offsets in makers.face_shapes(points).items() if not name.startswith("jaw")}
+    shapes = {name: offsets for name, offsets in SHAPES.items() if not name.startswith("jaw")}
     # Without the jaw's twins: both peak at one point of the mirror plane, and a point holds one element.
-    line = chain.lay_out(makers.rig(points, quads, shapes), alone)
+    line = chain.lay_out(makers.rig(POINTS, QUADS, shapes), alone)
     peaks = {
         line.face.rig.controls[motion.control].name: motion.arc_length.max()
         for motion in line.face.trajectories.motions

@@ -14,13 +14,13 @@ import namings
 import numpy as np
 import pytest
 import rig_copies
+from folders import SAMPLE
 
 from usdrigui.pipeline import stages
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import load
 from usdrigui.solve import solve
 
-SAMPLE = Path(__file__).resolve().parents[2] / "sample_assets/char.usda"
 RIGS = [SAMPLE, *map(Path, os.environ.get("RENAMED_RIGS", "").split())]
 DRAWS = int(os.environ.get("RENAMED_DRAWS", "1"))
 SETTINGS = load({"read": {"joints": "none"}, "solve": {"work_limit": 10_000_000}})

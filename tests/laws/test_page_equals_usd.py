@@ -10,13 +10,13 @@ import json
 import shutil
 import subprocess
 from dataclasses import replace
-from pathlib import Path
 from types import SimpleNamespace
 
 import laid_out
 import numpy as np
 import pytest
 import skinned_stages
+from folders import ROOT
 from page_in_node import placed_by_the_page
 from pxr import Sdf, Usd, UsdSkel
 
@@ -28,7 +28,6 @@ from usdrigui.view.clip import clip_values
 from usdrigui.view.web.packing import pack
 
 pytestmark = pytest.mark.usefixtures("every_point_drawn")
-ROOT = Path(__file__).resolve().parents[2]
 CLOSE = 8e-5
 """Of the character's diagonal: what 16-bit positions and offsets leave of a handle's place."""
 HAIR = 0.3
@@ -100,7 +99,7 @@ def test_the_page_has_handles_and_tracks_where_usd_has_them(cases, pages, tmp_pa
     rig, layout, source = cases[name]
     stage = attached(tmp_path, rig, layout, source)
     drives = {control.name: control.drive for control in rig.controls}
-    diagonal = float(np.linalg.norm(np.ptp(laid_out.posed(rig).points, axis=0)))
+    diagonal = laid_out.extent(laid_out.posed(rig).points)
     travels = np.zeros(len(layout.elements))
     for time, placed in zip(rig.clip.times.tolist(), pages[name], strict=True):
         for i, (element, page) in enumerate(zip(layout.elements, placed["elements"], strict=True)):

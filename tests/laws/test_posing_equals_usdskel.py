@@ -36,7 +36,7 @@ def test_meshes_handles_and_tracks(tmp_path, kind):
     followed = 0
     for time, values in enumerate(poses):
         ours = evaluate(poser, values)
-        diagonal = float(np.linalg.norm(np.ptp(ours.points, axis=0)))
+        diagonal = laid_out.extent(ours.points)
         theirs = [laid_out.root_points(stage, mesh.path, rig.path, time) for mesh in rig.body.meshes]
         assert np.abs(ours.points - np.concatenate(theirs)).max() < CLOSE * diagonal
         for element, at in zip(layout.elements, ours.elements, strict=True):
@@ -59,7 +59,7 @@ def test_static_elements_and_those_beside_the_face(tmp_path, kind):
         layout = laid_out.layout_of(rig, seed=2, only=shapes, **given)
         stage = laid_out.baked(written(source, rig, layout, f"layout{number}.usda"), rig, [values])
         ours = evaluate(prepare(rig, layout), values)
-        diagonal = float(np.linalg.norm(np.ptp(ours.points, axis=0)))
+        diagonal = laid_out.extent(ours.points)
         for element, at in zip(layout.elements, ours.elements, strict=True):
             centre = laid_out.handle(stage, rig.path, element, 0)[0]
             (track,) = laid_out.tracks(stage, rig.path, element, 0)
@@ -69,7 +69,7 @@ def test_static_elements_and_those_beside_the_face(tmp_path, kind):
 
 def test_a_board_with_joint_controls_stays_in_one_piece_in_plain_usd(tmp_path):
     source, rig = skinned_stages.read(tmp_path, **KINDS["joint controls"])
-    everything = [control.name for control in rig.controls]
+    everything = rig.control_names
     layout = on_one_board(laid_out.layout_of(rig, seed=2, beside=everything))
     poses = [layout.base_values, laid_out.random_values(rig, np.random.default_rng(8))]
     stage = laid_out.baked(written(source, rig, layout), rig, poses)

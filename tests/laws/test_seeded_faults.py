@@ -4,10 +4,10 @@
 """
 
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import ROOT
 from pxr import Gf, Sdf, Usd, UsdGeom, Vt
 
 from usdrigui import pipeline
@@ -18,7 +18,6 @@ from usdrigui.reader.reader_main import read_composed
 from usdrigui.settings import load
 from usdrigui.stages import schema
 
-ROOT = Path(__file__).resolve().parents[2]
 SAMPLE, JOYSTICK = ROOT / "sample_assets/char.usda", ROOT / "schemas/conformance/joint_joystick.usda"
 SCOPE = "/Char/RigUI"
 MESH = f"{SCOPE}/FaceControls"

@@ -1,17 +1,16 @@
 """USD's and NVIDIA's validators find no more on a layout than on the character below it."""
 
 from collections import Counter
-from pathlib import Path
 
 import laid_out
 import pytest
 import real_rigs
+from folders import SAMPLE
 from pxr import Usd
 
 from usdrigui import pipeline
 from usdrigui.settings import load
 
-SAMPLE = Path(__file__).resolve().parents[2] / "sample_assets" / "char.usda"
 SMALL = ("facecap_blender", "godette", "mh_poseunits", "openusd_blendshapes")
 """Rigs that NVIDIA's validator sees through in seconds."""
 RIGS = [

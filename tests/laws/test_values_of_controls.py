@@ -103,7 +103,7 @@ def test_the_values_come_back_from_the_samples(keyed):
     stage, _, layer = keyed
     played = over(stage, layer)
     (read,) = read_rigs(played, Settings())
-    back, names = clip_values(read), [each.name for each in read.controls]
+    back, names = clip_values(read), read.control_names
     for name, attribute in attributes(stage).items():
         at = [attribute.Get(time) for time in read.clip.times]
         assert np.abs(back[:, names.index(name)] - at).max() < 1e-4, name
@@ -134,7 +134,7 @@ def test_what_no_value_reaches_stays_as_it_was(shot):
     now, old = clip_values(after)[rows], clip_values(rig)
     for index, control in enumerate(rig.controls):
         wanted = [keyed.Get(time) for time in times] if control.name == "Jaw:rx" else old[:, index]
-        found = now[:, [each.name for each in after.controls].index(control.name)]
+        found = now[:, after.control_indices[control.name]]
         assert np.abs(found - wanted).max() < 1e-4, control.name
 
 
@@ -179,9 +179,8 @@ def test_what_cannot_be_baked_is_refused_by_a_code(shot, value, code):
     stage = opened(shot[1])
     if value is not None:
         attributes(stage)["smile_L"].Set(value)
-    with pytest.raises(RigUIError) as refused:
+    with pytest.raises(RigUIError, match=code):
         bake(stage, ReadSettings())
-    assert refused.value.issue.code == code
 
 
 def test_the_command_writes_beside_the_shot_and_over_nothing_else(shot, tmp_path):
@@ -206,7 +205,7 @@ def test_a_page_shows_what_the_values_say(shot):
         attributes(stage)["smile_L"].Set(0.25 * time, time)
     before = stage.GetSessionLayer().ExportToString()
     (read,) = read_open_layouts(stage, Settings())[1].rigs
-    index = [each.name for each in read.controls].index("smile_L")
+    index = read.control_indices["smile_L"]
     rows = np.searchsorted(read.clip.times, range(4))
     assert clip_values(read)[rows, index] == pytest.approx([0.0, 0.25, 0.5, 0.75], abs=1e-6)
     assert stage.GetSessionLayer().ExportToString() == before

@@ -47,7 +47,7 @@ def judged(matching, truth, pair):
 )
 def test_heads_that_share_names_share_controls(one, other):
     first, second = read(one), read(other)
-    shared = {each.name for each in first.controls} & {each.name for each in second.controls}
+    shared = {*first.control_names} & {*second.control_names}
     for rigs, pair in (((first, second), f"{one} {other}"), ((second, first), f"{other} {one}")):
         share, wrong = judged(match_rigs(*map(with_motions, rigs)), {name: name for name in shared}, pair)
         assert share >= 0.98
@@ -89,7 +89,7 @@ def test_what_is_not_sure_is_said_to_be(name):
 def test_two_makers_with_words_of_their_own(arkit):
     """All are found, sides that the one names by the viewer too; two thirds are sure, and none of those wrong."""
     one, other = with_motions(read(arkit)), with_motions(read("vitruvian.usdc"))
-    truth = counterparts({each.name for each in one[0].controls})
+    truth = counterparts({*one[0].control_names})
     count = 0
     for rigs, order in (((one, other), 1), ((other, one), -1)):
         found = {(m.before, m.after)[::order]: m.confidence for m in match_rigs(*rigs).matches}

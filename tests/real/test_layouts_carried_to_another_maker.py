@@ -58,7 +58,7 @@ def place_at(face, across_and_up):
 
 def candidates_of(ready):
     """Where each control may stand, by name."""
-    base, names = ready.face.surface.points, [control.name for control in ready.face.rig.controls]
+    base, names = ready.face.surface.points, ready.face.rig.control_names
     return {
         names[control]: base[choice.anchors[:, copy]]
         for choice in ready.placement.choices

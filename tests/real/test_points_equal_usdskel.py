@@ -1,16 +1,15 @@
 """Points of every control of every real rig equal UsdSkel's, at the knots and between them."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
+from folders import ASSETS
+from laid_out import extent
 from usdskel_oracle import Oracle
 
 from usdrigui.character.deform import channel_state, deform, knots, posed, sweep
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings, load
 
-ASSETS = Path(__file__).resolve().parents[2].parent / "shared" / "assets"
 RIGS = sorted(ASSETS.glob("*.usd*"))
 
 pytestmark = [
@@ -23,7 +22,7 @@ pytestmark = [
 def test_every_control_equals_usdskel(path):
     for rig in read_rigs(path, Settings()):
         oracle, base = Oracle(path, rig), posed(rig)
-        diagonal = float(np.linalg.norm(np.ptp(base.points, axis=0)))
+        diagonal = extent(base.points)
         rest = rig.defaults
         assert np.abs(base.points - oracle.deformed(*channel_state(rig, None))).max() < 1e-5 * diagonal
         for index, control in enumerate(rig.controls):
@@ -43,7 +42,7 @@ def test_random_poses_equal_usdskel(path):
     rng = np.random.default_rng(0)
     for rig in read_rigs(path, Settings()):
         oracle = Oracle(path, rig)
-        diagonal = float(np.linalg.norm(np.ptp(deform(rig), axis=0)))
+        diagonal = extent(deform(rig))
         for _ in range(3):
             values = np.array([rng.uniform(control.minimum, control.maximum) for control in rig.controls])
             expected = oracle.deformed(*channel_state(rig, values))
@@ -61,7 +60,7 @@ def test_joint_rotations_equal_usdskel(path):
     for rig in read_rigs(path, load({"read": {"joints": "all"}})):
         joints = [i for i, control in enumerate(rig.controls) if control.kind == "joint"][::7]
         oracle, base = Oracle(path, rig), posed(rig)
-        diagonal = float(np.linalg.norm(np.ptp(base.points, axis=0)))
+        diagonal = extent(base.points)
         for index in joints:
             values = rig.defaults
             values[index] = 0.8 * rig.controls[index].maximum

@@ -4,6 +4,7 @@ import json
 
 import minimal_assets
 import pytest
+from commands import contents
 from processes import impostor
 from pxr import Sdf, Usd
 
@@ -33,7 +34,7 @@ def test_a_crash_in_any_command(line, tmp_path, monkeypatch, capfd):
     minimal_assets.character(tmp_path)
     (tmp_path / "layer.usda").write_text("#usda 1.0\n")
     impostor(tmp_path, monkeypatch, "kill -SEGV $$")
-    before = {each.name: each.read_bytes() for each in tmp_path.iterdir()}
+    before = contents(tmp_path)
     opened = []
     for owner, name in ((Usd.Stage, "Open"), (Sdf.Layer, "FindOrOpen"), (Sdf.Layer, "OpenAsAnonymous")):
         monkeypatch.setattr(owner, name, lambda *named: opened.append(named))
@@ -44,7 +45,7 @@ def test_a_crash_in_any_command(line, tmp_path, monkeypatch, capfd):
     assert (code, json.loads(printed.out)["issues"][0]["code"]) == (1, "SOURCE_CRASHES_USD")
     assert opened == []
     assert "Traceback" not in printed.err
-    assert {each.name: each.read_bytes() for each in tmp_path.iterdir()} == before
+    assert contents(tmp_path) == before
 
 
 def test_a_layer_by_itself_names_all_that_it_brings_along(tmp_path):

@@ -9,11 +9,12 @@ import makers
 import numpy as np
 import pytest
 import scripts
+from folders import ROOT
 
 from usdrigui.pipeline import build_problem
 from usdrigui.settings import load
 
-SCRIPT = Path(__file__).resolve().parents[2] / "benchmarks" / "ablation.py"
+SCRIPT = ROOT / "benchmarks" / "ablation.py"
 
 
 @pytest.fixture(scope="module")

@@ -1,9 +1,8 @@
 """Colours of a face: as USD says them, and found by layout and form where it says nothing."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
+from folders import SAMPLE
 from makers import changed
 from PIL import Image
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdShade, Vt
@@ -18,7 +17,6 @@ from usdrigui.stages.colours import colours_and_images
 from usdrigui.view.body import complexion, shading
 from usdrigui.view.directions import camera_rows
 
-SAMPLE = Path(__file__).resolve().parents[2] / "sample_assets" / "char.usda"
 RED, BLUE = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
 COUNTS, INDICES = np.array([4, 4]), np.array([0, 1, 4, 3, 1, 2, 5, 4])
 HALVES = [RED, RED, BLUE, RED, RED, BLUE]

@@ -1,15 +1,15 @@
 """Handles dragged on screen: sliders, curved sliders, patches, fans, joysticks and two-way sliders."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import ROOT
 from hypothesis import given, settings, strategies as st
 
 from usdrigui.pose.drag import Axis, End, begin_drag, drag_to, values_at
 
-SUITE = Path(__file__).resolve().parents[2] / "schemas" / "conformance"
+SUITE = ROOT / "schemas" / "conformance"
 VECTORS = {each["element"]: each for each in json.loads((SUITE / "drags.json").read_text("utf-8"))["questions"]}
 ZERO_ONE = (0.0, 1.0)
 EAST = np.array([[100.0, 100.0], [200.0, 100.0]])

@@ -1,15 +1,14 @@
 """Problems made for benchmarks: sizes of the paper's table, the same from a seed, handles by the rule for rigs."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 import scripts
+from folders import ROOT
 
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import solve
 
-SCRIPT = Path(__file__).resolve().parents[2] / "benchmarks" / "instances.py"
+SCRIPT = ROOT / "benchmarks" / "instances.py"
 
 
 @pytest.fixture(scope="module")

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from pxr import UsdGeom
-from skel_stages import SIDE, add_even_skin, add_mesh, add_shape, add_skeleton, matrix, new_stage
+from skel_stages import add_even_skin, add_mesh, add_shape, add_skeleton, matrix, new_stage
 
 from usdrigui.character import surface
 from usdrigui.character.deform import deform
@@ -19,7 +19,7 @@ def towards(tmp_path, *, mesh=None, skeleton=None, geom_bind=None, skinned=False
     joints = ("all",) if skinned else ()
     add_skeleton(stage, "/Char/Skel", joints, [matrix()] * len(joints), transform=skeleton)
     sheet = add_mesh(stage, "/Char/Face", "/Char/Skel", transform=mesh)
-    add_shape(sheet, "smile", np.ones((SIDE**2, 3)))
+    add_shape(sheet, "smile")
     if skinned:
         add_even_skin(sheet, 1, geom_bind)
     if turned:

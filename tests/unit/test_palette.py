@@ -2,17 +2,16 @@
 
 import re
 from itertools import combinations
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import ROOT
 
 from usdrigui.character import palette
 from usdrigui.view.body import shading
 
 LEAST = 25.0
 """CIE 1976 colour difference."""
-ROOT = Path(__file__).resolve().parents[2]
 SIDES = {side: np.array(colour) / 255.0 for side, colour in palette.SIDES.items()}
 SKINS = [
     shading.encoded(np.array(albedo)) * light

@@ -1,16 +1,16 @@
 """The benchmarks' file of a layout problem."""
 
 from dataclasses import fields, replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 import scripts
+from folders import ROOT
 from layout_problems import random_problem
 
 from usdrigui.overlap import total_cost
 
-SCRIPT = Path(__file__).resolve().parents[2] / "benchmarks" / "problem_file.py"
+SCRIPT = ROOT / "benchmarks" / "problem_file.py"
 
 
 @pytest.mark.parametrize("seed", [3, 8, 21])

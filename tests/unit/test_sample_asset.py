@@ -8,9 +8,10 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from folders import ROOT
 from pxr import Usd
 
-SAMPLES = Path(__file__).resolve().parents[2] / "sample_assets"
+SAMPLES = ROOT / "sample_assets"
 ENTRY = SAMPLES / "char.usda"
 FILES = ("char.usda", "char_geometry.usda")
 

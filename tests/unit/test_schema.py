@@ -12,12 +12,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import ROOT
 from pxr import Sdf, Usd
 
 from usdrigui.layer import author
 from usdrigui.stages import schema
 
-SOURCE = Path(__file__).resolve().parents[2] / "schemas"
+SOURCE = ROOT / "schemas"
 
 
 def run(code: str, **environment: str) -> str:

@@ -8,11 +8,11 @@ import makers
 import numpy as np
 import pytest
 import rig_copies
+from makers import POINTS, QUADS
 
 from usdrigui.conventions import meanings
 from usdrigui.layout.canonical_face import Expectation, expectations
 
-POINTS, QUADS = makers.mask()
 PLACES = {
     "eyeBlink": (0.5, 0.0), "browOuterUp": (0.75, 0.25), "mouthSmile": (0.42, -1.0), "noseSneer": (0.24, -0.55),
     "cheekSquint": (0.6, -0.35),
@@ -34,7 +34,7 @@ def shapes(swapped=False):
 def expected(shapes, **settings):
     rig = makers.rig(POINTS, QUADS, shapes)
     face = chain.face_of(rig, chain.settings(**settings))
-    names = [control.name for control in rig.controls]
+    names = rig.control_names
     return face, dict(
         zip(names, expectations(face.trajectories, face.symmetry, face.views, meanings(names)), strict=True)
     )

@@ -4,13 +4,9 @@ import chain
 import makers
 import numpy as np
 import pytest
+from makers import POINTS, QUADS, SHAPES
 
 from usdrigui.layout.board.board import _right_end
-
-POINTS, QUADS = makers.mask()
-
-
-SHAPES = makers.face_shapes(POINTS)
 
 
 def test_the_board_is_tidy_and_outside_the_silhouette():

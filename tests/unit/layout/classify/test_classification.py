@@ -7,11 +7,7 @@ import limbs
 import makers
 import numpy as np
 import pytest
-
-POINTS, QUADS = makers.mask()
-
-
-SHAPES = makers.face_shapes(POINTS)
+from makers import POINTS, SHAPES
 
 
 @pytest.mark.parametrize(
@@ -92,7 +88,7 @@ def test_excluding_a_control_calls_no_other_one_global():
     excluded = makers.changed(gone, excluded=left_out)
     assert chain.chosen(excluded)("half").category != "global"
     assert chain.chosen(excluded)("half").coverage == pytest.approx(chain.chosen(whole)("half").coverage)
-    names = [control.name for control in excluded.controls]
+    names = excluded.control_names
     face = chain.face_of(excluded)
     assert len(face.trajectories.excluded) == 3
     assert {names[motion.control] for motion in face.trajectories.motions} == set(names)

@@ -4,9 +4,8 @@ import chain
 import makers
 import numpy as np
 import pytest
+from makers import POINTS, SHAPES
 
-POINTS, _ = makers.mask()
-SHAPES = makers.face_shapes(POINTS)
 NOSTRIL = (0.12, 0.05)
 
 
@@ -31,7 +30,7 @@ def test_a_control_that_lifts_the_brow_more_than_the_nose_stands_by_the_nose(wei
 def test_a_motion_of_which_nothing_or_everything_is_common_costs_nothing_more():
     settings = chain.settings(candidates={"board_composite": False})
     face = chain.face_of(makers.face_with(one=0.5 * SHAPES["brow_L"]), settings)
-    index = {control.name: i for i, control in enumerate(face.rig.controls)}
+    index = face.rig.control_indices
     for name in ("one", "brow_L", "chin"):
         assert face.trajectories.motion_of(index[name]).common.max() < 0.05, name
     lifted = chain.face_of(wing(1.0), settings)
@@ -43,5 +42,5 @@ def test_a_motion_of_which_nothing_or_everything_is_common_costs_nothing_more():
 def test_no_control_explains_another_by_going_far_beyond_its_own_range():
     settings = chain.settings(candidates={"board_composite": False})
     face = chain.face_of(makers.face_with(tiny=0.1 * SHAPES["smile_L"]), settings)
-    index = [control.name for control in face.rig.controls].index("smile_L")
+    index = face.rig.control_indices["smile_L"]
     assert face.trajectories.motion_of(index).common.max() < 0.25

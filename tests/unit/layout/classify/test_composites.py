@@ -4,11 +4,7 @@ import chain
 import makers
 import numpy as np
 import pytest
-
-POINTS, QUADS = makers.mask()
-
-
-SHAPES = makers.face_shapes(POINTS)
+from makers import POINTS, QUADS, SHAPES
 
 
 @pytest.mark.parametrize("noise", [0.0, 1e-3])

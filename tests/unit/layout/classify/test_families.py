@@ -3,12 +3,10 @@
 import chain
 import makers
 import numpy as np
+from makers import POINTS, QUADS, SHAPES
 
 from usdrigui.conventions import meanings
 from usdrigui.layout.classify.families import find_families
-
-POINTS, QUADS = makers.mask()
-SHAPES = makers.face_shapes(POINTS)
 
 
 def categories(shapes):

@@ -3,11 +3,7 @@
 import chain
 import makers
 import numpy as np
-
-POINTS, QUADS = makers.mask()
-
-
-SHAPES = makers.face_shapes(POINTS)
+from makers import POINTS, QUADS, SHAPES
 
 
 def test_parts_that_vanish_are_global():

@@ -3,11 +3,7 @@
 import chain
 import makers
 import numpy as np
-
-POINTS, QUADS = makers.mask()
-
-
-SHAPES = makers.face_shapes(POINTS)
+from makers import POINTS, SHAPES
 
 
 def test_every_control_has_exactly_one_member():
@@ -44,8 +40,7 @@ def test_the_base_pose_moves_anchors_and_is_recorded():
 
 
 def test_the_reason_of_a_mirror_copy_names_the_controls_of_its_own_side():
-    shapes = makers.face_shapes(makers.mask()[0])
-    more = {f"again_{side}": 0.5 * shapes[f"smile_{side}"] for side in "LR"}
+    more = {f"again_{side}": 0.5 * SHAPES[f"smile_{side}"] for side in "LR"}
     layout = chain.by_name(chain.lay_out(makers.face_with(**more)))
     for side in "LR":
         assert layout[f"again_{side}"].reason == f"does the same as smile_{side}, 50% as far"

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from chain import by_name, lay_out, problem_of, settings
 from laid_out import on_face
+from makers import POINTS, QUADS, SHAPES
 
 from usdrigui.character import Control, LeftOff
 from usdrigui.errors import RigUIError
@@ -24,7 +25,7 @@ WINK = (LeftOff("wink", "read", "moves nothing"),)
 
 def with_pose(name="grin", shapes=("smile_L", "smile_R", "pucker")):
     """The face with one more control, a pose that raises some of the shapes."""
-    index = {control.name: i for i, control in enumerate(FACE.controls)}
+    index = FACE.control_indices
     channels = [int(FACE.controls[index[each]].drive.channels[0]) for each in shapes]
     drive = makers.drive(channels)
     made = Control(name, name, "pose", name, 0.0, 0.0, 1.0, "default", drive)
@@ -80,15 +81,14 @@ def test_members_of_two_coarse_controls_need_not_make_room_for_each_other():
 
 def crowded_face():
     """The face with 60 more controls around the mouth that names call brows and noses in turn."""
-    points, quads = makers.mask()
     turns = np.linspace(0.0, 2.0 * np.pi, 60)
     more = {
         f"{'nose' if i % 2 else 'brow'}Part{i}": makers.bump(
-            points, (0.1 * np.sin(t), -0.45), (np.sin(t), np.cos(t), 0.4)
+            POINTS, (0.1 * np.sin(t), -0.45), (np.sin(t), np.cos(t), 0.4)
         )
         for i, t in enumerate(turns)
     }
-    return makers.rig(points, quads, makers.face_shapes(points) | more)
+    return makers.rig(POINTS, QUADS, SHAPES | more)
 
 
 @pytest.mark.parametrize("asked", [True, False])

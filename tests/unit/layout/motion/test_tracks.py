@@ -4,10 +4,9 @@ import chain
 import makers
 import numpy as np
 import pytest
+from makers import POINTS
 
 from usdrigui.layout.motion.tracks import magnification, resampled
-
-POINTS, QUADS = makers.mask()
 
 
 def test_tracks_are_sampled_at_equal_steps_of_arc_length():

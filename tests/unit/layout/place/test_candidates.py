@@ -4,11 +4,7 @@ import chain
 import makers
 import numpy as np
 import pytest
-
-POINTS, QUADS = makers.mask()
-
-
-SHAPES = makers.face_shapes(POINTS)
+from makers import POINTS, QUADS, SHAPES
 
 
 def test_pruning_keeps_what_moves_more_than_the_mean_and_half_the_peak():

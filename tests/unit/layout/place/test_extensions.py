@@ -8,13 +8,12 @@ import chain
 import makers
 import numpy as np
 import pytest
+from makers import POINTS
 
 from usdrigui.errors import RigUIError
 from usdrigui.layout.place import extensions
 from usdrigui.model import ExtraPairs
 from usdrigui.overlap import total_cost
-
-POINTS, QUADS = makers.mask()
 
 
 class KeepLow:
@@ -69,9 +68,8 @@ def test_terms_of_other_packages_act_when_named():
 @pytest.mark.usefixtures("installed")
 @pytest.mark.parametrize(("term", "code"), [("wrong", "TERM_INVALID"), ("absent", "CONFIG_VALUE")])
 def test_wrong_terms_are_refused(term, code):
-    with pytest.raises(RigUIError) as refused:
+    with pytest.raises(RigUIError, match=code):
         chain.problem_of(makers.face(), chain.settings(objective={"terms": (term,)}))
-    assert refused.value.issue.code == code
 
 
 @pytest.mark.parametrize("answer", [[1.0, np.nan], [np.inf, 0.0], [0.5, -0.5], [1.0], [1.0, 1.0, 1.0]])

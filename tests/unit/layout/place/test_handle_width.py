@@ -4,10 +4,10 @@ import chain
 import makers
 import numpy as np
 import pytest
+from makers import POINTS, QUADS
 
 from usdrigui.layout.place.handle_width import around
 
-POINTS, QUADS = makers.mask()
 STEP = 0.04 / 32
 """Between the widths that are tried, in face sizes."""
 ROTATION = makers.rotation(8)

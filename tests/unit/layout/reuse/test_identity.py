@@ -7,15 +7,15 @@ import chain
 import makers
 import numpy as np
 import pytest
+from chain import with_motions
+from makers import POINTS, QUADS, SHAPES
 from rig_copies import numbers, renamed, spelt_otherwise
 
-from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.reuse import name_evidence
 from usdrigui.layout.reuse.identity import match_layout, match_rigs, matching_issues, names_draft
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.layout.review.difference import difference
 from usdrigui.model import SURE, Match
-from usdrigui.settings import Settings
 
 
 @pytest.fixture(scope="module")
@@ -35,19 +35,19 @@ def respelt(layout, names):
     return replace(new, matches=matches)
 
 
-def with_motions(rig):
-    return rig, trajectories(rig, Settings().trajectories)
+def matched(before, after, names=None):
+    return match_rigs(with_motions(before), with_motions(after), names)
 
 
 @pytest.mark.parametrize("name", [spelt_otherwise, numbers()])
 def test_renamed_controls_are_recognised_in_rigs_and_layouts(face, line, name):
     copy, names = renamed(face, name)
-    assert match_rigs(with_motions(face), with_motions(copy)).names == names
+    assert matched(face, copy).names == names
     assert match_layout(line.layout, *with_motions(copy)).names == names
 
 
 def test_a_control_that_keeps_its_name_is_the_same_one_whatever_it_does(face, line):
-    names = [control.name for control in face.controls]
+    names = face.control_names
     turned = replace(
         face, controls=tuple(replace(c, name=n) for c, n in zip(face.controls, names[1:] + names[:1], strict=True))
     )
@@ -56,29 +56,25 @@ def test_a_control_that_keeps_its_name_is_the_same_one_whatever_it_does(face, li
 
 def test_twins_that_do_the_same_are_told_apart_by_names_and_else_not_at_all():
     """Two copies of one shape: names decide, and without names neither match is sure."""
-    points, quads = makers.mask()
-    shapes = makers.face_shapes(points)
-    double = makers.rig(points, quads, {**shapes, "smile_L_copy": shapes["smile_L"]})
-    found = match_rigs(with_motions(double), with_motions(double))
+    double = makers.rig(POINTS, QUADS, {**SHAPES, "smile_L_copy": SHAPES["smile_L"]})
+    found = matched(double, double)
     assert all(each.before == each.after for each in found.matches)
     silent, _ = renamed(double, numbers())
-    unsure = {each.before: each.confidence for each in match_rigs(with_motions(double), with_motions(silent)).unsure}
+    unsure = {each.before: each.confidence for each in matched(double, silent).unsure}
     assert unsure.keys() >= {"smile_L", "smile_L_copy"}
     assert max(unsure[name] for name in ("smile_L", "smile_L_copy")) <= 0.6
 
 
 def test_what_has_no_counterpart_is_left_on_either_side(face):
-    points, quads = makers.mask()
-    shapes = makers.face_shapes(points)
-    ears = {"ears": makers.bump(points, (0.7, 0.2), (1.0, 0.0, 0.0), 0.1)}
-    other = makers.rig(points, quads, {**{n: o for n, o in shapes.items() if n != "chin"}, **ears})
-    found = match_rigs(with_motions(face), with_motions(other))
+    ears = {"ears": makers.bump(POINTS, (0.7, 0.2), (1.0, 0.0, 0.0), 0.1)}
+    other = makers.rig(POINTS, QUADS, {**{n: o for n, o in SHAPES.items() if n != "chin"}, **ears})
+    found = matched(face, other)
     assert (found.left_before, found.left_after) == (("chin",), ("ears",))
 
 
 def test_the_configuration_decides_first(face):
     chosen = {"chin": "pucker", "pucker": ""}
-    found = match_rigs(with_motions(face), with_motions(face), chosen)
+    found = matched(face, face, chosen)
     assert found.names["chin"] == "pucker"
     assert "pucker" not in found.names
     assert "pucker" in found.left_before
@@ -86,13 +82,13 @@ def test_the_configuration_decides_first(face):
 
 def test_the_draft_of_names_is_a_configuration(face):
     copy, names = renamed(face, spelt_otherwise)
-    text = names_draft(match_rigs(with_motions(face), with_motions(copy)))
+    text = names_draft(matched(face, copy))
     assert tomllib.loads(text)["like"]["names"] == names
 
 
 def test_unsure_matches_stand_in_the_draft_as_comments_only(face):
     copy, _ = renamed(face, numbers())
-    found = match_rigs(with_motions(face), with_motions(copy))
+    found = matched(face, copy)
     doubted = replace(found, matches=tuple(replace(each, confidence=SURE - 0.1) for each in found.matches))
     assert tomllib.loads(names_draft(doubted))["like"]["names"] == {}
     assert {each.code for each in matching_issues("previous", doubted)} == {"CONTROL_UNSURE"}
@@ -103,7 +99,7 @@ def test_unsure_matches_stand_in_the_draft_as_comments_only(face):
 
 
 def test_the_draft_names_the_controls_of_this_character_that_have_no_counterpart(face):
-    left = replace(match_rigs(with_motions(face), with_motions(face)), left_after=("ear.wiggle",))
+    left = replace(matched(face, face), left_after=("ear.wiggle",))
     assert '#   "ear.wiggle"' in names_draft(left).splitlines()
 
 

@@ -6,6 +6,7 @@ import chain
 import makers
 import numpy as np
 import pytest
+from makers import POINTS, SHAPES
 
 from usdrigui.errors import RigUIError
 from usdrigui.layout.group.own_places import has_own_place
@@ -40,12 +41,6 @@ def test_a_place_near_which_one_twin_stays_is_mirrored_for_the_other():
         assert np.linalg.norm(elements[name].anchor.position[:2] - [side * 0.2, 0.45]) < 0.12, name
 
 
-POINTS, QUADS = makers.mask()
-
-
-SHAPES = makers.face_shapes(POINTS)
-
-
 def test_a_fixed_anchor_is_the_only_candidate():
     found = chain.chosen(makers.face(), controls={"chin": {"anchor": "/Root/mesh#20"}})("chin")
     assert found.points.tolist() == [20]
@@ -59,7 +54,7 @@ def test_what_is_said_of_one_twin_holds_for_it_and_for_it_alone():
     one = next(name for name in names if name.replace("_R", "_L").replace("Right", "Left") in SHAPES)
     other = one.replace("_R", "_L").replace("Right", "Left")
     line = chain.problem_of(makers.face_with(), chain.settings(controls={one: {"place": "board"}}))
-    controls = [control.name for control in line.face.rig.controls]
+    controls = line.face.rig.control_names
     categories = {controls[c]: group.category for group in line.groups for c in (*group.controls, *group.mirror)}
     assert categories[one] == "requested"
     assert not categories[other]

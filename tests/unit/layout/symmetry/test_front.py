@@ -6,10 +6,10 @@ import chain
 import makers
 import numpy as np
 import pytest
+from makers import POINTS, QUADS, SHAPES
 
 from usdrigui.layout.symmetry.front import front, three_quarter
 
-POINTS, QUADS = makers.mask()
 MIRROR = np.array([1.0, 1.0, -1.0])
 
 
@@ -23,7 +23,7 @@ def with_hair(shapes):
 
 @pytest.mark.parametrize("wholes", [0, 1, 4])
 def test_controls_of_the_whole_head_do_not_outvote_the_face(wholes):
-    local = {name: makers.face_shapes(POINTS)[name] for name in ("smile_L", "smile_R", "chin")}
+    local = {name: SHAPES[name] for name in ("smile_L", "smile_R", "chin")}
     rig = with_hair({**local, **{f"whole{k}": np.full_like(POINTS, 0.1 + 0.1 * k) for k in range(wholes)}})
     face = chain.face_of(rig)
     assert face.views.ahead == pytest.approx([0.0, 0.0, 1.0], abs=1e-6)

@@ -7,11 +7,10 @@ import limbs
 import makers
 import numpy as np
 import pytest
+from makers import POINTS, QUADS, SHAPES
 
 from usdrigui.character import Skin
 
-POINTS, QUADS = makers.mask()
-SHAPES = makers.face_shapes(POINTS)
 NAMED = (("eyeBlink", 0.3, 0.35), ("browOuterUp", 0.45, 0.5), ("mouthSmile", 0.25, -0.45), ("noseSneer", 0.15, 0.0))
 SIDED = (("L", 1.0), ("R", -1.0))
 SIDES = {f"{a}_{s}": makers.bump(POINTS, (x * w, y), (0, 1, 0.2), 0.15) for a, x, y in NAMED for s, w in SIDED}

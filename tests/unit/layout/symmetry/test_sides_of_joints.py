@@ -43,7 +43,7 @@ def renamed(made, spelt):
 
 
 def twins(face):
-    names = [control.name for control in face.rig.controls]
+    names = face.rig.control_names
     return {name: names[twin] for name, twin in zip(names, face.symmetry.twins.tolist(), strict=True) if twin >= 0}
 
 
