@@ -21,6 +21,9 @@ FINGERS = 3
 """Chains of a fan, at least; and joints of a finger that curl, at most."""
 OWNS = 1e-3
 """Largest weight below which no skin hangs on a joint."""
+_TRACE = 0.05
+"""Largest weight of a joint and of all below it that is a trace: the arms that a bust is cut off
+from leave .02 on its edge, the last joint of a whole limb holds .19 and more."""
 _PARALLEL = 0.6
 """Least cosine of a chain to the mean direction of its fan; a thumb stays ahead."""
 _SAME = 1e-4
@@ -233,6 +236,14 @@ class Tree(Record):
         """The joints that skin follows: those on which it hangs, and those whose skin hangs on
         their twist joints."""
         return self.owners | {self.twists[joint] for joint in self.owners & self.twists.keys()}
+
+    @cached_property
+    def cut_off(self) -> frozenset[int]:
+        """The joints that with all below hold a trace of the skin."""
+        most = [float(weights.max(initial=0.0)) for _, weights in self.skin]
+        return frozenset(
+            i for i in self.owners if max(most[joint] for joint in self.below([i])) <= _TRACE
+        )
 
     def above(self, joint: int) -> Iterator[int]:
         """The joints from the parent up to the root."""

@@ -70,7 +70,8 @@ def default_turns(tree: Tree) -> tuple[Turn, ...]:
     turns = [*chain.from_iterable(fingers.values())]
     for joint in sorted(tree.bearers.difference(*fingers)):
         turns.extend(_turns(tree, joint, hinges))
-    return tuple(sorted(turns, key=lambda turn: (turn.joints[0], turn.name)))
+    left = (turn for turn in turns if turn.home not in tree.cut_off)
+    return tuple(sorted(left, key=lambda turn: (turn.joints[0], turn.name)))
 
 
 # --- hands ----------------------------------------------------------------------------------------

@@ -31,7 +31,8 @@ _FLAT = (FACE, EYES, HEAD, INTERIOR)
 
 _HEAD = frozenset({"head", "頭"})
 LIMB = 3
-"""Joints with skin of an arm or a leg; two such, beside the spine, hands and feet, make a body."""
+"""Joints with skin of an arm or a leg; two such, beside the spine, hands and feet, make a body, and
+one neck and shoulders."""
 _LOW = 0.2
 """Share of a character's height below which chains side by side are toes."""
 
@@ -78,13 +79,19 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     eyes = {joint for joint in tree.below(heads) - heads if is_eye(pieces, joint)}
     for joint in tree.below(eyes):
         of_joint[joint] = of_skin[joint] = EYES
-    in_limbs = {i for i, name in enumerate(of_skin) if name == BODY} - set(spine)
-    # A face and hands are those of a body, however little of it has skin.
+    in_body = {i for i in tree.owners if of_skin[i] == BODY}
+    # A face and hands are those of a body, however little of it has skin; under a face that blend
+    # shapes move, so are a neck and shoulders.
     whole = {FACE, HANDS} <= {of_skin[joint] for joint in tree.owners}
-    if len(in_limbs & tree.owners) < 2 * LIMB and not whole:
+    bust = (
+        heads
+        and len(in_body) >= LIMB
+        and any(rig.controls[each.control].kind == "blendShape" for each in found.motions)
+    )
+    if len(in_body - set(spine)) < 2 * LIMB and not (whole or bust):
         # A hand by itself may have an arm; what hangs on no arm is more than hands.
         arms = {joint for fan in ends for joint in (fan.joint, *tree.above(fan.joint))}
-        if heads or (ends and arms >= {i for i in tree.owners if of_skin[i] == BODY}):
+        if heads or (ends and arms >= in_body):
             # Without a body a joint is of the part of its skin.
             rest = FACE if heads else of_skin[ends[0].joint]
             of_joint = of_skin = [rest if name in (BODY, EYES) else name for name in of_skin]

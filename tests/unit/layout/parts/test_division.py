@@ -144,18 +144,41 @@ def test_what_has_one_or_two_elements_joins_the_part_beside_it():
     assert {name.partition(":")[0] for name in found["face"]} >= {"b", "c"}
 
 
+def bust(rig, wrists=(), left=0.0):
+    """The same with the skin of the limbs held by the hips, but for the `wrists` and the share that is `left`."""
+    paths = [{*joint.path.split("/")} for joint in rig.body.joints]
+    limb = [i for i, path in enumerate(paths) if path & {"a0", "b0", "al0", "bl0"} and not path & {*wrists}]
+    own = rig.body.meshes[0].skin
+    cut = np.isin(own.joints, limb)
+    joints = np.concatenate([own.joints, np.where(cut, 0, own.joints)], axis=1)
+    weights = np.concatenate(
+        [own.weights * np.where(cut, left, 1.0), own.weights * np.where(cut, 1.0 - left, 0.0)], axis=1
+    )
+    trunk = makers.changed(rig.body.meshes[0], skin=replace(own, joints=joints, weights=weights))
+    return limbs.with_default_controls(makers.changed(rig, meshes=(trunk, *rig.body.meshes[1:])))
+
+
 @pytest.mark.parametrize("wrists", [set(), {"a2", "b2"}])
 def test_a_head_without_a_body_keeps_its_eyes_and_with_hands_it_is_a_body(wrists):
-    rig = with_eyes()
-    paths = [{*joint.path.split("/")} for joint in rig.body.joints]
-    limb = [i for i, path in enumerate(paths) if path & {"a0", "b0", "al0", "bl0"} and not path & wrists]
-    own = rig.body.meshes[0].skin
-    trunk = replace(own, joints=np.where(np.isin(own.joints, limb), 0, own.joints))
-    bust = makers.changed(rig, meshes=(makers.changed(rig.body.meshes[0], skin=trunk), *rig.body.meshes[1:]))
-    found = named(limbs.with_default_controls(bust))
+    found = named(bust(with_eyes(), wrists))
     assert list(found) == ["face", "hands", "body"][: 1 + 2 * bool(wrists)]
     of = {name.partition(":")[0] for name in found[list(found)[-1]]}
     assert of & {"n", "b", *wrists} == {"n", *(wrists or "b")}
+
+
+def test_a_neck_and_shoulders_are_a_body_under_a_face_that_shapes_move():
+    """The face is as large as without them."""
+    found = named(limbs.smiling(bust(BODY)))
+    assert list(found) == ["face", "head", "body"]
+    assert found["face"] == {"smile"}
+    assert list(named(bust(BODY))) == ["face"]
+
+
+@pytest.mark.parametrize(("left", "turns"), [(0.04, False), (0.06, True)])
+def test_a_limb_that_is_cut_off_has_no_controls_for_the_trace_that_is_left_of_it(left, turns):
+    of = {control.name.partition(":")[0] for control in bust(BODY, left=left).controls}
+    assert {"n", "k0"} <= of
+    assert of.isdisjoint({"a0", "a1", "bl1", "af00"}) != turns
 
 
 def test_a_body_does_not_change_the_scale_of_its_face():
