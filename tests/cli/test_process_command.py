@@ -33,12 +33,11 @@ def test_of_several_characters_each_stage_says_whose_it_is(character, capsys):
     stage = character.with_name("crowd.usda")
     both = [f'def "{name}" (references = @{character.name}@) {{}}' for name in "AB"]
     stage.write_text("\n".join(["#usda 1.0", *both]))
-    assert main(["process", str(stage), "--dry-run"]) == 0
-    told = capsys.readouterr().err.splitlines()
-    assert [line.split()[-2:] for line in told if line.startswith("solve")] == [
-        ["/A/Char", "face"],
-        ["/B/Char", "face"],
-    ]
+    for command, path in (("process", stage), ("inspect", stage), ("check", stage.with_suffix(".rigui.usda"))):
+        assert main([command, str(path)]) == 0
+        told = capsys.readouterr().err.splitlines()
+        whose = [line.split()[-2:] for line in told if line.startswith("candidates")]
+        assert whose == [["/A/Char", "face"], ["/B/Char", "face"]], command
 
 
 def test_it_says_what_is_not_on_the_face_and_verbosely_where_every_control_stands(character, capsys):

@@ -47,17 +47,17 @@ def inspect(
     issues: list[Issue] = []
     characters = []
     for rig in source.rigs:
-        character = character_of(rig, settings, references, clock)
+        own_clock = clock.of(rig.path, told=len(source.rigs) > 1)
+        character = character_of(rig, settings, references, own_clock)
         parts = [
-            part_problem(character, part, (), replace(clock, part=part.name))
-            for part in character.parts
+            part_problem(character, part, (), own_clock.of(part.name)) for part in character.parts
         ]
         issues += issues_of(parts)
         facts = _facts(character, parts)
         if clips:
             whole = parts[0]
             if len(parts) > 1:
-                whole = build_problem(rig, settings, references, clock)
+                whole = build_problem(rig, settings, references, own_clock)
             uses, odd = animation.animation_facts(whole.face, clips, settings.animation.weight)
             facts = replace(facts, animation=uses)
             issues += of_character(rig.path_in_variants, odd)

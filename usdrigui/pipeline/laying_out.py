@@ -269,8 +269,8 @@ def _laid_out(
             same = [report for _, report in reports if report.root == rig.path]
             if not any(report.rig.variant_path == rig.variant_path for report in same):
                 own = as_sibling(references, rig, same[0].layout) if same else references
-                whose = f"{rig.path} " if len(each.source.rigs) > 1 else ""
-                laid = _lay_out(rig, each.settings, own, replace(clock, part=whose), stop)
+                whose = clock.of(rig.path, told=len(each.source.rigs) > 1)
+                laid = _lay_out(rig, each.settings, own, whose, stop)
                 if own is not references:
                     # What a variant keeps of the first one is no history of its own.
                     kept = {same[0].layout.variant_path: laid.matchings["previous"]}
@@ -366,7 +366,7 @@ def _lay_out(
     laid: list[LaidPart] = []
     for part in character.parts:
         neighbours = tuple(element for each in laid for element in each.layout.elements)
-        own_clock = replace(clock, part=clock.part + part.name)
+        own_clock = clock.of(part.name)
         inputs = part_problem(character, part, neighbours, own_clock)
         with own_clock.stage("solve", can_stop=True):
             assignment = solve(inputs.placement.problem, settings.solve, own_clock.solving, stop)

@@ -7,7 +7,7 @@ import time
 from collections import defaultdict
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -45,6 +45,10 @@ class Clock:
     def seconds(self) -> tuple[tuple[str, float], ...]:
         """Spent in each stage, in the order of their first beginning."""
         return tuple(self._seconds.items())
+
+    def of(self, whose: str, *, told: bool = True) -> Clock:
+        """For the stages of a character, `told` where there are several, or of a part of it."""
+        return replace(self, part=f"{self.part} {whose}".strip()) if told else self
 
     @contextmanager
     def stage(self, name: str, *, can_stop: bool = False) -> Iterator[None]:

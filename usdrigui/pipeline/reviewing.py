@@ -238,7 +238,8 @@ def _review_of(
 ) -> LayerReview:
     reviews = []
     for rig, layout in loaded.characters:
-        found = _reviewed(rig, layout, settings, clock)
+        whose = clock.of(rig.path, told=len(loaded.characters) > 1)
+        found = _reviewed(rig, layout, settings, whose)
         known = {each.code for each in found.issues}
         wrong = [
             replace(e, character="")
@@ -265,10 +266,10 @@ def _reviewed(
     found, before = [], tuple[Element, ...]()
     for part in character.parts:
         own = _of_part(layout, character, part)
-        clock = replace(clock, part=part.name)
-        inputs = part_problem(character, part, before, clock)
+        own_clock = clock.of(part.name)
+        inputs = part_problem(character, part, before, own_clock)
         before += own.elements
-        with clock.stage("review"):
+        with own_clock.stage("review"):
             found.append(review_stage.review(inputs.measured, inputs.candidates, own, layout))
     return review_stage.joined(found)
 
