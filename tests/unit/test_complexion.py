@@ -42,13 +42,13 @@ def colours_of(stage):
     return looks_of(stage)[0]
 
 
-def material(stage, name, **inputs):
+def material(stage, name, context="", **inputs):
     made = UsdShade.Material.Define(stage, f"/{name}")
     shader = UsdShade.Shader.Define(stage, f"/{name}/surface")
     shader.CreateIdAttr("UsdPreviewSurface")
     for key, value in inputs.items():
         shader.CreateInput(key, Sdf.ValueTypeNames.Color3f).Set(Gf.Vec3f(*value))
-    made.CreateSurfaceOutput().ConnectToSource(shader.ConnectableAPI(), "surface")
+    made.CreateSurfaceOutput(context).ConnectToSource(shader.ConnectableAPI(), "surface")
     return made, shader
 
 
@@ -84,7 +84,10 @@ def test_a_materials_base_colour_goes_before_the_display_colour_and_a_subsets_be
     whole, _ = material(quads, "whole", diffuseColor=RED)
     UsdShade.MaterialBindingAPI.Apply(mesh.GetPrim()).Bind(whole)
     assert colours_of(quads).tolist() == [list(RED)] * 6
-    part, _ = material(quads, "part", diffuseColor=BLUE)
+    part, surface = material(quads, "part", "mtlx", base_color=RED)
+    tint = part.CreateInput("tint", Sdf.ValueTypeNames.Color3f)
+    tint.Set(BLUE)
+    surface.GetInput("base_color").ConnectToSource(tint)
     subset = UsdShade.MaterialBindingAPI(mesh.GetPrim()).CreateMaterialBindSubset("part", Vt.IntArray([1]))
     UsdShade.MaterialBindingAPI.Apply(subset.GetPrim()).Bind(part)
     assert colours_of(quads).tolist() == [list(each) for each in (RED, MIDDLE, BLUE, RED, MIDDLE, BLUE)]
@@ -94,16 +97,15 @@ def test_a_materials_base_colour_goes_before_the_display_colour_and_a_subsets_be
     assert colours_of(quads).tolist() == [[0, 1, 0]] * 6, "a shader that says no colour leaves the displayColor"
 
 
-@pytest.mark.parametrize("readable", [True, False])
-def test_a_small_texture_is_read_at_the_points(tmp_path, readable):
-    path = tmp_path / "skin.png"
-    Image.fromarray(np.array([[[255, 0, 0], [0, 0, 255]]], dtype=np.uint8)).save(path)
-    if not readable:
-        path.write_bytes(b"no picture")
+UV = [(0.25, 0.5), (0.25, 0.5), (0.75, 0.5)] * 2
+
+
+@pytest.fixture
+def textured(tmp_path):
+    Image.fromarray(np.array([[[255, 0, 0], [0, 0, 255]]], dtype=np.uint8)).save(tmp_path / "skin.png")
     stage = Usd.Stage.CreateNew(str(tmp_path / "asset.usda"))
     mesh = UsdGeom.Mesh.Define(stage, "/Mesh")
-    uv = [(0.25, 0.5), (0.25, 0.5), (0.75, 0.5)] * 2
-    UsdGeom.PrimvarsAPI(mesh).CreatePrimvar("uv", Sdf.ValueTypeNames.TexCoord2fArray, "vertex").Set(uv)
+    UsdGeom.PrimvarsAPI(mesh).CreatePrimvar("uv", Sdf.ValueTypeNames.TexCoord2fArray, "vertex").Set(UV)
     made, surface = material(stage, "skin", diffuseColor=RED)
     texture, reader = (UsdShade.Shader.Define(stage, f"/skin/{name}") for name in ("texture", "reader"))
     reader.CreateInput("varname", Sdf.ValueTypeNames.Token).Set("uv")
@@ -112,16 +114,48 @@ def test_a_small_texture_is_read_at_the_points(tmp_path, readable):
     texture.CreateInput("st", Sdf.ValueTypeNames.Float2).ConnectToSource(reader.ConnectableAPI(), "result")
     surface.GetInput("diffuseColor").ConnectToSource(texture.ConnectableAPI(), "rgb")
     UsdShade.MaterialBindingAPI.Apply(mesh.GetPrim()).Bind(made)
-    found = colours_of(stage)
-    assert (found.tolist() == [list(each) for each in HALVES]) if readable else found is None
-    surface.CreateInput("opacity", Sdf.ValueTypeNames.Float).ConnectToSource(texture.ConnectableAPI(), "a")
-    if readable:
-        Image.new("RGBA", (5000, 500), (0, 255, 0, 9)).save(path.with_name("card.png"))
-        texture.GetInput("file").Set("./card.png")
+    return stage, surface, texture
+
+
+def test_a_small_texture_is_read_at_the_points(textured, tmp_path):
+    stage, surface, texture = textured
+    assert colours_of(stage).tolist() == [list(each) for each in HALVES]
+    Image.new("RGBA", (5000, 500), (0, 255, 0, 9)).save(tmp_path / "card.png")
+    texture.GetInput("file").Set("./card.png")
+    opacity = surface.CreateInput("opacity", Sdf.ValueTypeNames.Float)
+    for given, alpha in ((surface, 255), (texture, 9)):
+        opacity.ConnectToSource(given.ConnectableAPI(), "a")
         _, seen = looks_of(stage)
         assert [image.shape for image in seen.images] == [(102, 1024, 4)], "scaled down to what a page has room for"
-        assert seen.images[0][0, 0].tolist() == [0, 255, 0, 9], "what opacity cuts out"
-        assert seen.uv.tolist() == [list(uv[point]) for point in INDICES]
+        assert seen.images[0][0, 0].tolist() == [0, 255, 0, alpha], "what opacity cuts out"
+        assert seen.uv.tolist() == [list(UV[point]) for point in INDICES]
+
+
+@pytest.mark.parametrize(
+    ("kind", "name", "value"),
+    [
+        ("asset", "/skin/texture.inputs:file", "./asset.usda"),
+        ("asset", "/skin/texture.inputs:file", "./large.png"),
+        ("asset", "/skin/texture.inputs:file", "./none.png"),
+        ("string", "/skin/texture.inputs:file", "./skin.png"),
+        ("float2[]", "/Mesh.primvars:uv", [(np.nan, 0.5)] * 6),
+        ("float3[]", "/Mesh.primvars:uv", [(0.5, 0.5, 0.0)] * 6),
+        ("int2[]", "/Mesh.primvars:uv", [(0, 0)] * 6),
+        ("token", "/skin/reader.inputs:varname", ""),
+        ("color3f", "/skin/surface.inputs:diffuseColor", (np.nan, 0.0, 0.0)),
+        ("float", "/skin/surface.inputs:diffuseColor", 0.5),
+        ("token[]", "/skin/surface.inputs:diffuseColor", ["r", "g", "b"]),
+    ],
+)
+def test_what_says_no_colour_gives_none(textured, tmp_path, kind, name, value):
+    stage = textured[0]
+    Image.new("1", (4097, 4096)).save(tmp_path / "large.png")
+    prim, _, name = name.partition(".")
+    stage.GetPrimAtPath(prim).RemoveProperty(name)
+    attribute = stage.GetPrimAtPath(prim).CreateAttribute(name, Sdf.ValueTypeNames.Find(kind))
+    attribute.Set(value)
+    attribute.SetMetadata("interpolation", "vertex")
+    assert colours_of(stage) is None
 
 
 # --- found by layout and form ------------------------------------------------------------------------

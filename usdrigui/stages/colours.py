@@ -7,7 +7,7 @@ import io
 from typing import Any
 
 import numpy as np
-from pxr import Ar, Usd, UsdGeom, UsdShade
+from pxr import Ar, Sdf, Usd, UsdGeom, UsdShade
 
 from usdrigui.character import Floats, Indices, Record, Texels, Texturing, Topology
 from usdrigui.stages.arrays import value_at
@@ -36,13 +36,13 @@ class _Corners(Record):
         """(corners, width) values of a primvar of any interpolation, flattened; None where it does
         not fit the mesh."""
         primvar = UsdGeom.PrimvarsAPI(self.prim).FindPrimvarWithInheritance(name)
-        if not primvar or not primvar.HasValue():
+        if not primvar.HasValue():
             return None
         flat = primvar.ComputeFlattened(self.time)
         if flat is None:
             flat = primvar.ComputeFlattened(Usd.TimeCode.EarliestTime())
         values = np.asarray(flat)
-        if values.ndim != 2 or values.shape[1] != width or values.dtype.kind != "f":
+        if values.shape[1:] != (width,) or values.dtype.kind != "f":
             return None
         counts, indices = self.topology.face_counts, self.topology.face_indices
         corners = np.arange(len(indices))
@@ -121,16 +121,15 @@ def _material_colours(material: UsdShade.Material, corners: _Corners) -> _Painte
     if not sources:
         return None
     shader = UsdShade.Shader(sources[0].GetPrim())
-    if shader and shader.GetIdAttr().Get() == "UsdUVTexture":
+    if shader.GetIdAttr().Get() == "UsdUVTexture":
         # Opacity that comes from the same image cuts it out: hair cards.
         cut = _source(UsdShade.Shader(base.GetPrim()), "opacity")
         return _textured(shader, corners, cut is not None and cut.GetPrim() == shader.GetPrim())
-    value = value_at(sources[0], corners.time) if len(sources) == 1 else None
-    colour = np.asarray(() if value is None else value, dtype=np.float64)
-    if colour.shape != (3,) or not np.isfinite(colour).all():
+    colour = np.asarray(value_at(sources[0], corners.time))
+    if colour.shape != (3,) or colour.dtype.kind != "f":
         return None
     count = len(corners.topology.face_indices)
-    return np.broadcast_to(colour, (count, 3)), np.zeros((count, 2)), None
+    return np.broadcast_to(colour.astype(np.float64), (count, 3)), np.zeros((count, 2)), None
 
 
 def _base_colour(material: UsdShade.Material) -> Any:
@@ -158,20 +157,19 @@ def _textured(shader: UsdShade.Shader, corners: _Corners, cut: bool) -> _Painted
 def _uv_name(shader: UsdShade.Shader) -> str:
     reader = _source(shader, "st")
     name = _source(UsdShade.Shader(reader.GetPrim()), "varname") if reader else None
-    return str(name.Get() or "st") if name else "st"
+    return str(name.Get()) if name else "st"
 
 
 def _source(shader: UsdShade.Shader, name: str) -> Usd.Attribute | None:
     """The attribute that gives an input of a shader its value."""
-    named = shader.GetInput(name) if shader else None
-    return next(iter(named.GetValueProducingAttributes() if named else ()), None)
+    return next(iter(shader.GetInput(name).GetValueProducingAttributes()), None)
 
 
 def _image(shader: UsdShade.Shader) -> Any:
     """(tall, wide, 4) bytes of the texture file, None where it cannot be read or is too large."""
     source = _source(shader, "file")
     asset = source.Get() if source else None
-    if not asset or not asset.resolvedPath:
+    if not isinstance(asset, Sdf.AssetPath):
         return None
     opened = Ar.GetResolver().OpenAsset(Ar.ResolvedPath(asset.resolvedPath))
     if not opened:

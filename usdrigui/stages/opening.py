@@ -38,8 +38,6 @@ def open_stage(path: Path, variants: Mapping[str, str] = MappingProxyType({})) -
         stage = Usd.Stage.Open(str(path), Usd.Stage.LoadAll)
     except (Tf.ErrorException, RuntimeError) as error:
         raise refuse("FILE_NOT_USD", path, usd_message(error)) from None
-    if stage is None:
-        raise refuse("FILE_NOT_USD", path, "USD opened no stage")
     for fault in stage.GetCompositionErrors():
         if isinstance(fault, Pcp.ErrorInvalidSublayerPath):
             raise _without_layer(str(path), _described(fault))
@@ -147,7 +145,7 @@ def check_archive(path: Path) -> None:
 def usd_message(error: Exception) -> str:
     """Text of a USD exception, whose own str() may fail."""
     try:
-        return "; ".join(_one_line(each.commentary) for each in error.args) or type(error).__name__
+        return "; ".join(_one_line(each.commentary) for each in error.args)
     except (AttributeError, UnicodeDecodeError):
         pass
     try:

@@ -44,10 +44,10 @@ def select_unselected(stage: Usd.Stage, within: Iterable[Sdf.Path]) -> None:
             for each in place.GetPrefixes()
             if each.IsPrimVariantSelectionPath()
         ):
+            name, variant = path.GetVariantSelection()
             prim = stage.GetPrimAtPath(path.StripAllVariantSelections())
-            chosen = prim.GetVariantSet(path.GetVariantSelection()[0]) if prim else None
-            if chosen is not None and not chosen.GetVariantSelection():
-                chosen.SetVariantSelection(path.GetVariantSelection()[1])
+            if prim and not prim.GetVariantSets().GetVariantSelection(name):
+                prim.GetVariantSets().SetSelection(name, variant)
 
 
 def variant_sets(stage: Usd.Stage) -> dict[str, tuple[str, ...]]:
@@ -74,15 +74,6 @@ def variant_path(prim: Usd.Prim) -> str:
             if sets.GetVariantSelection(name):
                 path = path.AppendVariantSelection(name, sets.GetVariantSelection(name))
     return str(path)
-
-
-def within(path: Sdf.Path, variants: str) -> Sdf.Path:
-    """A path with the selections of a `variant_path` that it lies in: ``/Char/Anim`` →
-    ``/Char{LOD=low}Anim``."""
-    for each in Sdf.Path(variants).GetPrefixes() if variants else ():
-        if each.IsPrimVariantSelectionPath():
-            path = path.ReplacePrefix(each.GetParentPath(), each)
-    return path
 
 
 def _having(stage: Usd.Stage, wanted: Mapping[str, str]) -> Iterator[tuple[Sdf.Path, str]]:
