@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
+import zlib
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass, replace
 from typing import Any, Literal
@@ -16,7 +18,7 @@ from hypothesis import given, settings, strategies as st
 
 from usdrigui.character import Floats, Indices, Record, Rig
 from usdrigui.errors import Issue
-from usdrigui.isolation.record_stream import RecordStreamError, decode, encode
+from usdrigui.isolation.record_stream import _PREAMBLE, RecordStreamError, decode, encode
 from usdrigui.settings import Settings, load
 
 
@@ -113,20 +115,40 @@ def test_a_record_of_another_kind_is_an_error():
         decode(sent(Issue("BUG", "error", "", "", "")), Rig)
 
 
+TREE = Tree((), (1, 2.0), None, True, np.arange(3), {}, None)
+
+
 @pytest.mark.parametrize(
     ("change", "value"),
-    [("which", "c"), ("name", 3), ("numbers", np.zeros(2, dtype=np.float32)), ("numbers", "text")],
+    [
+        ("perhaps", Leaf("n", np.zeros(2), "c")),
+        ("perhaps", Leaf(3, np.zeros(2), "a")),
+        ("perhaps", Leaf("n", np.zeros(2, dtype=np.float32), "a")),
+        ("perhaps", Leaf("n", "text", "a")),
+        ("perhaps", 3),
+        ("leaves", 3),
+        ("pair", (1, 2.0, 3)),
+        ("table", [1.0]),
+    ],
 )
 def test_a_field_of_another_type_is_an_error(change, value):
-    broken = replace(Leaf("n", np.zeros(2), "a"), **{change: value})
     with pytest.raises(RecordStreamError):
-        decode(sent(broken), Leaf)
+        decode(sent(replace(TREE, **{change: value})), Tree)
 
 
-def test_object_arrays_are_never_made():
-    stream = sent(Leaf("n", np.zeros(1), "a"))
+def test_numbers_are_those_of_the_annotations():
+    assert same(decode(sent(replace(TREE, pair=(np.int64(1), 2))), Tree), TREE)
+
+
+@pytest.mark.parametrize("forged", [["|O8", [3], 0], ["<i8", [-1], 0], ["<i8", [3], 64], ["<i8", [3.0], 0]])
+def test_arrays_that_are_never_written_are_never_made(forged):
+    stream = bytearray(sent(TREE))
+    magic, length, total, _ = _PREAMBLE.unpack_from(stream)
+    header = json.loads(stream[_PREAMBLE.size :][:length]) | {"arrays": [forged]}
+    told = json.dumps(header, separators=(",", ":")).encode().ljust(length)
+    stream[: _PREAMBLE.size + length] = _PREAMBLE.pack(magic, length, total, zlib.crc32(told)) + told
     with pytest.raises(RecordStreamError):
-        decode(stream.replace(b'"<f8"', b'"|O8"'), Leaf)
+        decode(bytes(stream), Tree)
 
 
 def test_arrays_are_views_that_nobody_can_write():

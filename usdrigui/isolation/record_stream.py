@@ -14,6 +14,7 @@ read-only views of the buffer, without a copy.
 from __future__ import annotations
 
 import json
+import math
 import struct
 import types
 import typing
@@ -107,12 +108,7 @@ def _span(entry: Any, available: int) -> tuple[np.dtype[Any], int, int]:
     """dtype, count and offset of an entry of the array table; `available` bytes follow the
     header."""
     code, shape, offset = entry
-    dtype = np.dtype(code)
-    if dtype.hasobject or any(not isinstance(size, int) or size < 0 for size in shape):
-        raise RecordStreamError("an array has a type that is never written")
-    count = 1
-    for size in shape:
-        count *= size
+    dtype, count = np.dtype(code), math.prod(shape)  # numpy views no bytes as objects
     if not 0 <= offset <= offset + count * dtype.itemsize <= available:
         raise RecordStreamError("an array ends beyond the stream")
     return dtype, count, offset if count else 0
@@ -146,13 +142,12 @@ def _incoming(hint: Any, value: Any, arrays: list[Any]) -> Any:
     if origin is None:
         return _plain(hint, value)
     if origin in (types.UnionType, typing.Union):
-        some = next(each for each in arguments if each is not types.NoneType)
-        return None if value is None else _incoming(some, value, arrays)
+        return None if value is None else _incoming(arguments[0], value, arrays)
     if origin is Literal:
         return _checked(value in arguments, value)
     if origin is tuple:
         return _tuple(arguments, value, arrays)
-    _checked(origin is Mapping and isinstance(value, dict), value)
+    _checked(isinstance(value, dict), value)
     return types.MappingProxyType(
         {key: _incoming(arguments[1], item, arrays) for key, item in value.items()}
     )
@@ -174,7 +169,6 @@ def _tuple(arguments: tuple[Any, ...], value: Any, arrays: list[Any]) -> Any:
     _checked(isinstance(value, list), value)
     if len(arguments) == 2 and arguments[1] is Ellipsis:
         return tuple(_incoming(arguments[0], item, arrays) for item in value)
-    _checked(len(value) == len(arguments), value)
     return tuple(_incoming(each, item, arrays) for each, item in zip(arguments, value, strict=True))
 
 
