@@ -99,6 +99,14 @@ class Viewer:
     def values(self):
         return self.page.evaluate("usdrigui.values()")
 
+    def points(self):
+        return np.array(self.page.evaluate("usdrigui.points()")).reshape(-1, 3)
+
+    def furthest(self, rig, expected):
+        """By how much a point that is shown is elsewhere than expected, at most, by the diagonal of all."""
+        shown = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in rig.body.meshes])
+        return np.abs(self.points() - expected)[shown].max() / np.linalg.norm(np.ptp(expected, axis=0))
+
     def moved(self, least=1e-6):
         return {name: value for name, value in self.values().items() if abs(value) > least}
 

@@ -91,14 +91,6 @@ def test_handle_drag_sets_the_control_and_moves_the_skin(shown):
     assert viewer.skin_shot() != before
 
 
-def assert_points_equal(viewer, rig, expected):
-    """The viewer's points are those of the library, as far as 16-bit steps allow."""
-    points = np.array(viewer.page.evaluate("usdrigui.points()")).reshape(-1, 3)
-    shown_points = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in rig.body.meshes])
-    diagonal = extent(expected)
-    assert np.abs(points - expected)[shown_points].max() <= 3e-5 * diagonal
-
-
 def test_the_animation_moves_joints_and_shapes_as_the_library_does(shown):
     """At every third of its samples; joints follow the animation, whatever the controls are."""
     viewer, rig, _, _ = shown
@@ -108,7 +100,8 @@ def test_the_animation_moves_joints_and_shapes_as_the_library_does(shown):
     for k in range(0, len(clip.times), max(1, len(clip.times) // 3)):
         viewer.page.evaluate("(frame) => usdrigui.app.timeline.go(frame)", float(clip.times[k]))
         viewer.settle()
-        assert_points_equal(viewer, rig, deform(at_sample(rig, k)))
+        far = viewer.furthest(rig, deform(at_sample(rig, k)))
+        assert far <= 3e-5, "as far as 16-bit steps allow"
 
 
 def at_sample(rig, k):

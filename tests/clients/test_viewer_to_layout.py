@@ -141,7 +141,7 @@ def test_a_saved_layer_moves_the_character_in_usd(viewer, asset, tmp_path):
             viewer.page.keyboard.press("ArrowRight")
         viewer.page.keyboard.press("k")
         viewer.settle()
-        shown[frame] = np.array(viewer.page.evaluate("usdrigui.points()")).reshape(-1, 3)
+        shown[frame] = viewer.points()
     path = viewer.saved("Save animation layer", tmp_path / "animation.usda")
     layer = Sdf.Layer.CreateAnonymous(".usda")
     layer.subLayerPaths = [str(path), str(source)]
