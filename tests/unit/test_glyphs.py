@@ -124,6 +124,7 @@ def de_casteljau(points, t):
 
 RNG = np.random.default_rng(3)
 VERTICES = RNG.normal(size=(7, 3))
+PINNED = np.array([2.0 * VERTICES[0] - VERTICES[1], *VERTICES, 2.0 * VERTICES[-1] - VERTICES[-2]])
 
 
 def fitted(points):
@@ -133,9 +134,22 @@ def fitted(points):
     return seen / np.linalg.norm(seen, axis=1).max()
 
 
-def test_bezier_pieces_are_followed(tmp_path):
-    glyph = glyph_of(tmp_path, curve("cubic", VERTICES))
-    true = [de_casteljau(VERTICES[k : k + 4], t) for k in (0, 3) for t in np.arange(6) / 6]
+@pytest.mark.parametrize(
+    ("basis", "pieces"),
+    [
+        ("bezier", [VERTICES[:4], VERTICES[3:]]),
+        (
+            "catmullRom",
+            [
+                [b, b + (c - a) / 6, c + (b - d) / 6, c]
+                for a, b, c, d in zip(PINNED, *(PINNED[k:] for k in (1, 2, 3)), strict=False)
+            ],
+        ),
+    ],
+)
+def test_pinned_pieces_are_followed(tmp_path, basis, pieces):
+    glyph = glyph_of(tmp_path, curve("cubic", VERTICES, wrap="pinned", basis=basis))
+    true = [de_casteljau(np.array(each), t) for each in pieces for t in np.arange(6) / 6]
     assert np.abs(glyph.points - fitted(np.array([*true, VERTICES[-1]]))).max() < 1e-6
 
 
@@ -144,7 +158,7 @@ def test_bezier_pieces_are_followed(tmp_path):
     [
         ("nonperiodic", [], []),
         ("periodic", [], VERTICES[:3]),
-        ("pinned", [2.0 * VERTICES[0] - VERTICES[1]], [2.0 * VERTICES[-1] - VERTICES[-2]]),
+        ("pinned", PINNED[:1], PINNED[-1:]),
     ],
 )
 def test_splines_are_followed(tmp_path, wrap, before, after):
@@ -182,6 +196,8 @@ def test_splines_are_followed(tmp_path, wrap, before, after):
         (ARROW.replace("[3]", "[4]"), {}, "TOPOLOGY_INVALID"),
         (ARROW.replace("[3]", "[]"), {}, "TOPOLOGY_INVALID"),
         (curve("linear", VERTICES, [6]), {}, "TOPOLOGY_INVALID"),
+        (curve("linear", VERTICES, [6, 1]), {}, "TOPOLOGY_INVALID"),
+        (ARROW.replace('"Arrow"', '"Arrow" (active = false)'), {}, "GLYPH_MISSING"),
         (curve("cubic", VERTICES[:6]), {}, "TOPOLOGY_INVALID"),
         (curve("cubic", VERTICES[:3], basis="bspline"), {}, "TOPOLOGY_INVALID"),
         (curve("cubic", VERTICES, basis="hermite"), {}, "GLYPH_TYPE"),

@@ -169,7 +169,7 @@ def _type(name: str) -> Any:
 
 def _is_fallback(declared: Property, value: Any) -> bool:
     if declared.type_name.endswith("[]"):
-        return len(value) == 0 and len(declared.fallback or ()) == 0
+        return len(value) == 0  # no array of the schema has another fallback
     told = settled(value, declared.type_name)
     return bool(usd_value(declared.type_name, told) == declared.fallback)
 

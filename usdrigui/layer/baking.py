@@ -301,8 +301,8 @@ def _listed(
     spec: Sdf.PrimSpec, name: str, read: Callable[[], Usd.Attribute], wanted: Iterable[str]
 ) -> list[str]:
     """The tokens of an animation, those that it lacks among the `wanted` added in the layer."""
-    attribute = read() if spec.specifier == Sdf.SpecifierOver else None
-    listed = list(map(str, attribute.Get() or ())) if attribute else []
+    there = read().Get() if spec.specifier == Sdf.SpecifierOver else None
+    listed = list(map(str, there or ()))
     missing = [each for each in wanted if each not in listed]
     if missing:
         author.put(spec, name, "token[]", [*listed, *missing], uniform=True)

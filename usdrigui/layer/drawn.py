@@ -407,5 +407,5 @@ def _uniform(shape: PointShape, count: int, step: float) -> PointShape:
 
 def in_steps(values: Floats, step: float) -> Floats:
     """Values rounded to whole numbers of the largest power of ten up to `step`."""
-    decimals = min(int(np.ceil(-np.log10(step))), 300) if step > 0.0 else 300
+    decimals = int(np.ceil(-np.log10(max(step, 1e-300))))
     return np.round(values, decimals) + 0.0  # no -0

@@ -209,5 +209,5 @@ def check_elements(scope: Usd.Prim, elements: tuple[Element, ...]) -> None:
 
 def integers_of(attribute: Usd.Attribute) -> Indices:
     """(n,) what an array of USD's own schemas holds; empty for any other type."""
-    values = value_at(attribute, Usd.TimeCode.Default()) if attribute else None
+    values = value_at(attribute, Usd.TimeCode.Default())
     return np.array(values if isinstance(values, Vt.IntArray) else (), dtype=np.int64)

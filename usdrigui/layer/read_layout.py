@@ -210,9 +210,9 @@ def _brings_layout(layer: Sdf.Layer, sublayer: str) -> bool:
     return found is not None and not len(found.subLayerPaths) and bool(layout_paths(found))
 
 
-def _is_layout(spec: Sdf.PrimSpec | None) -> bool:
+def _is_layout(spec: Sdf.PrimSpec) -> bool:
     """Whether a layer itself marks the prim as a layout."""
-    applied = spec.GetInfo("apiSchemas") if spec is not None else None
+    applied = spec.GetInfo("apiSchemas")
     return isinstance(applied, Sdf.TokenListOp) and any(
         map(schema.is_layout, applied.GetAppliedItems())
     )

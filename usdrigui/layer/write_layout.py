@@ -200,8 +200,7 @@ def author_metadata(layer: Sdf.Layer, metadata: Mapping[str, Any], laid: Laid) -
         if key in metadata:
             value = metadata[key]
             # Some exporters write metersPerUnit as float, which USD's own API then refuses to read.
-            number = isinstance(value, (int, float)) and not isinstance(value, bool)
-            root.SetInfo(key, float(value) if number else value)
+            root.SetInfo(key, float(value) if isinstance(value, (int, float)) else value)
     root.SetInfo("customLayerData", {SIGNATURE: {"version": __version__}})
 
 

@@ -127,7 +127,7 @@ def default_joint_drafts(
 
 def ignored_motion(root: str, joints: tuple[Joint, ...], clip: Clip | None) -> tuple[Issue, ...]:
     """A note on joints that the animation translates or scales, which no joint control can do."""
-    if clip is None or not joints:
+    if clip is None:
         return ()
     places, rows = clip.locals[:, :, 3, :3], np.linalg.norm(clip.locals[:, :, :3, :3], axis=-1)
     size = float(np.abs(places).max(initial=0.0))

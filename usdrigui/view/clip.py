@@ -40,7 +40,7 @@ def reading(control: Control) -> ClipReading | None:
     drive = control.drive
     per_unit = 1.0 / float(drive.values[-1] - drive.values[0])
     rises = (drive.weights[-1] - drive.weights[0]) * per_unit
-    if control.kind == "blendShape" and len(rises) and rises[0]:
+    if control.kind == "blendShape" and rises[:1].any():
         pairs = zip(drive.channels.tolist(), rises.tolist(), strict=True)
         return ClipReading(tuple(pairs), -1, np.zeros(3))
     if control.kind == "joint" and len(drive.joints) == 1:
