@@ -140,7 +140,7 @@ def test_numbers_are_those_of_the_annotations():
     assert same(decode(sent(replace(TREE, pair=(np.int64(1), 2))), Tree), TREE)
 
 
-@pytest.mark.parametrize("forged", [["|O8", [3], 0], ["<i8", [-1], 0], ["<i8", [3], 64], ["<i8", [3.0], 0]])
+@pytest.mark.parametrize("forged", [["|O8", [3], 0], ["<i8", [-1], 0]])
 def test_arrays_that_are_never_written_are_never_made(forged):
     stream = bytearray(sent(TREE))
     magic, length, total, _ = _PREAMBLE.unpack_from(stream)
