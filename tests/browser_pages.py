@@ -130,6 +130,12 @@ class Viewer:
         box = self.page.locator(".surface").bounding_box()
         return box["x"] + at[0], box["y"] + at[1]
 
+    def click(self, button, exact=False):
+        self.page.get_by_role("button", name=button, exact=exact).click()
+
+    def key(self, name):
+        self.page.keyboard.press(name)
+
     def press(self, at):
         self.page.mouse.move(*self.on_page(at))
         self.page.mouse.down()

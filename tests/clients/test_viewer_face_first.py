@@ -58,8 +58,8 @@ def test_a_handle_of_the_board_is_dragged_where_it_is_drawn(shown, size):
 
 def test_the_first_handle_is_two_tab_stops_away(shown):
     viewer = shown("desk")
-    viewer.page.keyboard.press("Tab")
-    viewer.page.keyboard.press("Tab")
+    viewer.key("Tab")
+    viewer.key("Tab")
     assert viewer.page.evaluate("document.activeElement.dataset.element")
 
 
@@ -162,7 +162,7 @@ def test_what_is_always_needed_is_in_sight_and_the_rest_is_in_a_menu(opened, tmp
         assert box["x"] + box["width"] <= size[0], name
     tag = "[...document.querySelectorAll('.side-tag')].map((each) => getComputedStyle(each).color)"
     assert viewer.page.evaluate(tag) == ["rgb(244, 245, 247)"] * 2, "words are not in the colours of marks"
-    viewer.page.get_by_role("button", name="Symmetry", exact=True).click()
+    viewer.click("Symmetry", exact=True)
     assert viewer.page.evaluate("usdrigui.app.session.options.symmetric")
 
 
@@ -209,7 +209,7 @@ def test_a_question_mark_shows_the_keys(shown):
     viewer = shown("desk")
     shown = viewer.page.locator(".help")
     for visible in (True, False):
-        viewer.page.keyboard.press("?")
+        viewer.key("?")
         assert shown.is_visible() == visible
 
 
@@ -217,16 +217,16 @@ def test_the_frames_of_a_page_without_a_clip_are_set_undone_and_kept(shown):
     viewer = shown("desk")
     ends = "usdrigui.app.session.range"
     viewer.page.get_by_label("First frame", exact=True).fill("101")
-    viewer.page.keyboard.press("Enter")
+    viewer.key("Enter")
     assert viewer.page.evaluate(ends) == [101, 148], "the last frame goes along"
     viewer.page.get_by_label("Last frame", exact=True).fill("150")
-    viewer.page.keyboard.press("Enter")
+    viewer.key("Enter")
     assert viewer.page.evaluate(ends) == [101, 150]
     viewer.page.locator(".surface").focus()
-    viewer.page.keyboard.press("Control+z")
+    viewer.key("Control+z")
     assert viewer.page.evaluate(ends) == [101, 148]
     viewer.page.reload()
     viewer.until("window.usdrigui !== undefined", 60.0)
     assert viewer.page.evaluate(ends) == [1, 48]
-    viewer.page.get_by_role("button", name="Restore").click()
+    viewer.click("Restore")
     assert viewer.page.evaluate(ends) == [101, 148]

@@ -51,14 +51,14 @@ def test_escape_takes_the_drag_back(viewer):
     viewer.press(element["handle"])
     viewer.glide(element["handle"], on_track(element["tracks"][0], 0.8))
     assert viewer.moved()
-    viewer.page.keyboard.press("Escape")
+    viewer.key("Escape")
     viewer.page.mouse.up()
     viewer.settle()
     assert viewer.moved() == {}
 
 
 def test_symmetric_drag_moves_the_twin(viewer):
-    viewer.page.get_by_role("button", name="Symmetry").click()
+    viewer.click("Symmetry")
     drag_half_way(viewer)
     assert viewer.moved() == pytest.approx({"brow_L": 0.5, "brow_R": 0.5}, abs=1e-3)
 
@@ -80,7 +80,7 @@ def test_marquee_selects_and_zero_clears(viewer):
     viewer.page.keyboard.down("Shift")
     viewer.drag(start, end)
     viewer.page.keyboard.up("Shift")
-    viewer.page.keyboard.press("0")
+    viewer.key("0")
     viewer.settle()
     assert viewer.moved() == pytest.approx({"smile_L": 0.3})
 
@@ -124,7 +124,7 @@ def test_pulled_skin_follows_the_pointer(viewer):
 
 def test_lock_sends_the_pull_to_others(viewer):
     viewer.unfold()
-    viewer.page.get_by_role("button", name="Lock smile_L").click()
+    viewer.click("Lock smile_L")
     start = skin_point(viewer, 0.4, -0.36)
     viewer.drag(start, [start[0] + 14, start[1] - 14])
     assert "smile_L" not in viewer.moved()
@@ -135,7 +135,7 @@ def test_pin_holds_its_point(viewer):
     start = skin_point(viewer, 0.22, -0.22)
     viewer.drag(start, [start[0], start[1] - 10])
     free = viewer.values()
-    viewer.page.keyboard.press("Control+z")
+    viewer.key("Control+z")
     viewer.page.keyboard.down("Shift")
     viewer.page.mouse.click(*viewer.on_page(skin_point(viewer, 0.34, -0.52)))
     viewer.page.keyboard.up("Shift")
@@ -167,7 +167,7 @@ def test_empty_space_orbits_and_sides_are_named_from_behind(viewer):
     assert ["right" in names.nth(0).inner_text(), "left" in names.nth(1).inner_text()] == [True, True]
     viewer.drag([20, 20], [160, 40])
     assert viewer.page.evaluate("usdrigui.app.view.camera.azimuth") < -0.5
-    viewer.page.get_by_role("button", name="View: Back").click()
+    viewer.click("View: Back")
     viewer.settle()
     assert ["left" in names.nth(0).inner_text(), "right" in names.nth(1).inner_text()] == [True, True]
     assert viewer.moved() == {}
@@ -179,9 +179,9 @@ def test_empty_space_orbits_and_sides_are_named_from_behind(viewer):
 def test_undo_and_redo(viewer):
     drag_half_way(viewer)
     after = viewer.values()
-    viewer.page.keyboard.press("Control+z")
+    viewer.key("Control+z")
     assert viewer.moved() == {}
-    viewer.page.keyboard.press("Control+Shift+Z")
+    viewer.key("Control+Shift+Z")
     assert viewer.values() == after
 
 
@@ -196,7 +196,7 @@ def test_hover_shows_label_and_heat(viewer):
 
 
 def test_covered_handles_are_out_of_reach_unless_overlaid(viewer):
-    viewer.page.get_by_role("button", name="View: Back").click()
+    viewer.click("View: Back")
     viewer.settle()
     assert viewer.element("pucker")["hidden"]
     viewer.option("occlusion", "overlay")
@@ -214,18 +214,18 @@ def test_static_elements_stay_and_deforming_ones_follow(viewer):
 def test_f_looks_closely_and_goes_back(viewer):
     camera = "(({ target, towards, distance }) => [...target, ...towards, distance])(usdrigui.app.view.camera)"
     before = viewer.page.evaluate(camera)
-    viewer.page.keyboard.press("f")
+    viewer.key("f")
     assert viewer.page.evaluate(camera)[6] < before[6]
-    viewer.page.keyboard.press("f")
+    viewer.key("f")
     assert viewer.page.evaluate(camera) == pytest.approx(before)
-    viewer.page.keyboard.press("f")
-    viewer.page.keyboard.press("4")
-    viewer.page.keyboard.press("f")
+    viewer.key("f")
+    viewer.key("4")
+    viewer.key("f")
     assert viewer.page.evaluate(camera) != pytest.approx(before)
 
 
 def test_copy_beside_the_clean_face(viewer):
-    viewer.page.get_by_role("button", name="On copy", exact=True).click()
+    viewer.click("On copy", exact=True)
     viewer.settle()
     drag_half_way(viewer)
     assert viewer.moved() == pytest.approx({"brow_L": 0.5}, abs=1e-3)
@@ -238,7 +238,7 @@ def test_copy_beside_the_clean_face(viewer):
 
 def loaded(viewer, path):
     with viewer.page.expect_file_chooser() as chooser:
-        viewer.page.get_by_role("button", name="Load…").click()
+        viewer.click("Load…")
     chooser.value.set_files(path)
     viewer.until("!document.querySelector('.notice').hidden")
     viewer.settle()
@@ -263,7 +263,7 @@ def test_other_json_is_refused_in_words(viewer, tmp_path):
 
 def test_keys_out_as_a_usd_layer_and_in_again(viewer, tmp_path):
     """A drag keys when auto-key is on; USD reads the samples; the viewer reads its own layer again."""
-    viewer.page.get_by_role("button", name="Auto-key").click()
+    viewer.click("Auto-key")
     drag_half_way(viewer)
     viewer.page.evaluate("usdrigui.app.timeline.go(11)")
     viewer.set(brow_L=1.0, pucker=0.5)
@@ -315,10 +315,10 @@ def test_evaluation_measures_as_the_paper_does(study, tmp_path):
     agree(viewer.page)
     assert "1 of the poses given" in viewer.page.locator(".evaluation").inner_text()
     viewer.page.get_by_label("Participant number").fill("2")
-    viewer.page.get_by_role("button", name="Start").click()
+    viewer.click("Start")
     viewer.settle()
     assert viewer.page.evaluate("usdrigui.app.view.columns.map(({ kind }) => kind)") == ["target", "controls"]
-    viewer.page.keyboard.press("s")
+    viewer.key("s")
     assert not viewer.page.evaluate("usdrigui.app.session.options.symmetric"), "no shortcut helps in a trial"
     shown = viewer.page.locator("button:visible").all_inner_texts()
     assert sorted(shown) == ["Done", "Pause", "Stop"], "nothing else can be pressed in a trial"
@@ -329,7 +329,7 @@ def test_evaluation_measures_as_the_paper_does(study, tmp_path):
         "() => { const { session, evaluation } = usdrigui.app; session.set([...evaluation.running.target.entries()]); }"
     )
     done.click()
-    viewer.page.get_by_role("button", name="Stop").click()
+    viewer.click("Stop")
     path = viewer.saved("Save CSV", tmp_path / "evaluation-2.csv")
     heads, *rows = [line.split(",") for line in path.read_text().splitlines()]
     first, second = (dict(zip(heads, row, strict=True)) for row in rows)

@@ -25,7 +25,7 @@ def keyed(viewer):
 def key(viewer, frame, **values):
     viewer.page.evaluate("(frame) => usdrigui.app.timeline.go(frame)", frame)
     viewer.set(**values)
-    viewer.page.keyboard.press("k")
+    viewer.key("k")
 
 
 def drag(page, start, end):
@@ -126,13 +126,13 @@ def test_a_tween_lies_between_the_keys_around(viewer):
     tween = viewer.page.get_by_label("Tween between the keys before and after")
     tween.fill("75")
     assert viewer.moved() == pytest.approx({"brow_L": 0.5})
-    viewer.page.keyboard.press("Control+z")
+    viewer.key("Control+z")
     assert viewer.moved() == pytest.approx({"brow_L": 0.32})
 
 
 def test_a_pose_is_copied_pasted_flipped_and_mirrored(viewer):
     def act(name):
-        viewer.page.get_by_role("button", name=name, exact=True).click()
+        viewer.click(name, exact=True)
 
     pose = {"brow_L": 0.3, "smile_R": 0.6, "pucker": 0.5}
     viewer.set(**pose)
@@ -144,7 +144,7 @@ def test_a_pose_is_copied_pasted_flipped_and_mirrored(viewer):
     act("Paste")
     assert viewer.moved() == pytest.approx(pose)
     for _ in range(3):
-        viewer.page.keyboard.press("Control+z")
+        viewer.key("Control+z")
     assert viewer.moved() == pytest.approx(pose)
 
 

@@ -34,25 +34,25 @@ def test_members_are_not_shown_at_first(viewer):
 def test_opening_shows_the_members_on_both_sides_and_closing_hides_them(viewer):
     first = shown(viewer)
     select(viewer, "smile_L")
-    viewer.page.keyboard.press("m")
+    viewer.key("m")
     assert shown(viewer) == first - {"smile_L", "smile_R"} | {"sneer_L", "sneer_R"}
     select(viewer, "sneer_L")
-    viewer.page.keyboard.press("m")
+    viewer.key("m")
     assert shown(viewer) == first
 
 
 def test_the_inspector_opens_and_closes(viewer):
     select(viewer, "pucker")
-    viewer.page.get_by_role("button", name="Open: 1 members").click()
+    viewer.click("Open: 1 members")
     assert "chin" in shown(viewer)
     assert "pucker" not in shown(viewer)
-    viewer.page.get_by_role("button", name="Close pucker").click()
+    viewer.click("Close pucker")
     assert "pucker" in shown(viewer)
 
 
 def test_a_member_works_like_any_handle(viewer):
     select(viewer, "pucker")
-    viewer.page.keyboard.press("m")
+    viewer.key("m")
     viewer.settle()
     chin = viewer.element("chin")
     viewer.drag(chin["handle"], chin["tracks"][0][-1])
@@ -71,5 +71,5 @@ def test_the_list_finds_a_member_and_tab_passes_by_what_is_not_shown(viewer):
 def test_without_members_the_key_opens_nothing(viewer):
     first = shown(viewer)
     select(viewer, "brow_L")
-    viewer.page.keyboard.press("m")
+    viewer.key("m")
     assert shown(viewer) == first

@@ -77,7 +77,7 @@ def test_every_element_of_the_layout_is_in_the_picture_of_its_part(shown):
 def test_handle_drag_sets_the_control_and_moves_the_skin(shown):
     viewer, rig, _, name = shown
     control = next(each for each in rig.controls if each.name == name)
-    viewer.page.keyboard.press("f")  # closer: a crowded face beside a large board has tracks of a few pixels
+    viewer.key("f")  # closer: a crowded face beside a large board has tracks of a few pixels
     before = viewer.skin_shot()
     element = element_of(viewer, name)
     member = element["controls"].index(name)

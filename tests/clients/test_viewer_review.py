@@ -90,10 +90,10 @@ def reviewed(viewer, folder):
     viewer.page.evaluate("usdrigui.app.timeline.go(6)")
     viewer.page.evaluate("usdrigui.app.view.home(0.7, 0.1)")
     viewer.set(brow_L=0.75)
-    viewer.page.keyboard.press("n")
-    viewer.page.get_by_role("button", name="Draw").click()
+    viewer.key("n")
+    viewer.click("Draw")
     draw(viewer, chin(viewer))
-    viewer.page.get_by_role("button", name="Draw").click()
+    viewer.click("Draw")
     viewer.page.get_by_label("Comment of note 1").fill('More of "this" here,\nless < there')
     return viewer.saved("Save review", folder / "review.usda")
 
@@ -178,9 +178,9 @@ def test_a_review_is_a_layer_that_usd_opens_over_the_character(shown, pages, tmp
 def test_notes_are_undone_and_offered_back_like_all_work(shown, pages, tmp_path):
     path = reviewed(shown(pages()), tmp_path)
     viewer = shown(pages(path))
-    viewer.page.get_by_role("button", name="Add note").click()
+    viewer.click("Add note")
     viewer.page.keyboard.type("Mine")
-    viewer.page.get_by_role("button", name="Take note 1 away").click()
+    viewer.click("Take note 1 away")
     assert [each["text"] for each in notes(viewer)] == ["Mine"]
     viewer.page.reload()
     viewer.until("window.usdrigui !== undefined", 60.0)
@@ -190,5 +190,5 @@ def test_notes_are_undone_and_offered_back_like_all_work(shown, pages, tmp_path)
     offer.get_by_role("button", name="Restore").click()
     assert [each["text"] for each in notes(viewer)] == ["Mine"], "what was taken away does not come back with the page"
     viewer.page.locator(".surface").focus()
-    viewer.page.keyboard.press("Control+z")
+    viewer.key("Control+z")
     assert [each["frame"] for each in notes(viewer)] == [6]

@@ -80,7 +80,7 @@ def test_a_symmetric_pull_never_moves_the_jaw_to_one_side(viewer):
     viewer.option("handles", False)
     viewer.drag(start, [start[0] + 25, start[1] - 12])
     assert viewer.moved(0.02).keys() >= {"jawLeft"}
-    viewer.page.keyboard.press("Control+z")
+    viewer.key("Control+z")
     viewer.option("symmetric", True)
     viewer.drag(start, [start[0] + 25, start[1] - 12])
     moved = viewer.moved(0.02)
@@ -108,10 +108,10 @@ def test_scrubbing_shows_the_animation(viewer):
 
 
 def test_space_plays_and_stops(viewer):
-    viewer.page.keyboard.press("Space")
+    viewer.key("Space")
     viewer.until("usdrigui.app.timeline.frame >= 6")
     playing = viewer.values()["pucker"]
-    viewer.page.keyboard.press("Space")
+    viewer.key("Space")
     viewer.settle()
     frame = viewer.page.evaluate("usdrigui.app.timeline.frame")
     viewer.page.wait_for_timeout(150)
@@ -124,7 +124,7 @@ def test_space_plays_and_stops(viewer):
 
 def test_the_pose_goes_to_the_clipboard(viewer):
     viewer.set(brow_L=0.25)
-    viewer.page.get_by_role("button", name="Copy JSON").click()
+    viewer.click("Copy JSON")
     viewer.until("document.querySelector('.notice').innerText === 'Pose copied'")
     copied = json.loads(viewer.page.evaluate("navigator.clipboard.readText()"))
     assert copied["values"] == {"brow_L": 0.25}
@@ -136,9 +136,9 @@ def test_numbers_of_the_selection_are_entered_and_undone(viewer):
     field.fill("0.375")
     field.press("Tab")
     assert viewer.moved() == pytest.approx({"brow_L": 0.375})
-    viewer.page.get_by_role("button", name="Undo").click()
+    viewer.click("Undo")
     assert viewer.moved() == {}
-    viewer.page.get_by_role("button", name="Redo").click()
+    viewer.click("Redo")
     assert viewer.moved() == pytest.approx({"brow_L": 0.375})
 
 
@@ -170,19 +170,19 @@ def test_others_fade_while_one_is_dragged_unless_told_not_to(viewer):
         assert (during < 0.6 * still) == fade
         assert during > 0.05 * still
         assert during <= share * still + 1e-6
-        viewer.page.keyboard.press("Control+z")
+        viewer.key("Control+z")
 
 
 def test_hidden_elements_are_neither_drawn_nor_caught_until_shown_again(viewer):
     element = viewer.element("brow_R")
     viewer.page.mouse.click(*viewer.on_page(element["handle"]))
-    viewer.page.get_by_role("button", name="Hide", exact=True).click()
+    viewer.click("Hide", exact=True)
     viewer.option("skinDrag", False)
     assert viewer.marks_at(element["handle"]) == 0.0
     viewer.drag(element["handle"], on_track(element["tracks"][0], 0.5))
     assert viewer.moved() == {}
     viewer.page.evaluate("usdrigui.app.view.home()")
-    viewer.page.get_by_role("button", name="Show hidden elements").click()
+    viewer.click("Show hidden elements")
     viewer.settle()
     again = viewer.element("brow_R")
     viewer.drag(again["handle"], on_track(again["tracks"][0], 0.5))

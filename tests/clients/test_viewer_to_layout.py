@@ -136,10 +136,10 @@ def test_a_saved_layer_moves_the_character_in_usd(viewer, asset, tmp_path):
         # One that is covered is reached by the keyboard.
         name = viewer.page.evaluate("usdrigui.elements()")[0]["name"]
         viewer.page.locator(f".stops [data-element='{name}']").focus()
-        viewer.page.keyboard.press("Home")
+        viewer.key("Home")
         for _ in range(round(50 * share)):
-            viewer.page.keyboard.press("ArrowRight")
-        viewer.page.keyboard.press("k")
+            viewer.key("ArrowRight")
+        viewer.key("k")
         viewer.settle()
         shown[frame] = viewer.points()
     path = viewer.saved("Save animation layer", tmp_path / "animation.usda")

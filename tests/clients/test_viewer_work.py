@@ -36,7 +36,7 @@ def key_chin(viewer):
     """Chin at .5 on frame 6, keyed, and brow_L at .25, which nothing animates."""
     go(viewer, 6)
     viewer.set(chin=0.5)
-    viewer.page.keyboard.press("k")
+    viewer.key("k")
     viewer.set(brow_L=0.25)
 
 
@@ -52,7 +52,7 @@ def test_another_character_and_back_keeps_pose_keys_and_undo(viewer):
     assert viewer.moved() == pytest.approx(WORK)
     assert ticks(viewer) == 1
     for _ in range(3):
-        viewer.page.keyboard.press("Control+z")
+        viewer.key("Control+z")
     assert (viewer.moved(), ticks(viewer)) == (pytest.approx({"pucker": 0.5}), 0)
     choose(viewer, "/Two")
     assert viewer.moved() == {"chin": 1.0}
@@ -114,7 +114,7 @@ def test_a_browser_that_keeps_nothing_is_reported_before_work_is_lost(opened, pa
     viewer.page.mouse.click(5, 5)
     viewer.set(chin=0.5)
     with viewer.page.expect_download():
-        viewer.page.get_by_role("button", name="Save JSON").click()
+        viewer.click("Save JSON")
     reload(viewer)
     assert asked == ["beforeunload"], "what is saved to a file is not lost"
 
@@ -128,7 +128,7 @@ def test_unkeyed_changes_end_with_the_frame_by_word_and_come_back_by_undo(viewer
     notice = viewer.page.locator(".notice")
     assert notice.inner_text() == "pucker of frame 6 not keyed and left behind · Ctrl+Z goes back"
     go(viewer, 8)
-    viewer.page.keyboard.press("Control+z")
+    viewer.key("Control+z")
     assert viewer.page.locator("output.frame").inner_text() == "6"
     assert viewer.moved() == pytest.approx({"pucker": 0.9, "chin": 0.3})
 
@@ -148,7 +148,7 @@ def test_reset_reaches_the_neutral_pose_from_every_frame(opened, tmp_path):
     for frame in (3, 10):
         go(viewer, frame)
         assert off() > 0.05
-        viewer.page.get_by_role("button", name="Reset all").click()
+        viewer.click("Reset all")
         assert off() < 1e-4
-        viewer.page.keyboard.press("Control+z")
+        viewer.key("Control+z")
         assert off() > 0.05
