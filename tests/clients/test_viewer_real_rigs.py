@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from browser_pages import Viewer
 from folders import ASSETS, SAMPLE
-from laid_out import extent
 from makers import changed
 
 from usdrigui import pipeline
