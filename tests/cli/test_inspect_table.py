@@ -92,6 +92,15 @@ def test_a_finding_is_one_line_of_two_sentences():
     assert line.endswith(f"very little. {found.repair}")
 
 
+def test_findings_with_one_repair_say_it_once():
+    tiny = [errors.issue("CONTROL_TINY", name, f"moves {name}") for name in ("chin", "jaw")]
+    found = [*tiny, errors.issue("LAYOUT_TOPOLOGY", "/r", "a")]
+    *lines, repair, last = issue_lines(found)
+    assert lines == ["info: CONTROL_TINY chin: moves chin", "info: CONTROL_TINY jaw: moves jaw"]
+    assert repair == f"  repair: {tiny[0].repair}"
+    assert last.endswith(f"a. {found[-1].repair}")
+
+
 def test_a_finding_that_many_elements_share_is_one_line():
     (line,) = issue_lines(errors.issue("LAYOUT_TOPOLOGY", f"/r{i}", "a") for i in range(6))
     assert line.startswith("error: LAYOUT_TOPOLOGY /r0, /r1, /r2 and 3 more: a.")

@@ -6,6 +6,8 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import groupby
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 from usdrigui.cli.terminal.table import Table
@@ -48,10 +50,16 @@ def closing_line(report: Report) -> str:
 
 
 def issue_lines(issues: Iterable[Issue]) -> Iterator[str]:
-    """One line of two sentences for each cause."""
-    for found in by_cause(issues):
-        where = f" {found.where}:" if found.where else ""
-        yield f"{found.severity}: {found.code}{where} {sentences(found)}"
+    """One line of two sentences for each cause; of several with one repair that comes once, after
+    them."""
+    for repair, group in groupby(by_cause(issues), key=attrgetter("repair")):
+        same = list(group)
+        for found in same:
+            where = f" {found.where}:" if found.where else ""
+            what = sentences(found) if len(same) == 1 else found.message
+            yield f"{found.severity}: {found.code}{where} {what}"
+        if len(same) > 1:
+            yield f"  repair: {repair}"
 
 
 def matching_lines(which: str, found: Matching) -> Iterator[str]:
