@@ -31,8 +31,8 @@ _FLAT = (FACE, EYES, HEAD, INTERIOR)
 
 _HEAD = frozenset({"head", "頭"})
 LIMB = 3
-"""Joints with skin of an arm or a leg; two such, beside the spine, hands and feet, make a body, and
-one neck and shoulders."""
+"""Joints with skin of an arm or a leg; two such, beside the spine, hands and feet, make a body. As
+many outside of the head are the neck and shoulders of a bust."""
 _LOW = 0.2
 """Share of a character's height below which chains side by side are toes."""
 
