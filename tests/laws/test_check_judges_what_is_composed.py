@@ -309,6 +309,17 @@ def test_any_shot_and_its_flattened_copy_are_judged_alike(seed, folder):
     assert judged(saved(stage)) == judged(flattened(stage, folder))
 
 
+def test_what_is_on_the_board_alone_fits_its_rig(tmp_path):
+    """There pairs are on one side of the plane, and the track of a joint that turns far round is straight."""
+    jaw = {"axes": ["x"], "minimum": -20.0, "maximum": 340.0}
+    asset, rig = skinned_stages.read(tmp_path)
+    layer, names = tmp_path / "char.rigui.usda", (*rig.control_names, "Jaw:rx")
+    said = {"joints": {"Hips/Head/Jaw": jaw}, "controls": {name: {"place": "board"} for name in names}}
+    settings = usdrigui.load_settings(said)
+    usdrigui.process(asset, settings, output=layer)
+    assert [each for each in usdrigui.check(layer, settings).issues if each.severity == "error"] == []
+
+
 def judged_open(stage):
     """The same of an open stage, by character: edits of it may leave USD's order of prims behind."""
     try:

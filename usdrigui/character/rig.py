@@ -113,6 +113,17 @@ class Body(Record):
         """Index of the Skeleton that a skin hangs on."""
         return self.joints[int(skin.joints[0, 0])].skeleton
 
+    def bound_to(self, mesh: RigMesh) -> int:
+        """Index of the Skeleton that a mesh is bound to: its joints', else the one whose animation
+        drives its shapes; -1 where there is none."""
+        if mesh.skin is not None:
+            return self.skeleton_of(mesh.skin)
+        animations = {self.channels[shape.channel].animation for shape in mesh.shapes} - {""}
+        for index, skeleton in enumerate(self.skeletons):
+            if skeleton.animation in animations:
+                return index
+        return 0 if self.skeletons else -1
+
     def mesh_of(self, point: int) -> tuple[int, int]:
         """Mesh index and local point of a point."""
         starts = self.starts

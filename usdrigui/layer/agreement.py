@@ -62,6 +62,8 @@ _LIFTED = 0.15
 """Of a handle's width: so far from its lift may the middle of a handle be."""
 CLEAR = 0.5
 """Cosine beyond which two directions are one, or opposite."""
+_PIECES = 4
+"""Of each step of a straight track: joints take points along arcs, a whole turn at most."""
 _HALF = 0.5
 """Of its range: so far every control is from the base pose where all are."""
 
@@ -258,7 +260,10 @@ def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterat
     """What is wrong with an element while one of its controls goes along its track."""
     subject = scene.rig.controls[control]
     start, now = sweep_start(scene.rig, scene.base, scene.base_values, control)
-    moved, offsets = sweep(scene.rig, start, control, [subject.default, now, *member.values])
+    pieces = _PIECES if drawn.element.anchor.on_board and len(subject.drive.joints) else 1
+    steps = np.arange(pieces * (len(member.values) - 1) + 1)
+    values = np.interp(steps, steps[::pieces], member.values)
+    moved, offsets = sweep(scene.rig, start, control, [subject.default, now, *values])
     if _worst(offsets[0]) > scene.grain + _EXACT * drawn.width:
         what = f"rigUI:control:*:keys of {member.control!r} move the character at its default"
         yield invalid_at(drawn.prim, what)
@@ -266,7 +271,7 @@ def _alone(scene: _Scene, drawn: _Drawn, member: Member, control: int) -> Iterat
     far = (ways * (scene.uses[moved] == 0)).max(initial=0.0)
     yield from _lengths(scene, drawn, member, subject.maximum - subject.minimum, far)
     motion = np.zeros((len(member.values), len(scene.base.points), 3))
-    motion[:, moved] = offsets[2:] - offsets[1]
+    motion[:, moved] = offsets[2::pieces] - offsets[1]
     yield from _along(scene, drawn, member, motion, slides(scene.rig.body, subject.drive))
 
 

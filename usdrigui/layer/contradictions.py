@@ -126,7 +126,7 @@ def _of_layout(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
     away = [
         layout.frame.plane.distance(each.anchor.position)
         for each in layout.elements
-        if each.mirror and layout.frame.mirrors(each.part)
+        if each.mirror and not each.anchor.on_board and layout.frame.mirrors(each.part)
     ]
     if away and min(away) * max(away) >= 0.0:
         yield invalid_at(scope, "rigUI:layout:planeOrigin: all pairs are on one side of the plane")

@@ -126,7 +126,7 @@ class SkinBinding:
         follows = following(self.rig, element, self._all_of)
         held = [self.rig.controls[each] for each in follows.held.tolist()]
         deforms = follows.deforms
-        skeleton, skin = _skeleton_of(body, mesh), mesh.skin
+        skeleton, skin = body.bound_to(mesh), mesh.skin
         moving = influences(skin, point)
         if follows.joint >= 0:
             moving = np.array([follows.joint]), np.ones(1)
@@ -188,22 +188,10 @@ def _to_rest(body: Body, mesh: RigMesh) -> Floats:
     skin = mesh.skin
     if skin is None:
         return mesh.to_root[:, :3]
-    skeleton = body.skeletons[_skeleton_of(body, mesh)]
+    skeleton = body.skeletons[body.bound_to(mesh)]
     if abs(np.linalg.det(skeleton.to_root[:3, :3])) < 1e-30:
         raise refuse("SKELETON_INVALID", skeleton.path, "its transform collapses space")
     return (skin.geom_bind @ skeleton.to_root)[:, :3]
-
-
-def _skeleton_of(body: Body, mesh: RigMesh) -> int:
-    """The Skeleton that a mesh is bound to: its joints', else the one whose animation drives its
-    shapes."""
-    if mesh.skin is not None:
-        return body.skeleton_of(mesh.skin)
-    animations = [body.channels[shape.channel].animation for shape in mesh.shapes]
-    for index, skeleton in enumerate(body.skeletons):
-        if skeleton.animation and skeleton.animation in animations:
-            return index
-    return 0 if body.skeletons else -1
 
 
 def influences(skin: Skin | None, point: int) -> tuple[Indices, Floats]:

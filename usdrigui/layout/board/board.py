@@ -14,8 +14,8 @@ from typing import Literal
 
 import numpy as np
 
-from usdrigui.character import Control, Floats, Record
-from usdrigui.layout.board.board_place import anchor_point, silhouette
+from usdrigui.character import Control, Floats, Indices, Record
+from usdrigui.layout.board.board_place import carrier_of, carriers, silhouette
 from usdrigui.layout.face import Face
 from usdrigui.layout.glyph_fitting import fitted_glyph
 from usdrigui.layout.names import common_label
@@ -69,7 +69,7 @@ def board_elements(
     left = silhouette(face, middle, frame, 0.5 * height) + _MARGIN * width
     others = _boards(requests, middle @ frame[1], 0.5 * height, frame[1])
     left = max([left, *(_right_end(each, frame, width) for each in others)])
-    drawing = _Drawing(face, requests, frame, anchor_point(face, middle), adapt)
+    drawing = _Drawing(face, requests, frame, carriers(face, middle), adapt)
     elements = []
     for column in columns:
         cells = _cell_widths(face.rig.controls, [row for _, row in column])
@@ -170,8 +170,8 @@ class _Drawing(Record):
     requests: Requests
     frame: Floats
     """(2, 3) right and up."""
-    carrier: int
-    """The point whose joint influences the board takes."""
+    carriers: Indices
+    """(n,) the points whose joint influences the board may take, the best one first."""
     adapt: Adapt
 
 
@@ -183,7 +183,8 @@ def _element(
         place = place - drawing.frame[1] * _ROW * face.handle_width
     other = row[1 - row.index(entry)].name if len(row) == 2 else ""
     toward, side = face.views.directions[0], _side(face, entry, row)
-    anchor = replace(face.anchor(drawing.carrier), position=place, normal=toward, on_board=True)
+    carrier = carrier_of(face.rig, entry.controls, drawing.carriers)
+    anchor = replace(face.anchor(carrier), position=place, normal=toward, on_board=True)
     length = _TRACK * face.handle_width * (1.0 if len(entry.controls) == 1 else 0.5)
     members = tuple(
         _member(face, control, place, length, direction)

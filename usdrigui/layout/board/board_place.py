@@ -3,11 +3,14 @@ face."""
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 import numpy as np
 
-from usdrigui.character import Body, Floats, Indices, Skin
+from usdrigui.character import Floats, Indices, Rig
 from usdrigui.layout.face import Face
-from usdrigui.ties import first_largest
+from usdrigui.layout.motion.owned_skin import weights_of
+from usdrigui.layout.parts.joint_regions import owner_of_points
 
 
 def silhouette(face: Face, middle: Floats, frame: Floats, half: float) -> float:
@@ -21,41 +24,28 @@ def silhouette(face: Face, middle: Floats, frame: Floats, half: float) -> float:
     return float(near.max()) if len(near) else float(middle @ frame[0])
 
 
-def anchor_point(face: Face, middle: Floats) -> int:
-    """The point whose joint influences the board takes: of the joint that holds most of the face,
-    the point that it holds most firmly and that moves least, nearest to the middle of the face."""
+def carriers(face: Face, middle: Floats) -> Indices:
+    """(n,) all points, the best one to carry the board first: of the joint that holds most of the
+    face, the point that it holds most firmly and that moves least, nearest to the middle of the
+    face."""
     trajectories = face.trajectories
     total = np.zeros(len(trajectories.surface.points))
     for motion in trajectories.motions:
         total[motion.points] += motion.arc_length
-    firmness = _firmness(face.rig.body, trajectories.face_points)
+    owners = owner_of_points(face.rig.body.meshes)[trajectories.face_points]
+    most = int(np.bincount(owners[owners >= 0], minlength=1).argmax())
+    firmness = weights_of(face.rig.body, frozenset([most]))
     apart = np.linalg.norm(trajectories.surface.points - middle, axis=1)
     unit = trajectories.surface.face_size
-    order = np.lexsort(
-        (np.round(apart / unit, 6), np.round(total / unit, 6), -np.round(firmness, 3))
-    )
-    return int(order[0])
+    keys = np.round(apart / unit, 6), np.round(total / unit, 6), -np.round(firmness, 3)
+    return np.lexsort(keys)
 
 
-def _firmness(body: Body, face_points: Indices) -> Floats:
-    """(n,) weight of the joint that holds most of the face; 1 throughout without skins."""
-    if not body.joints:
-        return np.ones(sum(len(mesh.points) for mesh in body.meshes))
-    tables = [_joint_weights(mesh.skin, len(mesh.points), len(body.joints)) for mesh in body.meshes]
-    face = np.zeros(sum(map(len, tables)), dtype=bool)
-    face[face_points] = True
-    parts = (
-        face[start : start + len(table)] for start, table in zip(body.starts, tables, strict=False)
-    )
-    totals = sum(table[part].sum(axis=0) for table, part in zip(tables, parts, strict=True))
-    strongest = first_largest(totals)
-    return np.concatenate([table[:, strongest] for table in tables])
-
-
-def _joint_weights(skin: Skin | None, points: int, joints: int) -> Floats:
-    """(points, joints) influence of every joint on every point of a mesh."""
-    found = np.zeros((points, joints))
-    if skin is not None:
-        rows = np.repeat(np.arange(points), skin.joints.shape[1])
-        np.add.at(found, (rows, skin.joints.ravel()), skin.weights.ravel())
-    return found
+def carrier_of(rig: Rig, controls: Collection[int], carriers: Indices) -> int:
+    """The first carrier on a mesh whose SkelAnimation drives one of some controls, else the first
+    of all: only there a handle can slide with them."""
+    drives = [rig.controls[control].drive for control in controls]
+    animations = {rig.body.channels[i].animation for drive in drives for i in drive.channels}
+    skeletons = [rig.body.bound_to(mesh) for mesh in rig.body.meshes]
+    slides = [i >= 0 and rig.body.skeletons[i].animation in animations for i in skeletons]
+    return int(carriers[np.repeat(slides, np.diff(rig.body.starts))[carriers].argmax()])

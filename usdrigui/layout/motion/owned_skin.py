@@ -90,7 +90,7 @@ def _owned(skin: BoundSkin, joints: frozenset[int]) -> Floats | None:
     below = frozenset(np.flatnonzero(skin.below[[*joints]].any(axis=0)).tolist()) - joints
     has_bone = any(b.joint in joints and b.next in below for b in bones)
     for holders in (joints, *((joints | below,) if has_bone else ())):
-        weights = _weights(body, holders)
+        weights = weights_of(body, holders)
         if weights.max(initial=0.0) > OWNS:
             # Skin that it holds by most of what it holds anywhere is wholly its own.
             firm = np.minimum(weights / (MOST * weights.max()), 1.0)
@@ -99,7 +99,7 @@ def _owned(skin: BoundSkin, joints: frozenset[int]) -> Floats | None:
     return None
 
 
-def _weights(body: Body, joints: frozenset[int]) -> Floats:
+def weights_of(body: Body, joints: frozenset[int]) -> Floats:
     """(n,) weight of `joints` together at every point of the rig."""
     total = np.zeros(int(body.starts[-1]))
     for start, mesh in zip(body.starts, body.meshes, strict=False):

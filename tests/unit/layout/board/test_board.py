@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 from makers import POINTS, QUADS, SHAPES
 
+from usdrigui.character import Joint, Skeleton, Skin
 from usdrigui.layout.board.board import _right_end
+from usdrigui.layout.board.board_place import carrier_of
 
 
 def test_the_board_is_tidy_and_outside_the_silhouette():
@@ -75,8 +77,6 @@ def test_a_crowded_face_sends_the_least_displaced_controls_to_the_board():
 
 
 def test_the_board_hangs_on_the_joint_that_holds_the_face():
-    from usdrigui.character import Joint, Skeleton, Skin
-
     rig = makers.face_with(whole=np.full_like(POINTS, 0.2))
     head = (POINTS[:, 1] > -0.9).astype(float)
     skin = Skin(
@@ -90,3 +90,13 @@ def test_the_board_hangs_on_the_joint_that_holds_the_face():
     line = chain.lay_out(rig)
     whole = chain.by_name(line)["whole"]
     assert head[whole.anchor.point] == 1.0
+
+
+def test_a_handle_on_the_board_hangs_where_the_animation_of_its_control_can_slide_it():
+    """Exporters give a mouth a Skeleton and a SkelAnimation of its own: the weights of another do not reach a mesh."""
+    meshes = [makers.mesh(np.eye(3), [[0, 1, 2]], [makers.shape(i, np.ones((3, 3)))]) for i in range(2)]
+    rig = makers.rig_of_meshes(meshes, ["chin", "viseme_a"])
+    channels = tuple(makers.changed(each, animation=each.token) for each in rig.body.channels)
+    skeletons = tuple(Skeleton("/Skel", each.token, np.eye(4)) for each in channels)
+    rig = makers.changed(rig, channels=channels, skeletons=skeletons)
+    assert [carrier_of(rig, [i], np.array([5, 0, 4])) for i in range(2)] == [0, 5]
