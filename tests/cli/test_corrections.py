@@ -3,7 +3,6 @@
 import shutil
 
 import numpy as np
-import pytest
 from commands import run
 from pxr import Sdf, Usd, UsdGeom
 
@@ -81,30 +80,6 @@ def test_what_cannot_be_held_is_told_with_what_is_meant(folder, capsys):
     said.write_text(text.replace("</World/Char", "</World/Hero").replace('"Char"', '"Hero"'))
     told = run(capsys, "process", folder / "char.usda", "--corrections", said, "--dry-run")
     assert not [each for each in told["issues"] if each["code"] == "PIN_LOST"], "the only character is meant"
-
-
-@pytest.mark.parametrize(
-    ("words", "code"),
-    [
-        (["chim=board"], "CONFIG_UNKNOWN_CONTROL"),
-        (["chin=somewhere"], "CONFIG_VALUE"),
-        (["chin.maximum=much"], "CONFIG_VALUE"),
-        (["chin.maxmum=free"], "CONFIG_UNKNOWN_KEY"),
-        (["chin.twin=nose"], "CONFIG_UNKNOWN_CONTROL"),
-        (["chin"], "CONFIG_VALUE"),
-        (["chin=/World/Char/face0#0"], "FIXED_IMPOSSIBLE"),
-    ],
-)
-def test_a_decision_that_means_nothing_is_refused(folder, capsys, words, code):
-    told = run(capsys, "pin", folder / "char.rigui.usda", *words, "-o", folder / "corrections.usda", expected=2)
-    assert told["issues"][0]["code"] == code
-    assert not (folder / "corrections.usda").exists()
-
-
-def test_no_other_file_is_taken_for_corrections(folder, capsys):
-    for output in ("char.usda", "char.rigui.usda", "corrections.usdc"):
-        told = run(capsys, "pin", folder / "char.rigui.usda", "chin=board", "-o", folder / output, expected=3)
-        assert told["issues"][0]["code"] == "FILE_TARGET"
 
 
 def over(folder, path, point):

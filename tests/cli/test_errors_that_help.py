@@ -119,21 +119,6 @@ def test_an_unknown_option_is_answered_with_its_commands_usage_and_what_was_mean
     assert hint in json.loads(told.out)["issues"][0]["message"]
 
 
-@pytest.mark.parametrize(
-    ("line", "hint"),
-    [
-        ('place = "bord"', "did you mean 'board'?"),
-        ('near = "joint:Jew"', "did you mean 'Jaw'?"),
-        ('near = "Jaw"', "did you mean 'joint:Jaw'?"),
-        ('near = "nowhere"', "; its meshes are /"),
-    ],
-)
-def test_a_value_that_is_misspelt_is_answered_with_what_was_meant(line, hint, layer, capsys):
-    layer.with_name("char.rigui.toml").write_text(f"[controls.smile_L]\n{line}\n")
-    (found,) = run(capsys, "process", layer.with_name("char.usda"), expected=2)["issues"]
-    assert hint in found["message"]
-
-
 def test_a_command_that_is_misspelt_is_answered_with_what_was_meant(capsys):
     assert main(["procces"]) == 2
     assert "did you mean 'process'?" in capsys.readouterr().err
@@ -165,15 +150,3 @@ def test_of_several_configurations_a_later_one_wins_over_an_earlier(layer, capsy
     assert [each for each in passed if each.endswith(".toml")] == files[1::2]
     layer.with_name("show.toml").write_text("[solve]\ngop = 1\n")
     assert [each["path"] for each in run(capsys, "process", "char.usda", *files, expected=2)["issues"]] == ["solve.gop"]
-
-
-def test_a_dry_run_refuses_what_the_run_would_not_replace(layer, capsys):
-    own = layer.with_name("mine.usda")
-    own.write_text("#usda 1.0\n")
-    found = run(capsys, "process", layer.with_name("char.usda"), "--dry-run", "-o", own, expected=3)["issues"]
-    assert [each["code"] for each in found] == ["FILE_TARGET"]
-
-
-def test_viewers_of_an_asset_name_the_layout_beside_it(layer, capsys):
-    found = run(capsys, "picture", layer.with_name("char.usda"), "-o", layer.with_name("a.png"), expected=1)["issues"]
-    assert found[0]["message"].endswith(f"{layer} beside it is a layout")

@@ -45,15 +45,6 @@ def test_a_skeleton_without_joints_has_none_to_tell(tmp_path, capsys):
     assert inspected(tmp_path / "char.usda", capsys)["without"] == {}
 
 
-def test_what_the_configuration_sends_beside_is_reported(tmp_path, capsys):
-    character = skinned_stages.character(tmp_path / "char.usda")
-    character.with_suffix(".rigui.toml").write_text('[controls.chin]\nplace = "board"\n')
-    only = inspected(character, capsys)
-    flags = {row["control"]: row["flags"] for row in only["controls"]}
-    assert "on the board by request" in flags["chin"]
-    assert "global" not in flags["chin"]
-
-
 @pytest.mark.parametrize("width", [40, 80, 160])
 def test_a_narrow_terminal_loses_no_number(width, tmp_path, capsys, monkeypatch):
     monkeypatch.setenv("COLUMNS", str(width))

@@ -15,7 +15,7 @@ def columns(stream: TextIO | None) -> int | None:
     """Characters in a line of a stream: of its terminal, or ``COLUMNS``; None in a log, whose lines
     stay whole."""
     if os.environ.get("COLUMNS", "").isdecimal() or (stream is not None and stream.isatty()):
-        return max(shutil.get_terminal_size().columns, 1)
+        return shutil.get_terminal_size().columns
     return None
 
 

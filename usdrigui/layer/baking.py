@@ -205,8 +205,8 @@ def valued(scope: Usd.Prim, settings: ReadSettings) -> Valued | None:
 
 def _read(attribute: Usd.Attribute, time: float) -> float | None:
     """None where it has no value.  Raises NOT_FINITE for what is no number."""
-    value = attribute.Get(time)
-    if value is not None and not (isinstance(value, float) and math.isfinite(value)):
+    value: float | None = attribute.Get(time)
+    if value is not None and not math.isfinite(value):
         raise refuse("NOT_FINITE", attribute.GetPath(), f"is {value!r} at time {time:g}")
     return value
 

@@ -105,7 +105,7 @@ def percent(share: float) -> str:
 def on_what(characters: Sequence[CharacterReport]) -> str:
     """What controls are on: the only part, or the character."""
     parts = {part.name for character in characters for part in character.parts}
-    return next(iter(parts)) if len(parts) == 1 else "character" if parts else "face"
+    return next(iter(parts)) if len(parts) == 1 else "character"
 
 
 def _character(character: CharacterReport, verbose: bool) -> Iterator[Printed]:

@@ -216,8 +216,10 @@ def with_twins(
         if twin in (-1, control) or fixed or not own.follow_twin:
             continue
         if override.near and not override.anchor:
-            near, within = MIRROR + override.near, override.within
-            found[twin] = replace(own, near=near, within=within)
+            near = override.near.removeprefix(MIRROR)
+            if near == override.near:
+                near = MIRROR + near
+            found[twin] = replace(own, near=near, within=override.within)
         if override.anchor:
             point = fixed_anchor(rig, rig.control_names[control], override.anchor)
             image = _image(trajectories, symmetry, twin, point)
