@@ -32,6 +32,7 @@ _RIGS = {
         "Fcl_HA_Fung1": ("teeth", ""),
         "Fcl_ALL_Joy": ("emotion", ""),
         "emotion_Disgust": ("emotion", ""),
+        "happy_surprise70": ("emotion", ""),
     },
     "FACS": {"1": ("browInnerUp", ""), "L12": ("mouthSmile", "left"), "AU43R": ("eyeBlink", "right")},
     "VRM": {"A": ("viseme", ""), "Joy": ("emotion", ""), "Blink_L": ("eyeBlink", "left"), "LookUp": ("eyeLookUp", "")},

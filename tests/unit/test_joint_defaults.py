@@ -5,6 +5,7 @@ from collections import Counter
 from dataclasses import replace
 
 import limbs
+import makers
 import numpy as np
 import pytest
 import skel_stages
@@ -41,6 +42,9 @@ def test_a_hand_gets_a_curl_and_a_spread_per_finger_and_a_wrist(made):
     assert kinds(made) == {"curl": 4, "spread": 4, "rx": 1, "ry": 1, "rz": 1}
 
 
+_BENT = ((0.3, 0.2), (0.4, 0.7), (0.3, 1.2), (0.3, 1.6))
+
+
 @pytest.mark.parametrize(
     ("aside", "long", "curled"), [(0, 4, 4), (0, 2, 2), (3, 4, 3)], ids=["legs", "short", "fingers"]
 )
@@ -49,10 +53,13 @@ def test_what_hangs_on_the_middle_curls_whole_and_fingers_without_their_metacarp
     for side, name in ((1.0, "l"), (-1.0, "r")):
         at[f"m/{name}"] = (side * aside, 0.0, 0.0)
         for strand in range(3):
-            ways = [(side * (aside + 0.3), -y, 0.3 * (strand - 1)) for y in (0.2, 0.7, 1.2, 1.6)[:long]]
+            ways = [(side * (aside + x), -y, strand - 1.0) for x, y in _BENT[:long]]
             limbs.hang(at, f"m/{name}" if aside else "m", f"{name}{strand}", ways)
-    made = limbs.skeleton_rig(*limbs.by_depth(at), list(range(len(at))))
-    assert {len(turn.joints) for turn in turns_of(made) if turn.name == "curl"} == {curled}
+    made = limbs.resting(limbs.skeleton_rig(*limbs.by_depth(at), list(range(len(at)))), {"l00": (0.3, 0.0, 0.0)})
+    curls = [turn for turn in turns_of(made) if turn.name == "curl"]
+    assert {len(turn.joints) for turn in curls} == {curled}
+    # What one side does the other mirrors, and no plane of this pose.
+    assert aside or np.sum([turn.axes[0] for turn in curls], axis=0)[1:] == pytest.approx(0.0, abs=1e-6)
 
 
 def test_skin_at_the_tip_of_a_finger_adds_no_joint_that_curls():
@@ -117,11 +124,21 @@ def with_defaults(rig):
     return replace(rig, controls=controls)
 
 
+def test_the_only_joint_of_a_skeleton_has_no_turns():
+    """It stands for the place of a mesh with shapes beside the character's own Skeleton."""
+    rig = limbs.body_rig()
+    (body,), joints = rig.body.meshes, rig.body.joints
+    mouth = replace(body, skin=makers.skin(len(body.points), len(joints)))
+    more = replace(joints[0], path="joint1", skeleton=1)
+    assert kinds(makers.changed(rig, joints=(*joints, more), meshes=(body, mouth))) == kinds(rig)
+
+
 def test_a_trunk_and_small_bones_of_a_face_have_no_hinge_where_no_plane_mirrors_the_joints():
     at = {joint.path.replace("h/s", "h/u/v/s"): joint.bind[3, :3] for joint in limbs.whole_body().body.joints}
     at |= {"h/u": (0.0, 0.1, 0.0), "h/u/v": (0.0, 0.15, 0.0)}
     names, places = limbs.by_depth(at)
-    rig = limbs.anyhow(limbs.skeleton_rig(names, places, list(range(len(names)))), 3)
+    askew = rotations(np.array([0.4, -1.1, 0.7]))
+    rig = limbs.anyhow(limbs.skeleton_rig(names, places @ askew, list(range(len(names)))), 3)
     assert Tree(rig.body.joints, rig.body.meshes).mirror is None
     bends = {path.rpartition("/")[2] for path, kind in kinds_of(rig) if kind == "bend"}
     assert bends == {"a1", "al1", "b1", "bl1"}
@@ -135,7 +152,10 @@ def test_an_elbow_is_one_axis_that_lies_across_the_bend_and_a_joint_without_skin
     assert [rig.body.joints[turn.home].path.rsplit("/", 1)[-1] for turn in bends] == ["c1", "d1", "a1", "b1"]
     for turn in bends:
         axis = rotation_part(tree.world[turn.home][None])[0].T @ turn.axes[0]
-        assert abs(axis @ tree.direction([turn.home])) < 1e-6
+        along = tree.direction([turn.home])
+        assert abs(axis @ along) < 1e-6
+        # Straight knees bend back, straight elbows ahead, on both sides.
+        assert np.cross(axis, along) == pytest.approx([0, 0, -1 if along[1] else 1])
     assert {turn.home for turn in turns} <= tree.owners
     assert len(tree.owners) < len(rig.body.joints)
 

@@ -328,25 +328,25 @@ class Tree(Record):
         return np.asarray(self.frames[joint] @ axis)
 
     @cached_property
-    def mirror(self) -> tuple[int, float] | None:
-        """Axis and offset of the plane that mirrors the joints; None where none does."""
+    def mirror(self) -> tuple[int, Floats] | None:
+        """Axis across the plane that mirrors the joints, and how far (joints,) they are to one side
+        of it, at the bind pose where the base pose has none; None where neither has."""
         near = _ON_PLANE * self.size
-        for axis in range(3):
-            middle = float(np.median(self.places[list(self.owners)][:, axis]))
-            image = self.places.copy()
-            image[:, axis] = 2.0 * middle - image[:, axis]
-            apart = cdist(image, self.places).min(axis=1)
-            off = np.abs(self.places[:, axis] - middle) > near
-            if off.sum() >= 0.3 * len(off) and np.mean(apart < near) > 0.8:
-                return axis, middle
+        for places in (self.places, bind_poses(self.joints)[:, 3, :3]):
+            for axis in range(3):
+                aside = places[:, axis] - np.median(places[list(self.owners)][:, axis])
+                image = places.copy()
+                image[:, axis] -= 2.0 * aside
+                apart = cdist(image, places).min(axis=1)
+                off = np.abs(aside) > near
+                if off.sum() >= 0.3 * len(off) and np.mean(apart < near) > 0.8:
+                    return axis, aside
         return None
 
     def on_plane(self, joint: int) -> bool:
         """Whether a joint lies on the plane that mirrors the joints."""
-        if self.mirror is None:
-            return False
-        axis, middle = self.mirror
-        return abs(float(self.places[joint, axis]) - middle) < _ON_PLANE * self.size
+        near = _ON_PLANE * self.size
+        return self.mirror is not None and abs(float(self.mirror[1][joint])) < near
 
 
 class Fan(Record):

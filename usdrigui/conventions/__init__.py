@@ -231,11 +231,10 @@ def _coded(each: Words) -> Action | None:
         return actions()["viseme"] if plain != ["mouth"] else None
     # Eyes have moods of one side; a mouth that is sad on one side is an action.
     mood = list(without_side(tuple(plain))[1]) if plain[0] == "eye" else plain
-    if mood[-1] in emotions["words"]:
-        if len(mood) == 1:
-            return actions()["emotion"]
-        if len(mood) == 2 and mood[0] in emotions["parts"]:
-            return actions()[emotions["parts"][mood[0]]]
+    if {*mood} <= {*emotions["words"]}:
+        return actions()["emotion"]
+    if len(mood) == 2 and mood[0] in emotions["parts"] and mood[1] in emotions["words"]:
+        return actions()[emotions["parts"][mood[0]]]
     numbered = plain[0] in identities["prefixes"] and len(plain) < len(each)
     # A deformer's name in front of that of an action: blendShape1_jawOpen.
     if (numbered and not is_action(tuple(plain[1:]))) or plain[0] in identities["words"]:

@@ -47,11 +47,6 @@ class Action:
     """Whether its convention has one control for both sides."""
 
     @property
-    def is_core(self) -> bool:
-        """Whether it is one of those without which no face is animated."""
-        return self.category == "atom" and self.importance >= _CORE
-
-    @property
     def is_central(self) -> bool:
         """Whether it is one action of both sides, as a pucker is, and halves of it refine it."""
         return self.both or (not self.vague and self.place is not None and self.place[0] == 0.0)
@@ -65,7 +60,8 @@ class Action:
     def is_essential(self) -> bool:
         """Whether it is on the face even where its peak is hidden: no face is animated without it,
         or its family is split."""
-        return self.is_core or self.category in ("viseme", "emotion")
+        is_core = self.category == "atom" and self.importance >= _CORE
+        return is_core or self.category in ("viseme", "emotion")
 
 
 @dataclass(frozen=True, slots=True)

@@ -59,8 +59,14 @@ class Turn(Record):
 
 
 def default_turns(tree: Tree) -> tuple[Turn, ...]:
-    """The degrees of freedom of every joint that skin follows, in the order of the joints."""
-    if len(tree.owners) < 2:
+    """The degrees of freedom of every joint that skin follows, in the order of the joints.
+
+    A Skeleton of one joint only says where its mesh is, as exporters make one for a mesh with
+    shapes that lacks it.
+    """
+    skeletons = [tree.joints[joint].skeleton for joint in tree.owners]
+    alone = {i for i in tree.owners if skeletons.count(tree.joints[i].skeleton) == 1}
+    if alone == tree.owners:
         return ()
     fingers, hinges = {}, _hinges(tree)
     for fan in fans(tree):
@@ -70,7 +76,7 @@ def default_turns(tree: Tree) -> tuple[Turn, ...]:
     turns = [*chain.from_iterable(fingers.values())]
     for joint in sorted(tree.bearers.difference(*fingers)):
         turns.extend(_turns(tree, joint, hinges))
-    left = (turn for turn in turns if turn.home not in tree.cut_off)
+    left = (turn for turn in turns if turn.home not in tree.cut_off | alone)
     return tuple(sorted(left, key=lambda turn: (turn.joints[0], turn.name)))
 
 
@@ -79,11 +85,15 @@ def default_turns(tree: Tree) -> tuple[Turn, ...]:
 
 def _fingers(tree: Tree, fan: Fan) -> dict[tuple[int, ...], list[Turn]]:
     """The turns of the fingers of a hand, by every joint of each with skin: they curl about the
-    line across their first joints, towards where they are bent."""
-    chains, middle = fan.chains, fan.middle
-    ends = [_without_tip(tree, each)[-FINGERS:] for each in chains]
+    line across their first joints, towards where they are bent.
+
+    Legs and strands that hang on the middle of a character have no metacarpals and no thumb; each
+    curls about its own hinge, and so on the other side does its mirror image.
+    """
+    chains, middle, on_middle = fan.chains, fan.middle, tree.on_plane(fan.joint)
+    ends = chains if on_middle else [_without_tip(tree, each)[-FINGERS:] for each in chains]
     straight = fan.directions @ middle
-    thumb = (straight < _THUMB) & (straight == straight.min())
+    thumb = (straight < _THUMB) & (straight == straight.min()) & (not on_middle)
     bases = tree.places[[end[0] for end in ends]]
     row = bases[~thumb] - bases[~thumb].mean(axis=0)
     across = np.linalg.svd(row - np.outer(row @ middle, middle))[2][0]
@@ -95,17 +105,15 @@ def _fingers(tree: Tree, fan: Fan) -> dict[tuple[int, ...], list[Turn]]:
     for finger, end, along, bend, apart in zip(
         chains, ends, fan.directions, bends, thumb, strict=True
     ):
-        axis = level(across, along)
+        axis = _hinge_axis(tree, end) if on_middle else level(across, along)
         if apart:
             axis = unit(bend) if np.linalg.norm(bend) > _BENT else level(palm, along)
             towards = bases[~thumb].mean(axis=0) - tree.places[finger[-1]]
             axis = axis if np.cross(axis, along) @ towards >= 0.0 else -axis
-        # Legs and strands that hang on the middle of a character have no metacarpals.
-        curled = finger if tree.on_plane(fan.joint) else end
-        curl = np.array([tree.own(joint, axis) for joint in curled])
+        curl = np.array([tree.own(joint, axis) for joint in end])
         fingers[finger] = [
-            Turn("curl", curled[len(curled) // 2], curled, curl, CURL),
-            _single("spread", tree, curled[0], np.cross(along, axis), SPREAD),
+            Turn("curl", end[len(end) // 2], end, curl, CURL),
+            _single("spread", tree, end[0], np.cross(along, axis), SPREAD),
         ]
     return fingers
 
@@ -157,7 +165,7 @@ def _hinges(tree: Tree) -> dict[int, Turn]:
             continue
         for joint in limb[limb.index(bones[0]) + 1 : limb.index(bones[2])]:
             found[joint] = _single("twist", tree, joint, tree.direction([joint]), BALL)
-        found[bones[1]] = _single("bend", tree, bones[1], _hinge_axis(tree, bones), HINGE)
+        found[bones[1]] = _single("bend", tree, bones[1], _hinge_axis(tree, bones[:2]), HINGE)
     return found
 
 
@@ -193,15 +201,18 @@ def _limb(tree: Tree, start: int, hands: Collection[int]) -> list[int]:
     return [] if limb[-1] not in hands and carried[-2] >= _CARRIED * length else limb
 
 
-def _hinge_axis(tree: Tree, joints: Sequence[int]) -> Floats:
-    """(3,) axis of the middle of three joints: that of its bend, or of a straight limb the one
-    across the mirror plane and the limb."""
-    before, bend = tree.direction(joints[:1]), tree.bend(joints[:2])
+def _hinge_axis(tree: Tree, chain: Sequence[int]) -> Floats:
+    """(3,) axis about which a chain of joints is bent, or of a straight one: across the mirror
+    plane, so that knees bend back; of what points across it, the one that bends elbows ahead."""
+    before, bend = tree.direction(chain[:1]), tree.bend(chain)
     if np.linalg.norm(bend) > _BENT:
         return unit(bend)
     lateral = np.eye(3)[tree.mirror[0] if tree.mirror else 0]
-    is_across = abs(lateral @ before) < 0.7
-    return level(lateral if is_across else np.roll(lateral, 1), before)
+    if abs(lateral @ before) < 0.7:
+        return level(lateral, before)
+    # The taller of the other axes is up; as stages are turned, this way is ahead.
+    up = np.eye(3)[first_largest(np.ptp(tree.places, axis=0) * (1.0 - lateral))]
+    return unit(np.cross(before, np.cross(lateral, up)))
 
 
 def _turns(tree: Tree, joint: int, hinges: dict[int, Turn]) -> list[Turn]:
@@ -257,8 +268,8 @@ def _roll(tree: Tree, joint: int, bind: Floats, levers: list[float]) -> int:
     head = tree.parents[joint]
     if tree.mirror is None or min(levers) < _ROUND * max(levers) or head not in tree.owners:
         return -1
-    across, middle = tree.mirror
-    if abs(float(tree.places[joint, across]) - middle) <= max(levers):
+    across, aside = tree.mirror
+    if abs(float(aside[joint])) <= max(levers):
         return -1
     neck = tree.places[head] - tree.places[max(tree.parents[head], 0)]
     out = np.cross(neck, np.eye(3)[across])

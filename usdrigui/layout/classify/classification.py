@@ -104,13 +104,11 @@ def _category(
     earlier = requests.prior.places.get(control)
     if earlier is not None and earlier.category:
         return earlier.category, earlier.reason
-    stays = requests.prior.keeps_on_face(control)
+    stood = requests.prior.stood_on_face((control,))
+    # Not where another character's layout is imitated.
+    stays = stood and requests.prior.cutoff_distance == 0.0
     # A control that is on the face already is not sent away because another one was added.
-    composite = (
-        evidence.composite
-        if settings.board_composite and not requests.prior.stood_on_face((control,))
-        else None
-    )
+    composite = evidence.composite if settings.board_composite and not stood else None
     if composite is not None and composite.family_reason:
         # All of it under one heading, whatever else speaks against some of its members.
         return composite.category, ""

@@ -24,7 +24,7 @@ from usdrigui.layout.group.own_places import has_own_place
 from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.similarity import bidirectional
 from usdrigui.layout.names import element_name
-from usdrigui.layout.symmetry.lobes import all_aside, two_lobed
+from usdrigui.layout.symmetry.lobes import ASIDE, two_lobed
 from usdrigui.layout.symmetry.orbits import configured_orbits
 from usdrigui.model import Candidates, CandidateSet, ElementKind, Group
 from usdrigui.model.candidates import axes_of
@@ -444,8 +444,9 @@ class _Grouping:
         face, motion = self.face, self.face.trajectories.motions[index]
         expected, meaning = face.expected[motion.control], face.meanings[motion.control]
         override = self.requests.overrides[motion.control]
-        placed = bool(override.anchor or override.near)
-        if not placed and all_aside(face.aside[self.sets[index].points]):
+        aside = np.abs(face.aside[self.sets[index].points]).min(initial=np.inf)
+        # One handle would be on one side of the face only.
+        if aside > ASIDE and not (override.anchor or override.near):
             return True
         # A name of the region alone does not place it in the middle.
         is_expected = meaning is not None and not meaning.action.vague

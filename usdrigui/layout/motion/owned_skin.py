@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from functools import cache, cached_property, partial
 
 import numpy as np
@@ -18,7 +17,6 @@ from usdrigui.character import Body, Control, Flags, Floats, Joint, Record, Rig,
 from usdrigui.character.deform import posed
 from usdrigui.character.joint_tree import OWNS, Tree
 from usdrigui.character.skinning import (
-    at_bind_pose,
     base_locals,
     in_skeleton_space,
     with_descendants,
@@ -64,11 +62,6 @@ class BoundSkin(Record):
     def owned(self) -> Callable[[frozenset[int]], Floats | None]:
         """What joints own of it, worked out once for all axes of a joint."""
         return cache(partial(_owned, self))
-
-
-def bound_skin(rig: Rig) -> BoundSkin:
-    """The skin of the rig at its bind pose."""
-    return BoundSkin(replace(rig, body=at_bind_pose(rig.body)))
 
 
 def owned_skin(skin: BoundSkin, control: Control) -> Floats | None:

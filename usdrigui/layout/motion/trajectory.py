@@ -19,6 +19,7 @@ from usdrigui.character import (
 )
 from usdrigui.character.deform import Posed, Sweep, knots, posed, sweep_start
 from usdrigui.character.rays import diagonal
+from usdrigui.character.skinning import at_bind_pose
 from usdrigui.character.surface import (
     faces_inward,
     mesh_triangles,
@@ -28,7 +29,7 @@ from usdrigui.character.surface import (
 )
 from usdrigui.errors import Issue, issue
 from usdrigui.layout.motion.coverage import NOTABLE, coverage_of_smaller
-from usdrigui.layout.motion.owned_skin import BoundSkin, bound_skin, owned_skin
+from usdrigui.layout.motion.owned_skin import BoundSkin, owned_skin
 from usdrigui.layout.shares import NEARLY_ALL
 from usdrigui.model import BaseSurface, MirrorPlane, Motion, Trajectories
 from usdrigui.settings import CandidateSettings, TrajectorySettings
@@ -64,7 +65,7 @@ def trajectories(
     """
     base = posed(rig, base_values)
     size = diagonal(base.points)
-    skin = bound_skin(rig)
+    skin = BoundSkin(replace(rig, body=at_bind_pose(rig.body)))
     motions, left_off = [], []
     for index, control in enumerate(rig.controls):
         start, value = sweep_start(rig, base, base_values, index)

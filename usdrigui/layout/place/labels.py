@@ -60,7 +60,7 @@ def labels_of(
         )
         for control in controls:
             motion = face.trajectories.motions[sets[control].motion]
-            unit = displacement_unit(motion.peak, face.trajectories.typical_length, terms)
+            unit = displacement_unit(face, motion, terms)
             sources = choice.sources[:, copy]
             moved = (
                 drawn_lengths(face, motion, sources)

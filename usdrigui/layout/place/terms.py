@@ -90,17 +90,17 @@ def common(face: Face, motion: Motion, points: Indices, terms: LinearTerms) -> F
     if motion.common is None:
         return np.zeros(len(points))
     rows = np.searchsorted(motion.points, points)
-    unit = displacement_unit(motion.peak, face.trajectories.typical_length, terms)
+    unit = displacement_unit(face, motion, terms)
     return terms.distinctive_weight * motion.common[rows] * motion.arc_length[rows] / unit
 
 
-def displacement_unit(peak: float, typical: float, terms: LinearTerms) -> float:
+def displacement_unit(face: Face, motion: Motion, terms: LinearTerms) -> float:
     """Length that counts as a displacement of one: between the rig's typical peak and the control's
     own."""
     if terms.scene_units:
         return 1.0
-    own, share = peak, terms.relative_displacement
-    return float(typical ** (1.0 - share) * own**share)
+    share = terms.relative_displacement
+    return float(face.trajectories.typical_length ** (1.0 - share) * motion.peak**share)
 
 
 def off_plane(face: Face, points: Indices, weight: float, *, of_joint: bool) -> Floats:

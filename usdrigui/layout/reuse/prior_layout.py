@@ -75,11 +75,6 @@ class PriorLayout(Record):
             control in self.places and not self.places[control].on_board for control in controls
         )
 
-    def keeps_on_face(self, control: int) -> bool:
-        """Whether a control stays on the face as far as it can be seen there; not where another
-        character's layout is imitated."""
-        return self.cutoff_distance == 0.0 and self.stood_on_face((control,))
-
     def stood_on_board(self, controls: Sequence[int]) -> bool:
         """Whether all of these controls had their place on the board."""
         return all(control in self.places and self.places[control].on_board for control in controls)

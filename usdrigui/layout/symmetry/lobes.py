@@ -25,12 +25,6 @@ ASIDE = 0.1
 """Distance from the plane, in face sizes, from which a place lies to one side of the face."""
 
 
-def all_aside(aside: Floats) -> bool:
-    """Whether all candidates of a symmetric control, `aside` (n,) face sizes from the middle, lie
-    to the sides of the face: one handle would be on one side only."""
-    return bool(np.abs(aside).min(initial=np.inf) > ASIDE)
-
-
 def side_at(aside: float, most: float) -> Side:
     """The side of a place `aside` face sizes to the left; up to `most` it is in the middle."""
     return "middle" if abs(aside) <= most else "left" if aside > 0.0 else "right"
