@@ -6,8 +6,8 @@ not what they show.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from itertools import chain, combinations, zip_longest
+from collections.abc import Iterator, Sequence
+from itertools import zip_longest
 
 import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel
@@ -31,7 +31,6 @@ from usdrigui.settings import ReadSettings
 from usdrigui.stages import schema
 
 _FAMILY = "rigUI"
-_OPPOSITE = {"left": "right", "right": "left"}
 _MEMBERS = {"slider": (1, 1), "patch": (2, 2), "fan": (1, np.inf)}
 """How many axes each type of element has."""
 _PLAIN = {
@@ -55,8 +54,6 @@ _TARGETS = {
 """Type of the targets of our relationships, or a schema of theirs."""
 _WORDS = {"familyType": ("nonOverlapping", "partition", "unrestricted")}
 """Allowed in attributes that USD has no definition of."""
-_MIRRORED = 0.1
-"""Of a handle's width: anchors so near to each other's mirror image are those of a pair."""
 _ASIDE, _UPON = 1.0, 0.01
 """Of a handle's width: so far from the plane an element is not on its other side, and nearer it is
 on no side at all."""
@@ -122,7 +119,9 @@ def _of_layout(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
             copies.append(other.anchor.position)
             yield from _of_mirror(prim, element, other_prim, other, layout)
         yield from _of_side(prim, element, np.array(copies), layout)
-    yield from _unpaired(by_name, layout)
+    for one, other in layout.unpaired():
+        what = f"rigUI:element:mirror is missing: {other.name} is its image"
+        yield invalid_at(by_name[one.name][0], what)
     away = [
         layout.frame.plane.distance(each.anchor.position)
         for each in layout.elements
@@ -270,7 +269,7 @@ def _of_mirror(
     if other.mirror != element.name or len(other.members) != len(element.members):
         yield invalid_at(prim, f"{where} does not mirror it back, with as many controls")
         return
-    if _OPPOSITE.get(element.side) != other.side:
+    if {element.side, other.side} != {"left", "right"}:
         yield doubtful_at(prim, f"{where} is on the side {other.side}")
     reflect = layout.frame.plane.reflected
     free = element.anchor.on_board or other.anchor.on_board or element.kind == "fan"
@@ -284,21 +283,3 @@ def _of_mirror(
         reversed_ = index in element.reversed
         if one.control != twin.control and mine @ (-theirs if reversed_ else theirs) < -clear:
             yield invalid_at(prim, f"rigUI:control:{one.control}:mirrorReversed is {reversed_}")
-
-
-def _unpaired(by_name: Mapping[str, tuple[Usd.Prim, Element]], layout: Layout) -> Iterator[Issue]:
-    """Elements that are each other's mirror image, with the ends of their tracks, and do not say
-    so."""
-    frame, alone = layout.frame, list[tuple[Usd.Prim, Element, Floats]]()
-    for prim, element in by_name.values():
-        if not (element.mirror or element.anchor.on_board) and frame.mirrors(element.part):
-            ends = (member.track[[0, -1]] for member in element.members)
-            alone.append((prim, element, np.stack([element.anchor.position, *chain(*ends)])))
-    for (prim, one, mine), (twin, other, theirs) in combinations(alone, 2):
-        # Far from the origin single precision does not tell such places apart.
-        near = _MIRRORED * frame.handle_width_of(one.part) - author.TOLD * np.abs(mine[0]).sum()
-        if _OPPOSITE.get(one.side) == other.side and mine.shape == theirs.shape:
-            images = frame.plane.reflected(mine) - theirs
-            if np.linalg.norm(images, axis=1).max() < near:
-                what = f"rigUI:element:mirror is missing: {twin.GetPath()} is its image"
-                yield invalid_at(prim, what)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import combinations
 from typing import Literal, get_args
 
 import numpy as np
@@ -20,6 +21,10 @@ SURE = 0.9
 """Confidence from which a match is acted upon; less sure matches are reported only."""
 ONE_PLACE = 0.5
 """Handle widths within which two anchors are at one place."""
+_MIRRORED = 0.1
+"""Handle widths within which an anchor is at the mirror image of another: the two are a pair."""
+_TOLD = 1e-6
+"""Share of a coordinate that a layer does not tell."""
 Side = Literal["left", "right", "middle", "none"]
 Decision = Literal["anchor", "place", "grouping"]
 """What a person may decide about an element: its point; on the character or on the board; which
@@ -77,6 +82,36 @@ class Layout(Record):
             if apart <= ONE_PLACE * self.frame.handle_width_of(twin.part):
                 found |= twin.controls
         return found
+
+    def unpaired(self) -> Iterator[tuple[Element, Element]]:
+        """Elements on the character that are each other's mirror image, with the ends of their
+        tracks, and do not say so."""
+        frame = self.frame
+        alone = [
+            (
+                each,
+                np.concatenate(
+                    [each.anchor.position[None], *(m.track[[0, -1]] for m in each.members)]
+                ),
+            )
+            for each in self.elements
+            if not (each.mirror or each.anchor.on_board) and frame.mirrors(each.part)
+        ]
+        for (one, mine), (other, theirs) in combinations(alone, 2):
+            if {one.side, other.side} == {"left", "right"} and mine.shape == theirs.shape:
+                away = np.abs(frame.plane.reflected(mine) - theirs).max()
+                # Far from the origin single precision does not tell such places apart.
+                if away < _MIRRORED * frame.handle_width_of(one.part) - _TOLD * np.abs(mine).max():
+                    yield one, other
+
+    def with_pairs(self) -> Layout:
+        """The layout with the elements that were placed each by itself, and are a pair, as one."""
+        found = dict[str, str]()
+        for one, other in self.unpaired():
+            if found.keys().isdisjoint((one.name, other.name)):
+                found |= {one.name: other.name, other.name: one.name}
+        elements = (replace(e, mirror=found.get(e.name, e.mirror)) for e in self.elements)
+        return replace(self, elements=tuple(elements))
 
     def mesh_gone(self, mesh: str, controls: int = 0) -> Issue:
         """LAYOUT_MESH_GONE of a mesh that is not there, with the number of its elements;

@@ -375,7 +375,7 @@ def _lay_out(
             own = with_own_cost(inputs, part, made, assignment)
             made = replace(made, proof=proof_of(own, made.proof.weights))
             laid.append(LaidPart(inputs, made, own))
-    layout, existing = joined(laid), character.references.existing
+    layout, existing = joined(laid).with_pairs(), character.references.existing
     if existing is not None:
         layout = existing_layout.combined(
             existing, existing_layout.uniquify_names(layout, existing)
