@@ -269,9 +269,9 @@ class OpenLayout:
     def _character(self, root: str) -> tuple[Rig, Layout]:
         found = [each for each in self.characters if not root or each[0].path == root]
         if len(found) != 1:
-            known = ", ".join(rig.path for rig, _ in self.characters)
-            hint = meant(root, [rig.path for rig, _ in self.characters]) if root else ""
-            raise refuse("SKELROOT_UNKNOWN", root, f"name one of the characters: {known}{hint}")
+            known = [rig.path for rig, _ in self.characters]
+            what = f"name one of the characters: {', '.join(known)}{meant(root, known)}"
+            raise refuse("SKELROOT_UNKNOWN", root, what)
         return found[0]
 
     def __repr__(self) -> str:

@@ -76,7 +76,7 @@ def progress_lines(tell: Callable[[str], None]) -> Callable[[Event], None]:
     def watch(event: Event) -> None:
         if event.seconds is None:
             tell(f"openjd_status: {event.stage}")
-        elif event.stage in _SHARES:
+        else:
             tell(f"openjd_progress: {_SHARES[event.stage]}")
 
     return watch

@@ -110,8 +110,10 @@ class Layout(Record):
         for one, other in self.unpaired():
             if found.keys().isdisjoint((one.name, other.name)):
                 found |= {one.name: other.name, other.name: one.name}
-        elements = (replace(e, mirror=found.get(e.name, e.mirror)) for e in self.elements)
-        return replace(self, elements=tuple(elements))
+        return replace(
+            self,
+            elements=tuple(replace(e, mirror=found.get(e.name, e.mirror)) for e in self.elements),
+        )
 
     def mesh_gone(self, mesh: str, controls: int = 0) -> Issue:
         """LAYOUT_MESH_GONE of a mesh that is not there, with the number of its elements;

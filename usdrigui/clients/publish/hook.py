@@ -78,12 +78,12 @@ def stage(layer: Path, folder: Path) -> Path:
 
 
 def described(asset: Path, found: Sequence[Issue]) -> str:
-    """The findings as Markdown, for a publisher's report: a line for each cause."""
+    """Some findings as Markdown, for a publisher's report: a line for each cause."""
     causes = by_cause(found)
     lines = [f"- **{each.code}** {each.where}: {each.message}" for each in causes[:20]]
     more = [f"- and {len(causes) - 20} more"] if len(causes) > 20 else []
     repairs = list(dict.fromkeys(each.repair for each in found))
-    advice = "use the repair action, which runs `usdrigui process` again" if repairs else ""
+    advice = "use the repair action, which runs `usdrigui process` again"
     return DESCRIPTION.format(
         title=TITLE,
         asset=asset.name,

@@ -104,7 +104,7 @@ def owner_of_points(meshes: tuple[RigMesh, ...]) -> Indices:
     parts = []
     for mesh in meshes:
         skin = mesh.skin
-        if skin is None or not skin.joints.shape[1]:
+        if skin is None:
             parts.append(np.full(len(mesh.points), -1, dtype=np.int64))
             continue
         strongest = np.argmax(skin.weights, axis=1)
