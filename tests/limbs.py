@@ -160,10 +160,11 @@ def as_control(draft):
     return control_of(draft, draft.name, draft.name, draft.range)
 
 
-def whole_body(ahead=1.0, head="Head", bare=()):
+def whole_body(ahead=1.0, head="Head", bare=(), strands=None):
     """Hips, spine and neck, a head called `head` with nine small joints on its front, which lies `ahead` along z, arms
     with hands of four fingers, and legs; with the controls that its joints have by default.  No other name says what it
-    is of.  Joints whose names end in one of `bare` have no skin."""
+    is of.  Joints whose names end in one of `bare` have no skin.  Three `strands` hang on a joint: its path, their name
+    and the way along each bone."""
     at = {"h": (0, 0, 0), "h/s": (0, 0.4, 0), "h/s/t": (0, 0.8, 0), "h/s/t/n": (0, 1.32, 0)}
     at[f"h/s/t/n/{head}"] = (0, 1.4, 0)
     for k, (x, y) in enumerate((x, y) for x in (-1, 0, 1) for y in (-1, 0, 1)):
@@ -174,6 +175,11 @@ def whole_body(ahead=1.0, head="Head", bare=()):
             z = 0.04 * (finger - 1.5)
             hang(at, hand, f"{name}f{finger}", [(side * x, 0.9, z) for x in (1.5, 1.56, 1.61, 1.65)])
         hang(at, "h", f"{name}l", [(side * 0.2, y, 0) for y in (-0.1, -0.9, -1.7)])
+    if strands is not None:
+        path, name, way = strands
+        for k in range(3):
+            start = at[path] + np.array([0.0, 0.0, 0.02 * k])
+            hang(at, path, f"{name}{k}_", [start + n * np.array(way) for n in (1, 2, 3)])
     names, places = by_depth(at)
     ends = {name for name in names if "f" in name.rpartition("/")[2] and name[-1] == "3"}
     owners = [i for i, name in enumerate(names) if name not in ends and name[-2:] not in bare]

@@ -120,8 +120,9 @@ def _of_layout(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
             yield from _of_mirror(prim, element, other_prim, other, layout)
         yield from _of_side(prim, element, np.array(copies), layout)
     for one, other in layout.unpaired():
-        prim = by_name[one.name][0]
-        yield invalid_at(prim, f"rigUI:element:mirror is missing: {other.name} is its image")
+        yield invalid_at(
+            by_name[one.name][0], f"rigUI:element:mirror is missing: {other.name} is its image"
+        )
     away = [
         layout.frame.plane.distance(each.anchor.position)
         for each in layout.elements

@@ -130,8 +130,12 @@ def _meant(rigs: Sequence[Rig], key: str) -> tuple[Rig, str, str]:
         name, what = key, "place"
     owners = [rig for rig in rigs if name in rig.control_names]
     if len(owners) != 1:
-        why = "several characters have" if owners else "no character has"
-        raise refuse("CONFIG_UNKNOWN_CONTROL", key, f"{why} this control{meant(name, every)}")
+        why = (
+            "several characters have this control"
+            if owners
+            else f"no character has this control{meant(name, every)}"
+        )
+        raise refuse("CONFIG_UNKNOWN_CONTROL", key, why)
     return owners[0], name, what
 
 

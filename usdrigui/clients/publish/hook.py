@@ -83,10 +83,11 @@ def described(asset: Path, found: Sequence[Issue]) -> str:
     lines = [f"- **{each.code}** {each.where}: {each.message}" for each in causes[:20]]
     more = [f"- and {len(causes) - 20} more"] if len(causes) > 20 else []
     repairs = list(dict.fromkeys(each.repair for each in found))
-    advice = "use the repair action, which runs `usdrigui process` again"
     return DESCRIPTION.format(
         title=TITLE,
         asset=asset.name,
         findings="\n".join(lines + more),
-        repair="; or: ".join([advice, *repairs[:3]]),
+        repair="; or: ".join(
+            ["use the repair action, which runs `usdrigui process` again", *repairs[:3]]
+        ),
     )

@@ -190,23 +190,6 @@ def test_the_first_level_comes_first():
 
 
 @pytest.mark.parametrize(
-    ("members", "code"),
-    [
-        ({"nobody": ["pucker"]}, "CONFIG_UNKNOWN_CONTROL"),
-        ({"pucker": ["nobody"]}, "CONFIG_UNKNOWN_CONTROL"),
-        ({"pucker": ["pucker"]}, "CONFIG_VALUE"),
-        ({"pucker": ["chin"], "chin": ["smile_L"]}, "CONFIG_VALUE"),
-        ({"pucker": []}, "CONFIG_VALUE"),
-        ({"pucker": ["wink"]}, "none of its members has an element"),
-        ({"wink": ["pucker"]}, "wink has no element"),
-    ],
-)
-def test_levels_that_make_no_sense_are_refused(members, code):
-    with pytest.raises(RigUIError, match=code):
-        problem_of(replace(FACE, left_off=WINK), settings(levels={"members": members}))
-
-
-@pytest.mark.parametrize(
     ("members", "inner"),
     [
         ({"grin": ["pucker"]}, {"grin": ("mouth",), "mouth": ()}),

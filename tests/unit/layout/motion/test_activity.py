@@ -1,11 +1,14 @@
 """What animation tells of controls: use, and what moves together, on clips whose answer is known."""
 
+from dataclasses import replace
+
+import limbs
 import makers
 import numpy as np
 import pytest
 from viewer_layouts import MIRRORS
 
-from usdrigui.character import Performance
+from usdrigui.character import Performance, rotation
 from usdrigui.errors import RigUIError
 from usdrigui.layout.motion.activity import (
     Activity,
@@ -97,3 +100,31 @@ def test_strays_are_told_by_name_up_to_three():
     for count, listed in ((3, "horn, tail and wing"), (4, "fin, horn, tail and 1 more")):
         (told,) = activity(FACE, [clip(chin=RAMP, **dict.fromkeys(names[:count], RAMP))]).issues
         assert f"{count} of them: {listed}" in told.message
+
+
+def test_activity_is_of_the_longer_way_and_there_is_none_of_poses():
+    rig = makers.face(ranges={"chin": (-2.0, 1.0)})
+    pose = replace(rig.controls[0], name="grin", kind="pose")
+    done = activity(replace(rig, controls=(*rig.controls, pose)), [clip(chin=-2.0 * RAMP, brow_L=RAMP)])
+    assert done.amounts[:, column(done, "chin")] == pytest.approx(RAMP)
+    assert np.isnan(done.values[:, -1]).all()
+    assert done.use[-1] == 0.0
+
+
+@pytest.mark.parametrize(
+    ("joints", "known"), [(("j0/j1",), 0), (("other/j1",), 0), (("other/j1", "j0/j1"), 1), (("a/j1", "b/j1"), None)]
+)
+def test_joints_are_known_by_their_paths_and_else_by_their_names(joints, known):
+    """From the base pose, in degrees."""
+    rig, turn = limbs.resting(limbs.chain_rig(), {"j1": (0.0, 0.3, 0.0)}), np.zeros((len(RAMP), len(joints), 3))
+    turn[:, known or 0, 2] = np.radians(15.0 * RAMP)
+    rotations = rotation.rotations(turn) @ rotation.rotation_part(rig.body.joints[1].base)
+    moving = replace(clip(chin=RAMP), joints=joints, rotations=rotations)
+    if known is None:
+        with pytest.raises(RigUIError, match="CLIP_FOREIGN"):
+            activity(rig, [moving])
+        return
+    done = activity(rig, [moving])
+    assert done.values[:, column(done, "j1:rz")] == pytest.approx(15.0 * RAMP, abs=1e-6)
+    assert done.use[column(done, "j1:rz")] == pytest.approx(0.5 * RAMP.mean())
+    assert done.use.sum() == pytest.approx(0.5 * RAMP.mean(), abs=1e-6)

@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 from usdrigui.layer import write_layout as layer
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.parts.division import divide
-from usdrigui.layout.parts.joint_regions import seen_flat
+from usdrigui.layout.parts.joint_regions import joint_regions, seen_flat
 from usdrigui.pipeline.joining import joined, joined_assignment
 from usdrigui.pipeline.stages import character_of, part_problem
 from usdrigui.settings import Settings, load
@@ -142,6 +142,34 @@ def test_what_has_one_or_two_elements_joins_the_part_beside_it():
     found = named(with_eyes())
     assert list(found) == ["face", "hands", "body"], "two eyes are of the face"
     assert {name.partition(":")[0] for name in found["face"]} >= {"b", "c"}
+
+
+@pytest.mark.parametrize(
+    ("strands", "part"),
+    [
+        (("h/s/t/n/Head", "head", (0.0, 0.1, 0.0)), "face"),
+        (("h/s/t", "wing", (0.0, 0.1, -0.1)), "body"),
+        (("h/s/t/a0/a1", "tip", (-0.1, -0.1, 0.0)), "body"),
+        (("h/s/t/a0/a1", "tip", (0.1, -0.1, 0.0)), "hands"),
+    ],
+    ids=["hair", "wings", "tassels", "fingers"],
+)
+def test_strands_are_fingers_where_they_carry_on_a_limb_and_no_heads_though_named_so(strands, part):
+    rig = limbs.whole_body(strands=strands)
+    regions = joint_regions(rig, trajectories(rig, Settings().trajectories))
+    of = {joint.name: name for joint, name in zip(rig.body.joints, regions.of_joint, strict=True)}
+    assert {of[f"{strands[1]}{k}_{n}"] for k in range(3) for n in range(2)} == {part}
+    assert (of["k4"], of["a0"], of["bf00"]) == ("face", "body", "hands")
+
+
+@pytest.mark.parametrize(("lowest", "head"), [(1.4, {"e", "k7"}), (-9.0, set())])
+def test_a_head_without_a_name_is_what_nearly_all_shapes_move(lowest, head):
+    body = limbs.whole_body(head="e", bare=tuple(f"k{k}" for k in range(6)))
+    raised = (body.body.meshes[0].points[:, 1:2] > lowest) * [[0.0, 0.0, 0.01]]
+    made = limbs.with_shapes(body, {"smile": raised})
+    regions = joint_regions(made, trajectories(made, Settings().trajectories))
+    skin = {joint.name for joint, name in zip(made.body.joints, regions.of_skin, strict=True) if name == "face"}
+    assert skin & {"e", "k7", "n", "t"} == head
 
 
 def bust(rig, wrists=(), left=0.0):
