@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from usdrigui.cli.terminal.table import Table
 from usdrigui.errors import by_cause, counted, sentences
+from usdrigui.model.levels import inner_names
 
 if TYPE_CHECKING:
     from usdrigui.cli.terminal.screen import Printed
@@ -119,6 +120,10 @@ def _character(character: CharacterReport, verbose: bool) -> Iterator[Printed]:
         yield _rows_table(placed, places)
     else:
         yield from _away(placed)
+    if coarse := [each for each in elements if each.inner]:
+        opened = ", ".join(f"{each.name} opens {len(each.inner)}" for each in coarse)
+        hidden = counted(len(inner_names(elements)), "element")
+        yield f"  behind others on a second level: {hidden}; {opened}"
     for note in character.notes:
         yield f"  note: {note.control}: {note.reason}"
     yield from _proof_lines(character, placed)
