@@ -67,7 +67,7 @@ def animation_facts(
         for each in uses
         if each.importance != 1.0
     )
-    return AnimationFacts(done.clips, len(done.values), tuple(uses), "\n".join(lines)), done.issues
+    return AnimationFacts(done.clips, len(done.amounts), tuple(uses), "\n".join(lines)), done.issues
 
 
 def _twins(names: Sequence[str], twins: Indices) -> dict[str, str]:

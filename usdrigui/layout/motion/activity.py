@@ -11,8 +11,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from usdrigui.character import Control, Floats, Joint, Performance, Record, Rig
-from usdrigui.character.rotation import rotation_part, rotation_vectors
+from usdrigui.character import Control, Floats, Performance, Record, Rig
+from usdrigui.character.clip_reading import turning
 from usdrigui.errors import Issue, issue, listed, refuse
 from usdrigui.layout.shares import NOTHING, OUTLIER
 from usdrigui.settings import ControlSettings
@@ -22,10 +22,8 @@ class Activity(Record):
     """What some animations make a character do."""
 
     controls: tuple[str, ...]
-    values: Floats
-    """(frames, controls) control values; nan for poses."""
     amounts: Floats
-    """(frames, controls) activity."""
+    """(frames, controls) activity; nan for poses."""
     clips: tuple[str, ...]
     """``FILE/PRIM/PATH`` of every animation."""
     issues: tuple[Issue, ...]
@@ -42,10 +40,9 @@ def activity(rig: Rig, performances: Iterable[Performance]) -> Activity:
     Raises CLIP_FOREIGN where they move nothing that the rig has a control for.
     """
     clips = tuple(performances)
-    rest = rig.defaults
-    values = np.concatenate([_values(rig.body.joints, rig.controls, clip, rest) for clip in clips])
+    values = np.concatenate([_values(rig, clip) for clip in clips])
     extent = np.array([max(c.maximum - c.default, c.default - c.minimum) for c in rig.controls])
-    amounts = np.nan_to_num(np.clip(np.abs(values - rest) / extent, 0.0, 1.0))
+    amounts = np.clip(np.abs(values - rig.defaults) / extent, 0.0, 1.0)
     names = tuple(f"{clip.source}{clip.path}" for clip in clips)
     unknown = sorted({token for clip in clips for token in _moving_tokens(clip)} - _tokens(rig))
     why, issues = "is moved by none of them", tuple[Issue, ...]()
@@ -55,7 +52,7 @@ def activity(rig: Rig, performances: Iterable[Performance]) -> Activity:
         why = f"has no control for what they move: {listed(unknown)}"
     if not (amounts.mean(axis=0) > NOTHING).any():
         raise refuse("CLIP_FOREIGN", rig.path, why)
-    return Activity(tuple(c.name for c in rig.controls), values, amounts, names, issues)
+    return Activity(rig.control_names, amounts, names, issues)
 
 
 def importances(done: Activity, twins: Mapping[str, str], weight: float) -> dict[str, float]:
@@ -94,7 +91,7 @@ def _units(done: Activity, twins: Mapping[str, str]) -> list[tuple[int, ...]]:
     units: list[tuple[int, ...]] = []
     taken: set[int] = set()
     for i, name in enumerate(done.controls):
-        if i in taken or not np.isfinite(done.values[0, i]):
+        if i in taken or not np.isfinite(done.amounts[0, i]):
             continue
         twin = index.get(twins.get(name, ""), i)
         units.append((i,) if twin == i or twin in taken else (i, twin))
@@ -105,35 +102,24 @@ def _units(done: Activity, twins: Mapping[str, str]) -> list[tuple[int, ...]]:
 # --- control values -------------------------------------------------------------------------------
 
 
-def _values(
-    joints: tuple[Joint, ...], controls: tuple[Control, ...], clip: Performance, rest: Floats
-) -> Floats:
+def _values(rig: Rig, clip: Performance) -> Floats:
     """(frames, controls) values; the default of controls that the animation does not have."""
-    values = np.repeat(rest[None], len(clip.times), axis=0)
+    values = np.repeat(rig.defaults[None], len(clip.times), axis=0)
     tokens = {token: column for column, token in enumerate(clip.tokens)}
-    for i, control in enumerate(controls):
+    for i, control in enumerate(rig.controls):
         if control.kind == "blendShape" and control.source in tokens:
             values[:, i] = clip.weights[:, tokens[control.source]]
         elif control.kind == "pose":
             values[:, i] = np.nan
-        elif control.kind == "joint":
-            turned = _turned(joints, control, clip)
-            values[:, i] = rest[i] if turned is None else turned
+        elif found := turning(control):
+            joint = rig.body.joints[found.joint]
+            same = [k for k, path in enumerate(clip.joints) if path == joint.path]
+            same = same or [
+                k for k, path in enumerate(clip.joints) if f"/{path}".endswith(f"/{joint.name}")
+            ]
+            if len(same) == 1:
+                values[:, i] += found.turned(rig.body, clip.rotations[:, same[0]])
     return values
-
-
-def _turned(joints: tuple[Joint, ...], control: Control, clip: Performance) -> Floats | None:
-    """(frames,) rotation about the control's axis, in its own units, from the base pose."""
-    joint = joints[int(control.drive.joints[0])]
-    leaves = [path.rpartition("/")[2] for path in clip.joints]
-    same = [i for i, path in enumerate(clip.joints) if path == joint.path]
-    same = same or [i for i, leaf in enumerate(leaves) if leaf == joint.name]
-    if len(same) != 1:
-        return None
-    column = same[0]
-    turns = rotation_vectors(clip.rotations[:, column] @ rotation_part(joint.base).T)
-    axis = int(np.argmax(np.abs(control.drive.rotations).max(axis=(0, 1))))
-    return np.degrees(turns[:, axis])
 
 
 def _moving_tokens(clip: Performance) -> list[str]:

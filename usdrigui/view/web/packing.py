@@ -36,6 +36,7 @@ from usdrigui.character import (
     Texels,
     Texturing,
 )
+from usdrigui.character.clip_reading import ClipReading, reading
 from usdrigui.character.palette import SIDES
 from usdrigui.character.surface import mesh_triangles, triangles
 from usdrigui.errors import Issue, refuse
@@ -46,7 +47,6 @@ from usdrigui.settings import OutputSettings
 from usdrigui.version import __version__
 from usdrigui.view.body.complexion import complexion
 from usdrigui.view.body.shading import EYE, IRIS, PUPIL, Complexion, encoded
-from usdrigui.view.clip import ClipReading, reading
 from usdrigui.view.directions import camera_rows
 from usdrigui.view.flat import framing
 from usdrigui.view.flat.callouts import shortened
