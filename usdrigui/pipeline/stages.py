@@ -22,7 +22,6 @@ from usdrigui.layout.element.elements import layout
 from usdrigui.layout.face import Face
 from usdrigui.layout.group.coarse_groups import with_levels
 from usdrigui.layout.group.grouping import find_groups
-from usdrigui.layout.group.second_ways import behind_shapes
 from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.similarity import displacement_fields, similarity
 from usdrigui.layout.motion.trajectory import at_scale_of_a_side, of_controls, trajectories
@@ -36,7 +35,7 @@ from usdrigui.layout.place.problem import (
     placement_problem,
     without_lone_pairs,
 )
-from usdrigui.layout.place.regions import crowded_regions
+from usdrigui.layout.place.regions import crowded_regions, joints_behind_shapes
 from usdrigui.layout.reuse.decisions import with_decisions
 from usdrigui.layout.reuse.existing_layout import drawn_width, of_new_controls
 from usdrigui.layout.review.layout_faults import refuse_stale
@@ -180,10 +179,9 @@ def _placement(known: Measured, candidates: Candidates) -> PlacementProblem:
     face, requests, settings = known.face, known.requests, known.settings
     groups = without_lone_pairs(known, candidates, find_groups(known, candidates))
     most = settings.objective.max_neighbours
-    if face.crowded:
-        regions = crowded_regions(face, groups, most)
-    else:
-        regions = behind_shapes(known, groups) if settings.levels.joints else {}
+    regions = crowded_regions(face, groups, most) if face.crowded else {}
+    if settings.levels.joints and not regions:
+        regions = joints_behind_shapes(face, known.similarity, groups)
     groups = with_levels(face.rig, groups, settings.levels, requests, regions)
     return placement_problem(known, candidates, groups)
 

@@ -13,6 +13,7 @@ from makers import POINTS, QUADS, SHAPES
 
 from usdrigui.character import Control, LeftOff
 from usdrigui.errors import RigUIError
+from usdrigui.layout.place.regions import joints_behind_shapes
 from usdrigui.layout.review.difference import difference
 from usdrigui.layout.review.review import review
 from usdrigui.model.levels import inner_names, outer_first, shown, shown_of_all, states
@@ -100,6 +101,16 @@ def test_a_crowded_face_has_the_rest_of_a_region_behind_one_element(asked):
     assert bool(coarse) is asked
     for name, inner in coarse.items():
         assert len({each[:4] for each in (name, *inner)}) == 1
+
+
+@pytest.mark.parametrize(("way", "behind"), [((0.9, 0.2, 0.0), {"brow": {"eye"}}), ((0.0, 1.0, 0.0), {})])
+def test_a_joint_that_does_what_shapes_do_stands_behind_them(way, behind):
+    shapes = {"brow": makers.bump(POINTS, (0.0, 0.3), (1, 0, 0), 0.3), "eye": makers.bump(POINTS, (0.0, 0.3), way)}
+    line = problem_of(makers.rig(POINTS, QUADS, shapes), settings(candidates=ON_FACE, symmetry={"enabled": False}))
+    known = line.inputs.measured
+    brow, eye = known.face.rig.controls
+    rig = replace(known.face.rig, controls=(brow, replace(eye, kind="joint")))
+    assert joints_behind_shapes(replace(known.face, rig=rig), known.similarity, line.groups) == behind
 
 
 def test_a_pose_is_no_member_of_itself_in_a_group_with_what_it_sets():

@@ -11,7 +11,6 @@ from makers import POINTS, QUADS, SHAPES
 from usdrigui.character import Joint
 from usdrigui.errors import RigUIError
 from usdrigui.layout.group.grouping import find_groups, suggested_groups
-from usdrigui.layout.group.second_ways import behind_shapes
 
 
 def eye(centre, sign=1.0):
@@ -130,21 +129,6 @@ def test_joints_make_a_joystick_of_one_joint_only(turns, shared):
         )
         == shared
     )
-
-
-@pytest.mark.parametrize(("way", "behind"), [((0.9, 0.2, 0.0), True), ((0.7, 0.0, 0.7), False)])
-def test_a_joint_that_does_what_shapes_do_stands_behind_them(way, behind):
-    """The shapes also move what the joint does not."""
-    shapes = {
-        "across": makers.bump(POINTS, AT, (1, 0, 0), 0.3, 0.1),
-        "eyeball": makers.bump(POINTS, AT, way, 0.2, 0.1),
-        "ear": makers.bump(POINTS, (0.3, 0.6), (1, 0, 0), 0.3, 0.1),
-    }
-    line = chain.problem_of(makers.rig(POINTS, QUADS, shapes), chain.settings(candidates={"board_composite": False}))
-    known, groups = line.inputs.measured, [replace(each, controls=each.controls[:1]) for each in line.groups]
-    controls = [replace(each, kind="joint" if each.name == "eyeball" else each.kind) for each in line.face.rig.controls]
-    known = replace(known, face=replace(known.face, rig=replace(known.face.rig, controls=tuple(controls))))
-    assert behind_shapes(known, groups) == ({"across": {"eyeball"}} if behind else {})
 
 
 AT = (0.0, -0.55)
