@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel
+from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdRender, UsdSkel
 
 from usdrigui.character import (
     Body,
@@ -24,9 +24,17 @@ from usdrigui.character import (
     Rig,
 )
 from usdrigui.character.joint_tree import unit
+from usdrigui.character.rotation import rotation_part
 from usdrigui.errors import Faults, Issue, issue, listed, of_character, refuse
 from usdrigui.reading.blend_shape import Binding, Found, controls_of_tokens, left_off_tokens
-from usdrigui.reading.clips import Animated, read_clip, read_still, time_codes, weights_at
+from usdrigui.reading.clips import (
+    MOST_FRAMES,
+    Animated,
+    read_clip,
+    read_still,
+    time_codes,
+    weights_at,
+)
 from usdrigui.reading.control import (
     Draft,
     blend_shape_drafts,
@@ -183,6 +191,7 @@ def _read(root: Usd.Prim, settings: Settings, faults: Faults, *, instances: bool
         issues=of_character(path or str(root.GetPath()), tuple(found.issues)),
         excluded=excluded,
         camera=_camera(root, settings.candidates.view),
+        shot_camera=_shot_camera(root),
     )
     known = {draft.name for draft in drafts} | {dropped.control for dropped in lost}
     return Reading(rig, frozenset(known), vain, tuple(found.faults))
@@ -305,6 +314,26 @@ def _camera(root: Usd.Prim, view: str) -> Floats | None:
         return None
     # A camera looks down its own -Z axis.
     return unit(Frames(root, Usd.TimeCode.Default()).to_root(camera.GetPrim())[2, :3])
+
+
+def _shot_camera(root: Usd.Prim) -> Floats | None:
+    """`Rig.shot_camera`: that of the render settings of the stage, else its only one; None without
+    one that sees in perspective.  Raises NOT_FINITE."""
+    stage = root.GetStage()
+    settings = UsdRender.Settings.GetStageRenderSettings(stage)
+    named = settings.GetCameraRel().GetForwardedTargets() if settings else []
+    cameras = [stage.GetPrimAtPath(path) for path in named] or [*stage.Traverse()]
+    found = [UsdGeom.Camera(prim) for prim in cameras if prim.IsA(UsdGeom.Camera)]
+    first, last, _ = time_codes(stage) or (0.0, 0.0, 0.0)
+    rows = []
+    for code in np.arange(first, min(last, first + MOST_FRAMES) + 1.0) if len(found) == 1 else ():
+        seen = found[0].GetCamera(code)
+        if seen.projection != Gf.Camera.Perspective or seen.focalLength <= 0.0:
+            return None
+        at = Frames(root, Usd.TimeCode(code)).to_root(found[0].GetPrim())
+        halves = np.array([seen.horizontalAperture, seen.verticalAperture]) / 2.0
+        rows.append(np.hstack([rotation_part(at).ravel(), at[3, :3], halves / seen.focalLength]))
+    return np.array(rows) if rows else None
 
 
 def metres_per_unit(layer: Sdf.Layer) -> float | None:

@@ -22,7 +22,7 @@ from usdrigui.stages.opening import open_stage
 
 _CLIP_BYTES = 128 * 1024 * 1024
 """Memory that a clip may take."""
-_MOST_FRAMES = 4096
+MOST_FRAMES = 4096
 """Frames kept of one animation, evenly spread over its length."""
 _LONGEST = 1e5
 """Time codes of the longest stage that is played without a clip."""
@@ -191,7 +191,7 @@ def _performance(path: Path, animation: UsdSkel.Animation) -> Performance:
         raise refuse(
             "NOT_FINITE", where, f"its time samples reach from {times[0]:g} to {times[-1]:g}"
         )
-    frames = np.linspace(times[0], times[-1], max(2, int(min(_MOST_FRAMES - 1, length)) + 1))
+    frames = np.linspace(times[0], times[-1], max(2, int(min(MOST_FRAMES - 1, length)) + 1))
     names = tokens(animation.GetBlendShapesAttr().Get(), where, "blendShapes")
     joints = tokens(animation.GetJointsAttr().Get(), where, "joints")
     return Performance(

@@ -3,8 +3,7 @@
 import { clamp, dot } from './vectors.js';
 
 const FIELD = (14 * Math.PI) / 180; // a long lens: what stands on the board does not turn it away
-/** Half of what is seen at a distance of 1, from top to bottom. */
-export const HALF = Math.tan(FIELD / 2);
+const HALF = Math.tan(FIELD / 2);
 const STEEPEST = (88 * Math.PI) / 180;
 
 export class OrbitCamera {
@@ -20,11 +19,14 @@ export class OrbitCamera {
     this.target = [0, 0, 0];
     this.distance = 1;
     this.size = 1;
+    this.half = HALF; // of what is seen at a distance of 1, from top to bottom
     this.turn(0, 0);
   }
 
-  /** Look from an azimuth and elevation (radians) off the front. */
+  /** Look from an azimuth and elevation (radians) off the front, through the own lens. */
   turn(azimuth, elevation) {
+    this.distance *= this.half / HALF;
+    this.half = HALF;
     this.azimuth = azimuth;
     this.elevation = clamp(elevation, -STEEPEST, STEEPEST);
     const level = plus(scaled(this.front, Math.cos(azimuth)), scaled(this.side, Math.sin(azimuth)));
@@ -35,9 +37,17 @@ export class OrbitCamera {
 
   /** Look at a target from where `towards` points (unit vector), so far away. */
   lookFrom(target, towards, distance) {
+    this.turn(Math.atan2(dot(towards, this.side), dot(towards, this.front)), Math.asin(clamp(dot(towards, this.up), -1, 1)));
     this.target = target;
     this.distance = distance;
-    this.turn(Math.atan2(dot(towards, this.side), dot(towards, this.front)), Math.asin(clamp(dot(towards, this.up), -1, 1)));
+  }
+
+  /** Look through the camera of a shot (`shot_camera` in usdrigui/character/rig.py), its whole picture in a column. */
+  lookThrough([right, above, towards, place, [across, upward]], { width, height }) {
+    const ahead = dot(minus(place, this.target), towards);
+    this.lookFrom(this.target, towards, ahead > 0 ? ahead : this.distance);
+    this.target = minus(place, scaled(towards, this.distance));
+    Object.assign(this, { right, above, towards, half: Math.max(upward, (across * height) / width) });
   }
 
   /** Fit points (lists of 3) into a column of `width` by `height` pixels. */
@@ -55,23 +65,25 @@ export class OrbitCamera {
     );
     const [wide, high, deep] = spans.map(([low, top]) => top - low);
     const half = 0.5 * margin * Math.max(high, (wide * height) / Math.max(1, width), 1e-6);
-    this.distance = half / HALF + 0.5 * deep;
+    this.distance = half / this.half + 0.5 * deep;
     this.size = Math.max(wide, high, deep);
   }
 
   zoom(factor) {
+    this.turn(this.azimuth, this.elevation);
     this.distance = clamp(this.distance * factor, 0.02 * this.size, 50 * this.size);
   }
 
   /** Move the target by a drag in pixels. */
   pan(dx, dy, height) {
+    this.turn(this.azimuth, this.elevation);
     const perPixel = this.pixelSize(height);
     this.target = plus(this.target, plus(scaled(this.right, -dx * perPixel), scaled(this.above, dy * perPixel)));
   }
 
   /** Scene units per pixel in the plane through the target. */
   pixelSize(height) {
-    return (2 * this.distance * HALF) / height;
+    return (2 * this.distance * this.half) / height;
   }
 
   get position() {
@@ -79,7 +91,7 @@ export class OrbitCamera {
   }
 
   get fieldDegrees() {
-    return (FIELD * 180) / Math.PI;
+    return (2 * Math.atan(this.half) * 180) / Math.PI;
   }
 
   /**
@@ -88,7 +100,7 @@ export class OrbitCamera {
    */
   projector(column) {
     const eye = this.position;
-    const focal = column.height / (2 * HALF);
+    const focal = column.height / (2 * this.half);
     const [cx, cy] = [column.left + column.width / 2, column.top + column.height / 2];
     const { right, above, towards } = this;
     return (point) => {
@@ -101,7 +113,7 @@ export class OrbitCamera {
 
   /** The point at pixel (x, y) of a column, in the plane parallel to the screen at `depth`. */
   unproject(column, x, y, depth) {
-    const perPixel = (2 * HALF * depth) / column.height;
+    const perPixel = (2 * this.half * depth) / column.height;
     const across = (x - column.left - column.width / 2) * perPixel;
     const upward = -(y - column.top - column.height / 2) * perPixel;
     const offset = plus(plus(scaled(this.right, across), scaled(this.above, upward)), scaled(this.towards, -depth));

@@ -22,6 +22,7 @@ const DEFAULT_OPTIONS = {
   draw: false, // strokes of a review over the view
   onion: false,
   trails: false, // of the selected handles
+  shot: false, // through its camera, until somebody looks elsewhere
   interpolation: 'linear', // of the first key of a control
   locality: 0.1,
   skinDrag: true,

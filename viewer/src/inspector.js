@@ -185,6 +185,7 @@ export class Inspector {
       this.check('heat', 'Show the area of influence', 'Heat map of the hovered or selected control'),
       this.check('onion', 'Onion skin', 'The keys before and after as outlines, amber and blue (O)'),
       this.check('trails', 'Motion trails', 'The ways of the selected handles on the face through the frames that play, a dot for each key (T)'),
+      this.session.character.shotCamera && this.check('shot', "The shot's camera", 'Look as the camera of the stage does, frame by frame, until you turn, move or zoom (V)'),
       this.check('follow', 'Elements follow the skin', 'Off: they stay where they are at rest'),
       session.updating(showAll),
       session.updating(this.drawnBy()),

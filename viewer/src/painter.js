@@ -3,7 +3,6 @@
 // points and straight lines between them; what WebGL draws looks the same (webgl.js has the same light).
 // From the same view as before only the tiles are drawn anew in which something has moved or changed its light.
 
-import { HALF } from './camera.js';
 import { covering, placed } from './dom.js';
 import { smooth } from './eye.js';
 import { alike, clamp } from './vectors.js';
@@ -218,9 +217,9 @@ export class Painter {
   }
 
   /** Pixel and nearness (1 / depth, 0 behind the viewer) of every point. */
-  project(points, column, { position, right, above, towards }) {
+  project(points, column, { position, right, above, towards, half }) {
     const { screen, before, changed } = this;
-    const focal = (this.ratio * column.height) / (2 * HALF);
+    const focal = (this.ratio * column.height) / (2 * half);
     const cx = this.ratio * (column.left + column.width / 2) - 0.5;
     const cy = this.ratio * (column.top + column.height / 2) - 0.5;
     const [ex, ey, ez] = position;

@@ -1,7 +1,6 @@
 // What lies under the pointer: the triangle of the skin at a pixel, and whether the skin hides a point.
 // Both work on the points projected to the screen, which is renewed only when pose or camera change.
 
-import { HALF } from './camera.js';
 
 const CELL = 3; // pixels per cell of the depth grid
 
@@ -24,8 +23,8 @@ export class ScreenSurface {
     if (!this.stale && this.column === column) return;
     const { points, screen } = this;
     const eye = camera.position;
-    const { right, above, towards } = camera;
-    const focal = column.height / (2 * HALF);
+    const { right, above, towards, half } = camera;
+    const focal = column.height / (2 * half);
     const cx = column.left + column.width / 2;
     const cy = column.top + column.height / 2;
     for (let i = 0; i < points.length; i += 3) {

@@ -62,6 +62,7 @@ function decodeCharacter(character, body) {
     if (mesh.skin) decodeSkin(mesh.skin, body);
   }
   character.pointCount = start;
+  character.shotCamera = character.shotCamera?.map((row) => [0, 3, 6, 9, 12].map((at) => row.slice(at, at + 3)));
   if (character.clip) {
     character.clip.weights = decodeArray(character.clip.weights, body);
     character.clip.locals = decodeArray(character.clip.locals, body);

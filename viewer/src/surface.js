@@ -1,6 +1,6 @@
 // The drawn surface: triangles of all visible meshes over the character's points, and their normals.
 
-import { HALF, cross } from './camera.js';
+import { cross } from './camera.js';
 import { dot, known } from './vectors.js';
 
 /** Triangles (3 indices each, into all points) of the visible meshes. */
@@ -242,7 +242,7 @@ function towardsEye(points, a, b, c, eye) {
 }
 
 /** Per point, bits for the sides of the picture beyond which it lies. */
-function outsides(points, { right, above, towards }, eye, wide) {
+function outsides(points, { right, above, towards, half }, eye, wide) {
   const out = new Uint8Array(points.length / 3);
   for (let k = 0, i = 0; k < out.length; k++, i += 3) {
     const x = points[i] - eye[0];
@@ -251,7 +251,7 @@ function outsides(points, { right, above, towards }, eye, wide) {
     const depth = -(x * towards[0] + y * towards[1] + z * towards[2]);
     const across = x * right[0] + y * right[1] + z * right[2];
     const upward = x * above[0] + y * above[1] + z * above[2];
-    const [edge, top] = [depth * HALF * wide, depth * HALF];
+    const [edge, top] = [depth * half * wide, depth * half];
     out[k] = (across > edge ? 1 : 0) | (across < -edge ? 2 : 0) | (upward > top ? 4 : 0) | (upward < -top ? 8 : 0) | (depth <= 0 ? 16 : 0);
   }
   return out;

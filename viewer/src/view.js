@@ -9,7 +9,7 @@ import { ScreenSurface } from './pick.js';
 import { Rearranging } from './rearrange.js';
 import { Stage } from './stage.js';
 import { SNAP, contains, make } from './dom.js';
-import { dot } from './vectors.js';
+import { clamp, dot } from './vectors.js';
 
 const SLOW = 45; // milliseconds per frame above which the picture is drawn coarser while it changes
 const SETTLE = 180; // milliseconds of rest before the picture is drawn sharp again
@@ -46,6 +46,7 @@ export class View {
     this.onInfluences = null;
     this.review = null;
     this.trails = null;
+    this.shotLook = null; // where the shot's camera looked last
     this.columns = [];
     this.stale = new Set(['pose', 'camera', 'overlay']);
     this.fineness = 1;
@@ -66,6 +67,7 @@ export class View {
     session.on('pose', () => this.changed('pose'));
     for (const event of ['selection', 'hover', 'dragging']) session.on(event, () => this.changed('overlay'));
     for (const event of ['options', 'layout']) session.on(event, () => this.arrange());
+    session.on('time', () => session.options.shot && this.changed('camera'));
     session.on('section', () => {
       const { up } = session.character;
       this.camera = new OrbitCamera(up, session.section.view);
@@ -246,8 +248,23 @@ export class View {
     if (this.stale.size || this.repaint) this.drawNow();
   }
 
+  /** Look through the shot's camera at the present frame, until somebody has moved this one. */
+  lookThroughShot() {
+    const { camera, session } = this;
+    const { shotCamera, timeCodes } = session.character;
+    const look = () => [camera.half, camera.distance, ...camera.target, ...camera.towards].join();
+    if (!session.options.shot || !shotCamera) this.shotLook = null;
+    else if (this.shotLook && this.shotLook !== look()) session.setOption('shot', false);
+    else {
+      const at = Math.round(session.frame - (timeCodes?.[0] ?? session.frame));
+      camera.lookThrough(shotCamera[clamp(at, 0, shotCamera.length - 1)], this.columns[0]);
+      this.shotLook = look();
+    }
+  }
+
   drawNow() {
     const { stale } = this;
+    if (stale.has('camera')) this.lookThroughShot();
     if (this.repaint) this.paint();
     if (stale.has('pose')) this.stage.refresh();
     if (stale.has('pose') || stale.has('camera')) this.picker.invalidate();

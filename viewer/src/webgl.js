@@ -106,7 +106,7 @@ export class Webgl {
     camera.near = Math.max(orbit.distance - 6 * orbit.size, 0.01 * orbit.distance);
     camera.far = orbit.distance + 60 * orbit.size;
     camera.position.fromArray(orbit.position);
-    camera.up.fromArray(orbit.up);
+    camera.up.fromArray(orbit.above);
     camera.lookAt(new THREE.Vector3().fromArray(orbit.target));
     camera.updateMatrixWorld();
     const wide = Math.max(...columns.map(({ width, height }) => width / height));
