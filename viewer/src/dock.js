@@ -4,7 +4,7 @@ import { OrbitCamera, minus } from './camera.js';
 import { FINGER, contains, lastWord } from './dom.js';
 import { alongTrack, clamp, dot } from './vectors.js';
 
-const WIDE = 184; // pixels of a column of rows
+const WIDE = 184; // pixels of a column of rows, a quarter more where the view is wide
 const CELL = 46; // of them for a track
 const ROW = 26;
 const SQUARE = 50; // height of a row whose element has several axes
@@ -37,8 +37,9 @@ export class Dock {
       const high = Math.min(0.32 * height, this.tall(width) + PAD);
       return { left: 0, top: height - high, width, height: high };
     }
-    const columns = Math.min(Math.ceil(this.tall(WIDE) / height), Math.max(1, Math.floor((0.36 * width) / WIDE)));
-    return { left: width - columns * WIDE, top: 0, width: columns * WIDE, height };
+    const wide = clamp(0.1 * width, WIDE, 1.25 * WIDE);
+    const columns = Math.min(Math.ceil(this.tall(wide) / height), Math.max(1, Math.floor((0.36 * width) / wide)));
+    return { left: width - columns * wide, top: 0, width: columns * wide, height };
   }
 
   /** Height of all rows in as many columns as a width holds. */
@@ -55,6 +56,7 @@ export class Dock {
     this.headings = [];
     if (!rect) return;
     const columns = Math.max(1, Math.floor(rect.width / WIDE));
+    this.room = rect.width / columns - CELL - 2.6 * PAD; // for a name
     const share = Math.max(rect.height, this.tall(rect.width));
     const at = { column: 0, top: PAD };
     const step = (height, needed = height) => {
@@ -138,7 +140,7 @@ export class Dock {
     for (const [element, { left, top, height }] of this.cells) {
       const marked = session.hover === element || session.selection.has(element.index);
       pen.fillStyle = marked ? '#f4f5f7' : '#b4bac2';
-      pen.fillText(shortened(pen, element.label, WIDE - CELL - 2.6 * PAD), left + CELL + PAD, top + height / 2 + 4);
+      pen.fillText(shortened(pen, element.label, this.room), left + CELL + PAD, top + height / 2 + 4);
     }
     if (this.most > 0) this.drawBar(pen);
   }
