@@ -180,7 +180,7 @@ def _placement(known: Measured, candidates: Candidates) -> PlacementProblem:
     groups = without_lone_pairs(known, candidates, find_groups(known, candidates))
     most = settings.objective.max_neighbours
     regions = crowded_regions(face, groups, most) if face.crowded else {}
-    if settings.levels.joints and not regions:
+    if settings.levels.crowds and not regions:
         regions = joints_behind_shapes(face, known.similarity, groups)
     groups = with_levels(face.rig, groups, settings.levels, requests, regions)
     return placement_problem(known, candidates, groups)

@@ -200,7 +200,6 @@ class LevelSettings:
     poses: bool = False
     groups: bool = False
     crowds: bool = True
-    joints: bool = True
 
 
 @dataclass(frozen=True, slots=True)

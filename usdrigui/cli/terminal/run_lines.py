@@ -11,7 +11,7 @@ from operator import attrgetter
 from typing import TYPE_CHECKING
 
 from usdrigui.cli.terminal.table import Table
-from usdrigui.errors import by_cause, counted, sentences
+from usdrigui.errors import by_cause, counted, listed, sentences
 from usdrigui.model.levels import inner_names
 
 if TYPE_CHECKING:
@@ -120,10 +120,8 @@ def _character(character: CharacterReport, verbose: bool) -> Iterator[Printed]:
         yield _rows_table(placed, places)
     else:
         yield from _away(placed)
-    if coarse := [each for each in elements if each.inner]:
-        opened = ", ".join(f"{each.name} opens {len(each.inner)}" for each in coarse)
-        hidden = counted(len(inner_names(elements)), "element")
-        yield f"  behind others on a second level: {hidden}; {opened}"
+    if inner := inner_names(elements):
+        yield f"  behind the elements that open them: {listed(sorted(inner))}"
     for note in character.notes:
         yield f"  note: {note.control}: {note.reason}"
     yield from _proof_lines(character, placed)
