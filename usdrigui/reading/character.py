@@ -24,7 +24,6 @@ from usdrigui.character import (
     Rig,
 )
 from usdrigui.character.joint_tree import unit
-from usdrigui.character.rotation import rotation_part
 from usdrigui.errors import Faults, Issue, issue, listed, of_character, refuse
 from usdrigui.reading.blend_shape import Binding, Found, controls_of_tokens, left_off_tokens
 from usdrigui.reading.clips import (
@@ -318,22 +317,22 @@ def _camera(root: Usd.Prim, view: str) -> Floats | None:
 
 def _shot_camera(root: Usd.Prim) -> Floats | None:
     """`Rig.shot_camera`: that of the render settings of the stage, else its only one; None without
-    one that sees in perspective.  Raises NOT_FINITE."""
+    one that sees in perspective."""
     stage = root.GetStage()
     settings = UsdRender.Settings.GetStageRenderSettings(stage)
     named = settings.GetCameraRel().GetForwardedTargets() if settings else []
-    cameras = [stage.GetPrimAtPath(path) for path in named] or [*stage.Traverse()]
-    found = [UsdGeom.Camera(prim) for prim in cameras if prim.IsA(UsdGeom.Camera)]
+    prims = [stage.GetPrimAtPath(path) for path in named] or stage.Traverse()
+    cameras = [UsdGeom.Camera(prim) for prim in prims if prim.IsA(UsdGeom.Camera)]
+    if len(cameras) != 1 or cameras[0].GetProjectionAttr().Get() != UsdGeom.Tokens.perspective:
+        return None
     first, last, _ = time_codes(stage) or (0.0, 0.0, 0.0)
     rows = []
-    for code in np.arange(first, min(last, first + MOST_FRAMES) + 1.0) if len(found) == 1 else ():
-        seen = found[0].GetCamera(code)
-        if seen.projection != Gf.Camera.Perspective or seen.focalLength <= 0.0:
-            return None
-        at = Frames(root, Usd.TimeCode(code)).to_root(found[0].GetPrim())
-        halves = np.array([seen.horizontalAperture, seen.verticalAperture]) / 2.0
-        rows.append(np.hstack([rotation_part(at).ravel(), at[3, :3], halves / seen.focalLength]))
-    return np.array(rows) if rows else None
+    for code in np.arange(first, min(last, first + MOST_FRAMES) + 1.0):
+        to_world = UsdGeom.XformCache(code).GetLocalToWorldTransform(root)
+        seen = cameras[0].GetCamera(code).frustum
+        seen.Transform(to_world.GetInverse())
+        rows.append(np.append(np.array(seen.ComputeViewInverse())[:, :3], seen.window.max))
+    return np.array(rows) if np.isfinite(rows).all() else None
 
 
 def metres_per_unit(layer: Sdf.Layer) -> float | None:
