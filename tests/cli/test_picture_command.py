@@ -9,9 +9,6 @@ from PIL import Image
 from pxr import Usd, UsdSkel
 
 from usdrigui.cli import main
-from usdrigui.reading.character import read_rigs
-from usdrigui.settings import Settings
-from usdrigui.view.clip import clip_values
 
 
 @pytest.fixture(scope="module")
@@ -39,17 +36,6 @@ def test_a_film_moves_and_is_the_same_every_time(layer, tmp_path):
     first = np.asarray(picture.convert("RGB"), dtype=int)
     picture.seek(2)
     assert np.abs(np.asarray(picture.convert("RGB"), dtype=int) - first).max() > 60
-
-
-def test_the_clip_as_control_values(layer):
-    (rig,) = read_rigs(layer.with_name("char.usda"), Settings())
-    values = clip_values(rig)
-    assert values.shape == (len(rig.clip.times), len(rig.controls))
-    shapes = [i for i, control in enumerate(rig.controls) if control.kind == "blendShape"]
-    channel = int(rig.controls[shapes[0]].drive.channels[0])
-    np.testing.assert_allclose(values[:, shapes[0]], rig.clip.weights[:, channel])
-    turning = [i for i, control in enumerate(rig.controls) if control.kind == "joint"]
-    assert np.abs(values[:, turning]).max() > 1.0, "degrees"
 
 
 def test_no_animation_is_refused(tmp_path, capsys):

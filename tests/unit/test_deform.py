@@ -42,11 +42,6 @@ def test_the_stage_has_every_kind_of_control(rig):
     }
 
 
-def test_base_pose_equals_usdskel(rig, stage_path):
-    expected = baked(stage_path, rig, *channel_state(rig, None))
-    assert np.abs(deform(rig) - expected).max() < 1e-6 * diagonal(rig)
-
-
 @pytest.mark.parametrize("share", [0.0, 0.3, 0.77, 1.0])
 def test_every_control_equals_usdskel(rig, stage_path, share):
     for index, control in enumerate(rig.controls):
