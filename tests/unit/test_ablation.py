@@ -30,12 +30,12 @@ def ready():
 
 @pytest.fixture(scope="module")
 def rows(ablation, ready):
-    found = ablation.ablation(ready, ["random", "peak only", "centroid", "lambda 0.85", "20 %"])
+    found = ablation.ablation(ready, ["random", "peak only", "centroid", "20 %"])
     return {row.name: row for row in found}
 
 
 def test_no_row_beats_the_bound_of_the_full_one(rows):
-    assert len(rows) == 6
+    assert len(rows) == 5
     assert all(np.isfinite(row.cost) and row.cost >= rows["full"].bound - 1e-9 for row in rows.values())
     assert rows["full"].cost < rows["centroid of influence"].cost
     assert rows["full"].cost < rows["random"].cost
@@ -46,10 +46,6 @@ def test_peaks_keep_most_and_the_full_layout_keeps_handles_apart(rows):
     assert rows["peak only"].kept > rows["random"].kept
     assert rows["full"].nearest >= 1.0
     assert rows["peak only"].nearest < 1.0
-
-
-def test_the_default_weight_is_the_full_layout(rows):
-    assert rows["lambda 0.85"].cost == pytest.approx(rows["full"].cost, rel=2e-4)
 
 
 def test_one_command_leaves_table_and_picture(ablation, ready, tmp_path, capsys, monkeypatch):

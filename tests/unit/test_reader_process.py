@@ -74,40 +74,29 @@ def test_metadata_is_that_of_the_root_layer(tmp_path):
     }
 
 
-def test_a_camera_is_a_direction_in_the_space_of_the_root(tmp_path):
+def test_a_camera_is_a_direction_in_the_space_of_the_root_and_that_of_the_shot_is_told_frame_by_frame(tmp_path):
+    """Also where the character goes its way; of two cameras without render settings it is neither."""
     from pxr import Gf, Usd, UsdGeom
 
     path = head(tmp_path / "char.usda")
     stage = Usd.Stage.Open(str(path))
     camera = UsdGeom.Camera.Define(stage, "/cam")
     camera.AddTransformOp().Set(Gf.Matrix4d().SetRotate(Gf.Rotation((0, 1, 0), 90)))
-    stage.Save()
-    found = read_rigs_isolated(path, load({"candidates": {"view": "/cam"}}))
-    np.testing.assert_allclose(found.rigs[0].camera, [1, 0, 0], atol=1e-12)
-    assert read_rigs_isolated(path, load({"candidates": {"view": "/none"}})).rigs[0].camera is None
-
-
-def test_the_camera_of_a_shot_is_told_frame_by_frame_where_the_character_goes_its_way(tmp_path):
-    """Of two cameras without render settings it is neither."""
-    from pxr import Usd, UsdGeom
-
-    path = head(tmp_path / "shot.usda")
-    stage = Usd.Stage.Open(str(path))
     walk = UsdGeom.Xformable(stage.GetPrimAtPath("/Char")).AddTranslateOp()
-    turn = UsdGeom.Camera.Define(stage, "/cam").AddRotateYOp()
     for code in (101, 102):
         walk.Set((code, 0, 2), code)
-        turn.Set(90 * (code - 101), code)
     stage.SetStartTimeCode(101)
     stage.SetEndTimeCode(102)
     stage.Save()
-    found = read_rigs_isolated(path, load({})).rigs[0].shot_camera
-    halves = (20.955 / 100, 15.2908 / 100)  # of USD's own aperture and focal length
-    turned = (0, 0, -1, 0, 1, 0, 1, 0, 0, -102, 0, -2)
-    np.testing.assert_allclose(found, [(*np.eye(3).ravel(), -101, 0, -2, *halves), (*turned, *halves)], atol=1e-6)
+    (found,) = read_rigs_isolated(path, load({"candidates": {"view": "/cam"}})).rigs
+    np.testing.assert_allclose(found.camera, [1, 0, 0], atol=1e-12)
+    axes, halves = (0, 0, -1, 0, 1, 0, 1, 0, 0), (20.955 / 100, 15.2908 / 100)  # of USD's own aperture and focal length
+    rows = [(*axes, -101, 0, -2, *halves), (*axes, -102, 0, -2, *halves)]
+    np.testing.assert_allclose(found.shot_camera, rows, atol=1e-6)
     UsdGeom.Camera.Define(stage, "/other")
     stage.Save()
-    assert read_rigs_isolated(path, load({})).rigs[0].shot_camera is None
+    (found,) = read_rigs_isolated(path, load({"candidates": {"view": "/none"}})).rigs
+    assert (found.camera, found.shot_camera) == (None, None)
 
 
 # --- what may become of the reader -------------------------------------------------------------------
