@@ -34,23 +34,27 @@ _VALUE = "rig: "
 
 def bind(layout, objects, names):
     """Store a layout with the ``objects`` that it means, by prim path, and the ``names`` that
-    differ there, as of `matching.names_of`; returns the holder.
+    differ there, as of `matching.names_of`; returns its `Character`.
 
     The holder is the armature, or the first mesh where there is none; for a library override, which
     keeps no properties of its own when it is saved, an empty.  Raises LayoutError when a mesh that
     carries controls is missing or has another number of points.
     """
     check_meshes(layout, objects)
-    here = {i: objects[path] for i, path in enumerate(layout.paths) if path in objects}
+    here = {str(i): objects[path] for i, path in enumerate(layout.paths) if path in objects}
     if not here:
         raise LayoutError(f"no object of the scene belongs to {layout.root}")
     mine = [*here.values()]
-    holder = holder_of(mine) or (_stand_in(mine[0]) if mine[0].override_library else mine[0])
+    holder = holder_of(mine)
+    if holder and holder.data and holder not in mine:  # it had the layout of these and of others
+        unbind(holder)
+        holder = None
+    holder = holder or (_stand_in(mine[0]) if mine[0].override_library else mine[0])
     holder[LAYOUT] = to_json(layout)
-    holder[_OBJECTS] = {str(i): each for i, each in here.items()}
-    holder[_NAMES] = json.dumps({path: names[path] for path in layout.paths if path in names})
-    Character(holder).widen_ranges()
-    return holder
+    holder[_OBJECTS], holder[_NAMES] = here, json.dumps(names)
+    character = Character(holder)
+    character.widen_ranges()
+    return character
 
 
 def _stand_in(thing):
@@ -61,9 +65,10 @@ def _stand_in(thing):
 
 
 def holder_of(objects):
-    """The object that holds the layout of some of these, or None."""
+    """The object that holds the layout of some of these, one of them if it can be, or None."""
     held = holders(bpy.context.scene)
-    return next((each for each in held if {*objects} & {*Character(each).objects.values()}), None)
+    found = (each for each in held if {*objects} & {*Character(each).objects.values()})
+    return max(found, key=objects.count, default=None)
 
 
 def unbind(holder):
@@ -102,16 +107,19 @@ def check_meshes(layout, objects):
     """Raise LayoutError unless the meshes that carry controls are among ``objects``, by prim path,
     with the points that they had."""
     needed = {element.mesh for element in layout.elements}
-    for path, points in ((each.path, each.points) for each in layout.meshes if each.path in needed):
-        if path not in objects:
+    for mesh in layout.meshes:
+        if mesh.path not in needed:
+            continue
+        here = objects.get(mesh.path)
+        if here is None:
             raise LayoutError(
-                f"no object of the scene is the mesh {path} with {points} vertices: import that"
-                " character, or lay out the one that is here"
+                f"no object of the scene is the mesh {mesh.path} with {mesh.points} vertices:"
+                " import that character, or lay out the one that is here"
             )
-        count = len(objects[path].data.vertices)
-        if count != points:
+        count = len(here.data.vertices)
+        if count != mesh.points:
             raise LayoutError(
-                f"{objects[path].name} has {count} vertices, {path} has {points}: lay it out again"
+                f"{here.name} has {count} vertices, {mesh.path} has {mesh.points}: lay it out again"
             )
 
 
@@ -123,12 +131,13 @@ class Character:
         self.holder = holder
         self.layout = parsed(holder[LAYOUT])
         self.controls = {control.name: control for control in self.layout.controls}
-        skeletons = {each.path for each in self.layout.skeletons}
         stored = holder[_OBJECTS]
         pairs = ((path, stored.get(str(i))) for i, path in enumerate(self.layout.paths))
         self.objects = {path: each for path, each in pairs if each and each.data}
-        self.armatures = {path: each for path, each in self.objects.items() if path in skeletons}
-        self.meshes = {path: each for path, each in self.objects.items() if path not in skeletons}
+        self.armatures = {
+            path: each for path, each in self.objects.items() if each.type == "ARMATURE"
+        }
+        self.meshes = {path: each for path, each in self.objects.items() if each.type == "MESH"}
         self.names = json.loads(holder[_NAMES])
 
     # --- values -----------------------------------------------------------------------------------

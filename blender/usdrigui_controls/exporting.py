@@ -38,6 +38,8 @@ class Face:
 
     meshes: tuple
     armatures: tuple
+    beside: tuple
+    """Names of other armatures on the same parent."""
 
     @property
     def name(self):
@@ -66,16 +68,25 @@ def selected_face(context):
     chosen = chosen or [each for each in context.collection.all_objects if each in shown]
     tops = {each.parent or each for each in chosen}
     wanted = {each for top in tops for each in (top, *top.children_recursive)}
-    rigs = {rig for each in wanted for rig in armatures_of(each)}
+    around = {rig for each in wanted for rig in armatures_of(each)}
+    rigs = {
+        rig for each in chosen for own in armatures_of(each) for rig in armatures_of(own)
+    } or around
+    # Beside another armature nothing tells whose the meshes without one are.
+    alone = wanted if around <= rigs else chosen
     meshes = [
         each
         for each in shown
-        if each.type == "MESH" and (each in wanted or rigs & {*armatures_of(each)})
+        if each.type == "MESH" and (each in alone or rigs & {*armatures_of(each)})
     ]
     hidden = next((each for each in rigs if each not in shown), None)
     if hidden is not None:
         raise LayoutError(f"the armature {hidden.name} of this face is hidden: show it first")
-    face = Face(tuple(meshes), tuple(each for each in shown if each in rigs))
+    face = Face(
+        tuple(meshes),
+        tuple(each for each in shown if each in rigs),
+        tuple(each.name for each in shown if each in around - rigs),
+    )
     _check(face, chosen, context)
     return face
 
@@ -116,12 +127,17 @@ def _check(face, chosen, context):
 
 def _changing(mesh, depsgraph):
     """Name of a modifier that leaves other vertices than those of the mesh; empty if none does."""
-    used = [each for each in mesh.modifiers if each.show_viewport and each.type != "ARMATURE"]
+    used = _used(mesh)
     cutting = [each for each in used if each.type in _CUTTING]
     others = len(mesh.evaluated_get(depsgraph).data.vertices) != len(mesh.data.vertices)
     if others and not any(each.type in _REFINING for each in used):
         cutting = cutting or used
     return cutting[0].name if cutting else ""
+
+
+def _used(mesh):
+    """The modifiers that change a mesh but for its armatures."""
+    return [each for each in mesh.modifiers if each.show_viewport and each.type != "ARMATURE"]
 
 
 def _is_free(key):
@@ -138,12 +154,7 @@ def write_character(context, face, target):
 
     Raises LayoutError where the file cannot be written.
     """
-    modifiers = [
-        each
-        for mesh in face.meshes
-        for each in mesh.modifiers
-        if each.type != "ARMATURE" and each.show_viewport
-    ]
+    modifiers = [each for mesh in face.meshes for each in _used(mesh)]
     with selection_kept(context):
         for each in context.view_layer.objects:
             each.select_set(each in face.meshes or each in face.armatures)

@@ -9,7 +9,7 @@ import importlib
 import bpy
 
 from . import inbetweens
-from .character import SOURCE, Character, bind
+from .character import SOURCE, bind
 from .layout import LayoutError
 from .matching import match, names_of
 
@@ -18,31 +18,29 @@ def add_controls(stage, imported=None):
     """Build the controls of every layout on a stage, on the objects of the scene that it means.
 
     Objects that were ``imported`` just now, by prim path, are put where USD has them; all others
-    are left as they are, but for in-betweens that they lack.  Returns (holder, number of in-between
-    keys added) per character.  Raises LayoutError when the stage holds no layout, or one that does
-    not fit the scene.
+    are left as they are, but for in-betweens that they lack.  Returns the `Character` of each.
+    Raises LayoutError when the stage holds no layout, or one that does not fit the scene.
     """
     from .reading import read_layouts
 
     layouts = read_layouts(stage)
     if not layouts:
         raise LayoutError("this file holds no layout: choose the .rigui.usda of the character")
-    mine = (each for each in bpy.context.scene.objects if not each.library)
-    objects = imported or match(stage, layouts, [*mine])
-    names = names_of(stage, layouts, objects)
+    objects = imported or match(
+        stage, layouts, [each for each in bpy.context.scene.objects if not each.library]
+    )
     built = []
     for layout in layouts:
-        holder = bind(layout, objects, names)
-        holder[SOURCE] = stage.GetRootLayer().realPath
-        character = Character(holder)
-        added = inbetweens.build(stage, character)
+        character = bind(layout, objects, names_of(stage, layout, objects))
+        character.holder[SOURCE] = stage.GetRootLayer().realPath
+        inbetweens.build(stage, character)
         if imported:
             character.place_meshes()
         # The layer's own drawn handles, if they were imported as well: the controls are drawn.
         for path, thing in objects.items():
             if path.startswith(f"{layout.root}/RigUI/"):
                 thing.hide_viewport = thing.hide_render = True
-        built.append((holder, added))
+        built.append(character)
     return built
 
 
@@ -96,10 +94,8 @@ if hasattr(bpy.types, "USDHook"):
             except LayoutError as error:
                 print(f"In-situ rig controls: {error}")
                 return False
-            for holder, added in built:
-                print(
-                    f"In-situ rig controls: built on {holder.name}, {added} in-between shapes added"
-                )
+            for character in built:
+                print(f"In-situ rig controls: built on {character.holder.name}")
             return True
 
 

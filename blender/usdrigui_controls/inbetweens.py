@@ -16,25 +16,21 @@ _KNOTS = "usdrigui_inbetweens"
 
 
 def build(stage, character):
-    """Add the in-betweens of the meshes of a character; returns how many keys were added.
+    """Add the in-betweens of the meshes of a character.
 
     Meshes that have their in-betweens already keep them.
     """
-    added = 0
     for path, mesh in character.meshes.items():
         block = mesh.data.shape_keys
         if block is None or _KNOTS in block:
             continue
-        found = {}
-        for token, shape in blend_shapes(stage.GetPrimAtPath(path)):
-            key = character.shape_key(path, token)
-            keys = _add(mesh, key, shape) if key else []
-            if keys:
-                found[key.name] = keys
-                added += len(keys)
-        if found:
-            block[_KNOTS] = json.dumps(found)
-    return added
+        made = {
+            key.name: _add(mesh, key, shape)
+            for token, shape in blend_shapes(stage.GetPrimAtPath(path))
+            if (key := character.shape_key(path, token))
+        }
+        if any(made.values()):
+            block[_KNOTS] = json.dumps(made)
 
 
 def tokens_of(prim):
@@ -58,26 +54,13 @@ def blend_shapes(prim):
 def offsets_at(mesh, key, point):
     """Knots (k,) and offsets (k, 3) of one vertex under one shape key and its in-betweens."""
     block = mesh.data.shape_keys
-    rest = np.array(key.relative_key.data[point].co)
-    full = (np.array(key.data[point].co) - rest) * shares(mesh, key, [point])
+    full = key_offsets(mesh, key)[point]
     found = {0.0: np.zeros(3), 1.0: full}
     for weight, name in json.loads(block.get(_KNOTS, "{}")).get(key.name, ()):
         added = block.key_blocks.get(name)
         if added is not None:
-            found[weight] = weight * full + np.array(added.data[point].co) - rest
+            found[weight] = weight * full + key_offsets(mesh, added)[point]
     return tuple(map(np.array, zip(*sorted(found.items()), strict=True)))
-
-
-def shares(mesh, key, points):
-    """How much of a key each of some vertices takes: its weight in the group that masks the key, if
-    one does."""
-    group = mesh.vertex_groups.get(key.vertex_group)
-    if group is None:
-        return np.ones(len(points))
-    weights = (mesh.data.vertices[point].groups for point in points)
-    return np.array(
-        [sum(each.weight for each in groups if each.group == group.index) for groups in weights]
-    )
 
 
 def _add(mesh, key, shape):
@@ -138,7 +121,12 @@ def key_offsets(mesh, key):
     """(n, 3) what a shape key adds at 1: to the key that it is relative to, where its mask lets
     it."""
     offsets = coordinates(key.points) - coordinates(key.relative_key.points)
-    return offsets * shares(mesh, key, range(len(offsets)))[:, None]
+    group = mesh.vertex_groups.get(key.vertex_group)
+    if group is not None:
+        groups = (vertex.groups for vertex in mesh.data.vertices)
+        weights = [{each.group: each.weight for each in mine} for mine in groups]
+        offsets *= [[mine.get(group.index, 0.0)] for mine in weights]
+    return offsets
 
 
 def coordinates(items):

@@ -61,8 +61,8 @@ class LoadLayout(bpy.types.Operator, ImportHelper):
         """Read the layer and bind it to the objects that it means."""
         built = add_controls(open_stage(bpy.path.abspath(self.filepath)))
         visibility.forget()
-        for holder, _ in built:
-            missing = Character(holder).missing()
+        for character in built:
+            missing = character.missing()
             if missing:
                 self.report({"WARNING"}, f"nothing in the scene answers to {', '.join(missing)}")
         return {"FINISHED"}

@@ -10,7 +10,7 @@ from pathlib import Path
 import bpy
 
 from . import visibility
-from .character import BONES, EXPORTED, SOURCE, Character, holder_of
+from .character import BONES, EXPORTED, SOURCE, holder_of
 from .environment import Background, need_room, usdrigui
 from .exporting import selected_face, write_character
 from .gizmos import active
@@ -49,7 +49,7 @@ class LayOutFace(Background, bpy.types.Operator):
         self.layer = source.with_suffix(".rigui.usda")
         self.previous = self.layer.with_name(f"previous_{self.layer.name}")
         write_character(context, face, source)
-        self.left_off = face.driven()
+        self.left_off, self.beside = face.driven(), face.beside
         return [usdrigui(*self._arguments(source, held))]
 
     def _arguments(self, source, held):
@@ -62,21 +62,29 @@ class LayOutFace(Background, bpy.types.Operator):
         for option, path in beside:
             if path.is_file():
                 found += [option, path]
-        if held and Path(held[SOURCE]).is_file():
+        before = Path(held[SOURCE] if held else "")
+        if before == self.layer and before.is_file():
             # The layer is about to be replaced: it is read under another name.
-            shutil.copyfile(held[SOURCE], self.previous)
+            shutil.copyfile(before, self.previous)
             found += ["--previous", self.previous]
+        elif before.is_file():  # of a character with other names: what this is a copy of, perhaps
+            found += ["--like", before]
         return found
 
     def finish(self):
         """Bind the layout to the objects of the scene."""
         self.previous.unlink(missing_ok=True)
-        stage = open_stage(str(self.layer))
-        for holder, _ in add_controls(stage):
-            holder[EXPORTED] = True
-            said = f"{len(Character(holder).controls)} controls on {holder.name}"
+        for character in add_controls(open_stage(str(self.layer))):
+            character.holder[EXPORTED] = True
+            on = [each.name for each in character.armatures.values()] or [character.holder.name]
+            said = f"{len(character.controls)} controls on {' and '.join(on)}"
             if self.left_off:
                 said += f"; {len(self.left_off)} shape keys are driven or muted and have none"
+            if self.beside:
+                said += (
+                    f"; {', '.join(self.beside)} and what has no armature beside it are left out:"
+                    " select with the face what belongs to it"
+                )
             self.report({"INFO"}, said)
         visibility.forget()
 

@@ -38,18 +38,17 @@ def match(stage, layouts, objects):
     return found
 
 
-def names_of(stage, layouts, objects):
+def names_of(stage, layout, objects):
     """By prim path of the ``objects`` that are known, blend-shape tokens to names of shape keys, or
     joints to names of bones; where they differ from the token or from the last part of the joint's
     path."""
     found = {}
-    for layout in layouts:
-        for path in (each.path for each in layout.meshes if each.path in objects):
-            keys = [key.name for key in shape_keys(objects[path])]
-            found[path] = _paired(tokens_of(stage.GetPrimAtPath(path)), keys)
-        for each in (each for each in layout.skeletons if each.path in objects):
-            bones = [bone.name for bone in objects[each.path].data.bones]
-            found[each.path] = _paired([joint.path for joint in each.joints], bones, _last)
+    for path in (each.path for each in layout.meshes if each.path in objects):
+        keys = [key.name for key in shape_keys(objects[path])]
+        found[path] = _paired(tokens_of(stage.GetPrimAtPath(path)), keys)
+    for each in (each for each in layout.skeletons if each.path in objects):
+        bones = [bone.name for bone in objects[each.path].data.bones]
+        found[each.path] = _paired([joint.path for joint in each.joints], bones, _last)
     return found
 
 

@@ -85,12 +85,14 @@ def save_animation(scene, target, steps, with_values):
         raise LayoutError("no character of this scene has controls: lay one out, or load a layout")
     if len(characters) < len(holders(scene)):
         raise LayoutError(
-            "a character and its copy have one layout: save each from a scene of its own"
+            "a character and its copy have one layout: lay the copy out by itself first"
         )
     sources = list(dict.fromkeys(source for source, _ in characters))
     for source in sources:
         if not Path(source).is_file():
-            raise LayoutError(f"the layout {source or 'of this scene'} is gone: load it again")
+            raise LayoutError(
+                f"the layout {source or 'of this scene'} is gone: load or lay it out again"
+            )
         if Path(source).resolve() == target.resolve():
             raise LayoutError(f"{target.name} is the layout itself: choose another name")
     layer = Sdf.Layer.CreateAnonymous(target.suffix)

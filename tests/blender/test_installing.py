@@ -45,5 +45,5 @@ def test_install_import_key_save_and_load(run_inside, usd_python, archive, tmp_p
     assert found["loaded"] == 11
     no_layout, other_points, copied = found["refused"].tolist()
     assert "choose the .rigui.usda" in no_layout
-    assert "save each from a scene of its own" in copied
+    assert "lay the copy out by itself first" in copied
     assert "lay it out again" in other_points

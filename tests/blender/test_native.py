@@ -83,6 +83,11 @@ def test_one_button_binds_every_control_to_the_scenes_own_keys_and_leaves_the_ri
 
 
 @pytest.mark.real
+def test_a_copy_and_a_neighbour_on_one_parent_are_characters_of_their_own(run_inside, usd_python):
+    run_inside([usd_python], "beside", source=asset("godette"), scene="plain", python=sys.executable)
+
+
+@pytest.mark.real
 def test_a_library_override_keeps_its_controls_when_the_shot_is_opened_again(run_inside, usd_python):
     found = run_inside([usd_python], "overridden", source=asset("godette"), python=sys.executable)
     assert found["value"] == pytest.approx(0.4)

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import bpy
 import native
 import numpy as np
-from scene import enabled, job
+from scene import enabled, job, refusal
 
 task = job()
 enabled(task["python"])
@@ -16,10 +16,7 @@ said = {}
 
 def refused(name, operator=None, **options):
     """Keep the line that an operator answers with."""
-    try:
-        (operator or bpy.ops.usdrigui.lay_out)(**options)
-    except RuntimeError as error:
-        said[name] = str(error).removeprefix("Error: ").strip()
+    said[name] = refusal(operator or bpy.ops.usdrigui.lay_out, **options).removeprefix("Error: ").strip()
 
 
 def emptied():
