@@ -7,6 +7,7 @@ from pathlib import Path
 
 import makers
 import numpy as np
+import skel_stages
 from pxr import Gf, Kind, Usd, UsdGeom, UsdSkel, Vt
 
 LEVELS = {"high": (33, 41), "mid": (21, 25), "low": (13, 15)}
@@ -88,24 +89,11 @@ def _level(path: Path, columns: int, rows: int) -> None:
     mesh.CreateFaceVertexCountsAttr([4] * len(quads))
     mesh.CreateFaceVertexIndicesAttr([point for quad in quads for point in quad])
     mesh.CreateSubdivisionSchemeAttr("none")
-    binding = UsdSkel.BindingAPI.Apply(mesh.GetPrim())
-    targets = []
     for name, offsets in shapes.items():
-        shape = UsdSkel.BlendShape.Define(stage, f"/Char/Geo/face/{name}")
-        shape.CreateOffsetsAttr(_vectors(offsets))
-        targets.append(shape.GetPath())
-    binding.CreateBlendShapesAttr(list(shapes))
-    binding.CreateBlendShapeTargetsRel().SetTargets(targets)
-    binding.CreateJointIndicesPrimvar(True, 1).Set([0])
-    binding.CreateJointWeightsPrimvar(True, 1).Set([1.0])
-    skeleton = UsdSkel.Skeleton.Define(stage, "/Char/Skel")
-    skeleton.CreateJointsAttr(["Head"])
-    skeleton.CreateBindTransformsAttr([Gf.Matrix4d(1)])
-    skeleton.CreateRestTransformsAttr([Gf.Matrix4d(1)])
-    animation = UsdSkel.Animation.Define(stage, "/Char/Anim")
-    animation.CreateBlendShapesAttr(list(shapes))
-    animation.CreateBlendShapeWeightsAttr([0.0] * len(shapes))
-    UsdSkel.BindingAPI.Apply(skeleton.GetPrim()).CreateAnimationSourceRel().SetTargets([animation.GetPath()])
+        skel_stages.add_shape(mesh, name, offsets)
+    skel_stages.add_skin(mesh, [0], [1.0], 1, rigid=True)
+    skeleton = skel_stages.add_skeleton(stage, "/Char/Skel", ["Head"], [Gf.Matrix4d(1)])
+    skel_stages.add_animation(stage, "/Char/Anim", "/Char/Skel", list(shapes))
     UsdSkel.BindingAPI.Apply(stage.GetPrimAtPath("/Char")).CreateSkeletonRel().SetTargets([skeleton.GetPath()])
     stage.Save()
 
@@ -118,9 +106,7 @@ def _parts(stage: Usd.Stage, name: str) -> None:
         eye.GetPrim().GetReferences().AddReference(f"./{name}_eye.usda")
         eye.GetPrim().SetInstanceable(True)
         UsdGeom.XformCommonAPI(eye).SetTranslate((0.35 * sign, 0.3, 0.45))
-        binding = UsdSkel.BindingAPI.Apply(eye.GetPrim())
-        binding.CreateJointIndicesPrimvar(True, 1).Set([0])
-        binding.CreateJointWeightsPrimvar(True, 1).Set([1.0])
+        skel_stages.add_skin(eye, [0], [1.0], 1, rigid=True)
     proxy = UsdGeom.Mesh.Define(stage, "/Char/Proxy")
     _quad(proxy, 1.0, (0.0, 0.0, 0.7))
     proxy.CreatePurposeAttr(UsdGeom.Tokens.proxy)
