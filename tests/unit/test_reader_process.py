@@ -75,8 +75,8 @@ def test_metadata_is_that_of_the_root_layer(tmp_path):
 
 
 def test_a_camera_is_a_direction_in_the_space_of_the_root_and_that_of_the_shot_is_told_frame_by_frame(tmp_path):
-    """Also where the character goes its way; of two cameras without render settings it is neither."""
-    from pxr import Gf, Usd, UsdGeom
+    """Also where the character goes its way; of two cameras it is the one that render settings name."""
+    from pxr import Gf, Usd, UsdGeom, UsdRender
 
     path = head(tmp_path / "char.usda")
     stage = Usd.Stage.Open(str(path))
@@ -94,9 +94,13 @@ def test_a_camera_is_a_direction_in_the_space_of_the_root_and_that_of_the_shot_i
     rows = [(*axes, -101, 0, -2, *halves), (*axes, -102, 0, -2, *halves)]
     np.testing.assert_allclose(found.shot_camera, rows, atol=1e-6)
     UsdGeom.Camera.Define(stage, "/other")
-    stage.Save()
-    (found,) = read_rigs_isolated(path, load({"candidates": {"view": "/none"}})).rigs
-    assert (found.camera, found.shot_camera) == (None, None)
+    settings = UsdRender.Settings.Define(stage, "/render")
+    for named, seen in ((), False), (("/gone",), False), (("/cam",), True):
+        settings.CreateCameraRel().SetTargets(named)
+        stage.SetMetadata("renderSettingsPrimPath", "/render")
+        stage.Save()
+        (found,) = read_rigs_isolated(path, load({"candidates": {"view": "/none"}})).rigs
+        assert (found.camera, found.shot_camera is not None) == (None, seen)
 
 
 # --- what may become of the reader -------------------------------------------------------------------

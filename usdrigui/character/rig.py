@@ -44,9 +44,9 @@ class Rig(Record):
     camera: Floats | None = None
     """(3,) unit direction to the viewer of the camera from which it is to be laid out, if any."""
     shot_camera: Floats | None = None
-    """(frames, 14) the camera of its stage at each time code from the first on, or at one, in root
-    space: unit rows to the right, up and to the viewer, its place, and half of the width and height
-    of what it sees at a distance of 1."""
+    """(frames, 14) the camera of its stage at each time code from the first on, in root space: unit
+    rows to the right, up and to the viewer, its place, and half of the width and height of what it
+    sees at a distance of 1."""
 
     @property
     def path_in_variants(self) -> str:

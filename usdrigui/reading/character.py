@@ -322,12 +322,12 @@ def _shot_camera(root: Usd.Prim) -> Floats | None:
     settings = UsdRender.Settings.GetStageRenderSettings(stage)
     named = settings.GetCameraRel().GetForwardedTargets() if settings else []
     prims = [stage.GetPrimAtPath(path) for path in named] or stage.Traverse()
-    cameras = [UsdGeom.Camera(prim) for prim in prims if prim.IsA(UsdGeom.Camera)]
+    cameras = [UsdGeom.Camera(prim) for prim in prims if prim and prim.IsA(UsdGeom.Camera)]
     if len(cameras) != 1 or cameras[0].GetProjectionAttr().Get() != UsdGeom.Tokens.perspective:
         return None
     first, last, _ = time_codes(stage) or (0.0, 0.0, 0.0)
     rows = []
-    for code in np.arange(first, min(last, first + MOST_FRAMES) + 1.0):
+    for code in np.arange(first, last + 1.0)[:MOST_FRAMES]:
         to_world = UsdGeom.XformCache(code).GetLocalToWorldTransform(root)
         seen = cameras[0].GetCamera(code).frustum
         seen.Transform(to_world.GetInverse())
