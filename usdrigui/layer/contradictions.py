@@ -119,7 +119,7 @@ def _of_layout(scope: Usd.Prim, layout: Layout) -> Iterator[Issue]:
             copies.append(other.anchor.position)
             yield from _of_mirror(prim, element, other_prim, other, layout)
         yield from _of_side(prim, element, np.array(copies), layout)
-    for one, other in layout.unpaired():
+    for one, other in layout.unpaired(author.TOLD):
         yield invalid_at(
             by_name[one.name][0], f"rigUI:element:mirror is missing: {other.name} is its image"
         )

@@ -23,8 +23,6 @@ ONE_PLACE = 0.5
 """Handle widths within which two anchors are at one place."""
 _MIRRORED = 0.1
 """Handle widths within which an anchor is at the mirror image of another: the two are a pair."""
-_TOLD = 1e-6
-"""Share of a coordinate that a layer does not tell."""
 Side = Literal["left", "right", "middle", "none"]
 Decision = Literal["anchor", "place", "grouping"]
 """What a person may decide about an element: its point; on the character or on the board; which
@@ -83,9 +81,9 @@ class Layout(Record):
                 found |= twin.controls
         return found
 
-    def unpaired(self) -> Iterator[tuple[Element, Element]]:
+    def unpaired(self, told: float = 0.0) -> Iterator[tuple[Element, Element]]:
         """Elements on the character that are each other's mirror image, with the ends of their
-        tracks, and do not say so."""
+        tracks, and do not say so; `told` is how exactly their coordinates are told, in shares."""
         frame = self.frame
         alone = [
             (
@@ -101,7 +99,7 @@ class Layout(Record):
             if {one.side, other.side} == {"left", "right"} and mine.shape == theirs.shape:
                 away = np.abs(frame.plane.reflected(mine) - theirs).max()
                 # Far from the origin single precision does not tell such places apart.
-                if away < _MIRRORED * frame.handle_width_of(one.part) - _TOLD * np.abs(mine).max():
+                if away < _MIRRORED * frame.handle_width_of(one.part) - told * np.abs(mine).max():
                     yield one, other
 
     def with_pairs(self) -> Layout:
