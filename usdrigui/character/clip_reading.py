@@ -44,8 +44,9 @@ def reading(control: Control) -> ClipReading | None:
 def turning(control: Control) -> ClipReading | None:
     """The reading of a joint's control in the first of its joints, which those of a finger follow;
     None for another control, or one that turns none."""
-    drive = control.drive
-    if control.kind != "joint" or not drive.rotations[:, 0].any():
+    if control.kind != "joint":
         return None
+    drive = control.drive
     rise = drive.rotations[-1, 0] - drive.rotations[0, 0]
-    return ClipReading((), int(drive.joints[0]), rise / float(drive.values[-1] - drive.values[0]))
+    turn = rise / float(drive.values[-1] - drive.values[0])
+    return ClipReading((), int(drive.joints[0]), turn) if turn.any() else None
