@@ -35,6 +35,11 @@ export class OrbitCamera {
     this.above = cross(this.towards, this.right);
   }
 
+  /** Look the same way through the own lens, and without a roll. */
+  leaveShot() {
+    this.turn(this.azimuth, this.elevation);
+  }
+
   /** Look at a target from where `towards` points (unit vector), so far away. */
   lookFrom(target, towards, distance) {
     this.turn(Math.atan2(dot(towards, this.side), dot(towards, this.front)), Math.asin(clamp(dot(towards, this.up), -1, 1)));
@@ -70,13 +75,13 @@ export class OrbitCamera {
   }
 
   zoom(factor) {
-    this.turn(this.azimuth, this.elevation);
+    this.leaveShot();
     this.distance = clamp(this.distance * factor, 0.02 * this.size, 50 * this.size);
   }
 
   /** Move the target by a drag in pixels. */
   pan(dx, dy, height) {
-    this.turn(this.azimuth, this.elevation);
+    this.leaveShot();
     const perPixel = this.pixelSize(height);
     this.target = plus(this.target, plus(scaled(this.right, -dx * perPixel), scaled(this.above, dy * perPixel)));
   }

@@ -248,7 +248,7 @@ class App {
       d: () => this.timeline.openSheet(),
       o: flip('onion'),
       t: flip('trails'),
-      v: flip('shot'),
+      v: () => (this.session.character.shotCamera ? this.session.flipOption('shot') : this.say('The stage has no camera, or several and no render settings that choose one')),
       'Ctrl+c': () => this.session.copy(),
       'Ctrl+v': () => this.session.paste(),
       ...Object.fromEntries(looks),

@@ -1,7 +1,6 @@
 // What lies under the pointer: the triangle of the skin at a pixel, and whether the skin hides a point.
 // Both work on the points projected to the screen, which is renewed only when pose or camera change.
 
-
 const CELL = 3; // pixels per cell of the depth grid
 
 export class ScreenSurface {

@@ -74,6 +74,8 @@ export class Review {
   }
 
   look() {
+    this.view.camera.leaveShot();
+    this.view.changed('camera');
     return lookOf(this.view.camera, this.view.controlsColumn);
   }
 

@@ -253,7 +253,7 @@ export class View {
     const { camera, session } = this;
     const { shotCamera, timeCodes } = session.character;
     const look = () => [camera.half, camera.distance, ...camera.target, ...camera.towards].join();
-    if (!session.options.shot || !shotCamera) this.shotLook = null;
+    if (!session.options.shot) this.shotLook = null;
     else if (this.shotLook && this.shotLook !== look()) session.setOption('shot', false);
     else {
       const at = Math.round(session.frame - (timeCodes?.[0] ?? session.frame));
