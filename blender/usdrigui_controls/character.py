@@ -134,10 +134,10 @@ class Character:
         stored = holder[_OBJECTS]
         pairs = ((path, stored.get(str(i))) for i, path in enumerate(self.layout.paths))
         self.objects = {path: each for path, each in pairs if each and each.data}
-        self.armatures = {
-            path: each for path, each in self.objects.items() if each.type == "ARMATURE"
-        }
-        self.meshes = {path: each for path, each in self.objects.items() if each.type == "MESH"}
+        self.armatures, self.meshes = (
+            {path: each for path, each in self.objects.items() if each.type == kind}
+            for kind in ("ARMATURE", "MESH")
+        )
         self.names = json.loads(holder[_NAMES])
 
     # --- values -----------------------------------------------------------------------------------

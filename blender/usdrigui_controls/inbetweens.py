@@ -54,12 +54,13 @@ def blend_shapes(prim):
 def offsets_at(mesh, key, point):
     """Knots (k,) and offsets (k, 3) of one vertex under one shape key and its in-betweens."""
     block = mesh.data.shape_keys
-    full = key_offsets(mesh, key)[point]
-    found = {0.0: np.zeros(3), 1.0: full}
+    here = slice(point, point + 1)
+    (full,) = key_offsets(mesh, key, here)
+    found = {0.0: 0.0 * full, 1.0: full}
     for weight, name in json.loads(block.get(_KNOTS, "{}")).get(key.name, ()):
-        added = block.key_blocks.get(name)
-        if added is not None:
-            found[weight] = weight * full + key_offsets(mesh, added)[point]
+        if name in block.key_blocks:
+            (added,) = key_offsets(mesh, block.key_blocks[name], here)
+            found[weight] = weight * full + added
     return tuple(map(np.array, zip(*sorted(found.items()), strict=True)))
 
 
@@ -117,13 +118,13 @@ def shape_keys(mesh):
     return block.key_blocks[1:] if block else []
 
 
-def key_offsets(mesh, key):
-    """(n, 3) what a shape key adds at 1: to the key that it is relative to, where its mask lets
-    it."""
-    offsets = coordinates(key.points) - coordinates(key.relative_key.points)
+def key_offsets(mesh, key, some=slice(None)):
+    """(n, 3) what a shape key adds to `some` vertices at 1: to the key that it is relative to,
+    where its mask lets it."""
+    offsets = (coordinates(key.points) - coordinates(key.relative_key.points))[some]
     group = mesh.vertex_groups.get(key.vertex_group)
     if group is not None:
-        groups = (vertex.groups for vertex in mesh.data.vertices)
+        groups = (vertex.groups for vertex in mesh.data.vertices[some])
         weights = [{each.group: each.weight for each in mine} for mine in groups]
         offsets *= [[mine.get(group.index, 0.0)] for mine in weights]
     return offsets

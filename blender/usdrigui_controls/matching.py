@@ -46,9 +46,10 @@ def names_of(stage, layout, objects):
     for path in (each.path for each in layout.meshes if each.path in objects):
         keys = [key.name for key in shape_keys(objects[path])]
         found[path] = _paired(tokens_of(stage.GetPrimAtPath(path)), keys)
-    for each in (each for each in layout.skeletons if each.path in objects):
-        bones = [bone.name for bone in objects[each.path].data.bones]
-        found[each.path] = _paired([joint.path for joint in each.joints], bones, _last)
+    for each in layout.skeletons:
+        if each.path in objects:
+            bones = [bone.name for bone in objects[each.path].data.bones]
+            found[each.path] = _paired([joint.path for joint in each.joints], bones, _last)
     return found
 
 
