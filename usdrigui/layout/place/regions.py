@@ -66,8 +66,8 @@ def crowded_regions(
 def joints_behind_shapes(
     face: Face, similarity: Similarity, groups: Iterable[Group]
 ) -> dict[str, set[str]]:
-    """The group of blend shapes, by name, of which one moves about as each axis of a joint's group
-    does, to that group.
+    """By the name of a group of blend shapes, the groups of joints each axis of which moves the
+    skin much as one of these shapes does.
 
     An eye that shapes and a joint turn has one gaze at a time, the shapes' first: lids follow it.
     """
