@@ -12,7 +12,6 @@ import io
 import json
 import os
 import re
-import subprocess
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict
@@ -25,6 +24,7 @@ import minimal_assets
 import numpy as np
 from layout_problems import at_one_spot
 from processes import impostor
+from programs import ran
 
 from usdrigui import pipeline, stages
 from usdrigui.cli import distributions, main, supervised
@@ -473,7 +473,7 @@ def _schema_late(*_: object) -> Found:
         "try: schema.register()\n"
         "except RigUIError as error: print(json.dumps([int(error.exit_code), [asdict(error.issue)]]))\n"
     )
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    done = ran("-c", program)
     exit_code, issues = json.loads(done.stdout)
     place = str(schema.schema_path())
     return exit_code, [{key: value.replace(place, "SCHEMAS") for key, value in each.items()} for each in issues]

@@ -2,12 +2,11 @@
 
 import json
 import os
-import subprocess
-import sys
 
 import pytest
 import skinned_stages
 from commands import run
+from programs import ran
 
 from usdrigui.cli import main
 
@@ -111,7 +110,7 @@ def test_help_and_version_load_nothing_heavy(argument):
         "heavy = ('pxr', 'scipy', 'highspy', 'numpy', 'usdrigui.settings')\n"
         "print([name for name in heavy if name in sys.modules], file=sys.stderr)"
     )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    done = ran("-c", code)
     assert done.stderr.strip() == "[]"
 
 
@@ -121,12 +120,12 @@ def test_a_run_loads_nothing_that_few_layouts_need():
         "import sys, usdrigui.pipeline, usdrigui.cli.terminal.review_lines; from usdrigui.reader import reader_main;"
         f"print([name for name in {parts} if name in sys.modules])"
     )
-    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "[]\n"
+    assert ran("-c", code).stdout == "[]\n"
 
 
 def test_importing_the_package_loads_no_usd():
     code = "import sys, usdrigui; usdrigui.Settings; usdrigui.process; print('pxr' in sys.modules)"
-    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "False\n"
+    assert ran("-c", code).stdout == "False\n"
 
 
 def test_schema_path_is_a_folder_with_a_plugin(capsys):

@@ -1,11 +1,10 @@
 """Our rules in NVIDIA's asset validator: the real engine and its real fixer on crafted faults."""
 
-import subprocess
-import sys
 from importlib.metadata import entry_points
 
 import pytest
 import skel_stages
+from programs import ran
 from pxr import Usd, UsdSkel, Vt
 
 validator = pytest.importorskip("omni.asset_validator", reason="usd-validation-nvidia is not installed")
@@ -36,7 +35,7 @@ def test_rules_are_registered(stage):
 def test_the_validator_finds_the_rules_by_what_is_installed():
     (named,) = (each for each in entry_points(group="usd_validation_nvidia") if each.name == "usdrigui")
     script = "import omni.asset_validator as v; v.ValidationEngine(); print(v.CategoryRuleRegistry().categories)"
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120, check=True)
+    done = ran("-c", script)
     assert named.value == "usdrigui.clients.asset_validator:Rules"
     assert asset_validator.CATEGORY in done.stdout
 

@@ -3,28 +3,19 @@
 The long versions are commands, ends.py, killing.py and saving.py, with the last figures in docs/reliability.md.
 """
 
-import json
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from programs import figures
 
 HERE = Path(__file__).parent
 
 pytestmark = pytest.mark.slow
 
 
-def harness(*arguments):
-    done = subprocess.run(
-        [sys.executable, *map(str, arguments)], capture_output=True, text=True, timeout=600, check=False
-    )
-    assert done.stdout, done.stderr
-    return json.loads(done.stdout)
-
-
 def test_kills_around_the_write_never_tear_a_file():
-    found = harness(HERE / "killing.py", "--commits", 150)
+    found = figures(HERE / "killing.py", "--commits", 150)
     assert found["faults"] == []
     states = found["states"]
     assert sum(states.values()) == 150
@@ -34,12 +25,12 @@ def test_kills_around_the_write_never_tear_a_file():
 
 
 def test_no_save_is_lost_to_an_edit():
-    found = harness(HERE / "saving.py", "--replacements", 60)
+    found = figures(HERE / "saving.py", "--replacements", 60)
     assert found["lost"] == []
     assert {"written", "SOURCE_CHANGED"} <= found["ends"].keys(), "the saves came all too early or all too late"
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="looks for processes in /proc")
 def test_kills_and_signals_end_commands_with_a_documented_code_and_nothing_torn():
-    found = harness(HERE / "ends.py", "--count", 6, "--only", "process", "batch")
+    found = figures(HERE / "ends.py", "--count", 6, "--only", "process", "batch")
     assert found["faults"] == []

@@ -4,13 +4,13 @@
 """
 
 import json
-import subprocess
 import sys
 import zlib
 from pathlib import Path
 
 import pytest
 from mutations import mutant, package
+from programs import figures
 from skel_stages import head
 
 from usdrigui.cli import main
@@ -35,10 +35,7 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="readers are for
 @pytest.mark.slow
 @pytest.mark.parametrize("form", ["usda", "usdc", "usdz"])
 def test_every_damaged_file_has_a_documented_end(form, tmp_path):
-    command = [sys.executable, str(HERE / "fuzz.py"), "--format", form, "--count", "80", "--keep", str(tmp_path)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=600, check=False)
-    assert done.stdout, f"the process under test died ({done.returncode}): {done.stderr[-2000:]}"
-    found = json.loads(done.stdout)
+    found = figures(HERE / "fuzz.py", "--format", form, "--count", 80, "--keep", tmp_path)
     assert found["faults"] == []
     assert sum(found["ends"].values()) == 80
     assert len(found["ends"]) > 5, "the damage has become too gentle or too rough to tell anything"

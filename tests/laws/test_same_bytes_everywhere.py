@@ -1,13 +1,12 @@
 """The layer is a function of the asset and the settings: of no clock, seed, locale, place or number of processors."""
 
 import os
-import subprocess
-import sys
 import time
 
 import numpy as np
 import pytest
 import skinned_stages
+from programs import ran
 from skel_stages import character
 
 DISPATCHED = np.show_config(mode="dicts")["SIMD Extensions"].get("found", [])
@@ -43,14 +42,8 @@ pytestmark = pytest.mark.slow
 def layer(asset, world=None, cwd=None, arguments=()):
     target = asset.with_name("char.rigui.usda")
     target.unlink(missing_ok=True)
-    done = subprocess.run(
-        [sys.executable, "-m", "usdrigui", "process", os.path.relpath(asset, cwd or "."), "--quiet", *arguments],
-        env={**os.environ, "PYTHONHASHSEED": "0", **(world or {})},
-        cwd=cwd,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    command = ("-m", "usdrigui", "process", os.path.relpath(asset, cwd or "."), "--quiet", *arguments)
+    done = ran(*command, env={**os.environ, "PYTHONHASHSEED": "0", **(world or {})}, cwd=cwd)
     assert done.returncode == 0, done.stderr
     return target.read_bytes()
 

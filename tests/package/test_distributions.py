@@ -2,10 +2,11 @@
 
 import os
 import shutil
-import subprocess
 import sys
 import tomllib
 from pathlib import Path
+
+from programs import ran
 
 from usdrigui.cli import distributions, main
 from usdrigui.errors import Exit
@@ -38,8 +39,8 @@ def test_the_variant_holds_the_same_files():
 def test_without_usd_a_command_ends_in_one_refusal(tmp_path):
     (tmp_path / "sitecustomize.py").write_text("import sys\nsys.modules['pxr'] = None\n")
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(tmp_path), *sys.path])}
-    command = [sys.executable, "-m", "usdrigui", "process", str(ROOT / "sample_assets" / "char.usda"), "--dry-run"]
-    done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120, check=False)
+    command = ("-m", "usdrigui", "process", ROOT / "sample_assets" / "char.usda", "--dry-run")
+    done = ran(*command, env=environment)
     assert done.returncode == Exit.USAGE, done.stderr
     assert done.stderr.count("USD_MISSING") == 1
     assert "pip install usd-core" in done.stderr
@@ -92,7 +93,5 @@ def test_the_schema_distribution_needs_nothing_and_serves_beside_the_package(tmp
     beside = alone.replace("from pxr", "from usdrigui.stages import schema\nschema.register()\nfrom pxr")
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(tmp_path), *sys.path])}
     for script in (alone, beside):
-        done = subprocess.run(
-            [sys.executable, "-c", script], capture_output=True, text=True, env=environment, timeout=120, check=False
-        )
+        done = ran("-c", script, env=environment)
         assert (done.returncode, done.stdout, "usdRigUI" in done.stderr) == (0, "", False), done.stderr

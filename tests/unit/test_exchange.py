@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 import signal
-import subprocess
 import sys
 import threading
 from pathlib import Path
 
 import pytest
+from programs import ran
 
 from usdrigui.errors import RigUIError
 from usdrigui.isolation.foreign_file import hashed
@@ -167,7 +167,7 @@ try:
 except RigUIError as error:
     print(error.issue.code)
 """
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+    done = ran("-c", script)
     assert (done.stdout, done.returncode) == (("", -signal.SIGKILL) if end == "killed" else ("FILE_FULL\n", 0))
     assert alone(asset) is (end != "killed")
     assert asset.read_bytes() == OLD

@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 from mutations import package
 from processes import children_of, gone, impostor, until
+from programs import ran
 from pxr import Sdf
 from skel_stages import character, head
 
@@ -205,7 +206,7 @@ def test_the_reader_has_an_alarm_of_its_own(tmp_path):
 def in_bounds(code, tmp_path):
     """Run code in a process that is bound as the reader is; what it prints."""
     program = f"from usdrigui.isolation.confinement import confine\nconfine(20.0, 1000)\n{code}"
-    done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=False)
+    done = ran("-c", program, cwd=tmp_path)
     return done.stdout + done.stderr
 
 
@@ -274,7 +275,7 @@ for kinds in ({FORBIDDEN!r}, {ALLOWED!r}):
             print(what, error.errno)
 print([line.split()[1] for line in open("/proc/self/status") if line.startswith(("NoNewPrivs", "Seccomp:"))])
 """
-    done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=False)
+    done = ran("-c", code, cwd=tmp_path)
     said = done.stdout.split("\n")
     assert [line.rpartition(" ")[0] for line in said if line.endswith((" 1", " 13"))] == list(FORBIDDEN), done
     assert [line.rpartition(" ")[0] for line in said if line.endswith("done")] == list(ALLOWED), done.stderr[-600:]

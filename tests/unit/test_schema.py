@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from folders import ROOT
+from programs import ran
 from pxr import Sdf, Usd
 
 from usdrigui.layer import author
@@ -23,9 +24,7 @@ SOURCE = ROOT / "schemas"
 
 def run(code: str, **environment: str) -> str:
     """Output of a fresh Python."""
-    done = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, env={**os.environ, **environment}, timeout=120
-    )
+    done = ran("-c", code, env={**os.environ, **environment})
     assert done.returncode == 0, done.stderr
     return done.stdout.strip()
 

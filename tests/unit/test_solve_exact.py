@@ -8,8 +8,6 @@ from __future__ import annotations
 
 import itertools
 import os
-import subprocess
-import sys
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -18,6 +16,7 @@ import numpy as np
 import pytest
 from enumeration import best_of_all
 from layout_problems import at_one_spot, crowd, random_problem
+from programs import ran
 
 from usdrigui.character import Indices
 from usdrigui.errors import RigUIError
@@ -596,7 +595,7 @@ def test_tables_of_variables_that_interact_give_the_bounds_of_one_matrix() -> No
 
 def test_importing_the_package_loads_no_solver() -> None:
     code = "import sys, usdrigui.solve; sys.exit(any(m in sys.modules for m in ('highspy', 'pytoulbar2')))"
-    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+    assert ran("-c", code).returncode == 0
 
 
 def on_a_line(count: int, apart: int, step: float, first: int, off_face: float) -> LayoutProblem:

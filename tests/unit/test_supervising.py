@@ -12,6 +12,7 @@ from queue import SimpleQueue
 import minimal_assets
 import pytest
 from processes import impostor
+from programs import ran
 
 from usdrigui.errors import Exit, refuse
 from usdrigui.isolation.supervising import STOP, interrupted, supervise
@@ -42,7 +43,7 @@ DEATHS = {
 
 def python(program, folder=None):
     """The process of a program that has ended."""
-    return subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, cwd=folder)
+    return ran("-c", program, cwd=folder)
 
 
 @pytest.fixture

@@ -7,13 +7,12 @@ import errno
 import os
 import signal
 import stat
-import subprocess
-import sys
 import threading
 from pathlib import Path
 
 import pytest
 from commands import contents
+from programs import ran
 
 from usdrigui.errors import Exit, RigUIError, refuse
 from usdrigui.replacing import temporaries
@@ -147,7 +146,7 @@ try:
 except RigUIError as error:
     print(error.issue.code)
 """
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60, check=True)
+    done = ran("-c", script)
     assert done.stdout.strip() == "FILE_FULL"
     assert target.read_bytes() == OLD
     assert only_file(target)
@@ -367,7 +366,7 @@ with Transaction(()) as files:
 """
     (tmp_path / "char.rigui.usda").write_bytes(OLD)
     (tmp_path / "report.json").write_bytes(OLD)
-    assert subprocess.run([sys.executable, "-c", script], check=False).returncode == -signal.SIGKILL
+    assert ran("-c", script).returncode == -signal.SIGKILL
     assert (tmp_path / "char.rigui.usda").read_bytes() == OLD
     assert (tmp_path / "report.json").read_bytes() == b"new report"
     commit(NEW, tmp_path / "report.json")

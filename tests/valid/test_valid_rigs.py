@@ -1,13 +1,12 @@
 """A dozen valid rigs and a dozen written ones, laid out, checked and viewed; docs/reliability.md has the thousand."""
 
-import json
-import subprocess
 import sys
 from pathlib import Path
 
 import failing
 import numpy as np
 import pytest
+from programs import figures
 from written_rigs import write_rig
 
 import usdrigui
@@ -20,10 +19,7 @@ HERE = Path(__file__).parent
 @pytest.mark.skipif(sys.platform != "linux", reason="readers are forked, which needs Linux")
 @pytest.mark.parametrize("kind", ["--small", "--written"])
 def test_every_valid_rig_is_laid_out_checked_and_viewed(kind):
-    command = [sys.executable, "-W", "error::RuntimeWarning", str(HERE / "many_rigs.py"), kind, "--count", "5"]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=900, check=False)
-    assert done.stdout, f"the process under test died ({done.returncode}): {done.stderr[-2000:]}"
-    found = json.loads(done.stdout)
+    found = figures(HERE / "many_rigs.py", kind, "--count", 5)
     assert found["not exit 0"] == []
     assert {*found["ends"].values()} == {5}
 
