@@ -96,7 +96,7 @@ export class Deformer {
     const mesh = this.character.meshes[meshIndex];
     const shapes = [];
     for (const shape of mesh.shapes) {
-      const row = indexOf(shape.points, point);
+      const row = shape.points.indexOf(point);
       if (row >= 0) shapes.push({ shape, row });
     }
     const tracer = { mesh, point, shapes, row: 0, chain: /** @type {number[]} */ ([]), skin: mesh.skin };
@@ -119,7 +119,7 @@ export class Deformer {
   }
 
   traceBlend({ mesh, point, shapes }) {
-    const at = [mesh.points[3 * point], mesh.points[3 * point + 1], mesh.points[3 * point + 2]];
+    const at = Array.from(mesh.points.subarray(3 * point, 3 * point + 3));
     for (const { shape, row } of shapes) {
       const weight = this.weights[shape.channel];
       if (weight === 0) continue;
@@ -210,16 +210,4 @@ function applyMaps(points, maps, out) {
     out[i + 1] = x * maps[m + 1] + y * maps[m + 4] + z * maps[m + 7] + maps[m + 10];
     out[i + 2] = x * maps[m + 2] + y * maps[m + 5] + z * maps[m + 8] + maps[m + 11];
   }
-}
-
-function indexOf(sorted, value) {
-  let low = 0;
-  let high = sorted.length - 1;
-  while (low <= high) {
-    const middle = (low + high) >> 1;
-    if (sorted[middle] === value) return middle;
-    if (sorted[middle] < value) low = middle + 1;
-    else high = middle - 1;
-  }
-  return -1;
 }

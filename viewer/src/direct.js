@@ -115,11 +115,8 @@ const rangeOf = (model, group) => Math.max(...group.map((control) => model.maxim
 
 /** Rows of which those of the grabbed place, the first three, count less in the direction to the viewer. */
 function weighted(rows, towards) {
-  const out = Float64Array.from(rows);
-  if (!towards) return out;
-  const deep = dot(towards, out);
-  for (let axis = 0; axis < 3; axis++) out[axis] -= (1 - DEPTH) * deep * towards[axis];
-  return out;
+  const deep = towards ? (1 - DEPTH) * dot(towards, rows) : 0;
+  return Float64Array.from(rows, (value, i) => (deep && i < 3 ? value - deep * towards[i] : value));
 }
 
 /**

@@ -67,12 +67,8 @@ export class Elements {
   }
 
   handleAt(element, values, rests) {
-    const at = [...rests[0]];
-    element.members.forEach((member, m) => {
-      const on = alongTrack(member.values, element.tracks[m], values[member.control]);
-      for (let axis = 0; axis < 3; axis++) at[axis] += on[axis] - rests[m][axis];
-    });
-    return at;
+    const moved = (at, member, m) => plus(at, minus(alongTrack(member.values, element.tracks[m], values[member.control]), rests[m]));
+    return element.members.reduce(moved, rests[0]);
   }
 
   /** Paths of the anchor under each of the element's controls in the base pose, magnified. */
@@ -145,10 +141,6 @@ function magnificationFor(path, length) {
 
 /** `anchor` plus the offset of a point from the base anchor, turned by the linear part of `carry`. */
 function carried(point, base, carry, anchor) {
-  const [x, y, z] = [point[0] - base[0], point[1] - base[1], point[2] - base[2]];
-  return [
-    anchor[0] + x * carry[0] + y * carry[4] + z * carry[8],
-    anchor[1] + x * carry[1] + y * carry[5] + z * carry[9],
-    anchor[2] + x * carry[2] + y * carry[6] + z * carry[10],
-  ];
+  const [x, y, z] = minus(point, base);
+  return [0, 1, 2].map((axis) => anchor[axis] + x * carry[axis] + y * carry[4 + axis] + z * carry[8 + axis]);
 }

@@ -164,23 +164,23 @@ const COLUMNS = [
   'weight_error_squared', 'vertex_error_squared', 'question', 'answer', 'paused', 'face_pixels', 'target_pixels', 'window', 'device',
   'level', 'order', 'targets', 'character', 'layout', 'version',
 ];
-const OF_A_FACE = 5; // columns from `paused` to `device`; those after them are the same in every row
 const EVENTS = ['participant', 'trial', 'face', 'interface', 'event', 'seconds', 'control', 'x', 'y', 'pixels'];
 
 /** The results as CSV text: a row per face, then one per answer; shares are of the participant's total, as in figure 15. */
 export function toCsv(participant, results, answers = {}, setting = {}) {
-  const same = COLUMNS.slice(COLUMNS.indexOf('level')).map((name) => setting[name] ?? '');
-  const total = results.reduce((sum, { seconds }) => sum + seconds, 0);
-  const faces = results.map((each, i) => [
-    participant, each.block, each.name, i + 1, each.face, each.controls, each.seconds.toFixed(2),
-    (total ? each.seconds / total : 0).toFixed(5), each.edits, each.weightError.toFixed(6), each.vertexError.toFixed(6), '', '',
-    (each.paused ?? 0).toFixed(2), ...['facePixels', 'targetPixels'].map((name) => (each[name] ?? 0).toFixed(1)), each.window ?? '', each.device ?? '', ...same,
-  ]);
-  const answered = Object.entries(answers).map(([question, answer]) => [
-    participant, ...Array(COLUMNS.indexOf('question') - 1).fill(''), question, quoted(answer), ...Array(OF_A_FACE).fill(''), ...same,
-  ]);
-  return `${[COLUMNS, ...faces, ...answered].map((row) => row.join(',')).join('\n')}\n`;
+  const total = secondsOf(results);
+  const faces = results.map((each, i) => ({
+    block: each.block, interface: each.name, trial: i + 1, face: each.face, target_controls: each.controls, seconds: each.seconds.toFixed(2),
+    share_of_time: (total ? each.seconds / total : 0).toFixed(5), edits: each.edits,
+    weight_error_squared: each.weightError.toFixed(6), vertex_error_squared: each.vertexError.toFixed(6), paused: (each.paused ?? 0).toFixed(2),
+    face_pixels: (each.facePixels ?? 0).toFixed(1), target_pixels: (each.targetPixels ?? 0).toFixed(1), window: each.window, device: each.device,
+  }));
+  const answered = Object.entries(answers).map(([question, answer]) => ({ question, answer: quoted(answer) }));
+  const rows = [...faces, ...answered].map((row) => ({ participant, ...setting, ...row }));
+  return `${[COLUMNS, ...rows.map((row) => COLUMNS.map((name) => row[name] ?? ''))].map((cells) => cells.join(',')).join('\n')}\n`;
 }
+
+const secondsOf = (results) => results.reduce((sum, { seconds }) => sum + seconds, 0);
 
 /** What the hand did (hand.js) in each trial as CSV text, in seconds from the beginning of the trial. */
 export function eventsCsv(participant, results) {
@@ -413,12 +413,11 @@ export class Evaluation {
 
   /** Time and mean errors per interface. */
   summary() {
-    const total = this.results.reduce((sum, { seconds }) => sum + seconds, 0);
     const rows = Object.entries(INTERFACES).map(([name, label]) => {
       const own = this.results.filter((each) => each.name === name);
       const mean = (key) => (own.length ? (own.reduce((sum, each) => sum + each[key], 0) / own.length).toFixed(3) : '–');
-      const seconds = own.reduce((sum, each) => sum + each.seconds, 0);
-      const cells = [label, `${seconds.toFixed(0)} s`, `${Math.round((100 * seconds) / total)} %`, mean('weightError'), mean('vertexError')];
+      const seconds = secondsOf(own);
+      const cells = [label, `${seconds.toFixed(0)} s`, `${Math.round((100 * seconds) / secondsOf(this.results))} %`, mean('weightError'), mean('vertexError')];
       return make('tr', {}, ...cells.map((cell) => make('td', {}, cell)));
     });
     const heads = ['', 'Time', 'Share', 'Weight error', 'Vertex error'].map((head) => make('th', {}, head));

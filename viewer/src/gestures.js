@@ -2,6 +2,7 @@
 // else the empty space, which orbits.  One finger does what the mouse does; two pan, pinch and turn.  Moves are
 // handled once per drawn frame.
 
+import { minus, plus } from './camera.js';
 import { dragTo, movedAlong } from './drag.js';
 import { FINGER } from './dom.js';
 import { Pull } from './pull.js';
@@ -120,12 +121,8 @@ export class Gestures {
   dragTo(at, fine, trail) {
     const { active } = this;
     const scale = fine ? FINE : 1;
-    active.hand = {
-      ...at,
-      x: active.hand.x + scale * (at.x - active.last.x),
-      y: active.hand.y + scale * (at.y - active.last.y),
-    };
     const step = [at.x - active.last.x, at.y - active.last.y];
+    active.hand = { ...at, x: active.hand.x + scale * step[0], y: active.hand.y + scale * step[1] };
     active.last = at;
     if (!active.moved && Math.hypot(at.x - active.start.x, at.y - active.start.y) < SLOP) return;
     if (!active.moved) active.grab?.();
@@ -212,7 +209,7 @@ export class Gestures {
     if (!element && view.overlay.dock.contains(at)) return { drag: (_, [, dy]) => this.scroll(-dy) };
     if (event.altKey || !(element || at.column) || at.column?.kind === 'target') return this.orbiting();
     if (element && session.options.rearrange) return view.rearranging.gesture(element);
-    if (element) return event.shiftKey ? this.adding(element) : this.handling(element);
+    if (element) return event.shiftKey ? { click: () => session.select([element], 'toggle') } : this.handling(element);
     const pin = view.controlsAt(at) ? view.overlay.pinAt(at.x, at.y, reach) : null;
     if (pin) return { click: () => session.removePin(pin) };
     const hit = session.options.skinDrag ? view.pick(at) : null;
@@ -250,10 +247,6 @@ export class Gestures {
         this.view.say('Several handles lay under the finger: drag the one you mean');
       },
     };
-  }
-
-  adding(element) {
-    return { click: () => this.session.select([element], 'toggle') };
   }
 
   handling(element) {
@@ -310,7 +303,7 @@ export class Gestures {
         const { column } = at;
         const from = view.camera.unproject(column, at.x, at.y, hit.depth);
         const to = view.camera.unproject(column, hand.x, hand.y, hit.depth);
-        pull.to(pull.origin.map((value, axis) => value + to[axis] - from[axis]));
+        pull.to(plus(pull.origin, minus(to, from)));
       },
       drop: () => {
         if (pull.acts && before.every((value, i) => value === session.values[i])) view.say('No control that is free moves the skin here that way');

@@ -3,7 +3,7 @@
 
 import { minus } from './camera.js';
 import { determinant3 } from './matrix.js';
-import { known } from './vectors.js';
+import { dot, known } from './vectors.js';
 
 const GOOD_WAY = 64; // of 255: a quarter of the way that the point goes that moves most
 
@@ -53,9 +53,7 @@ export class Influence {
   isWide(index) {
     if (!this.character.controls[index].drive.joints.length) return false;
     const heat = this.ofControl(index);
-    let warm = 0;
-    for (const value of heat) if (value > GOOD_WAY) warm++;
-    return warm > 0.5 * heat.length;
+    return heat.filter((value) => value > GOOD_WAY).length > 0.5 * heat.length;
   }
 
   /** 0 to 255 per point: displacement at the stronger end of the range, relative to the control's largest. */
@@ -74,18 +72,15 @@ export class Influence {
     const control = this.character.controls[index];
     const ends = [...new Set([control.minimum, control.maximum])].filter((end) => end !== this.rest[index]);
     const [still, ...poses] = this.pointsAt(index, [this.rest[index], ...ends]);
-    const squares = new Float32Array(still.length / 3);
+    const ways = new Float32Array(still.length / 3);
     for (const moved of poses) {
-      for (let point = 0, i = 0; point < squares.length; point++, i += 3) {
-        const x = moved[i] - still[i];
-        const y = moved[i + 1] - still[i + 1];
-        const z = moved[i + 2] - still[i + 2];
-        squares[point] = Math.max(squares[point], x * x + y * y + z * z);
+      for (let point = 0, i = 0; point < ways.length; point++, i += 3) {
+        ways[point] = Math.max(ways[point], Math.hypot(moved[i] - still[i], moved[i + 1] - still[i + 1], moved[i + 2] - still[i + 2]));
       }
     }
-    const most = squares.reduce((a, b) => Math.max(a, b), 0);
-    if (this.character.controls[index].drive.joints.length) this.peaks.set(index, Math.sqrt(most));
-    return Uint8Array.from(squares, (square) => (most > 0 ? Math.round(255 * Math.sqrt(square / most)) : 0));
+    const most = ways.reduce((a, b) => Math.max(a, b), 0);
+    if (control.drive.joints.length) this.peaks.set(index, most);
+    return Uint8Array.from(ways, (way) => (most > 0 ? Math.round((255 * way) / most) : 0));
   }
 
   /** All points with control `index` at each of `ends` and the others at rest; what is shown stays as it is. */
@@ -121,9 +116,9 @@ function sideways(still, moved, normal) {
   let along = 0;
   let length = 0;
   for (let i = 0; i < still.length; i += 3) {
-    const [x, y, z] = [moved[i] - still[i], moved[i + 1] - still[i + 1], moved[i + 2] - still[i + 2]];
-    along += x * normal[0] + y * normal[1] + z * normal[2];
-    length += Math.hypot(x, y, z);
+    const way = [moved[i] - still[i], moved[i + 1] - still[i + 1], moved[i + 2] - still[i + 2]];
+    along += dot(way, normal);
+    length += Math.hypot(...way);
   }
   return length > 0 ? Math.abs(along) / length : 0;
 }

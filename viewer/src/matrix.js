@@ -1,6 +1,7 @@
 // 4x4 matrices in USD's row-vector convention (p' = p M), as 16 numbers row by row; rotations and
 // polar factors as 9 numbers row by row.
 
+import { cross, plus, scaled } from './camera.js';
 import { dot, mixed, unit } from './vectors.js';
 
 export const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
@@ -26,27 +27,20 @@ export function inverse(m) {
 /** The transform with a linear part (9) and a translation. */
 export const placed = (r, x, y, z) => [r[0], r[1], r[2], 0, r[3], r[4], r[5], 0, r[6], r[7], r[8], 0, x, y, z, 1];
 
-export function transformPoint(m, x, y, z, out = [0, 0, 0]) {
-  out[0] = x * m[0] + y * m[4] + z * m[8] + m[12];
-  out[1] = x * m[1] + y * m[5] + z * m[9] + m[13];
-  out[2] = x * m[2] + y * m[6] + z * m[10] + m[14];
-  return out;
-}
+export const transformPoint = (m, x, y, z) => [0, 1, 2].map((axis) => x * m[axis] + y * m[4 + axis] + z * m[8 + axis] + m[12 + axis]);
+
+const rowsOf = (m) => [m.slice(0, 3), m.slice(3, 6), m.slice(6, 9)];
 
 export function determinant3(m) {
-  return (
-    m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6])
-  );
+  const [a, b, c] = rowsOf(m);
+  return dot(a, cross(b, c));
 }
 
 export function inverse3(m) {
-  const d = determinant3(m);
-  if (!(Math.abs(d) > 1e-300)) return null;
-  return [
-    (m[4] * m[8] - m[5] * m[7]) / d, (m[2] * m[7] - m[1] * m[8]) / d, (m[1] * m[5] - m[2] * m[4]) / d,
-    (m[5] * m[6] - m[3] * m[8]) / d, (m[0] * m[8] - m[2] * m[6]) / d, (m[2] * m[3] - m[0] * m[5]) / d,
-    (m[3] * m[7] - m[4] * m[6]) / d, (m[1] * m[6] - m[0] * m[7]) / d, (m[0] * m[4] - m[1] * m[3]) / d,
-  ];
+  const [a, b, c] = rowsOf(m);
+  const columns = [cross(b, c), cross(c, a), cross(a, b)];
+  const d = dot(a, columns[0]);
+  return Math.abs(d) > 1e-300 ? transposed3(columns.flat()).map((value) => value / d) : null;
 }
 
 export function multiply3(a, b) {
@@ -58,9 +52,9 @@ export function multiply3(a, b) {
 }
 
 /** The upper left of a transform. */
-const linearOf = (m) => [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]];
+const linearOf = (m) => [0, 1, 2, 4, 5, 6, 8, 9, 10].map((i) => m[i]);
 
-export const transposed3 = (m) => [m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]];
+export const transposed3 = (m) => [0, 3, 6, 1, 4, 7, 2, 5, 8].map((i) => m[i]);
 
 /** M = S R: stretch S and rotation R of positive determinant, by Higham's iteration for the polar factor. */
 export function polar(m) {
@@ -84,9 +78,9 @@ export function rotationOf(x, y, z) {
   const angle = Math.hypot(x, y, z);
   const a = angle < 1e-8 ? 1 : Math.sin(angle) / angle;
   const half = angle < 1e-8 ? 1 : Math.sin(angle / 2) / (angle / 2);
-  const cross = [0, z, -y, -z, 0, x, y, -x, 0];
-  const square = multiply3(cross, cross);
-  return cross.map((value, i) => (i % 4 === 0 ? 1 : 0) + a * value + 0.5 * half * half * square[i]);
+  const skew = [0, z, -y, -z, 0, x, y, -x, 0];
+  const square = multiply3(skew, skew);
+  return skew.map((value, i) => (i % 4 === 0 ? 1 : 0) + a * value + 0.5 * half * half * square[i]);
 }
 
 /** Unit quaternion [w, x, y, z] of a rotation matrix for row vectors. */
@@ -102,14 +96,10 @@ export function quaternionOf(r) {
   return unit(q);
 }
 
-/** Hamilton product of two quaternions [w, x, y, z]. */
-export function quaternionProduct(a, b) {
-  return [
-    a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
-    a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
-    a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
-    a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0],
-  ];
+/** Hamilton product of two quaternions [w, x, y, z]. @param {number[]} p @param {number[]} q */
+export function quaternionProduct(p, q) {
+  const [[w, ...a], [v, ...b]] = [p, q];
+  return [w * v - dot(a, b), ...plus(cross(a, b), plus(scaled(b, w), scaled(a, v)))];
 }
 
 /** Rotation matrix (9) for row vectors of a unit quaternion. */

@@ -5,7 +5,7 @@
 import { cross, minus, normalised, plus, scaled } from './camera.js';
 import { keeping, layerText, number, quoted, stringsNamed, tuple } from './usda.js';
 import { byName, parsed, valuesByName } from './by_name.js';
-import { clamp, dot } from './vectors.js';
+import { clamp, dot, rounded } from './vectors.js';
 
 const APERTURE = 24; // height of the picture behind a camera's lens, in its own tenths of units
 const WIDTH = 0.004; // of a stroke, in heights of the view
@@ -183,4 +183,4 @@ export function notesIn(text) {
   return found;
 }
 
-const exact = (value) => Number(value.toPrecision(9)) + 0;
+const exact = (value) => rounded(value) + 0; // no negative zero

@@ -105,9 +105,7 @@ export class Painter {
   /** Whether so much of the face is drawn otherwise than before that all of it is drawn anew. */
   isMuch() {
     const { changed } = this;
-    let count = 0;
-    for (let k = 0; k < changed.length; k++) count += changed[k];
-    return count > MUCH * changed.length;
+    return changed.reduce((sum, each) => sum + each, 0) > MUCH * changed.length;
   }
 
   /** Whether the same face is seen from the same place as in the picture before, alone. */

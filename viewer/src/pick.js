@@ -8,18 +8,17 @@ export class ScreenSurface {
     this.points = points;
     this.triangles = triangles;
     this.screen = new Float32Array(points.length); // x, y in pixels; depth in scene units
-    this.stale = true;
-    this.depths = null;
+    this.invalidate();
   }
 
   /** Forget the projection: pose, camera or column have changed. */
   invalidate() {
-    this.stale = true;
+    this.column = null;
     this.depths = null;
   }
 
   project(camera, column) {
-    if (!this.stale && this.column === column) return;
+    if (this.column === column) return;
     const { points, screen } = this;
     const eye = camera.position;
     const { right, above, towards, half } = camera;
@@ -37,7 +36,6 @@ export class ScreenSurface {
       screen[i + 2] = depth;
     }
     this.column = column;
-    this.stale = false;
     this.depths = null;
   }
 

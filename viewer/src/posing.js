@@ -1,6 +1,7 @@
 // The values of a character's controls, and what of it they move: its skin, places and pins on it, and the controls that may
 // change in a pull.
 
+import { plus, scaled } from './camera.js';
 import { Display } from './display.js';
 import { shownValue } from './dom.js';
 import { Influence } from './heat.js';
@@ -97,19 +98,13 @@ export class Posing extends Display {
 
   /** Where a place is at the weights and moves last driven. */
   traced(place) {
-    const out = [0, 0, 0];
-    place.tracers.forEach((tracer, k) => {
-      this.deformer.trace(tracer).forEach((value, axis) => (out[axis] += place.shares[k] * value));
-    });
-    return out;
+    return place.tracers.reduce((sum, tracer, k) => plus(sum, scaled(this.deformer.trace(tracer), place.shares[k])), [0, 0, 0]);
   }
 
   /** Where a place is on the shown skin. */
   shown(place) {
     const { points } = this.deformer;
-    return [0, 1, 2].map((axis) =>
-      place.corners.reduce((sum, corner, k) => sum + place.shares[k] * points[3 * corner + axis], 0),
-    );
+    return place.corners.reduce((sum, corner, k) => plus(sum, scaled(points.subarray(3 * corner, 3 * corner + 3), place.shares[k])), [0, 0, 0]);
   }
 
   addPin(hit) {

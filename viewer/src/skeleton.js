@@ -50,9 +50,7 @@ export class Skeletons {
   localAt(joint, moves) {
     const base = this.locals.subarray(16 * joint, 16 * joint + 16);
     const at = 9 * joint;
-    let still = true;
-    for (let i = at; i < at + 9 && still; i++) still = moves[i] === 0;
-    if (still) return base;
+    if (moves.subarray(at, at + 9).every((value) => value === 0)) return base;
     const { stretch, rotation } = known(this.factors, joint, () => matrix.polar(base));
     const turn = matrix.rotationOf(moves[at], moves[at + 1], moves[at + 2]);
     const turned = matrix.multiply3(matrix.multiply3(stretch, turn), rotation);
