@@ -1,6 +1,6 @@
 // A session in an animator's hands, without a browser.
 
-import { keysGoing, keysWithin } from '../../viewer/src/keying.js';
+import { keysGoing, keysWithin, withKeys } from '../../viewer/src/keying.js';
 
 /** What an animator does: [name, ...arguments]. */
 export function act(session, [name, ...rest]) {
@@ -12,6 +12,7 @@ export function act(session, [name, ...rest]) {
     unkey: (names) => session.unkey(names.map((each) => index.get(each))),
     'go on': (way, names) =>
       session.rekey(way, keysGoing(way, session.keys, keysWithin(session.keys, names.map((each) => index.get(each)), [-Infinity, Infinity]))),
+    bend: (names, slope) => session.rekey('bend', withKeys(session.keys, names.map((each) => index.get(each)).flatMap((control) => (session.keys.get(control) ?? []).map(([frame, value]) => [control, [frame, value, 'smooth', slope]])))),
     span: (first, last) => session.respan(first, last),
     reset: () => session.reset(),
     undo: () => session.undo(),

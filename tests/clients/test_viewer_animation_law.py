@@ -48,6 +48,7 @@ def random_actions(rig, rng, last):
             ]
         )
         actions.append(["go on", str(rng.choice(["linear", "smooth", "stepped"])), some()])
+    actions.append(["bend", some(), rng.uniform(-0.2, 0.2)])
     return actions
 
 

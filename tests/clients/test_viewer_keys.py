@@ -84,7 +84,7 @@ def test_a_range_of_keys_is_scaled_turned_round_and_played(viewer, shows):
         if shows == "Rows"
         else page.locator(".curve-key")
     )
-    page.evaluate("usdrigui.app.timeline.sheet.pickAll()")
+    page.locator(".dope").press("Control+a")
     first, last = (keys.nth(at).bounding_box() for at in (0, 2))
     page.keyboard.down("Alt")
     x, y = last["x"] + last["width"] / 2, last["y"] + last["height"] / 2
@@ -185,3 +185,19 @@ def test_ways_shelf_and_sound_are_undone_and_come_back_with_the_page(viewer, tmp
     assert said == [["pose 1"], {"name": "voice.wav", "start": 1, "seconds": 3}]
     page.keyboard.press("Control+z")
     assert page.evaluate(f"[{session}.shelf.length, {session}.sound, {session}.keys.size]") == [0, None, 0]
+
+
+def test_a_tangent_of_a_picked_key_bends_the_curve_within_the_range(viewer):
+    for frame, value in ((1, 0.2), (11, 0.8), (21, 0.4)):
+        key(viewer, frame, brow_L=value)
+    viewer.key("d")
+    viewer.click("Curves", exact=True)
+    viewer.click("Smooth", exact=True)
+    page = viewer.page
+    page.locator(".curve-key").nth(1).click()
+    end = page.locator("circle.curve-tangent").nth(1).bounding_box()
+    x, y = end["x"] + end["width"] / 2, end["y"] + end["height"] / 2
+    drag(page, (x, y), (x, y - 400))
+    assert keyed(viewer) == {"brow_L": [[1, 0.2, "smooth"], [11, 0.8, "smooth", 0.06], [21, 0.4, "smooth"]]}
+    viewer.key("Control+z")
+    assert keyed(viewer)["brow_L"][1] == [11, 0.8, "smooth"]

@@ -40,5 +40,5 @@ export function parsed(text, otherwise = null) {
 
 const isSpan = (span) => Array.isArray(span) && span.length === 2 && span.every(Number.isInteger) && span[0] < span[1];
 const isKey = (key) =>
-  Array.isArray(key) && [2, 3].includes(key.length) && key.slice(0, 2).every(Number.isFinite) && WAYS.includes(wayOf(key));
+  Array.isArray(key) && [2, 3, 4].includes(key.length) && key.slice(0, 2).every(Number.isFinite) && WAYS.includes(wayOf(key)) && Number.isFinite(key[3] ?? 0);
 const isTrack = (track) => Array.isArray(track) && track.length > 0 && track.every(isKey);

@@ -3,9 +3,9 @@
 
 import { keyedValue } from './animation.js';
 import { setAll } from './dom.js';
-import { bendsOf } from './interpolation.js';
-import { retimed } from './keying.js';
-import { ascending } from './vectors.js';
+import { bendsOf, slopeOf, wayOf } from './interpolation.js';
+import { retimed, withKeys } from './keying.js';
+import { ascending, clamp, rounded } from './vectors.js';
 
 export const REACH = { mouse: 8, touch: 22 }; // pixels around a key
 export const WIDE = 60; // pixels from one number of a frame to the next, at least
@@ -44,6 +44,7 @@ export class Curves {
         svg('line', { class: 'curve-grid', x1: this.x(frame), x2: this.x(frame), y1: 0, y2: height }),
         text(frame, { class: 'curve-number', x: this.x(frame) + 3, y: height - 2 }),
       ]),
+      ...this.tangents.flatMap(({ from, at }) => [svg('polyline', { class: 'curve-tangent', points: `${from} ${at}` }), svg('circle', { class: 'curve-tangent', cx: at[0], cy: at[1], r: 3.5 })]),
       ...this.controls.flatMap((control) => this.curve(control)),
       svg('line', { class: 'curve-now', y1: 0, y2: height }),
       ...this.band(),
@@ -104,6 +105,15 @@ export class Curves {
     return this.size[1] - EDGE - share * (this.size[1] - 2 * EDGE);
   }
 
+  get framesPerPixel() {
+    return (this.sheet.scale[1] - this.sheet.scale[0]) / (this.size[0] - 2 * EDGE);
+  }
+
+  valuePerPixel(control) {
+    const { minimum, maximum } = this.session.controls[control];
+    return (maximum - minimum) / (this.size[1] - 2 * EDGE);
+  }
+
   place(control, frame, value) {
     const { minimum, maximum } = this.session.controls[control];
     return [this.x(frame), this.y((value - minimum) / (maximum - minimum))];
@@ -111,14 +121,25 @@ export class Curves {
 
   /** All keys that are shown: {key: [control, frame], at: its place}. */
   get shown() {
-    return this.controls.flatMap((control) => this.session.keys.get(control).map(([frame, value]) => ({ key: [control, frame], at: this.place(control, frame, value) })));
+    return this.controls.flatMap((control) => this.sheet.keys.get(control).map(([frame, value]) => ({ key: [control, frame], at: this.place(control, frame, value) })));
   }
 
-  /** The shown key nearest to a place, as [control, frame], or null. */
-  keyAt(x, y, reach) {
-    const away = ({ at }) => Math.hypot(at[0] - x, at[1] - y);
-    const [nearest] = this.shown.filter((each) => away(each) <= reach).sort((a, b) => away(a) - away(b));
-    return nearest?.key ?? null;
+  /** The shown key, or the end of a tangent, nearest to a place; undefined where none is within reach. @param {number[]} place */
+  nearest(place, reach) {
+    const away = ({ at }) => Math.hypot(at[0] - place[0], at[1] - place[1]);
+    return [...this.shown, ...this.tangents].filter((each) => away(each) <= reach).sort((a, b) => away(a) - away(b))[0];
+  }
+
+  /** Tangents of the picked keys towards their smooth sides: {control, key, reach in frames, from, at: the places of its ends}. */
+  get tangents() {
+    return this.controls.flatMap((control) => this.sheet.keys.get(control).flatMap(([frame, value], index, track) => {
+      const smooth = [index - 1, index].filter((start) => this.sheet.isPicked(control, frame) && track[start + 1] && wayOf(track[start] ?? []) === 'smooth');
+      return smooth.map((start) => {
+        const reach = (start < index ? -1 : 1) * (track[start + 1][0] - track[start][0]) / 3;
+        const at = this.place(control, frame + reach, value + reach * slopeOf(track, index));
+        return { control, key: track[index], reach, from: this.place(control, frame, value), at };
+      });
+    }));
   }
 
   // --- hand ------------------------------------------------------------------------------------------
@@ -127,30 +148,44 @@ export class Curves {
     if (event.button || !this.size) return;
     const box = this.node.getBoundingClientRect();
     const at = [event.clientX - box.left, event.clientY - box.top];
-    const hit = this.keyAt(at[0], at[1], event.pointerType === 'touch' ? REACH.touch : REACH.mouse);
-    if (hit) this.moving(event, hit);
+    const hit = this.nearest(at, event.pointerType === 'touch' ? REACH.touch : REACH.mouse);
+    if (hit?.from) this.bending(event, hit);
+    else if (hit) this.moving(event, hit.key);
     else this.ranging(event, box, at);
     this.sheet.node.focus({ preventScroll: true });
     event.preventDefault();
   }
 
   moving(event, hit) {
-    const { sheet, session } = this;
+    const { sheet } = this;
     sheet.pick([hit], event.shiftKey);
     sheet.draw();
-    const [first, last] = sheet.scale;
-    const [wide, high] = this.size.map((each) => each - 2 * EDGE);
     sheet.dragging(event, (now) => {
       const [dx, dy] = [now.clientX - event.clientX, now.clientY - event.clientY];
       const upright = now.shiftKey && Math.abs(dy) > Math.abs(dx);
-      const by = upright ? 0 : Math.round((dx * (last - first)) / wide);
-      const up = now.shiftKey && !upright ? 0 : -dy / high;
+      const by = upright ? 0 : Math.round(dx * this.framesPerPixel);
+      const up = now.shiftKey && !upright ? 0 : -dy;
       const to = retimed(by, hit[1], now.altKey ? sheet.span : null);
-      return by || up ? ([frame, value], control) => {
-        const { minimum, maximum } = session.controls[control];
-        return [to(frame), value + up * (maximum - minimum)];
-      } : null;
+      return by || up ? ([frame, value], control) => [to(frame), value + up * this.valuePerPixel(control)] : null;
     });
+  }
+
+  /** A tangent follows the pointer; its ends stay within the control's range, and with them the curve. */
+  bending(event, { control, key, from, at }) {
+    const { sheet, session } = this;
+    const [frame, value] = key;
+    const { minimum, maximum } = session.controls[control];
+    const reaches = this.tangents.filter((each) => each.key === key).map((each) => each.reach);
+    const within = (slope, reach) => (clamp(value + slope * reach, minimum, maximum) - value) / reach;
+    const side = Math.sign(at[0] - from[0]);
+    let { keys } = session;
+    sheet.follow(event, (now) => {
+      const [dx, dy] = [side * (at[0] - from[0] + now.clientX - event.clientX), from[1] - at[1] + event.clientY - now.clientY];
+      const slope = (side * dy * this.valuePerPixel(control)) / (Math.max(1, dx) * this.framesPerPixel);
+      keys = withKeys(session.keys, [[control, [frame, value, wayOf(key), rounded(reaches.reduce(within, slope))]]]);
+      sheet.preview = { keys, picked: sheet.picked };
+      sheet.draw();
+    }, () => keys === session.keys || session.rekey('Bend a curve', keys));
   }
 
   ranging(event, box, from) {

@@ -59,7 +59,7 @@ export class DopeSheet {
 
   makeHead() {
     const shows = segmented('Keys as', [['rows', 'Rows', 'All keys in rows'], ['curves', 'Curves', 'The curves of the selected controls, or of all that have keys']],
-      () => this.shows, (value) => this.show(value));
+      () => this.shows, (value) => { this.shows = value; this.update(); });
     const ways = segmented('How keys go to the next', WAYS.map((way) => [way, capitalised(way), `${capitalised(way)}: the picked keys, or all, and the first key of a control from now on`]),
       () => this.way, (way) => this.go(way));
     const count = make('output', { class: 'hint' });
@@ -78,11 +78,6 @@ export class DopeSheet {
     };
     this.head.update();
     return this.head;
-  }
-
-  show(what) {
-    this.shows = what;
-    this.update();
   }
 
   /** How the picked keys go on, or without any how a first key will; null where they differ. */
@@ -283,8 +278,8 @@ export class DopeSheet {
     const steps = { ArrowLeft: -1, ArrowRight: 1 };
     const held = event.ctrlKey || event.metaKey;
     if (event.key === 'Delete' || event.key === 'Backspace') this.remove();
-    else if (steps[event.key] && this.picked.size) this.moveBy(steps[event.key] * (event.shiftKey ? 10 : 1), held);
-    else if (held && event.key === 'a') this.pickAll();
+    else if (steps[event.key] && this.picked.size) this.change(held ? 'Copy' : 'Move', ([frame, value]) => [frame + steps[event.key] * (event.shiftKey ? 10 : 1), value], held);
+    else if (held && event.key === 'a') this.pick(this.everyKey, true);
     else if (held && event.key === 'c' && this.picked.size) this.copy();
     else if (held && event.key === 'v' && this.copied) this.paste();
     else if (event.key === 'Escape' && this.picked.size) this.picked.clear();
@@ -296,17 +291,8 @@ export class DopeSheet {
 
   // --- what is done to keys --------------------------------------------------------------------------
 
-  pickAll() {
-    this.pick(this.everyKey, true);
-  }
-
   get everyKey() {
     return keysWithin(this.session.keys, [...this.session.keys.keys()]);
-  }
-
-  moveBy(by, copies) {
-    if (!by || !this.picked.size) return;
-    this.change(copies ? 'Copy' : 'Move', ([frame, value]) => [frame + by, value], copies);
   }
 
   /** As `changedKeys`, of the picked keys, within the ranges of their controls. */

@@ -1,6 +1,8 @@
-// What is done to keys and poses: pure functions from keys (control -> [[frame, value, way]], ascending) or values to others.
+// What is done to keys and poses: pure functions from keys (control -> [[frame, value, way, slope]], ascending) or values to others.
 
-import { keyOf, wayOf, withKey, withoutKey } from './interpolation.js';
+import { wayOf, withKey, withoutKey } from './interpolation.js';
+
+const LONG = 1e6; // frames, beside which it is nothing that each comes to a whole one
 
 /** Keys of `picked` ([control, frame] each) that there are, as [control, key]. */
 const found = (keys, picked) =>
@@ -10,17 +12,21 @@ const found = (keys, picked) =>
  * @typedef {Map<number, any[][]>} Keys
  *
  * Keys with those `picked` as `change` has them, [frame, value] to [frame, value], in place of what was there, and which these
- * are, 'control frame' each; `copies` leaves the old.
+ * are, 'control frame' each; `copies` leaves the old.  Slopes are as much less steep as time is slower.
  */
 export function changedKeys(keys, picked, change, copies = false) {
-  const changed = found(keys, picked).map(([control, key]) => [control, [...change(key, control), wayOf(key)]]);
+  const changed = found(keys, picked).map(([control, key]) => {
+    const [frame, value] = change(key, control);
+    const pace = (change([key[0] + LONG, key[1]], control)[0] - frame) / LONG;
+    return [control, [frame, value, wayOf(key), key.length > 3 && pace ? key[3] / pace : null]];
+  });
   return { keys: withKeys(copies ? keys : removedKeys(keys, picked), changed), picked: new Set(changed.map(([control, [frame]]) => `${control} ${frame}`)) };
 }
 
-/** Keys with others, [control, [frame, value, way]] each, in place of what was there. */
+/** Keys with others, [control, [frame, value, way, slope]] each, in place of what was there. */
 export function withKeys(keys, added) {
   const out = new Map(keys);
-  for (const [control, [frame, value, way]] of added) out.set(control, withKey(out.get(control) ?? [], frame, value, way));
+  for (const [control, key] of added) out.set(control, withKey(out.get(control) ?? [], ...key));
   return out;
 }
 
@@ -45,17 +51,17 @@ export function removedKeys(keys, picked) {
   return out;
 }
 
-/** Keys with those picked going to their next ones in another way. */
-export const keysGoing = (way, keys, picked) => withKeys(keys, found(keys, picked).map(([control, [frame, value]]) => [control, [frame, value, way]]));
+/** Keys with those picked going to their next ones in another way, without slopes of their own. */
+export const keysGoing = (way, keys, picked) => withKeys(keys, found(keys, picked).map(([control, [frame, value]]) => [control, [frame, value, way, null]]));
 
 /** Picked keys to be pasted elsewhere: [control, key], from frame 0. */
 export function copiedKeys(keys, picked) {
   const first = Math.min(...picked.map(([, frame]) => frame));
-  return found(keys, picked).map(([control, key]) => [control, keyOf(key[0] - first, key[1], wayOf(key))]);
+  return found(keys, picked).map(([control, key]) => [control, [key[0] - first, ...key.slice(1)]]);
 }
 
 /** Keys with copied ones from a frame on. */
-export const pastedKeys = (keys, copied, first) => withKeys(keys, copied.map(([control, key]) => [control, [first + key[0], key[1], wayOf(key)]]));
+export const pastedKeys = (keys, copied, first) => withKeys(keys, copied.map(([control, [frame, value, way = 'linear', slope = null]]) => [control, [first + frame, value, way, slope]]));
 
 /** [control, frame] of the keys of some controls between two frames, or of all. */
 export const keysWithin = (keys, controls, [first, last] = [-Infinity, Infinity]) =>

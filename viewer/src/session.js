@@ -176,13 +176,13 @@ export class Session extends Posing {
 
   /** Take away the keys of controls at this frame; false where there are none. */
   unkey(controls) {
-    const before = this.snapshot();
     const keys = removedKeys(this.keys, controls.map((index) => [index, this.frame]));
     const gone = controls.filter((index) => keys.get(index)?.length !== this.keys.get(index)?.length);
     if (!gone.length) return false;
-    gone.forEach((index) => (this.values[index] = this.given[index]));
-    this.takeKeys(keys, this.constants);
-    this.step(`Delete keys at frame ${this.frame}`, before);
+    this.record(`Delete keys at frame ${this.frame}`, () => {
+      gone.forEach((index) => (this.values[index] = this.given[index]));
+      this.takeKeys(keys, this.constants);
+    });
     return true;
   }
 
@@ -275,12 +275,12 @@ export class Session extends Posing {
 
   /** Other keys and constant values, as one undoable step; shows the first frame keyed, or the present one. */
   load(label, keys, constants) {
-    const before = this.snapshot();
     const frames = [...keys.values()].map(([[frame]]) => frame);
-    if (frames.length) this.frame = Math.min(...frames);
-    this.given = Float64Array.from(this.values); // what was changed at the frame before gives way
-    this.takeKeys(keys, constants);
-    this.step(label, before);
+    this.record(label, () => {
+      if (frames.length) this.frame = Math.min(...frames);
+      this.given = Float64Array.from(this.values); // what was changed at the frame before gives way
+      this.takeKeys(keys, constants);
+    });
   }
 
   /** Show this frame with other keys and constant values; changes that are not keyed stay shown. */

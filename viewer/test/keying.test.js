@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { changedKeys, copiedKeys, flipped, keysGoing, keysWithin, mirroredFrom, pastedKeys, removedKeys, retimed, tweened } from '../src/keying.js';
+import { valueBetween, withKey } from '../src/interpolation.js';
 import { Posing, oppositesOf, twinsOf } from '../src/posing.js';
 
 const sorted = (keys) => [...keys].sort(([a], [b]) => a - b);
@@ -25,6 +26,27 @@ test('ranges of keys are found, changed, copied elsewhere and told how to go on;
   assert.deepEqual(copied, [[0, [0, 0.1, 'stepped']], [2, [4, 0.9, 'smooth']]]);
   assert.deepEqual(sorted(pastedKeys(keys, copied, 5)), [[0, [[1, 0.1, 'stepped'], [5, 0.1, 'stepped']]], [2, [[5, 0.9, 'smooth'], [9, 0.9, 'smooth']]]]);
   assert.deepEqual(sorted(keysGoing('linear', keys, [[0, 1], [0, 5], [2, 5]])), [[0, [[1, 0.1], [5, 0.5]]], [2, [[5, 0.9]]]]);
+});
+
+test('the slope of a key goes with it, as much less steep as time is slower, and turned round with it', () => {
+  const keys = new Map([[0, [[1, 0.1, 'smooth', 0.06], [5, 0.5, 'stepped', 0.02], [9, 0.2]]]]);
+  const both = keysWithin(keys, [0], [1, 5]);
+  const changed = (frames) => changedKeys(keys, both, ([frame, value]) => [frames(frame), value]).keys.get(0);
+  assert.deepEqual(changed((frame) => frame + 1), [[2, 0.1, 'smooth', 0.06], [6, 0.5, 'stepped', 0.02], [9, 0.2]]);
+  assert.deepEqual(changed(retimed(-2, 5, [1, 5])).map((key) => key.slice(0, 3)), [[1, 0.1, 'smooth'], [3, 0.5, 'stepped'], [9, 0.2]]);
+  assert.ok(changed(retimed(-2, 5, [1, 5])).slice(0, 2).every((key, i) => Math.abs(key[3] - [0.12, 0.04][i]) < 1e-6));
+  assert.deepEqual(changed((frame) => 6 - frame), [[1, 0.5, 'stepped', -0.02], [5, 0.1, 'smooth', -0.06], [9, 0.2]]);
+  assert.deepEqual(changed(() => 4), [[4, 0.5, 'stepped'], [9, 0.2]]);
+  assert.deepEqual(copiedKeys(keys, [[0, 5]]), [[0, [0, 0.5, 'stepped', 0.02]]]);
+  assert.deepEqual(pastedKeys(keys, [[0, [0, 0.3]]], 1).get(0)[0], [1, 0.3]);
+  assert.deepEqual(keysGoing('smooth', keys, both).get(0).slice(0, 2), [[1, 0.1, 'smooth'], [5, 0.5, 'smooth']]);
+});
+
+test('a smooth curve passes a key at its slope; a new value keeps it', () => {
+  const track = [[0, 0, 'smooth'], [10, 1, 'smooth', 0.1], [20, 0]];
+  assert.ok(Math.abs(valueBetween(track, 0, 5) - (0.5 - 10 * 0.1 / 8)) < 1e-12);
+  assert.ok(Math.abs(valueBetween(track, 1, 15) - (0.5 + 10 * 0.1 / 8)) < 1e-12);
+  assert.deepEqual(withKey(track, 10, 0.7)[1], [10, 0.7, 'smooth', 0.1]);
 });
 
 test('a range is scaled about the end that is farther from the key that is held', () => {
