@@ -114,7 +114,7 @@ class Spot:
             now = self._skin(pose)
             before = np.linalg.pinv(now[:3, :3]) @ (point - now[:3, 3]) + self._added(weights)
             anchor = skin[:3, :3] @ before + skin[:3, 3]
-        mine = [values[name] for name in self.base]
+        mine = tuple(values[name] for name in self.base)
         return place(self.drawing, point, anchor, skin @ self.to_skin, mine)
 
     def shown(self, depsgraph):

@@ -82,18 +82,18 @@ def _bones(character):
     return [(each, bones[each.name]) for each in handles if each.name in bones]
 
 
-def make_bones(context, holder):
+def make_bones(holder):
     """Build the armature of a character; its bones drive the shape keys, and have their keys."""
     character = Character(holder)
     values, tracks = character.values(), _curves(character)
     anchors = Anchors(character)
-    placed = anchors.place(context.evaluated_depsgraph_get(), values)
+    placed = anchors.place(bpy.context.evaluated_depsgraph_get(), values)
     handles = [each for each in handles_of(character.layout) if placed[each.element] is not None]
     carriers = [_carrier(spot) for spot in anchors.spots]
     made = bpy.data.objects.new(f"{holder.name} controls", bpy.data.armatures.new("Controls"))
     made.show_in_front = True
-    context.scene.collection.objects.link(made)
-    with _editing(context, made):
+    bpy.context.scene.collection.objects.link(made)
+    with _editing(made):
         for handle in handles:
             _add_bone(made, handle, anchors, placed[handle.element])
     shape = bpy.data.objects.new("Control", None)  # in no scene
@@ -117,11 +117,11 @@ def make_bones(context, holder):
     move_bones(character, values)
 
 
-def remove_bones(context, holder):
+def remove_bones(holder):
     """Take the armature away; the shape keys have its values, and the keys that they lack."""
     character, made = Character(holder), holder[BONES]
     driven = [*bones_of(character)]
-    seen = at_frames(context.scene, frames_of(curves_of(made)), character.values)
+    seen = at_frames(frames_of(curves_of(made)), character.values)
     now = character.values()
     for name in driven:
         for key in character.keys_of(character.controls[name]):
@@ -160,13 +160,13 @@ def _curves(character):
 
 
 @contextmanager
-def _editing(context, armature):
+def _editing(armature):
     """The armature in edit mode; then mode and selection as they were."""
-    mode = context.mode
-    with selection_kept(context):
+    mode = bpy.context.mode
+    with selection_kept():
         if mode != "OBJECT":
             bpy.ops.object.mode_set(mode="OBJECT")
-        context.view_layer.objects.active = armature
+        bpy.context.view_layer.objects.active = armature
         bpy.ops.object.mode_set(mode="EDIT")
         yield
         bpy.ops.object.mode_set(mode="OBJECT")
@@ -238,10 +238,10 @@ class SwitchBones(bpy.types.Operator):
     bl_label = "Controls as Bones"
     bl_options = {"REGISTER", "UNDO"}
 
-    def execute(self, context):
+    def execute(self, _context):
         """Switch all characters: on, unless one has them."""
-        held = holders(context.scene)
+        held = holders()
         with_bones = [each for each in held if BONES in each]
         for holder in with_bones or held:
-            (remove_bones if with_bones else make_bones)(context, holder)
+            (remove_bones if with_bones else make_bones)(holder)
         return {"FINISHED"}

@@ -15,6 +15,7 @@ from functools import lru_cache
 import bpy
 import mathutils
 import numpy as np
+from bpy_extras import anim_utils
 
 from .layout import LayoutError, from_json, gained, to_json
 from .matching import armatures_of
@@ -66,7 +67,7 @@ def _stand_in(thing):
 
 def holder_of(objects):
     """The object that holds the layout of some of these, one of them if it can be, or None."""
-    held = holders(bpy.context.scene)
+    held = holders()
     found = (each for each in held if {*objects} & {*Character(each).objects.values()})
     return max(found, key=objects.count, default=None)
 
@@ -81,13 +82,14 @@ def unbind(holder):
             del holder[name]
 
 
-def holders(scene):
-    """The objects of a scene that hold a layout."""
-    return [each for each in scene.objects if LAYOUT in each]
+def holders():
+    """The objects of the scene that hold a layout."""
+    return [each for each in bpy.context.scene.objects if LAYOUT in each]
 
 
-def at_frames(scene, frames, look):
+def at_frames(frames, look):
     """By frame, what ``look()`` gives there; the scene is then at the frame where it was."""
+    scene = bpy.context.scene
 
     def go_to(frame):
         scene.frame_set(math.floor(frame), subframe=frame % 1.0)
@@ -314,11 +316,10 @@ def curves_of(block):
     animation = block.animation_data
     if animation is None or animation.action is None:
         return []
-    if not hasattr(animation.action, "layers"):  # Blender 4.3, in whose window it is tested
-        return list(animation.action.fcurves)
-    strips = (strip for layer in animation.action.layers for strip in layer.strips)
-    bags = (strip.channelbag(animation.action_slot) for strip in strips)
-    return [curve for bag in bags if bag is not None for curve in bag.fcurves]
+    keyed = animation.action
+    if hasattr(keyed, "layers"):  # not in Blender 4.3, in whose window it is tested
+        keyed = anim_utils.action_get_channelbag_for_slot(keyed, animation.action_slot)
+    return keyed.fcurves if keyed else []
 
 
 def frames_of(curves):

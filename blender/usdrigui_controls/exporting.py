@@ -149,14 +149,14 @@ def _is_free(key):
 # --- the file -------------------------------------------------------------------------------------
 
 
-def write_character(context, face, target):
+def write_character(face, target):
     """Write a face as a neutral character, without animation.
 
     Raises LayoutError where the file cannot be written.
     """
     modifiers = [each for mesh in face.meshes for each in _used(mesh)]
-    with selection_kept(context):
-        for each in context.view_layer.objects:
+    with selection_kept():
+        for each in bpy.context.view_layer.objects:
             each.select_set(each in face.meshes or each in face.armatures)
         try:
             for each in modifiers:
@@ -171,9 +171,9 @@ def write_character(context, face, target):
 
 
 @contextmanager
-def selection_kept(context):
+def selection_kept():
     """Afterwards the selection and the active object are as they were."""
-    layer = context.view_layer
+    layer = bpy.context.view_layer
     chosen, active = [each for each in layer.objects if each.select_get()], layer.objects.active
     try:
         yield

@@ -24,7 +24,7 @@ class Hand:
 
 def chosen():
     """(`Character`, element) of the handles used last, without those that are gone."""
-    held = {holder.name: Character(holder) for holder in holders(bpy.context.scene)}
+    held = {holder.name: Character(holder) for holder in holders()}
     return [
         (held[name], element)
         for name, chosen_one in Hand.chosen
@@ -37,10 +37,10 @@ def active():
     return (chosen() or [(None, None)])[-1]
 
 
-def give(context, character, changed):
+def give(character, changed):
     """Set values of controls, and keyframes where Blender records."""
     character.set_values(changed)
-    if context.scene.tool_settings.use_keyframe_insert_auto:
+    if bpy.context.scene.tool_settings.use_keyframe_insert_auto:
         character.insert_keys(changed)
     visibility.touch()
 
@@ -63,11 +63,11 @@ class RigControls(bpy.types.Gizmo):
         if self.grab or len(Hand.chosen) > 1:
             lit.update(Hand.chosen)
         opacity = context.scene.usdrigui.opacity
-        draw_elements(_screen(context), visibility.items(context), _radii(context), opacity, lit)
+        draw_elements(_screen(context), visibility.items(), _radii(context), opacity, lit)
 
     def test_select(self, context, location):
         """The number of the element under ``location``, or -1."""
-        screen, found = _screen(context), visibility.items(context)
+        screen, found = _screen(context), visibility.items()
         pointer = np.array([location[0], screen.height - location[1]])
         index = pick(screen, [item.placed for item in found], pointer, _radii(context))
         hot = found[index].key if index >= 0 else None
@@ -79,7 +79,7 @@ class RigControls(bpy.types.Gizmo):
     def invoke(self, context, event):
         """Take hold, with Shift beside what is chosen; with Ctrl, put the element back to the base
         pose instead."""
-        item = self.item = visibility.item(context, Hand.hot)
+        item = self.item = visibility.item(Hand.hot)
         if item is None:
             return {"CANCELLED"}
         kept = [each for each in Hand.chosen if event.shift and each != Hand.hot]
@@ -90,7 +90,7 @@ class RigControls(bpy.types.Gizmo):
         if event.ctrl:  # and nothing is held: Blender may tell that Ctrl is up before the button
             self._set(context, item.drawing.base)
         else:
-            self.grab = Grab(screen, item.drawing, item.placed, item.values)
+            self.grab = Grab(screen, item.drawing, item.placed)
         return {"RUNNING_MODAL"}
 
     def modal(self, context, event, tweak):
@@ -114,7 +114,7 @@ class RigControls(bpy.types.Gizmo):
         if cancel:
             character.set_values({name: self.before[name] for name in changed})
         elif changed:
-            give(context, character, changed)
+            give(character, changed)
             bpy.ops.ed.undo_push(message=f"Drag {item.element.label}")
         elif len(Hand.chosen) == 1:
             visibility.toggle(item.holder, item.element, character.layout.elements)
@@ -149,7 +149,7 @@ class RigControlsGroup(bpy.types.GizmoGroup):
         return (
             context.scene.usdrigui.show
             and context.mode in ("OBJECT", "POSE")
-            and bool(visibility.items(context))
+            and bool(visibility.items())
         )
 
     def setup(self, context):
@@ -160,11 +160,11 @@ class RigControlsGroup(bpy.types.GizmoGroup):
 
 def _draw_hot_label():
     context, settings = bpy.context, bpy.context.scene.usdrigui
-    item = visibility.item(context, Hand.hot) if settings.show and settings.names else None
+    item = visibility.item(Hand.hot) if settings.show and settings.names else None
     if item is not None:
         screen = _screen(context)
         x, y = screen.project(item.placed.handle[None])[0]
-        values = "  ".join(f"{value:.2f}" for value in item.values)
+        values = "  ".join(f"{value:.2f}" for value in item.placed.values)
         draw_label((x + 14.0, screen.height - y + 10.0), f"{item.element.label}  {values}")
 
 
@@ -181,7 +181,7 @@ def _radii(context):
     screen, size = _screen(context), context.scene.usdrigui.size
     return [
         max(screen.radius(item.placed, item.element.width * size), 3.0)
-        for item in visibility.items(context)
+        for item in visibility.items()
     ]
 
 

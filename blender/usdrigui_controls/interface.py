@@ -24,7 +24,7 @@ def _touch(_settings, _context):
 class Settings(bpy.types.PropertyGroup):
     """How the controls of a scene look and behave."""
 
-    show: bpy.props.BoolProperty(name="Show Controls", default=True, update=_touch)
+    show: bpy.props.BoolProperty(name="Show Controls", default=True)
     opacity: bpy.props.FloatProperty(
         name="Opacity", default=0.8, min=0.05, max=1.0, subtype="FACTOR"
     )
@@ -75,11 +75,11 @@ class RemoveLayout(bpy.types.Operator):
     bl_label = "Remove Rig UI Layout"
     bl_options = {"REGISTER", "UNDO"}
 
-    def execute(self, context):
+    def execute(self, _context):
         """Unbind every character of the scene."""
-        for holder in holders(context.scene):
+        for holder in holders():
             if BONES in holder:
-                remove_bones(context, holder)
+                remove_bones(holder)
             unbind(holder)
         visibility.forget()
         return {"FINISHED"}
@@ -87,7 +87,7 @@ class RemoveLayout(bpy.types.Operator):
 
 class OnControls:
     """An operator that does something to the chosen elements, or to all controls of all characters:
-    ``act(context, character, names)`` tells to how many controls.  ``needed`` says what is to be
+    ``act(character, names)`` tells to how many controls.  ``needed`` says what is to be
     done first where there were none."""
 
     needed = "use a handle first"
@@ -95,19 +95,18 @@ class OnControls:
 
     everything: bpy.props.BoolProperty(name="All Controls", default=False)
 
-    def execute(self, context):
+    def execute(self, _context):
         """Act, and tell how many there were."""
         if self.everything:
             acted_on = [
-                (character, [*character.controls])
-                for character in map(Character, holders(context.scene))
+                (character, [*character.controls]) for character in map(Character, holders())
             ]
         else:
             acted_on = [
                 (character, [member.control for member in element.members])
                 for character, element in chosen()
             ]
-        count = sum(self.act(context, *each) for each in acted_on)
+        count = sum(self.act(*each) for each in acted_on)
         if not count:
             self.report({"WARNING"}, f"{self.bl_label}: {self.needed}")
             return {"CANCELLED"}
@@ -116,12 +115,12 @@ class OnControls:
 
 
 class Posing(OnControls):
-    """An operator that gives controls other values: ``changed(context, character, names)``."""
+    """An operator that gives controls other values: ``changed(character, names)``."""
 
-    def act(self, context, character, names):
+    def act(self, character, names):
         """Set those values."""
-        changed = self.changed(context, character, names)
-        give(context, character, changed)
+        changed = self.changed(character, names)
+        give(character, changed)
         return len(changed)
 
 
@@ -132,7 +131,7 @@ class ResetControls(Posing, bpy.types.Operator):
     bl_label = "Reset Controls"
     icon = "LOOP_BACK"
 
-    def changed(self, _context, character, names):
+    def changed(self, character, names):
         """Their values in the base pose."""
         return {name: character.controls[name].base for name in names}
 
@@ -154,7 +153,7 @@ class MirrorPose(Posing, bpy.types.Operator):
         ],
     )
 
-    def changed(self, _context, character, names):
+    def changed(self, character, names):
         """Of these, what the mirror changes."""
         layout, values = character.layout, character.values()
         if self.side == "both":
@@ -178,12 +177,12 @@ class Breakdown(Posing, bpy.types.Operator):
         name="Share", default=0.5, soft_min=0.0, soft_max=1.0, description="0 before, 1 after"
     )
 
-    def changed(self, context, character, names):
+    def changed(self, character, names):
         """Of the controls without a key on one of the two sides nothing changes."""
-        frame, now = context.scene.frame_current_final, character.values()
+        frame, now = bpy.context.scene.frame_current_final, character.values()
         sides = {name: character.frames_around(name, frame) for name in names}
         frames = {each for pair in sides.values() for each in pair}
-        there = at_frames(context.scene, frames, character.values)
+        there = at_frames(frames, character.values)
         character.set_values(now)
         ends = {name: [there[each][name] for each in pair] for name, pair in sides.items() if pair}
         return {name: a + self.share * (b - a) for name, (a, b) in ends.items()}
@@ -196,7 +195,7 @@ class KeyControls(OnControls, bpy.types.Operator):
     bl_label = "Key Controls"
     icon = "KEY_HLT"
 
-    def act(self, _context, character, names):
+    def act(self, character, names):
         """Key them."""
         character.insert_keys(names)
         return len(names)
@@ -233,7 +232,7 @@ class RigPanel(bpy.types.Panel):
         """Settings, then the element used last."""
         column = self.layout.column()
         buttons = [(LayOutFace, "MESH_MONKEY"), (LoadLayout, "IMPORT")]
-        if holders(context.scene):
+        if holders():
             for name in Settings.__annotations__:
                 column.prop(context.scene.usdrigui, name)
             self._draw_active(column.box())

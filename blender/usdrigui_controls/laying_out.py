@@ -48,7 +48,7 @@ class LayOutFace(Background, bpy.types.Operator):
         source = folder / f"{bpy.path.clean_name(face.name)}.usd"
         self.layer = source.with_suffix(".rigui.usda")
         self.previous = self.layer.with_name(f"previous_{self.layer.name}")
-        write_character(context, face, source)
+        write_character(face, source)
         self.left_off, self.beside = face.driven(), face.beside
         return [usdrigui(*self._arguments(source, held))]
 

@@ -51,10 +51,10 @@ class SaveAnimation(bpy.types.Operator, ExportHelper):
 
     def invoke(self, context, event):
         """Offer a name beside the character's layer."""
-        held = holders(context.scene)
+        held = holders()
         if held and not self.filepath:
             stem = Path(bpy.data.filepath).stem or "shot"
-            self.filepath = str(Path(held[0].get(SOURCE, "")).parent / f"{stem}.anim.usda")
+            self.filepath = str(Path(held[0][SOURCE]).parent / f"{stem}.anim.usda")
         return ExportHelper.invoke(self, context, event)
 
     @in_one_line
@@ -78,12 +78,11 @@ def save_animation(scene, target, steps, with_values):
     from pxr import Sdf, Tf, Usd
 
     characters = {
-        (each.holder.get(SOURCE, ""), each.layout.root): each
-        for each in map(Character, holders(scene))
+        (each.holder.get(SOURCE, ""), each.layout.root): each for each in map(Character, holders())
     }
     if not characters:
         raise LayoutError("no character of this scene has controls: lay one out, or load a layout")
-    if len(characters) < len(holders(scene)):
+    if len(characters) < len(holders()):
         raise LayoutError(
             "a character and its copy have one layout: lay the copy out by itself first"
         )
@@ -110,7 +109,7 @@ def save_animation(scene, target, steps, with_values):
             parts.append(_Values(character, stage))
     first, last = scene.frame_start, scene.frame_end
     frames = [first + i / steps for i in range((last - first) * steps + 1)]
-    seen = at_frames(scene, frames, lambda: [part.look() for part in parts])
+    seen = at_frames(frames, lambda: [part.look() for part in parts])
     for part, looks in zip(parts, zip(*seen.values(), strict=True), strict=True):
         part.write(frames, looks)
     stage.SetStartTimeCode(first)

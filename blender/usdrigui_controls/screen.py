@@ -82,7 +82,7 @@ def pick(screen, elements, pointer, radii, reach=8.0):
 class Grab:
     """One drag of one element, from press to release."""
 
-    def __init__(self, screen, drawing, placed, values):
+    def __init__(self, screen, drawing, placed):
         tracks = [screen.project(track) for track in placed.tracks]
         self.drag = begin_drag(
             tracks,
@@ -90,7 +90,7 @@ class Grab:
             drawing.element.axes,
             drawing.ranges,
             drawing.base,
-            values,
+            placed.values,
         )
         self.at = self.drag.start
 

@@ -46,6 +46,8 @@ class Placed:
     normal: np.ndarray
     scale: float
     """World length of one scene unit at the anchor."""
+    values: tuple
+    """Of the members."""
 
 
 def drawing_of(element, controls):
@@ -91,4 +93,5 @@ def place(drawing, point, anchor, skin, values):
     if handle is None or enlarged:
         handle = slid(drawing.values, tracks, drawing.base, values)[1]
     scale = float(np.cbrt(abs(np.linalg.det(linear))))
-    return Placed(tuple(tracks), area, handle, facing(element.normal, linear.T), scale)
+    normal = facing(element.normal, linear.T)
+    return Placed(tuple(tracks), area, handle, normal, scale, values)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import bpy
-import numpy as np
 
 from .anchors import Anchors
 from .character import Character, holders
@@ -21,8 +20,6 @@ class Item:
     """Name of the object that holds the layout."""
     drawing: object
     placed: object
-    values: np.ndarray
-    """(members,)"""
 
     @property
     def element(self):
@@ -42,17 +39,17 @@ _items = None
 """Those that can be seen; None once something may have moved."""
 
 
-def items(context):
+def items():
     """All elements that can be seen, where they are now."""
     global _items
     if _items is None:
-        _items = _placed(context)
+        _items = _placed()
     return _items
 
 
-def item(context, key):
+def item(key):
     """The one of a (holder, element), or None."""
-    return next((each for each in items(context) if each.key == key), None)
+    return next((each for each in items() if each.key == key), None)
 
 
 @bpy.app.handlers.persistent
@@ -69,16 +66,16 @@ def touch(*_):
     _items = None
 
 
-def _placed(context):
+def _placed():
     found = []
-    for holder in holders(context.scene):
+    for holder in holders():
         try:
             character = Character(holder)
             anchors = _anchors.get(holder.name)
             if anchors is None or anchors.layout is not character.layout:
                 anchors = _anchors[holder.name] = Anchors(character)
             values = character.values()
-            placed = anchors.place(context.view_layer.depsgraph, values)
+            placed = anchors.place(bpy.context.view_layer.depsgraph, values)
         except (LayoutError, ReferenceError, KeyError, StopIteration):
             _anchors.pop(holder.name, None)
             continue
@@ -89,10 +86,9 @@ def _placed(context):
             if (
                 where is not None
                 and is_visible(element.name, members, open_here)
-                and (element.mesh or context.scene.usdrigui.board)
+                and (element.mesh or bpy.context.scene.usdrigui.board)
             ):
-                mine = np.array([values[name] for name in spot.base])
-                found.append(Item(holder.name, spot.drawing, where, mine))
+                found.append(Item(holder.name, spot.drawing, where))
     return found
 
 
@@ -130,6 +126,5 @@ def register():
 def unregister():
     """Hear no more."""
     for name, handler in _HANDLERS:
-        if handler in getattr(bpy.app.handlers, name):
-            getattr(bpy.app.handlers, name).remove(handler)
+        getattr(bpy.app.handlers, name).remove(handler)
     forget()

@@ -59,8 +59,8 @@ def drag(_, question):
     )
     stored = layout.from_json(layout.to_json(layout.Layout("/Char", (), controls, (element,), (), ())))
     drawing = tracking.drawing_of(stored.elements[0], {control.name: control for control in stored.controls})
-    where = tracking.Placed(tuple(map(np.array, tracks)), (), np.zeros(3), np.zeros(3), 1.0)
-    grab = screen.Grab(PIXELS, drawing, where, question["start"])
+    where = tracking.Placed(tuple(map(np.array, tracks)), (), np.zeros(3), np.zeros(3), 1.0, question["start"])
+    grab = screen.Grab(PIXELS, drawing, where)
     return [grab.to(move).tolist() for move in question["moves"]]
 
 

@@ -107,9 +107,9 @@ def test_points_behind_the_viewer_are_nowhere(extension):
     assert np.isnan(screen.project([[0, 0, 1]])).all()
 
 
-def placed(extension, at, normal=(0, 0, 1)):
+def placed(extension, at, normal=(0, 0, 1), value=0.0):
     at, normal = np.array(at, dtype=np.float64), np.array(normal, dtype=np.float64)
-    return extension["tracking"].Placed((np.array([at, np.add(at, (2.0, 0, 0))]),), (), at, normal, 1.0)
+    return extension["tracking"].Placed((np.array([at, np.add(at, (2.0, 0, 0))]),), (), at, normal, 1.0, (value,))
 
 
 def test_the_nearest_handle_that_faces_the_viewer_is_picked(extension):
@@ -135,7 +135,7 @@ def slider(extension, low=0.0, high=1.0):
 
 def test_a_grab_follows_the_pointer_from_where_it_took_hold(extension):
     def grab(at):
-        return extension["screen"].Grab(front(extension), slider(extension), placed(extension, (0, 0, 0)), [at])
+        return extension["screen"].Grab(front(extension), slider(extension), placed(extension, (0, 0, 0), value=at))
 
     held = grab(0.0)
     assert held.to((10.0, 0.0)) == pytest.approx([0.5])

@@ -12,7 +12,7 @@ def pressed(mesh):
     """The places of two characters without an object in common, once a face was laid out."""
     native.choose(mesh)
     assert bpy.ops.usdrigui.lay_out() == {"FINISHED"}
-    one, other = map(Character, holders(bpy.context.scene))
+    one, other = map(Character, holders())
     assert {*one.objects.values()}.isdisjoint(other.objects.values())
     return [{each.name: each.point for each in face.layout.elements if each.mesh} for face in (one, other)]
 

@@ -18,7 +18,7 @@ room = importlib.import_module(f"{module}.character")
 
 def character():
     """The only one in the scene."""
-    (holder,) = room.holders(bpy.context.scene)
+    (holder,) = room.holders()
     return room.Character(holder)
 
 
@@ -44,7 +44,7 @@ flipped = [character().values()[name] for name in ("jawLeft", "jawRight")]
 bpy.ops.usdrigui.reset(everything=True)
 rest = np.abs(list(character().values().values())).max()
 bpy.ops.usdrigui.remove_layout()
-assert not room.holders(bpy.context.scene)
+assert not room.holders()
 assert bpy.ops.usdrigui.load_layout(filepath=task["layer"]) == {"FINISHED"}
 loaded = len(character().layout.elements)
 refused = [refusal(bpy.ops.usdrigui.load_layout, filepath=task["source"])]

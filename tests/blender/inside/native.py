@@ -56,7 +56,7 @@ def laid_out(task):
     choose(max(meshes, key=lambda each: len(each.data.shape_keys.key_blocks) if each.data.shape_keys else 0))
     before = fingerprint()
     assert bpy.ops.usdrigui.lay_out() == {"FINISHED"}
-    (holder,) = holders(bpy.context.scene)
+    (holder,) = holders()
     return meshes, holder, before
 
 

@@ -29,11 +29,11 @@ bpy.ops.wm.save_as_mainfile(filepath=shot)
 assert bpy.ops.usdrigui.lay_out() == {"FINISHED"}
 from usdrigui_controls.character import Character, holders  # noqa: E402
 
-character = Character(holders(scene)[0])
+character = Character(holders()[0])
 name = next(each.name for each in character.layout.controls if each.plain)
 character.set_values({name: 0.4})
 bpy.ops.wm.save_as_mainfile(filepath=shot)
 bpy.ops.wm.open_mainfile(filepath=shot)
-(holder,) = holders(bpy.context.scene)
+(holder,) = holders()
 character = Character(holder)
 np.savez(task["result"], value=character.values()[name], missing=character.missing(), kind=holder.type)

@@ -24,7 +24,7 @@ def imported(layer, **options):
     bpy.ops.wm.usd_import(filepath=layer, **options)
     from usdrigui_controls.character import holders
 
-    return holders(bpy.context.scene)
+    return holders()
 
 
 def enabled(python):

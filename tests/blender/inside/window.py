@@ -91,14 +91,14 @@ def handles():
     """Screen pixels of the middle of every handle that is drawn, by element."""
     from usdrigui_controls import visibility
 
-    return {item.element.name: pixel(item.placed.handle) for item in visibility.items(bpy.context)}
+    return {item.element.name: pixel(item.placed.handle) for item in visibility.items()}
 
 
 def track(name, member=0):
     """Screen pixels of a track."""
     from usdrigui_controls import visibility
 
-    item = next(each for each in visibility.items(bpy.context) if each.element.name == name)
+    item = next(each for each in visibility.items() if each.element.name == name)
     return [pixel(point) for point in item.placed.tracks[member]]
 
 
@@ -106,7 +106,7 @@ def character():
     """The character in the scene."""
     from usdrigui_controls.character import Character, holders
 
-    return Character(holders(bpy.context.scene)[0])
+    return Character(holders()[0])
 
 
 def look(centre, distance, yaw=0.0):
