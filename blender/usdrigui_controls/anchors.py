@@ -28,7 +28,7 @@ class Anchors:
         """`Placed` elements at these values of all controls, None for those whose mesh is not
         shown."""
         posed = {
-            path: {bone.name: matrix_of(bone.matrix) for bone in each.armature.pose.bones}
+            path: {bone.name: np.array(bone.matrix) for bone in each.armature.pose.bones}
             for path, each in self.bones.items()
         }
         return [spot.place(depsgraph, posed, values) for spot in self.spots]
@@ -40,7 +40,7 @@ class Bones:
     def __init__(self, character, skeleton, armature):
         layout, self.armature = character.layout, armature
         bones = armature.data.bones
-        self.rest = {bone.name: matrix_of(bone.matrix_local) for bone in bones}
+        self.rest = {bone.name: np.array(bone.matrix_local) for bone in bones}
         self.unbound = {name: np.linalg.inv(matrix) for name, matrix in self.rest.items()}
         self.above = {
             bone.name: [each.name for each in (bone, *bone.parent_recursive)] for bone in bones
@@ -90,13 +90,13 @@ class Spot:
             self.influences = self._influences(character)
             self.turning = self._turning()
         if self.bones and self.mesh:
-            world = matrix_of(self.carrier.matrix_world)
-            self.into = np.linalg.inv(world) @ matrix_of(self.mesh.matrix_world)
+            world = np.array(self.carrier.matrix_world)
+            self.into = np.linalg.inv(world) @ np.array(self.mesh.matrix_world)
         to_root = character.layout.to_root(path)
         self.to_skin = np.linalg.inv(to_root @ self._blended(base) @ self.into)
         shapes = [each for control in self.controls for each in control.shapes if self.mesh]
         self.keys = {
-            each.token: (key, *offsets_at(self.mesh, key, self.point))
+            each.token: (key, *offsets_at(self.mesh, key, each.token, self.point))
             for each in shapes
             if (key := character.shape_key(element.mesh, each.token))
         }
@@ -124,11 +124,11 @@ class Spot:
         mesh = self.mesh.evaluated_get(depsgraph)
         if self.point >= len(mesh.data.vertices):
             return None
-        return np.array(mesh.matrix_world @ mesh.data.vertices[self.point].co, dtype=np.float64)
+        return np.array(mesh.matrix_world @ mesh.data.vertices[self.point].co)
 
     def _skin(self, pose):
         """(4, 4) the map of the skin from before skinning to the world."""
-        return matrix_of(self.carrier.matrix_world) @ self._blended(pose) @ self.into
+        return np.array(self.carrier.matrix_world) @ self._blended(pose) @ self.into
 
     def _blended(self, pose):
         """(4, 4) skinning by the bones that carry it, in their armature's space."""
@@ -189,11 +189,6 @@ def skeleton_of(mesh, bones):
         if modifier.type == "ARMATURE" and modifier.show_viewport
     ]
     return next((path for path, each in bones.items() if each.armature in used), "")
-
-
-def matrix_of(matrix):
-    """A matrix of Blender's as an array."""
-    return np.array(matrix, dtype=np.float64)
 
 
 def composed(location, rotation, scale):

@@ -89,7 +89,6 @@ def make_bones(holder):
     anchors = Anchors(character)
     placed = anchors.place(bpy.context.evaluated_depsgraph_get(), values)
     handles = [each for each in handles_of(character.layout) if placed[each.element] is not None]
-    carriers = [_carrier(spot) for spot in anchors.spots]
     made = bpy.data.objects.new(f"{holder.name} controls", bpy.data.armatures.new("Controls"))
     made.show_in_front = True
     bpy.context.scene.collection.objects.link(made)
@@ -108,7 +107,8 @@ def make_bones(holder):
         bone.color.palette = _PALETTES.get(element.side, "THEME03")
         _drive(character, bone, handle)
         child = bone.constraints.new("CHILD_OF")
-        child.target, child.subtarget, child.inverse_matrix = carriers[handle.element]
+        carrier = _carrier(anchors.spots[handle.element])
+        child.target, child.subtarget, child.inverse_matrix = carrier
     holder[BONES] = made
     for frame in frames_of(tracks.values()):
         then = {name: curve.evaluate(frame) for name, curve in tracks.items()}

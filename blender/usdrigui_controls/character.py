@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 import math
+import zlib
 from functools import lru_cache
 
 import bpy
@@ -17,6 +18,7 @@ import mathutils
 import numpy as np
 from bpy_extras import anim_utils
 
+from .inbetweens import coordinates, shape_keys
 from .layout import LayoutError, from_json, gained, to_json
 from .matching import armatures_of
 
@@ -28,14 +30,14 @@ EXPORTED = "usdrigui_exported"
 """Custom property of the holder where that layer is of an export of this scene."""
 BONES = "usdrigui_bones"
 """Custom property of the holder: the armature whose bones drive the shape keys, if there is one."""
-_OBJECTS, _NAMES = "usdrigui_objects", "usdrigui_names"
+_OBJECTS, _NAMES, _SUMS = "usdrigui_objects", "usdrigui_names", "usdrigui_sums"
 _VALUE = "rig: "
 """Prefix of the custom properties that hold the values of poses."""
 
 
 def bind(layout, objects, names):
-    """Store a layout with the ``objects`` that it means, by prim path, and the ``names`` that
-    differ there, as of `matching.names_of`; returns its `Character`.
+    """Store a layout with the ``objects`` that it means, by prim path, and the ``names`` of their
+    keys and bones, as of `matching.names_of`; returns its `Character`.
 
     The holder is the armature, or the first mesh where there is none; for a library override, which
     keeps no properties of its own when it is saved, an empty.  Raises LayoutError when a mesh that
@@ -52,7 +54,8 @@ def bind(layout, objects, names):
         holder = None
     holder = holder or (_stand_in(mine[0]) if mine[0].override_library else mine[0])
     holder[LAYOUT] = to_json(layout)
-    holder[_OBJECTS], holder[_NAMES] = here, json.dumps(names)
+    sums = {path: {key.name: _sum(key) for key in shape_keys(objects[path])} for path in objects}
+    holder[_OBJECTS], holder[_NAMES], holder[_SUMS] = here, json.dumps(names), json.dumps(sums)
     character = Character(holder)
     character.widen_ranges()
     return character
@@ -141,6 +144,7 @@ class Character:
             for kind in ("ARMATURE", "MESH")
         )
         self.names = json.loads(holder[_NAMES])
+        self.sums = json.loads(holder.get(_SUMS, "{}"))
 
     # --- values -----------------------------------------------------------------------------------
 
@@ -171,7 +175,7 @@ class Character:
                 continue
             others.append(control)
             if not is_single_joint(control):
-                self.holder[_VALUE + name] = float(value)
+                self.holder[_VALUE + name] = value
         weights, moves = gained(others, before, changed)
         if BONES in self.holder:
             from .bones import move_bones
@@ -226,8 +230,9 @@ class Character:
         """Let the shape keys take every value of their controls."""
         for control in self.layout.controls:
             for shape in control.shapes:
-                reached = (control.minimum, control.maximum)
-                ends = reached if control.plain else (0.0, 1.0, *shape.weights)
+                ends = 0.0, 1.0, *shape.weights
+                if control.plain:
+                    ends = control.minimum, control.maximum
                 for key in self.shape_keys(shape.token):
                     key.slider_min = min(key.slider_min, *ends)
                     key.slider_max = max(key.slider_max, *ends)
@@ -257,9 +262,19 @@ class Character:
         return [*filter(None, (self.shape_key(path, token) for path in self.meshes))]
 
     def shape_key(self, path, token):
-        """The shape key of a token on the mesh of a path, or None."""
-        block = self.meshes[path].data.shape_keys
-        return block and block.key_blocks.get(self.names.get(path, {}).get(token, token))
+        """The shape key of a token on the mesh of a path, or None.
+
+        One that was renamed since the layout was bound is the new name in its place that has its
+        points.
+        """
+        mesh, name = self.meshes[path], self.names.get(path, {}).get(token, token)
+        block, sums = mesh.data.shape_keys, self.sums.get(path, {})
+        found = block and block.key_blocks.get(name)
+        if not found and name in sums:
+            there = dict(zip(sums, shape_keys(mesh), strict=False)).get(name)
+            if there and there.name not in sums and _sum(there) == sums[name]:
+                return there
+        return found
 
     def bone(self, skeleton, joint):
         """The pose bone of a joint, or None."""
@@ -271,12 +286,14 @@ class Character:
         return self.names.get(skeleton, {}).get(joint, joint.rpartition("/")[2])
 
     def missing(self):
-        """Names of the controls that nothing in the scene answers to."""
+        """Names of the controls that nothing in the scene answers to, or not all that did."""
+        had = ((path, token) for path in self.meshes for token in self.names.get(path, ()))
+        gone = {token for path, token in had if not self.shape_key(path, token)}
         return [
             control.name
             for control in self.layout.controls
-            if not self.keys_of(control)
-            and not any(self.bone(*joint.at) for joint in control.joints)
+            if not (self.keys_of(control) or any(self.bone(*each.at) for each in control.joints))
+            or not gone.isdisjoint(shape.token for shape in control.shapes)
         ]
 
     # --- joints -----------------------------------------------------------------------------------
@@ -289,7 +306,7 @@ class Character:
         slopes = np.transpose([_slope(control) for control in controls])
         steps = np.linalg.lstsq(slopes, move.ravel(), rcond=1e-9)[0]
         return {
-            control.name: control.default + float(step)
+            control.name: control.default + step
             for control, step in zip(controls, steps, strict=True)
         }
 
@@ -305,6 +322,11 @@ class Character:
             bone.location = location
         if move[2].any():
             bone.scale = scale
+
+
+def _sum(key):
+    """A checksum of the points of a shape key."""
+    return zlib.crc32(coordinates(key.points))
 
 
 parsed = lru_cache(maxsize=8)(from_json)

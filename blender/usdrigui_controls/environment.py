@@ -66,7 +66,7 @@ def usdrigui(*arguments):
             "usdrigui is not installed yet: press Make Environment in Preferences > Add-ons >"
             " In-situ rig controls, or name a Python that has it there"
         )
-    return [str(python), "-I", "-m", "usdrigui", *map(str, arguments)]
+    return [python, "-I", "-m", "usdrigui", *arguments]
 
 
 def need_room(folder, needed, otherwise):
@@ -237,10 +237,10 @@ class MakeEnvironment(Background, bpy.types.Operator):
             )
         offline = ["--no-index", "--find-links", wheels] if wheels else []
         package = next((Path(__file__).parent / "package").glob("usdrigui-*.whl"))
-        pip = [str(_own_python()), "-I", "-m", "pip", "install", "--disable-pip-version-check"]
+        pip = [_own_python(), "-I", "-m", "pip", "install", "--disable-pip-version-check"]
         return [
-            [sys.executable, "-I", "-m", "venv", "--clear", str(home)],
-            [*pip, "--progress-bar", "off", *offline, str(package)],
+            [sys.executable, "-I", "-m", "venv", "--clear", home],
+            [*pip, "--progress-bar", "off", *offline, package],
         ]
 
     def finish(self):

@@ -87,11 +87,11 @@ def selected_face(context):
         tuple(each for each in shown if each in rigs),
         tuple(each.name for each in shown if each in around - rigs),
     )
-    _check(face, chosen, context)
+    _check(face, chosen)
     return face
 
 
-def _check(face, chosen, context):
+def _check(face, chosen):
     if not face.meshes:
         raise LayoutError(
             "select the face: a mesh with shape keys, its armature, or its collection"
@@ -106,7 +106,6 @@ def _check(face, chosen, context):
             f"all shape keys of {chosen[0].name} are driven or muted: free those that are to have"
             " controls"
         )
-    depsgraph = context.evaluated_depsgraph_get()
     for thing in (*face.meshes, *face.armatures):
         keys = getattr(thing.data, "shape_keys", None)
         linked = thing.library or (keys and keys.library)
@@ -117,7 +116,7 @@ def _check(face, chosen, context):
                 " first (in the outliner, Library Override > Make)"
             )
     for mesh in face.meshes:
-        changing = _changing(mesh, depsgraph)
+        changing = _changing(mesh)
         if changing:
             raise LayoutError(
                 f"the modifier {changing} of {mesh.name} changes its vertices: apply it, or switch"
@@ -125,11 +124,12 @@ def _check(face, chosen, context):
             )
 
 
-def _changing(mesh, depsgraph):
+def _changing(mesh):
     """Name of a modifier that leaves other vertices than those of the mesh; empty if none does."""
     used = _used(mesh)
     cutting = [each for each in used if each.type in _CUTTING]
-    others = len(mesh.evaluated_get(depsgraph).data.vertices) != len(mesh.data.vertices)
+    shown = mesh.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    others = len(shown.data.vertices) != len(mesh.data.vertices)
     if others and not any(each.type in _REFINING for each in used):
         cutting = cutting or used
     return cutting[0].name if cutting else ""

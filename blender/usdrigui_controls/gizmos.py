@@ -123,7 +123,7 @@ class RigControls(bpy.types.Gizmo):
     def _set(self, context, values):
         character = Character(bpy.data.objects[self.item.holder])
         names = (member.control for member in self.item.element.members)
-        changed = dict(zip(names, map(float, values), strict=True))
+        changed = dict(zip(names, values, strict=True))
         if context.scene.usdrigui.symmetric:
             changed = with_partners(changed, character.layout)
         character.set_values(changed)
@@ -154,8 +154,7 @@ class RigControlsGroup(bpy.types.GizmoGroup):
 
     def setup(self, context):
         """Called by Blender once per view."""
-        gizmo = self.gizmos.new(RigControls.bl_idname)
-        gizmo.use_draw_modal = True
+        self.gizmos.new(RigControls.bl_idname).use_draw_modal = True
 
 
 def _draw_hot_label():
@@ -172,7 +171,7 @@ def _screen(context):
     region, view = context.region, context.region_data
     back = view.view_matrix.inverted()
     eye = back.translation if view.is_perspective else back.col[2].xyz
-    matrix = np.array(view.perspective_matrix, dtype=np.float64)
+    matrix = np.array(view.perspective_matrix)
     return Screen(matrix, region.width, region.height, np.array(eye), view.is_perspective)
 
 
@@ -186,7 +185,7 @@ def _radii(context):
 
 
 def _pointer(event, screen):
-    return np.array([event.mouse_region_x, screen.height - event.mouse_region_y], dtype=np.float64)
+    return np.array([event.mouse_region_x, screen.height - event.mouse_region_y])
 
 
 _label = None

@@ -12,7 +12,7 @@ import json
 import numpy as np
 
 _KNOTS = "usdrigui_inbetweens"
-"""Custom property of the Key: per name of a key, the weights and names of the keys added."""
+"""Custom property of the Key: per token, the weights and names of the keys added."""
 
 
 def build(stage, character):
@@ -25,7 +25,7 @@ def build(stage, character):
         if block is None or _KNOTS in block:
             continue
         made = {
-            key.name: _add(mesh, key, shape)
+            token: _add(mesh, key, shape)
             for token, shape in blend_shapes(stage.GetPrimAtPath(path))
             if (key := character.shape_key(path, token))
         }
@@ -37,7 +37,7 @@ def tokens_of(prim):
     """The blend-shape tokens of a mesh prim."""
     from pxr import UsdSkel
 
-    return [str(token) for token in UsdSkel.BindingAPI(prim).GetBlendShapesAttr().Get() or ()]
+    return UsdSkel.BindingAPI(prim).GetBlendShapesAttr().Get() or ()
 
 
 def blend_shapes(prim):
@@ -51,13 +51,14 @@ def blend_shapes(prim):
             yield token, shape
 
 
-def offsets_at(mesh, key, point):
-    """Knots (k,) and offsets (k, 3) of one vertex under one shape key and its in-betweens."""
+def offsets_at(mesh, key, token, point):
+    """Knots (k,) and offsets (k, 3) of one vertex under the shape key of a token and its
+    in-betweens."""
     block = mesh.data.shape_keys
     here = slice(point, point + 1)
     (full,) = key_offsets(mesh, key, here)
     found = {0.0: 0.0 * full, 1.0: full}
-    for weight, name in json.loads(block.get(_KNOTS, "{}")).get(key.name, ()):
+    for weight, name in json.loads(block.get(_KNOTS, "{}")).get(token, ()):
         if name in block.key_blocks:
             (added,) = key_offsets(mesh, block.key_blocks[name], here)
             found[weight] = weight * full + added
@@ -69,13 +70,13 @@ def _add(mesh, key, shape):
     between = {each.GetWeight(): each.GetOffsets() for each in shape.GetInbetweens()}
     weights = sorted(each for each in between if each not in (None, 0.0, 1.0) and between[each])
     knots = sorted({0.0, 1.0, *weights})
-    indices = np.array(shape.GetPointIndicesAttr().Get() or (), dtype=np.int64)
+    moved = shape.GetPointIndicesAttr().Get() or slice(None)
     block = mesh.data.shape_keys
     rest, full = coordinates(block.reference_key.points), coordinates(key.points)
     names = []
     for weight in weights:
         offsets = np.zeros_like(rest)
-        offsets[indices if len(indices) else slice(None)] = np.array(between[weight])
+        offsets[moved] = np.array(between[weight])
         added = mesh.shape_key_add(name=f"{key.name}@{weight:g}", from_mix=False)
         added.relative_key = block.reference_key
         added.data.foreach_set(
@@ -112,9 +113,9 @@ def drive(key, source, path, points, beyond):
     curve.extrapolation = beyond
 
 
-def shape_keys(mesh):
-    """The shape keys of a mesh object but the first, which is its rest."""
-    block = mesh.data.shape_keys
+def shape_keys(thing):
+    """The shape keys of an object but the first, which is its rest."""
+    block = getattr(thing.data, "shape_keys", None)
     return block.key_blocks[1:] if block else []
 
 

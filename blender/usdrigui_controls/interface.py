@@ -59,12 +59,9 @@ class LoadLayout(bpy.types.Operator, ImportHelper):
     @in_one_line
     def execute(self, context):
         """Read the layer and bind it to the objects that it means."""
-        built = add_controls(open_stage(bpy.path.abspath(self.filepath)))
+        add_controls(open_stage(bpy.path.abspath(self.filepath)))
         visibility.forget()
-        for character in built:
-            missing = character.missing()
-            if missing:
-                self.report({"WARNING"}, f"nothing in the scene answers to {', '.join(missing)}")
+        _warn(self)
         return {"FINISHED"}
 
 
@@ -111,6 +108,7 @@ class OnControls:
             self.report({"WARNING"}, f"{self.bl_label}: {self.needed}")
             return {"CANCELLED"}
         self.report({"INFO"}, f"{self.bl_label}: {count} control{'' if count == 1 else 's'}")
+        _warn(self)
         return {"FINISHED"}
 
 
@@ -233,6 +231,8 @@ class RigPanel(bpy.types.Panel):
         column = self.layout.column()
         buttons = [(LayOutFace, "MESH_MONKEY"), (LoadLayout, "IMPORT")]
         if holders():
+            if said := lost():
+                column.label(text=said, icon="ERROR")
             for name in Settings.__annotations__:
                 column.prop(context.scene.usdrigui, name)
             self._draw_active(column.box())
@@ -267,6 +267,20 @@ class RigPanel(bpy.types.Panel):
         row = box.row(align=True)
         for place, text in (("", "Pin to Vertex"), ("board", "To Board"), ("free", "Unpin")):
             row.operator(PinElement.bl_idname, text=text).place = place
+
+
+def lost():
+    """The line on controls of which shape keys or bones are gone; empty where there are none."""
+    names = [name for holder in holders() for name in Character(holder).missing()]
+    return names and (
+        f"a shape key or bone of {', '.join(names)} is gone or has another name: lay the face out"
+        " again, places are kept"
+    )
+
+
+def _warn(operator):
+    if said := lost():
+        operator.report({"WARNING"}, said)
 
 
 def _draw_row(layout, everything, *buttons):

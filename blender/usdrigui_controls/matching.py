@@ -40,8 +40,7 @@ def match(stage, layouts, objects):
 
 def names_of(stage, layout, objects):
     """By prim path of the ``objects`` that are known, blend-shape tokens to names of shape keys, or
-    joints to names of bones; where they differ from the token or from the last part of the joint's
-    path."""
+    joints to names of bones."""
     found = {}
     for path in (each.path for each in layout.meshes if each.path in objects):
         keys = [key.name for key in shape_keys(objects[path])]
@@ -126,13 +125,12 @@ def armatures_of(thing):
 
 
 def _paired(wanted, present, short=str):
-    """The names that are present for those that are wanted, where they differ: as USD would write
-    them alike."""
-    missing = [each for each in wanted if short(each) not in present]
-    left = [name for name in present if name not in map(short, wanted)]
-    found = {}
+    """The names that are present for those that are wanted: the same, or as USD would write them
+    alike."""
+    found = {each: short(each) for each in wanted if short(each) in present}
+    left = [name for name in present if name not in found.values()]
     for plain in (_plain, _ascii):
-        for each in missing:
+        for each in wanted:
             alike = [name for name in left if plain(name) == plain(short(each))]
             if alike and each not in found:
                 found[each] = alike[0]

@@ -57,7 +57,7 @@ def mirrored(value, mine, theirs, other_way=False):
     end = high if rising else low
     share = (value - rest) / (end - rest) if end != rest else 0.0
     other = most if rising != other_way else least
-    return float(np.clip(base + share * (other - base), least, most))
+    return np.clip(base + share * (other - base), least, most)
 
 
 def with_partners(changed, layout):
@@ -84,7 +84,7 @@ def flipped(layout, values, crosses):
         if other is not None:
             found[name] = mirrored(values[other], ranges[other], ranges[name])
         elif low < rest < high:
-            found[name] = float(np.clip(2.0 * rest - values[name], low, high))
+            found[name] = np.clip(2.0 * rest - values[name], low, high)
     return found
 
 

@@ -16,7 +16,7 @@ def agree(prim, is_so, what):
 
 def applied(prim):
     """Names of the API schemas applied to a prim."""
-    return [str(name) for name in prim.GetPrimTypeInfo().GetAppliedAPISchemas()]
+    return prim.GetPrimTypeInfo().GetAppliedAPISchemas()
 
 
 def get(prim, name, fallback):
@@ -69,4 +69,4 @@ def carriers(prim):
     width = named_by[0].GetElementSize()
     rows = (list(each.Get() or ())[point * width :][:width] for each in named_by)
     pairs = zip(*rows, strict=True)
-    return tuple((str(tokens[index]), weight) for index, weight in pairs if weight), skeleton
+    return tuple((tokens[index], weight) for index, weight in pairs if weight), skeleton

@@ -5,7 +5,6 @@ from __future__ import annotations
 import bpy
 import numpy as np
 
-from .anchors import matrix_of
 from .inbetweens import coordinates
 
 _SIDEWAYS = 0.5
@@ -16,7 +15,7 @@ def crossing(character):
     """Tells of the name of a control whether it moves all points of the character to one side; the
     scene is then as it was."""
     path, mesh = next(iter(character.meshes.items()))
-    to_root = character.layout.to_root(path) @ np.linalg.inv(matrix_of(mesh.matrix_world))
+    to_root = character.layout.to_root(path) @ np.linalg.inv(np.array(mesh.matrix_world))
 
     def points(name, value):
         character.set_values({name: value})
@@ -37,5 +36,5 @@ def crossing(character):
 
 
 def _world_points(mesh):
-    world = matrix_of(mesh.matrix_world)
+    world = np.array(mesh.matrix_world)
     return coordinates(mesh.data.vertices) @ world[:3, :3].T + world[:3, 3]

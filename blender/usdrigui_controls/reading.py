@@ -156,10 +156,8 @@ def _joints(prim, instance, of, count):
 
 def _element(prim, mine, width):
     def others(name):
-        stage = prim.GetStage()
-        return tuple(
-            _name(stage.GetPrimAtPath(path)) for path in targets(prim, f"rigUI:element:{name}")
-        )
+        paths = targets(prim, f"rigUI:element:{name}")
+        return tuple(map(_name, map(prim.GetStage().GetPrimAtPath, paths)))
 
     mesh = "".join(map(str, targets(prim, "rigUI:anchor:prim")[:1]))
     held, skeleton = carriers(prim)
@@ -238,7 +236,7 @@ def _relative(prim, root, cache):
 
 def _skeleton(prim, root):
     skeleton = UsdSkel.Skeleton(prim)
-    order = [str(joint) for joint in skeleton.GetJointsAttr().Get() or ()]
+    order = skeleton.GetJointsAttr().Get() or ()
     bind = skeleton.GetBindTransformsAttr().Get() or ()
     agree(prim, len(bind) == len(order), "bind transforms of its joints")
     local = beside_parents(bind, UsdSkel.Topology(order).GetParentIndices())

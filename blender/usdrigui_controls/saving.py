@@ -78,7 +78,7 @@ def save_animation(scene, target, steps, with_values):
     from pxr import Sdf, Tf, Usd
 
     characters = {
-        (each.holder.get(SOURCE, ""), each.layout.root): each for each in map(Character, holders())
+        (each.holder[SOURCE], each.layout.root): each for each in map(Character, holders())
     }
     if not characters:
         raise LayoutError("no character of this scene has controls: lay one out, or load a layout")
@@ -89,9 +89,7 @@ def save_animation(scene, target, steps, with_values):
     sources = list(dict.fromkeys(source for source, _ in characters))
     for source in sources:
         if not Path(source).is_file():
-            raise LayoutError(
-                f"the layout {source or 'of this scene'} is gone: load or lay it out again"
-            )
+            raise LayoutError(f"the layout {source} is gone: load or lay it out again")
         if Path(source).resolve() == target.resolve():
             raise LayoutError(f"{target.name} is the layout itself: choose another name")
     layer = Sdf.Layer.CreateAnonymous(target.suffix)
@@ -183,8 +181,12 @@ class _Skeleton:
             for token in tokens_of(stage.GetPrimAtPath(mesh))
             if (key := character.shape_key(mesh, token))
         }
-        skeletons = (each for each in character.layout.skeletons if each.path == path)
-        joints = [each for skeleton in skeletons for each in skeleton.joints if self.armature]
+        joints = [
+            each
+            for skeleton in character.layout.skeletons
+            if self.armature and skeleton.path == path
+            for each in skeleton.joints
+        ]
         self.joints = [joint.path for joint in joints]
         self.parents = list(UsdSkel.Topology(self.joints).GetParentIndices())
         self.rest = np.reshape([joint.rest for joint in joints], (-1, 4, 4))

@@ -32,9 +32,7 @@ class Screen:
 
     def project(self, points):
         """(n, 2) pixels of world points (n, 3); NaN for those behind the viewer."""
-        homogeneous = (
-            np.asarray(points, dtype=np.float64) @ self.matrix[:, :3].T + self.matrix[:, 3]
-        )
+        homogeneous = np.asarray(points) @ self.matrix[:, :3].T + self.matrix[:, 3]
         w = homogeneous[:, 3:]
         with np.errstate(divide="ignore", invalid="ignore"):
             clip = np.where(w > 0.0, homogeneous[:, :2] / w, np.nan)
@@ -43,8 +41,8 @@ class Screen:
     def faces(self, placed):
         """Whether an element's front is seen."""
         toward = self.toward(placed.handle)
-        length = float(np.linalg.norm(toward)) * float(np.linalg.norm(placed.normal))
-        return length == 0.0 or float(placed.normal @ toward) > _BEHIND * length
+        farthest = _BEHIND * np.linalg.norm(toward) * np.linalg.norm(placed.normal)
+        return placed.normal @ toward >= farthest
 
     def toward(self, point):
         """(3,) from a world point to the viewer."""
@@ -53,12 +51,12 @@ class Screen:
     def radius(self, placed, width):
         """Pixels that half of ``width`` scene units take at an element's handle."""
         right, _ = self.axes_at(placed.handle)
-        return 0.5 * width * placed.scale / max(float(np.linalg.norm(right)), 1e-30)
+        return 0.5 * width * placed.scale / max(np.linalg.norm(right), 1e-30)
 
     def axes_at(self, point):
         """(3,) each, the world vectors of one pixel to the right and one upward at a world
         point."""
-        w = max(float(self.matrix[3, :3] @ point + self.matrix[3, 3]), 1e-30)
+        w = max(self.matrix[3, :3] @ point + self.matrix[3, 3], 1e-30)
         axes = zip(self.matrix[:2, :3], (self.width, self.height), strict=True)
         return [2.0 * w / size * axis / (axis @ axis) for axis, size in axes]
 

@@ -92,6 +92,6 @@ def place(drawing, point, anchor, skin, values):
     enlarged = any(abs(member.magnification - 1.0) > 1e-6 for member in element.members)
     if handle is None or enlarged:
         handle = slid(drawing.values, tracks, drawing.base, values)[1]
-    scale = float(np.cbrt(abs(np.linalg.det(linear))))
+    scale = np.cbrt(abs(np.linalg.det(linear)))
     normal = facing(element.normal, linear.T)
     return Placed(tuple(tracks), area, handle, normal, scale, values)

@@ -20,7 +20,7 @@ bpy.utils.expose_bundled_modules()
 
 def test_imported_handles_stay_on_the_face_through_the_animation(run_inside, usd_python, tmp_path):
     layer, rig, source = characters.sample(tmp_path)
-    expected = anchors(layer, rig, FRAMES)
+    expected = anchors(layer, rig)
     where = {
         element.name.replace(":", "_"): (element.anchor.mesh.rpartition("/")[2], element.anchor.point)
         for element in shown_at_first(layer)
@@ -64,22 +64,22 @@ def handles(layer, rig, names):
     }
 
 
-def anchors(layer, rig, frames):
-    """By prim name, the deformed anchors (frames, 3) of the elements on the face in root space, by UsdSkel."""
+def anchors(layer, rig):
+    """By prim name, the deformed anchors (FRAMES, 3) of the elements on the face in root space, by UsdSkel."""
     stage = Usd.Stage.Open(str(layer))
     assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.path)))
     found = {}
     for element in shown_at_first(layer):
         if not element.anchor.on_board:
             points = stage.GetPrimAtPath(element.anchor.mesh).GetAttribute("points")
-            found[element.name.replace(":", "_")] = root_points(stage, rig, element, points, frames)
+            found[element.name.replace(":", "_")] = root_points(stage, rig, element, points)
     return found
 
 
-def root_points(stage, rig, element, points, frames):
+def root_points(stage, rig, element, points):
     root, mesh = map(stage.GetPrimAtPath, (rig.path, element.anchor.mesh))
     at = []
-    for frame in frames:
+    for frame in FRAMES:
         cache = UsdGeom.XformCache(frame)
         to_root = cache.GetLocalToWorldTransform(mesh) * cache.GetLocalToWorldTransform(root).GetInverse()
         at.append(to_root.Transform(points.Get(frame)[element.anchor.point]))

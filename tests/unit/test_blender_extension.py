@@ -86,10 +86,10 @@ def test_the_rules_it_shares_are_our_own_files(name):
 # --- mathematics --------------------------------------------------------------------------------------
 
 
-def front(extension, width=400.0, height=300.0):
+def front(extension):
     """A view along -z without perspective: one unit is ten pixels."""
-    matrix = np.diag([20.0 / width, 20.0 / height, -0.01, 1.0])
-    return extension["screen"].Screen(matrix, width, height, np.array([0.0, 0.0, 1.0]), False)
+    matrix = np.diag([0.05, 1.0 / 15.0, -0.01, 1.0])
+    return extension["screen"].Screen(matrix, 400.0, 300.0, np.array([0.0, 0.0, 1.0]), False)
 
 
 def test_pixels_and_their_world_vectors(extension):

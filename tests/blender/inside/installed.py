@@ -49,6 +49,14 @@ assert bpy.ops.usdrigui.load_layout(filepath=task["layer"]) == {"FINISHED"}
 loaded = len(character().layout.elements)
 refused = [refusal(bpy.ops.usdrigui.load_layout, filepath=task["source"])]
 mesh = next(each for each in character().meshes.values() if each.data.shape_keys)
+key = mesh.data.shape_keys.key_blocks["jawLeft"]
+key.name = "Kiefer links"
+character().set_values({"jawLeft": 0.5})
+assert key.value == 0.5
+lost = importlib.import_module(f"{module}.interface").lost
+assert not lost()
+key.points[0].co.x += 1.0  # nothing tells now which key this was
+assert "of jawLeft is gone" in lost()
 mesh.shape_key_clear()
 bpy.ops.object.select_all(action="SELECT")
 for spoil in (lambda: mesh.data.vertices.add(1), bpy.ops.object.duplicate):
