@@ -9,6 +9,7 @@ import numpy as np
 from usdrigui.character import Flags, Floats, Glyph
 from usdrigui.character.palette import SIDES
 from usdrigui.model import Element
+from usdrigui.model.neighbours import end_of, neighbours
 from usdrigui.pose.evaluate import PosedElement
 from usdrigui.ties import axis_across
 from usdrigui.view.body.shading import Camera
@@ -25,8 +26,6 @@ _BLOCK, _DIAMOND = (4, 1.2, 0.5), (4, 1.2, 0.0)
 _SHAPES = {"patch": _BLOCK, "joystick": _BLOCK, "fan": _DIAMOND}
 """Corners of a handle, how far they are from its centre, and by how much of a step they are turned;
 others are discs."""
-_MIN_ARM = 1e-3
-"""Of the longest arm of an element: a shorter one is where its track begins, at the rest."""
 _MIN_RADIUS = 3.2
 """Of a handle, pixels: smaller ones are drawn larger than they are."""
 _SPREAD = np.array([[0, 0, 0], [0.7, 0, 0], [-0.7, 0, 0], [0, 0.7, 0], [0, -0.7, 0]])
@@ -110,7 +109,7 @@ def _outlines(glyph: Glyph, points: Floats, centre: Floats, enlarged: float) -> 
     """Lines, or faces from far to near, of a custom handle; as much enlarged as the usual one
     is."""
     points[:, :2] = centre[:2] + enlarged * (points[:, :2] - centre[:2])
-    parts = np.split(points[glyph.indices], np.cumsum(glyph.counts)[:-1])
+    parts = [points[part] for part in glyph.parts]
     return tuple(part[:, :2] for part in sorted(parts, key=lambda part: float(part[:, 2].mean())))
 
 
@@ -136,28 +135,12 @@ def _seen(at: Floats, depth: Floats | None, slack: float) -> Flags:
 
 
 def _fields(element: Element, posed: PosedElement, camera: Camera) -> tuple[Floats, ...]:
-    """Outlines (4, 2), pixels, of the parallelograms between arms next to each other by angle
-    (paper section 4.2).
-
-    A track that goes both ways from the rest is two arms: two such axes span all four quadrants.
-    Arms of one axis and pairs more than 180 degrees apart span nothing.
-    """
-    ends = [
-        (number, posed.tracks[i][end] - posed.rest)
-        for number, axis in enumerate(element.axes)
-        for i in axis
-        for end in (0, -1)
-    ]
-    longest = max(float(np.linalg.norm(end)) for _, end in ends)
-    arms = [(axis, end) for axis, end in ends if np.linalg.norm(end) > _MIN_ARM * longest]
-    east = np.cross(posed.normal, axis_across(posed.normal))
-    north = np.cross(posed.normal, east)
-    angle = np.array([np.arctan2(arm @ north, arm @ east) for _, arm in arms])
-    order = np.argsort(angle, kind="stable")
+    """Outlines (4, 2), pixels, of the parallelograms between tracks next to each other (paper
+    section 4.2)."""
+    tracks, rest, normal = posed.tracks, posed.rest, posed.normal
+    across = np.cross(normal, axis_across(normal))
     found = []
-    for i, j in zip(order, np.roll(order, -1), strict=True):
-        span = (angle[j] - angle[i]) % (2.0 * np.pi)
-        (one, a), (other, b) = arms[i], arms[j]
-        if one != other and 1e-3 < span < np.pi - 1e-3:
-            found.append(camera.project(posed.rest + np.array([0.0 * a, a, a + b, b]))[:, :2])
+    for pair in neighbours(tracks, rest, normal, across, element.axes):
+        a, b = (end_of(tracks, end) - rest for end in pair)
+        found.append(camera.project(rest + np.array([0.0 * a, a, a + b, b]))[:, :2])
     return tuple(found)
