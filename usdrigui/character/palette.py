@@ -7,6 +7,9 @@ A page's scene holds them, and the Blender extension takes this file along as it
 
 from __future__ import annotations
 
+import numpy as np
+from numpy.typing import NDArray
+
 Colour = tuple[int, int, int]
 
 SIDES: dict[str, Colour] = {
@@ -21,10 +24,10 @@ SIDES: dict[str, Colour] = {
 def linear(side: str) -> tuple[float, float, float]:
     """The colour of a side in linear light, 0 to 1, to four digits: what `primvars:displayColor`
     holds."""
-    red, green, blue = (round(_decoded(part / 255.0), 4) for part in SIDES[side])
+    red, green, blue = decoded(np.array(SIDES[side]) / 255.0).round(4).tolist()
     return red, green, blue
 
 
-def _decoded(part: float) -> float:
-    """Linear light of one channel of sRGB (IEC 61966-2-1)."""
-    return part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4
+def decoded(encoded: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Linear light of channels of sRGB (IEC 61966-2-1), 0 to 1."""
+    return np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)

@@ -10,6 +10,7 @@ import numpy as np
 from pxr import Ar, Sdf, Usd, UsdGeom, UsdShade
 
 from usdrigui.character import Floats, Indices, Record, Texels, Texturing, Topology
+from usdrigui.character.palette import decoded
 from usdrigui.stages.arrays import value_at
 
 _BASE_COLOURS = ("diffuseColor", "base_color", "baseColor", "diffuse_color_constant")
@@ -151,7 +152,7 @@ def _textured(shader: UsdShade.Shader, corners: _Corners, cut: bool) -> _Painted
     row = np.floor((1.0 - uv[:, 1] % 1.0) * tall).astype(np.int64).clip(0, tall - 1)
     if not cut:
         image[..., 3] = 255
-    return _linear(image[row, column, :3].astype(np.float64) / 255.0), uv, image
+    return decoded(image[row, column, :3].astype(np.float64) / 255.0), uv, image
 
 
 def _uv_name(shader: UsdShade.Shader) -> str:
@@ -186,8 +187,3 @@ def _image(shader: UsdShade.Shader) -> Any:
             return np.array(small)
     except (UnidentifiedImageError, OSError, ValueError, SyntaxError, Image.DecompressionBombError):
         return None
-
-
-def _linear(encoded: Floats) -> Floats:
-    """sRGB, as the files of colour textures hold it, to linear light."""
-    return np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)
