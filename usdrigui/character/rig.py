@@ -152,10 +152,14 @@ class Glyph(Record):
     the other."""
 
     @property
+    def parts(self) -> list[Indices]:
+        """`indices` of each polyline or polygon."""
+        return np.split(self.indices, np.cumsum(self.counts)[:-1])
+
+    @property
     def turned_round(self) -> Indices:
         """`indices` with the corners of each face in the opposite order."""
-        faces = np.split(self.indices, np.cumsum(self.counts)[:-1])
-        return np.concatenate([face[::-1] for face in faces])
+        return np.concatenate([face[::-1] for face in self.parts])
 
 
 @dataclass(frozen=True, slots=True)

@@ -319,11 +319,10 @@ def _form(element: Element, width: float, view: Floats) -> Form:
         return _dome(normal, view, width)
     if glyph.form == "mesh":
         return glyph.points, Faces(glyph.counts, glyph.indices)
-    ends = np.cumsum(glyph.counts)[:-1]
     lines = [
-        _ribbon(line, normal, _TRACK_WIDTH * width)
-        for line in np.split(glyph.points, ends)
-        if len(line) > 1
+        _ribbon(glyph.points[part], normal, _TRACK_WIDTH * width)
+        for part in glyph.parts
+        if len(part) > 1
     ]
     return together([(points, Faces.alike(quads)) for points, quads in lines])
 

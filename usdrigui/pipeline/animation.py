@@ -45,7 +45,7 @@ def weighted(
     is of this character.
     """
     overrides, clips = used
-    found = importances(activity(rig, clips), _twins(rig.control_names, twins), weight)
+    found = importances(activity(rig, clips), twins, weight)
     return with_importances(rig.controls, overrides, found)
 
 
@@ -53,8 +53,8 @@ def animation_facts(
     face: Face, clips: tuple[Performance, ...], weight: float
 ) -> tuple[AnimationFacts, tuple[Issue, ...]]:
     """The use of a character's controls by the animations, with warnings; raises as `weighted`."""
-    done, twins = activity(face.rig, clips), _twins(face.rig.control_names, face.symmetry.twins)
-    worth = importances(done, twins, weight)
+    done = activity(face.rig, clips)
+    worth = importances(done, face.symmetry.twins, weight)
     active = (done.amounts >= _ACTIVE).mean(axis=0)
     uses = [
         UseFacts(name, float(done.use[i]), float(active[i]), worth[name])
@@ -68,7 +68,3 @@ def animation_facts(
         if each.importance != 1.0
     )
     return AnimationFacts(done.clips, len(done.amounts), tuple(uses), "\n".join(lines)), done.issues
-
-
-def _twins(names: Sequence[str], twins: Indices) -> dict[str, str]:
-    return {names[i]: names[twin] for i, twin in enumerate(twins.tolist()) if twin >= 0}

@@ -269,11 +269,10 @@ def joint_settings(
 
 
 def names_in_configuration(joints: tuple[Joint, ...]) -> dict[str, int]:
-    """The names by which the configuration may speak of joints, and their indices: their paths, and
-    last names that no other joint has."""
-    count = Counter(joint.name for joint in joints)
-    leaves = {joint.name: i for i, joint in enumerate(joints) if count[joint.name] == 1}
-    return leaves | {joint.path: i for i, joint in enumerate(joints)}
+    """The names by which the configuration may speak of joints, and their indices: those of their
+    controls, and their paths."""
+    names = {name: i for i, name in enumerate(joint_names(joints))}
+    return names | {joint.path: i for i, joint in enumerate(joints)}
 
 
 # --- drives and ranges ----------------------------------------------------------------------------

@@ -45,6 +45,8 @@ _SIDES = {
     "none": "no side",
 }
 """What the colours of elements mean."""
+_SHEET = 1800
+"""Width of a page of many pictures, pixels."""
 _BETWEEN = "   ·   "
 
 
@@ -110,12 +112,12 @@ def film(rig: Rig, layout: Layout, poses: ArrayLike) -> Iterator[Image.Image]:
 
 
 def contact_sheet(
-    images: Sequence[Image.Image], titles: Sequence[str] = (), columns: int = 2, width: int = 1800
+    images: Sequence[Image.Image], titles: Sequence[str] = (), columns: int = 2
 ) -> Image.Image:
-    """All ``images``, one at least, on one page of ``width`` pixels, in rows of ``columns``, each
+    """All ``images``, one at least, on one page of `_SHEET` pixels, in rows of ``columns``, each
     over its title if there are any."""
     columns = min(columns, len(images))
-    cell = (width - _GAP * (columns + 1)) // columns
+    cell = (_SHEET - _GAP * (columns + 1)) // columns
     shares = [cell / image.width for image in images]
     heights = [
         max(1, round(image.height * share)) for image, share in zip(images, shares, strict=True)
@@ -123,7 +125,7 @@ def contact_sheet(
     below = 26 if titles else 0
     starts = range(0, len(images), columns)
     rows = [max(heights[start : start + columns]) + below + _GAP for start in starts]
-    page = Image.new("RGB", (width, sum(rows) + _GAP), PAPER)
+    page = Image.new("RGB", (_SHEET, sum(rows) + _GAP), PAPER)
     pen = ImageDraw.Draw(page)
     for index, (image, height) in enumerate(zip(images, heights, strict=True)):
         left = _GAP + index % columns * (cell + _GAP)

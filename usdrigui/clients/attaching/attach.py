@@ -26,6 +26,7 @@ from usdrigui.errors import Issue, RigUIError, issue, listed, refuse
 from usdrigui.isolation.foreign_file import SourceFile, check_source
 from usdrigui.layer.write_layout import layer_bytes, relative_asset_path
 from usdrigui.model import Layout
+from usdrigui.pipeline.variants import selecting
 from usdrigui.reader.reader_process import (
     read_layer_isolated,
     read_layouts_isolated,
@@ -107,7 +108,9 @@ def _attached(
 ) -> Outcome:
     before = check_source(asset, settings.read.size_limit)
     layouts = read_layouts_isolated(layer, settings.read).layouts
-    settings = _in_its_variant(layouts, settings)
+    # The variants that hold the layout: the asset may select others.
+    chosen = {**asset_selections(layouts[0].variant_path), **settings.read.variants}
+    settings = selecting(settings, chosen)
     read = read_rigs_isolated(asset, settings)
     _check_of(asset, layouts, read.rigs)
     opening = settings.read
@@ -146,13 +149,6 @@ def _references(asset: Path, layer: Path, layouts: Sequence[Layout]) -> _Edit:
         for root in dict.fromkeys(each.root for each in layouts)
     )
     return _Edit(functools.partial(layout_reference.add, references=wanted))
-
-
-def _in_its_variant(layouts: Sequence[Layout], settings: Settings) -> Settings:
-    """The settings with the variants selected that hold a layout: the asset may select
-    others."""
-    chosen = {**asset_selections(layouts[0].variant_path), **settings.read.variants}
-    return replace(settings, read=replace(settings.read, variants=chosen))
 
 
 def _check_of(asset: Path, layouts: Sequence[Layout], rigs: Sequence[Rig]) -> None:

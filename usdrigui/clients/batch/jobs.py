@@ -8,11 +8,9 @@ run it.
 from __future__ import annotations
 
 import json
-import os
 import threading
 from collections.abc import Mapping
 from dataclasses import asdict, replace
-from pathlib import Path
 from queue import SimpleQueue
 from time import perf_counter
 from typing import Any
@@ -111,7 +109,6 @@ def _with_counts(row: Row, document: Mapping[str, Any]) -> Row:
     face, board, left_off = (
         sum(each[place] for each in counts) for place in ("face", "board", "left off")
     )
-    folder = Path(row.asset).parent
     return replace(
         row,
         controls=face + board + left_off,
@@ -120,5 +117,5 @@ def _with_counts(row: Row, document: Mapping[str, Any]) -> Row:
         left_off=left_off,
         gap=max((each for each in gaps if each is not None), default=0.0),
         warnings=sum(each["severity"] == "warning" for each in document["issues"]),
-        sources=tuple(os.path.realpath(folder / each["path"]) for each in document["sources"]),
+        sources=state.real_paths(row.asset, [each["path"] for each in document["sources"]]),
     )

@@ -46,7 +46,7 @@ def recall(job: Job) -> Row | None:
         paths, counts = known["sources"], {name: known["counts"][name] for name in _COUNTS}
         if not all(map(_is_count, counts, counts.values())) or known != _record(job, paths, counts):
             return None
-        sources = _real_paths(job.asset, paths)
+        sources = real_paths(job.asset, paths)
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return None
     row = Row(job.asset, job.output, job.picture, "skipped", int(Exit.OK), sources=sources)
@@ -59,7 +59,7 @@ def remember(job: Job, sources: Sequence[Mapping[str, str]], row: Row) -> None:
     with contextlib.suppress(OSError, RigUIError):
         record = _record(job, paths, {name: getattr(row, name) for name in _COUNTS})
         # A file changed since it was read must not count as laid out.
-        if _digests(_real_paths(job.asset, paths)) == [source["sha256"] for source in sources]:
+        if _digests(real_paths(job.asset, paths)) == [source["sha256"] for source in sources]:
             commit(json.dumps(record, indent=2) + "\n", state_path(job.output), read=[job.asset])
 
 
@@ -76,7 +76,7 @@ def _record(job: Job, paths: Sequence[str], counts: Mapping[str, float]) -> dict
         __version__,
         job.settings,
         os.path.relpath(os.path.realpath(job.asset), folder),
-        _digests(_real_paths(job.asset, paths)),
+        _digests(real_paths(job.asset, paths)),
         _digests([job.output]),
         counts,
     ]
@@ -98,7 +98,7 @@ def _digests(paths: Sequence[str]) -> list[str]:
     return [hashed(path).sha256 for path in paths]
 
 
-def _real_paths(asset: str, paths: Sequence[str]) -> tuple[str, ...]:
+def real_paths(asset: str, paths: Sequence[str]) -> tuple[str, ...]:
     """The files that composed an asset, by their real paths."""
     folder = Path(asset).parent
     return tuple(os.path.realpath(folder / path) for path in paths)

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from usdrigui.character import Control, Floats, Performance, Record, Rig
+from usdrigui.character import Control, Floats, Indices, Performance, Record, Rig
 from usdrigui.character.clip_reading import turning
 from usdrigui.errors import Issue, issue, listed, refuse
 from usdrigui.layout.shares import NOTHING, OUTLIER
@@ -55,9 +55,9 @@ def activity(rig: Rig, performances: Iterable[Performance]) -> Activity:
     return Activity(rig.control_names, amounts, names, issues)
 
 
-def importances(done: Activity, twins: Mapping[str, str], weight: float) -> dict[str, float]:
+def importances(done: Activity, twins: Indices, weight: float) -> dict[str, float]:
     """How much each control matters by its use: 1 for the mean one, 1 - weight for one that is
-    never used.
+    never used; `twins` (controls,) are their mirror controls, -1 for none.
 
     Rounded to hundredths, as in a configuration; poses, for which animations show
     nothing, are left out.
@@ -85,16 +85,14 @@ def with_importances(
     )
 
 
-def _units(done: Activity, twins: Mapping[str, str]) -> list[tuple[int, ...]]:
+def _units(done: Activity, twins: Indices) -> list[tuple[int, ...]]:
     """Controls that animations can use, a pair as one."""
-    index = {name: i for i, name in enumerate(done.controls)}
     units: list[tuple[int, ...]] = []
     taken: set[int] = set()
-    for i, name in enumerate(done.controls):
+    for i, twin in enumerate(twins.tolist()):
         if i in taken or not np.isfinite(done.amounts[0, i]):
             continue
-        twin = index.get(twins.get(name, ""), i)
-        units.append((i,) if twin == i or twin in taken else (i, twin))
+        units.append((i,) if twin in (-1, i, *taken) else (i, twin))
         taken.update(units[-1])
     return units
 

@@ -394,10 +394,9 @@ def _glyph(glyph: Glyph | None) -> Json | None:
     face."""
     if glyph is None:
         return None
-    parts = np.split(glyph.indices, np.cumsum(glyph.counts)[:-1])
     return {
         "points": _list(glyph.points),
-        "parts": [part.tolist() for part in parts],
+        "parts": [part.tolist() for part in glyph.parts],
         "closed": glyph.form == "mesh",
     }
 
