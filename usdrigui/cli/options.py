@@ -149,13 +149,15 @@ _ASSIGNED = re.compile(rf"({_WORD}(?:\.{_WORD})*)=(.*)", re.DOTALL)
 def _configuration(arguments: argparse.Namespace, opening: ReadSettings) -> Sequence[Path]:
     """The configurations of a command: those given, or that of its asset or layer; none if there
     is no such file."""
+    from usdrigui.settings.loading import beside
+
     given: list[Path] = getattr(arguments, "config", [])
     if given:
         return given
     asset: Path | None = getattr(arguments, "asset", None)
     layer: Path | None = getattr(arguments, "layer", None)
     if asset is not None:
-        return list(_existing(_beside(asset)))
+        return beside(asset)
     if layer is None:
         return []
     return list(itertools.islice(_of_layer(layer, opening), 1))
@@ -172,6 +174,7 @@ def _of_layer(
     inside: a file `char.toml` beside `char.usda` is somebody else's.
     """
     from usdrigui.reader.reader_process import read_layouts_isolated
+    from usdrigui.settings.loading import beside
 
     try:
         found = read_layouts_isolated(layer, opening)
@@ -179,30 +182,19 @@ def _of_layer(
         if error.issue.code not in NO_LAYOUT:
             raise
         # Where the variant selected has no layout, only its name can identify its configuration.
-        yield from _existing(_beside(layer))
-        if layer.stem.endswith(".rigui"):
-            yield from _existing(layer.with_suffix(".toml"))
+        yield from beside(layer)
         return
     if _same(found.source, layer) or (found.composed_from and not found.source):
-        yield from _existing(_beside(layer))
+        yield from beside(layer)
         return
-    yield from _existing(layer.with_suffix(".toml"))  # char.rigui.usda → char.rigui.toml
-    yield from _existing(_beside(Path(found.source)))
+    own = layer.with_suffix(".toml")  # char.rigui.usda → char.rigui.toml
+    if os.path.isfile(own):  # noqa: PTH113 (a name too long for a file is an OSError there)
+        yield own
+    yield from beside(Path(found.source))
     above |= {os.path.realpath(layer)}
     # Layers can have each other as sublayers, in a circle.
     if found.composed_from and os.path.realpath(found.source) not in above:
         yield from _of_layer(Path(found.source), opening, above)
-
-
-def _beside(asset: Path) -> Path | None:
-    """``char.usda`` → ``char.rigui.toml``, there or not; none of what has no name."""
-    return asset.with_suffix(".rigui.toml") if asset.name else None
-
-
-def _existing(path: Path | None) -> Iterator[Path]:
-    # A name too long for a file is an OSError there.
-    if path is not None and os.path.isfile(path):  # noqa: PTH113
-        yield path
 
 
 def _same(first: str, second: Path) -> bool:

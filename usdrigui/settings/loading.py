@@ -63,11 +63,17 @@ def load_beside(path: Path) -> Settings:
 
     Raises RigUIError CONFIG_...
     """
+    files, environment = beside(path), environment_settings()
+    ceilings = load(environment=environment)
+    return limited(load(*files, environment=environment), ceilings) if files else ceilings
+
+
+def beside(path: Path) -> list[Path]:
+    """``CHAR.rigui.toml`` beside an asset or its layout; none where there is no such file, and of
+    what has no name."""
     own = path.parent / f"{path.stem.removesuffix('.rigui')}.rigui.toml"
-    ceilings = load(environment=environment_settings())
-    if not os.path.isfile(own):  # noqa: PTH113 (a name too long for a file is an OSError there)
-        return ceilings
-    return limited(load(own, environment=environment_settings()), ceilings)
+    # A name too long for a file is an OSError of Path.
+    return [own] if path.name and os.path.isfile(own) else []  # noqa: PTH113
 
 
 def limited(settings: Settings, ceilings: Settings) -> Settings:
