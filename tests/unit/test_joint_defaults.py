@@ -88,13 +88,15 @@ def test_curled_fingers_reach_into_the_palm_and_stay_in_one_piece(made):
             assert after == pytest.approx(before)
 
 
-@pytest.mark.parametrize("bend", [0.0, 10.0], ids=["straight", "bent"])
-def test_the_thumb_is_the_finger_apart_and_curls_towards_the_others(bend):
+@pytest.mark.parametrize(("bend", "back"), [(0.0, 1.0), (10.0, 1.0), (0.0, -1.0)], ids=["straight", "bent", "back"])
+def test_the_thumb_is_the_finger_apart_and_it_and_the_others_curl_towards_each_other(bend, back):
     ahead = [rotations(np.radians([0.0, 0.0, -bend * k])) @ [-0.25, 0.15, 0.02] for k in range(3)]
-    thumb = np.cumsum([[-0.4, 0.2, 0.05], *ahead], axis=0)
+    thumb = np.cumsum([[-0.4, 0.2, 0.3], *ahead], axis=0)
     paths, places = zip(*((joint.path, joint.bind[3, :3]) for joint in HAND.body.joints), strict=True)
-    names = [*paths, *("w/" + "/".join(f"t{k}" for k in range(n + 1)) for n in range(4))]
-    made = limbs.skeleton_rig(names, np.vstack([places, thumb]), [i for i, n in enumerate(names) if n[-1] != "3"])
+    names = [*paths, "w/t0", "w/t0/t1", "w/t0/t1/t2", "w/t0/t1/t2/t3"]
+    made = limbs.skeleton_rig(
+        names, np.vstack([np.array(places) * [1.0, 1.0, back], thumb]), [i for i, n in enumerate(names) if n[-1] != "3"]
+    )
     tree = Tree(made.body.joints, made.body.meshes)
     curls = {turn.joints[0]: turn for turn in default_turns(tree) if turn.name == "curl"}
     turn = curls.pop(len(paths))
@@ -102,7 +104,7 @@ def test_the_thumb_is_the_finger_apart_and_curls_towards_the_others(bend):
     posed = in_skeleton_space(made.body.joints, posed_locals(tree, turn, np.array([0.0, 30.0])))
     tips = posed[:, len(paths) + 3, 3, :3]
     assert np.linalg.norm(tips[1] - others) < np.linalg.norm(tips[0] - others) - 0.1
-    assert all(abs(each.axes[0][0]) > 0.99 for each in curls.values()), "fingers curl about their row"
+    assert all(each.axes[0][0] > 0.99 for each in curls.values()), "fingers curl about their row"
 
 
 def test_what_a_flat_skeleton_does_under_a_control_is_what_the_hierarchy_does():

@@ -285,9 +285,8 @@ class Tree(Record):
 
     def next(self, joint: int) -> int:
         """The child that carries the chain on, or -1 at its end; a child without skin ends the last
-        bone, a twist joint lies on it."""
-        beside = self.twists.keys() | self.hanging.aside
-        children = [c for c in self.children[joint] if c not in beside]
+        bone."""
+        children = [c for c in self.children[joint] if c not in self.hanging.aside]
         lengths = np.linalg.norm(self.places[children] - self.places[joint], axis=1).tolist()
         ranks = [(self.depth[c], length, -c) for c, length in zip(children, lengths, strict=True)]
         return -max(ranks)[2] if ranks else -1
@@ -408,9 +407,7 @@ def _looking(places: Floats, frames: Floats) -> tuple[int, ...]:
         whole = _linked(
             parents, np.where(cosine >= _AHEAD, distance, np.inf), places, roots_only=True
         )
-        # From its tips to its wrist a hand has as many joints in line; what is left there hangs on
-        # no common root.
-        linked = sum(parent >= 0 for parent in (*parents, *whole))
+        linked = sum(parent >= 0 for parent in whole)
         if linked > most:
             best, most = whole, linked
     return tuple(best)
@@ -423,8 +420,6 @@ def _linked(
     joints): the nearest pairs first, no joint below itself; `roots_only` joints that have no parent
     either."""
     parents = list(parents)
-    if not roots_only:
-        distance = np.where(distance <= distance.min(axis=1, keepdims=True), distance, np.inf)
     for pair in np.argsort(distance, axis=None, kind="stable"):
         joint, target = divmod(int(pair), len(places))
         if not np.isfinite(distance[joint, target]):
