@@ -92,7 +92,7 @@ def _soup(
         matrix = (np.eye(4) if held is None else np.array(held)) @ to_world @ to_root
         points = np.array(mesh.GetPointsAttr().Get() or np.zeros((0, 3)), dtype=np.float64)
         faces = (mesh.GetFaceVertexCountsAttr().Get(), mesh.GetFaceVertexIndicesAttr().Get())
-        found.append((points @ matrix[:3, :3] + matrix[3, :3])[triangles(points, *faces)])
+        found.append((points @ matrix[:3, :3] + matrix[3, :3])[triangles(*faces)])
     return np.concatenate(found)
 
 

@@ -23,7 +23,8 @@ class RigMesh(Record):
     skin: Skin | None = None
     shapes: tuple[Shape, ...] = ()
     visible: bool = True
-    """False when the visibility or the purpose hides it from a default render."""
+    """False when the visibility or the purpose hides it from a default render, or when it is the
+    outline of others."""
     colours: Floats | None = None
     """(n, 3) linear colours from 0 to 1 at the points; None where neither a material nor
     displayColor has."""

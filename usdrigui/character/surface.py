@@ -18,20 +18,17 @@ from usdrigui.character import Floats, Indices, RigMesh
 
 _GRID = 1e-9
 """Of the largest extent: points of one cell are at one position."""
-_TURNED = 1e-3
-"""Share of a face by which a triangle must be turned against it: folded slivers are no concave
-faces."""
 
 
 def triangles(
-    points: Floats, face_counts: ArrayLike, face_indices: ArrayLike, left_handed: bool = False
+    face_counts: ArrayLike, face_indices: ArrayLike, left_handed: bool = False
 ) -> Indices:
     """Triangulation of polygons as ``(t, 3)`` point indices, counter-clockwise from outside.
 
-    `points` ``(n, 3)``, `face_counts` ``(f,)`` and `face_indices` ``(sum(face_counts),)`` as on a
-    USD mesh.  Faces of fewer than three points give nothing, one of k points k - 2 triangles: a
-    fan, or ears where a fan would leave a concave face.  `left_handed` faces are turned round, so
-    that the normals computed from the result always point outward.
+    `face_counts` ``(f,)`` and `face_indices` ``(sum(face_counts),)`` are as on a USD mesh.  Faces
+    of fewer than three points give nothing, one of k points a fan of k - 2 triangles, as Hydra
+    draws it.  `left_handed` faces are turned round, so that the normals computed from the result
+    always point outward.
     """
     counts = np.asarray(face_counts, dtype=np.int64)
     indices = np.asarray(face_indices, dtype=np.int64)
@@ -43,9 +40,6 @@ def triangles(
     step = np.arange(len(faces)) - np.repeat(np.cumsum(made) - made, made)
     first = starts[faces]
     corners = indices[np.stack([first, first + step + 1, first + step + 2], axis=1)]
-    for face in _left_by_fan(points, corners, faces, len(counts)):
-        polygon = indices[starts[face] : starts[face] + counts[face]]
-        corners[faces == face] = polygon[_ears(points[polygon])]
     return np.asarray(corners[:, [0, 2, 1]] if left_handed else corners)
 
 
@@ -58,7 +52,7 @@ def mesh_triangles(meshes: Sequence[RigMesh], visible_only: bool = False) -> Ind
         if mesh.visible or not visible_only:
             faces = mesh.topology
             of_mesh = (faces.face_counts, faces.face_indices, faces.left_handed)
-            parts.append(triangles(mesh.points, *of_mesh) + start)
+            parts.append(triangles(*of_mesh) + start)
         start += len(mesh.points)
     return np.concatenate(parts)
 
@@ -168,47 +162,6 @@ def surface_distances(
 def _lengths(points: Floats, pairs: Indices) -> Floats:
     """(e,) distances between the two points of each of `pairs` (e, 2)."""
     return np.asarray(np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1))
-
-
-def _left_by_fan(points: Floats, corners: Indices, faces: Indices, count: int) -> Indices:
-    """Faces some triangle of whose fan is turned against the face as a whole: the fan leaves the
-    face there.
-
-    `corners` (t, 3) are the fans of `count` faces, `faces` (t,) the face of each triangle.
-    """
-    normals = _doubled_normals(points, corners)
-    # The sum over a fan is twice the polygon's vector area, whichever corner the fan starts from.
-    columns = [np.bincount(faces, weights=axis, minlength=count) for axis in normals.T]
-    whole = np.stack(columns, axis=1)[faces]
-    turned = np.einsum("ti,ti->t", normals, whole) < -_TURNED * np.einsum("ti,ti->t", whole, whole)
-    return np.unique(faces[turned])
-
-
-def _ears(polygon: Floats) -> Indices:
-    """(k - 2, 3) triangles of a polygon (k, 3), by clipping ears (Meisters 1975); the fan for what
-    has none."""
-    fan = np.array([[0, i, i + 1] for i in range(1, len(polygon) - 1)])
-    normal = _doubled_normals(polygon, fan).sum(axis=0)
-    left, found = list(range(len(polygon))), []
-    while len(left) > 3:
-        ear = next((at for at in range(len(left)) if _is_ear(polygon, left, at, normal)), 1)
-        found.append((left[ear - 1], left[ear], left[(ear + 1) % len(left)]))
-        del left[ear]
-    return np.array([*found, tuple(left)], dtype=np.int64)
-
-
-def _is_ear(polygon: Floats, left: list[int], at: int, normal: Floats) -> bool:
-    """Whether the corner `at` of what is `left` of a polygon is convex and no other corner lies in
-    its triangle."""
-    ends = (left[at - 1], left[at], left[(at + 1) % len(left)])
-    a, b, c = polygon[list(ends)]
-    if np.cross(b - a, c - b) @ normal <= 0.0:
-        return False
-    others = polygon[[each for each in left if each not in ends]]
-    sides = np.stack(
-        [np.cross(end - start, others - start) @ normal for start, end in ((a, b), (b, c), (c, a))]
-    )
-    return not (sides >= 0.0).all(axis=0).any()
 
 
 def _doubled_normals(points: Floats, corners: Indices) -> Floats:

@@ -44,6 +44,7 @@ from usdrigui.layout.symmetry.base_pose import (
     NeutralPose,
     neutral_pose,
     symmetry_at_pose,
+    with_left_of,
 )
 from usdrigui.layout.visibility import find_views
 from usdrigui.model import Assignment, Candidates, Element, Layout, Symmetry, Trajectories
@@ -100,7 +101,8 @@ def _parts(
         if len(divided) > 1:
             own = of_controls(rig, found, (part.controls, part.excluded), sampling)
             if part.name == FACE:
-                symmetry = symmetry_at_pose(rig, own, neutral, settings)
+                there = symmetry_at_pose(rig, own, neutral, settings)
+                symmetry = with_left_of(whole.plane, there)
         if part.name in OF_SIDES:
             own = at_scale_of_a_side(own, symmetry.plane)
         parts.append(CharacterPart(part.name, own, symmetry))

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from pxr import Sdf, Usd, UsdGeom, UsdSkel
+from scipy.spatial import cKDTree
 
 from usdrigui.character import (
     Floats,
@@ -17,6 +19,7 @@ from usdrigui.character import (
     Subset,
     Topology,
 )
+from usdrigui.character.surface import faces_inward, mesh_triangles
 from usdrigui.errors import Issue, issue, refuse
 from usdrigui.reading.blend_shape import (
     Binding,
@@ -39,6 +42,9 @@ from usdrigui.stages.colours import colours_and_images
 
 _DRAWN = (UsdGeom.Tokens.default_, UsdGeom.Tokens.render)
 """Purposes of what a default render draws."""
+_UNEVEN = 1.5
+"""Medians that a point of an outline may lie from what is outlined: a copy pushed outward lies at
+one distance, sockets and linings of faces at 1.6 medians and more."""
 
 
 def read_meshes(
@@ -62,6 +68,22 @@ def read_meshes(
             mesh = _mesh(prim, binding, frames, found)
             if mesh is not None:
                 meshes.append(mesh)
+    return _without_outlines(meshes)
+
+
+def _without_outlines(read: Sequence[tuple[RigMesh, Floats, bool]]) -> tuple[RigMesh, ...]:
+    """The meshes that are `read`; those that toon shading draws as an outline are not visible.
+
+    An outline is a copy of what it surrounds, pushed outward, that shows its inner side alone: it
+    hides nothing that faces the viewer.
+    """
+    meshes, shown = [], [at for mesh, at, inside_out in read if mesh.visible > inside_out]
+    for mesh, at, inside_out in read:
+        if inside_out and shown:
+            apart, _ = cKDTree(np.concatenate(shown)).query(at)
+            if np.quantile(apart, 0.95) <= _UNEVEN * np.median(apart):
+                mesh = replace(mesh, visible=False)
+        meshes.append(mesh)
     return tuple(meshes)
 
 
@@ -90,7 +112,11 @@ def drawable(root: Usd.Prim) -> list[Usd.Prim]:
     return prims
 
 
-def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found) -> RigMesh | None:
+def _mesh(
+    prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found
+) -> tuple[RigMesh, Floats, bool] | None:
+    """A mesh, its points (n, 3) in root space as they are bound, and whether it shows its inner
+    side alone; None of one without points."""
     mesh, path, time = UsdGeom.Mesh(prim), str(prim.GetPath()), frames.time
     points = vectors(value_at(mesh.GetPointsAttr(), time), path, "points").astype(np.float64)
     if not len(points):
@@ -117,7 +143,7 @@ def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found)
         _subsets(mesh, counts, indices, len(points), found),
     )
     colours, texturing = colours_and_images(prim, len(points), topology, time)
-    return RigMesh(
+    record = RigMesh(
         path,
         points,
         topology,
@@ -128,6 +154,9 @@ def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found)
         colours,
         texturing,
     )
+    bound = points @ to_bound[:3, :3] + to_bound[3, :3]
+    single_sided = not mesh.GetDoubleSidedAttr().Get()
+    return record, bound, single_sided and faces_inward(bound, mesh_triangles([record]))
 
 
 def left_handed(mesh: UsdGeom.Mesh, linear: Floats) -> bool:

@@ -13,6 +13,7 @@ from usdrigui.character import Body, Floats, Indices, Record, Rig
 from usdrigui.character.skinning import at_bind_pose
 from usdrigui.layout.motion.owned_skin import joint_places
 from usdrigui.layout.motion.trajectory import of_controls, trajectories
+from usdrigui.layout.shares import MOST
 from usdrigui.layout.symmetry.mirror_plane import mirrored
 from usdrigui.layout.symmetry.sides_of_joints import (
     mirrored_joints,
@@ -79,6 +80,15 @@ def symmetry_at_pose(
             origin = plane.projected(found.surface.points.mean(axis=0))
             return replace(symmetry, plane=replace(plane, origin=origin))
     return paired(rig, found, mirror, settings)
+
+
+def with_left_of(whole: MirrorPlane, part: Symmetry) -> Symmetry:
+    """The symmetry of a part, its left that of the whole character: what few controls of a face
+    move, as hair does, may look back."""
+    if part.plane.normal @ whole.normal > -MOST:
+        return part
+    plane = replace(part.plane, normal=-part.plane.normal)
+    return replace(part, plane=plane, apart=-part.apart)
 
 
 def _missed(partner: Indices, motions: Sequence[Motion]) -> int:

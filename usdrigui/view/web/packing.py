@@ -194,8 +194,7 @@ def _meshes(
 def _mesh(arrays: _Arrays, mesh: RigMesh, seen: Complexion) -> Json:
     low, step, grid = _quantised_positions(mesh.points)
     faces, points = mesh.topology, mesh.topology.face_indices
-    numbered = (faces.face_counts, np.arange(len(points)), faces.left_handed)
-    at = triangles(mesh.points[points], *numbered)
+    at = triangles(faces.face_counts, np.arange(len(points)), faces.left_handed)
     at = at[~seen.clear[points[at]].all(axis=1)]
     corners, colours, texture = points[at], seen.shaded, None
     if mesh.texturing is not None:

@@ -41,6 +41,15 @@ def test_joints_of_a_face_that_shapes_move_are_a_part_of_their_own():
     assert list(found) == ["face", "hands", "body"], "two joints are no page of their own"
 
 
+def test_the_left_of_a_face_is_that_of_the_character_whatever_its_few_controls_move():
+    _, y, z = BODY.body.meshes[0].points.T
+    moved = {"chest": (abs(y - 0.8) < 0.1) & (z > 0.0), "belly": (abs(y - 0.4) < 0.1) & (z > 0.0)}
+    moved["hair"] = (y > 1.3) & (z < 0.0)
+    shaped = limbs.with_shapes(BODY, {name: np.outer(each, [0.0, 0.0, 0.05]) for name, each in moved.items()})
+    parts = character_of(shaped, Settings()).parts
+    assert {part.name: part.symmetry.plane.normal[0] > 0.9 for part in parts}["face"]
+
+
 def test_a_hand_is_as_large_as_it_is_long_however_flat_it_is_held():
     hands = character_of(BODY, Settings()).parts[1]
     assert hands.name == "hands"
