@@ -101,8 +101,7 @@ def _parts(
         if len(divided) > 1:
             own = of_controls(rig, found, (part.controls, part.excluded), sampling)
             if part.name == FACE:
-                there = symmetry_at_pose(rig, own, neutral, settings)
-                symmetry = with_left_of(whole.plane, there)
+                symmetry = with_left_of(whole.plane, symmetry_at_pose(rig, own, neutral, settings))
         if part.name in OF_SIDES:
             own = at_scale_of_a_side(own, symmetry.plane)
         parts.append(CharacterPart(part.name, own, symmetry))

@@ -101,7 +101,7 @@ def _fingers(tree: Tree, fan: Fan) -> dict[tuple[int, ...], list[Turn]]:
     evidence = bends[~thumb].sum(axis=0)
     if len(chains) > FINGERS:
         # A thumb beside the fingers begins nearest to the wrist.
-        first = int(np.argmin(bases @ middle - tree.size * thumb))
+        first = np.argmin(bases @ middle - tree.size * thumb)
         aside = tree.places[chains[first][-1]] - np.delete(bases, first, axis=0).mean(axis=0)
         evidence += _OPPOSED * np.cross(middle, unit(aside))
     across = towards(across, evidence)

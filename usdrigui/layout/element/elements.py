@@ -147,7 +147,8 @@ def _on_face(known: Measured, group: Group, choice: Choice, label: int) -> list[
                 anchor=anchor,
                 label=common_label([face.rig.controls[control].label for control in controls]),
                 side=side,
-                adapt=overrides[0].adapt or settings.adapt,
+                # What goes another way than the skin at its anchor slides over it.
+                adapt="static" if source != point else overrides[0].adapt or settings.adapt,
                 glyph=fitted_glyph(
                     face, overrides, anchor, members, bool(mirror) and side == "right"
                 ),
