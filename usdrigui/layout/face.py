@@ -27,6 +27,10 @@ HELD = CandidateSettings().least_kept
 that is expected somewhere, must keep there."""
 
 
+_BESIDE = 8.0
+"""Lengths of a hand by which the image of the other one is measured beside it, in nobody's way."""
+
+
 class Face(Record):
     """What the stages before placing found out about a character at its base pose."""
 
@@ -48,6 +52,9 @@ class Face(Record):
     """Whether the handles of a flat layout may stand behind each other, as those of a wrist behind
     those of the fingers: it costs them then that they are near each other on the screen."""
 
+    each_side: bool = False
+    """Whether each side is looked at by itself, from mirrored directions."""
+
     @property
     def surface(self) -> BaseSurface:
         """The character at its base pose."""
@@ -62,6 +69,17 @@ class Face(Record):
     def handle_axes(self) -> Floats:
         """(d, 3) the axes along which handles are kept apart, those of drawing first."""
         return self.views.axes if self.behind else self.drawing_axes
+
+    def seen(self, axes: Floats, positions: Floats, aside: Floats) -> Floats:
+        """(..., d) `positions` (..., 3) along some axes, of what is `aside` so far from the middle:
+        where each side is looked at by itself, the right one as its mirror image, well beside the
+        left."""
+        if self.each_side:
+            right = (aside < 0.0).reshape(aside.shape + (1,) * (positions.ndim - aside.ndim))
+            image = self.symmetry.plane.reflected(positions)
+            beside = image + _BESIDE * self.surface.face_size * self.views.axes[0]
+            positions = np.where(right, beside, positions)
+        return positions @ axes.T
 
     @cached_property
     def aside(self) -> Floats:

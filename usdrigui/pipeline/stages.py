@@ -149,7 +149,8 @@ def measured(character: Character, part: CharacterPart, neighbours: Sequence[Ele
     placed = np.array([not each.category for each in classification])
     places = found.surface.points @ views.axes.T
     flat, behind = seen_flat(part.name, settings.candidates.space, places)
-    axes = views.drawing_axes(flat)
+    each_side = part.name in OF_SIDES
+    axes = views.drawing_axes(flat and not each_side)
     width, crowded = handle_width(
         found, views, placed, axes, settings.objective, levels=settings.levels.crowds
     )
@@ -159,7 +160,13 @@ def measured(character: Character, part: CharacterPart, neighbours: Sequence[Ele
     if settings.objective.distinctive_weight > 0.0:
         found = with_common_motion(found, alike, placed, views.anywhere)
     face = replace(
-        face, trajectories=found, handle_width=width, crowded=crowded, flat=flat, behind=behind
+        face,
+        trajectories=found,
+        handle_width=width,
+        crowded=crowded,
+        flat=flat,
+        behind=behind,
+        each_side=each_side,
     )
     return Measured(face, alike, requests, classification, character.settings)
 

@@ -26,8 +26,9 @@ HEAD = "head"
 """Joints that hang on a head whose face other controls move: brows, ears, hair."""
 OF_SIDES = (HANDS, FEET)
 """Parts that lie apart from each other, left and right, and face any way."""
-_FLAT = (FACE, EYES, HEAD, INTERIOR)
-"""Parts that are looked at from the front alone: their elements are kept apart on its screen."""
+_FLAT = (FACE, EYES, HEAD, INTERIOR, *OF_SIDES)
+"""Parts that are looked at from one side, each hand from its own: their elements are kept apart on
+its screen."""
 
 _HEAD = frozenset({"head", "頭"})
 LIMB = 3

@@ -101,9 +101,11 @@ def drawn_points(
             _drawn_track(face, control, anchors, sources, samples_each, least)
             for control in controls
         ]
-        samples.append(np.concatenate(tracks, axis=1))
-    handles = face.surface.points[choice.anchors] @ face.handle_axes.T
-    return np.stack(samples, axis=1) @ face.drawing_axes.T, handles
+        whole = np.concatenate(tracks, axis=1)
+        samples.append(face.seen(face.drawing_axes, whole, face.aside[anchors]))
+    places = face.surface.points[choice.anchors]
+    handles = face.seen(face.handle_axes, places, face.aside[choice.anchors])
+    return np.stack(samples, axis=1), handles
 
 
 def _drawn_track(
@@ -126,7 +128,7 @@ def drawn_magnification(face: Face, motion: Motion, sources: Indices, least: flo
 def drawn_lengths(face: Face, motion: Motion, sources: Indices) -> Floats:
     """(R,) lengths of the trajectories as they are measured: on the screen of a flat layout
     foreshortened ones are short (paper section 3.3 and fig. 7)."""
-    return lengths(paths(motion, sources) @ face.drawing_axes.T)
+    return lengths(face.seen(face.drawing_axes, paths(motion, sources), face.aside[sources]))
 
 
 def _looked_up(candidate_set: CandidateSet, points: Indices) -> Floats:

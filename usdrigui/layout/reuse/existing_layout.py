@@ -162,6 +162,7 @@ def moved_path(path: str, before: str, after: str) -> str:
 def _variable(face: Face, element: Element, count: int) -> Variable:
     point = np.array([face.rig.body.point_of(element.anchor.mesh, element.anchor.point)])
     samples = np.hstack([resampled(member.track[None], count) for member in element.members])
-    samples = (samples @ face.drawing_axes.T)[None]
-    handles = (face.surface.points[point] @ face.handle_axes.T)[None]
+    aside = face.aside[point]
+    samples = face.seen(face.drawing_axes, samples, aside)[None]
+    handles = face.seen(face.handle_axes, face.surface.points[point], aside)[None]
     return Variable(element.name, point, np.zeros(1), samples, handles, np.inf, np.zeros(1))

@@ -91,7 +91,7 @@ def test_hands_are_no_feet_however_the_skeleton_is_turned_to_stand_up(axis):
     [
         ("body", "part", 0.9, (True, True)),
         ("body", "part", 1.1, (False, False)),
-        ("hands", "part", 0.9, (False, False)),
+        ("hands", "part", 1.1, (True, False)),
         ("face", "part", 1.1, (True, False)),
         ("body", "view", 0.9, (True, False)),
         ("face", "object", 0.9, (False, False)),

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import chain
+import limbs
 import numpy as np
 import pytest
 
-from usdrigui.layout.review.legibility import SCREEN_HEIGHT, legibility
+from usdrigui.layout.review.legibility import SCREEN_HEIGHT, legibility, legibility_of
 from usdrigui.model import Anchor, Element, Member
 
 SCREEN = np.eye(3)[:2]
@@ -59,3 +61,9 @@ def test_members_of_a_coarse_element_and_the_board_are_not_in_the_way():
         == {}
     )
     assert legibility((), SCREEN).elements == 0
+
+
+def test_hands_are_clear_each_from_its_own_side():
+    """Not one of them was while curls and spreads were kept apart in space."""
+    _, hands, _ = chain.laid_parts(limbs.whole_body())
+    assert legibility_of(hands.inputs.face, hands.layout.elements).clear == 8
