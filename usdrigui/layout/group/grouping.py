@@ -222,10 +222,7 @@ class _Grouping:
         table = self.similarity
         for a, b in combinations(sorted(free - self.two_sided), 2):
             if self._share_a_slider(a, b):
-                # Of several opposites the one of like amount is meant: look down and up, not down
-                # and wide.
-                ratio = min(table.norm[a], table.norm[b]) / max(table.norm[a], table.norm[b])
-                score = round(float(table.cosine[a, b] * ratio**0.25), 9)
+                score = round(float(table.cosine[a, b]), 9)
                 known = self.evidence.ends_by_convention(a, b)
                 names = sorted((self.names[a], self.names[b]))
                 ends = [self._slider(pair) for pair in self._with_image((a, b))]
