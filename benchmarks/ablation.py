@@ -48,7 +48,6 @@ from usdrigui.view.picture import Wanted, contact_sheet, render
 
 SAMPLE = Path(__file__).resolve().parents[1] / "sample_assets" / "char.usda"
 MOST = 3
-WIDTH = 1800
 CELL = (760, 640)
 
 Rule = Callable[[ProblemInputs, SolveSettings], Indices]
@@ -412,8 +411,8 @@ def picture(inputs: ProblemInputs, rows: list[Row]) -> Image.Image:
         titles = [
             f"figure {figure}: {row.name}, cost {row.cost:.2f}, {row.seconds:.1f} s" for row in mine
         ]
-        strips.append(contact_sheet(fronts, titles, columns=len(mine), width=WIDTH))
-    page = Image.new("RGB", (WIDTH, sum(strip.height for strip in strips)))
+        strips.append(contact_sheet(fronts, titles, columns=len(mine)))
+    page = Image.new("RGB", (strips[0].width, sum(strip.height for strip in strips)))
     top = 0
     for strip in strips:
         page.paste(strip, (0, top))
