@@ -137,9 +137,8 @@ def measured(character: Character, part: CharacterPart, neighbours: Sequence[Ele
     rig, found, symmetry = character.rig, part.trajectories, part.symmetry
     settings = character.settings
     requests = character.requests.of_part(rig.controls, part.controls, neighbours)
-    views = find_views(
-        rig, found, symmetry.plane, settings.candidates, of_sides=part.name in OF_SIDES
-    )
+    each_side = part.name in OF_SIDES
+    views = find_views(rig, found, symmetry.plane, settings.candidates, of_sides=each_side)
     names = rig.control_names
     read = meanings(names, numbers=True) if settings.candidates.conventions else [None] * len(names)
     meant, expected = believed(found, symmetry, views, read)
@@ -149,7 +148,6 @@ def measured(character: Character, part: CharacterPart, neighbours: Sequence[Ele
     placed = np.array([not each.category for each in classification])
     places = found.surface.points @ views.axes.T
     flat, behind = seen_flat(part.name, settings.candidates.space, places)
-    each_side = part.name in OF_SIDES
     axes = views.drawing_axes(flat and not each_side)
     width, crowded = handle_width(
         found, views, placed, axes, settings.objective, levels=settings.levels.crowds

@@ -77,10 +77,12 @@ def _without_outlines(read: Sequence[tuple[RigMesh, Floats, bool]]) -> tuple[Rig
     An outline is a copy of what it surrounds, pushed outward, that shows its inner side alone: it
     hides nothing that faces the viewer.
     """
-    meshes, shown = [], [at for mesh, at, inside_out in read if mesh.visible > inside_out]
+    shown = [at for mesh, at, inside_out in read if mesh.visible and not inside_out]
+    around = cKDTree(np.concatenate(shown)) if 0 < len(shown) < len(read) else None
+    meshes = []
     for mesh, at, inside_out in read:
-        if inside_out and shown:
-            apart, _ = cKDTree(np.concatenate(shown)).query(at)
+        if inside_out and around is not None:
+            apart, _ = around.query(at)
             if np.quantile(apart, 0.95) <= _UNEVEN * np.median(apart):
                 mesh = replace(mesh, visible=False)
         meshes.append(mesh)

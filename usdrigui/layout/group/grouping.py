@@ -219,10 +219,9 @@ class _Grouping:
 
     def _sliders(self, free: set[int]) -> Iterable[_Proposal]:
         """Pairs of opposed controls, those of the convention and the clearest first."""
-        table = self.similarity
         for a, b in combinations(sorted(free - self.two_sided), 2):
             if self._share_a_slider(a, b):
-                score = round(float(table.cosine[a, b]), 9)
+                score = round(float(self.similarity.cosine[a, b]), 9)
                 known = self.evidence.ends_by_convention(a, b)
                 names = sorted((self.names[a], self.names[b]))
                 ends = [self._slider(pair) for pair in self._with_image((a, b))]

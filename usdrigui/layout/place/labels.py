@@ -101,10 +101,9 @@ def drawn_points(
             _drawn_track(face, control, anchors, sources, samples_each, least)
             for control in controls
         ]
-        whole = np.concatenate(tracks, axis=1)
-        samples.append(face.seen(face.drawing_axes, whole, face.aside[anchors]))
-    places = face.surface.points[choice.anchors]
-    handles = face.seen(face.handle_axes, places, face.aside[choice.anchors])
+        samples.append(face.seen(face.drawing_axes, np.hstack(tracks), face.aside[anchors]))
+    at = choice.anchors
+    handles = face.seen(face.handle_axes, face.surface.points[at], face.aside[at])
     return np.stack(samples, axis=1), handles
 
 

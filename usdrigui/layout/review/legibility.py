@@ -48,8 +48,8 @@ def legibility_of(face: Face, elements: tuple[Element, ...]) -> Legibility:
     """The same of the elements of a part on its face; of a part whose elements are measured in
     space none is judged, and of one that is looked at side by side only the left."""
     if face.each_side:
-        left = face.symmetry.plane.distance
-        elements = tuple(e for e in elements if left(e.anchor.position) >= 0.0)
+        plane = face.symmetry.plane
+        elements = tuple(e for e in elements if plane.distance(e.anchor.position) >= 0.0)
     return legibility(elements, face.drawing_axes) if face.flat else Legibility(0, ())
 
 
