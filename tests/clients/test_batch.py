@@ -147,7 +147,7 @@ def test_leaving_early_ends_what_still_runs(monkeypatch, tmp_path):
     fake(
         monkeypatch,
         tmp_path,
-        f"read it; case $it in */0.usda*) exit 0;; esac; echo $$ > {tmp_path}/pid; exec sleep 1000",
+        f"read it; case $it in */0.usda*) exit 0;; esac; cd {tmp_path}; echo $$ > $$; mv $$ pid; exec sleep 1000",
     )
     many = [Job(str(tmp_path / f"{i}.usda"), str(tmp_path / f"{i}.rigui.usda"), "") for i in range(6)]
     rows = run.run_local(many, 2)
