@@ -13,7 +13,7 @@ from collections.abc import Mapping
 import numpy as np
 from scipy.spatial import cKDTree
 
-from usdrigui.character import Control, Flags, Indices, Record, Rig
+from usdrigui.character import Control, Flags, Record, Rig
 from usdrigui.character.surface import components, mesh_triangles
 from usdrigui.conventions import meanings
 from usdrigui.layout.control_overrides import controls_named
@@ -79,6 +79,8 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     if settings.candidates.conventions:
         names |= dict.fromkeys(_inside_mouth(rig, found, names), INTERIOR)
     names |= _with_neighbours(rig.controls, names)
+    if regions and not regions.drive_face and joints == on_face and BODY in names.values():
+        names = {control: HEAD if part == FACE else part for control, part in names.items()}
     if not settings.parts.divide:
         names = dict.fromkeys(names, main_part(sorted(names.values(), key=_rank)))
     index = rig.control_indices
@@ -172,10 +174,10 @@ class _Names:
     def __init__(self, rig: Rig, found: Trajectories, regions: JointRegions) -> None:
         self.rig, self.found, self.regions = rig, found, regions
         self.known = sorted(set(regions.of_skin) | set(regions.of_joint), key=_rank)
-        self.skin = self._skin(owner_of_points(rig.body.meshes))
-        self.near_face = (
-            self._near(self.skin == self.known.index(FACE)) if FACE in self.known else None
-        )
+        # What no joint holds is of the first part.
+        of_skin = np.array([*map(self.known.index, regions.of_skin), 0])
+        self.skin = of_skin[owner_of_points(rig.body.meshes)]
+        self.near_face = self._near(np.array(self.known)[self.skin] == FACE)
 
     def of(self, control: Control, motion: Motion) -> str:
         """The part of a control."""
@@ -188,16 +190,9 @@ class _Names:
         mass = self.found.surface.areas[motion.points] * motion.arc_length
         masses = np.bincount(self.skin[motion.points], mass, len(self.known)).astype(np.float64)
         most = self.known[first_largest(masses)]
-        near = self.near_face is not None and float(
-            mass[self.near_face[motion.points]].sum()
-        ) >= NEARLY_ALL * float(mass.sum())
+        near = mass[self.near_face[motion.points]].sum() > NEARLY_ALL * mass.sum()
         # One direction of a gaze moves the lids, another one does not: they stay together.
         return FACE if near or most == EYES else most
-
-    def _skin(self, owners: Indices) -> Indices:
-        """(n,) index into `known` of the part of each point, the first where nothing holds it."""
-        own = np.array([self.known.index(name) for name in self.regions.of_skin])
-        return np.where(owners >= 0, own[np.maximum(owners, 0)], 0)
 
     def _near(self, face: Flags) -> Flags:
         """(n,) the points no further from the face than half of the head's extent: a blend shape of

@@ -7,11 +7,9 @@ carry on a limb are fingers and toes.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from usdrigui.character import Floats, Indices, Rig, RigMesh
+from usdrigui.character import Floats, Indices, Record, Rig, RigMesh
 from usdrigui.character.joint_tree import Fan, Tree, fans, unit
 from usdrigui.conventions import words
 from usdrigui.layout.motion.owned_skin import FAN
@@ -23,7 +21,7 @@ FACE, EYES, HANDS, FEET, BODY = "face", "eyes", "hands", "feet", "body"
 INTERIOR = "interior"
 """Tongue, teeth and gums."""
 HEAD = "head"
-"""Joints that hang on a head whose face other controls move: brows, ears, hair."""
+"""Joints that hang on a head whose face other controls move, or none: brows, ears, hair."""
 OF_SIDES = (HANDS, FEET)
 """Parts that lie apart from each other, left and right, and face any way."""
 _FLAT = (FACE, EYES, HEAD, INTERIOR, *OF_SIDES)
@@ -38,8 +36,7 @@ _LOW = 0.2
 """Share of a character's height below which chains side by side are toes."""
 
 
-@dataclass(frozen=True, slots=True)
-class JointRegions:
+class JointRegions(Record):
     """Which part each joint belongs to, and which part its skin belongs to."""
 
     of_joint: tuple[str, ...]
@@ -47,6 +44,9 @@ class JointRegions:
     body, where there is one."""
     of_skin: tuple[str, ...]
     """(joints,) The skin of a head is of the face, that of a wrist of the hand."""
+    drive_face: bool
+    """Whether as many joints end on one of the head as drive a face; ears and hair are fewer, and
+    chains."""
 
 
 def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
@@ -55,16 +55,16 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     tree = Tree(body.joints, body.meshes, bound=True)
     if len(tree.owners) < 2:
         return None
-    heads = _heads(rig, tree, found)
-    # From the root to above the first head.
-    spine = list(tree.above(min(heads)))[::-1] if heads else []
+    ends_on = [
+        sum(tree.depth[child] == 1 for child in children) * (parent >= 0)
+        for children, parent in zip(tree.children, tree.parents, strict=True)
+    ]
+    heads = _heads(rig, tree, found, ends_on)
+    spine = {*tree.above(min(heads))} if heads else set[int]()
+    on_head = tree.below(heads)
     of_joint, of_skin = [BODY] * len(body.joints), [BODY] * len(body.joints)
     ends = [
-        fan
-        for fan in fans(tree)
-        if _carries_on(tree, fan)
-        and fan.joint not in spine
-        and not heads & {fan.joint, *tree.above(fan.joint)}
+        fan for fan in fans(tree) if _carries_on(tree, fan) and fan.joint not in spine | on_head
     ]
     for fan in ends:
         fingers = tree.below([chain[0] for chain in fan.chains])
@@ -73,11 +73,11 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
         for joint in fingers:
             of_joint[joint] = of_skin[joint] = name
         of_skin[fan.joint] = name
-    for joint in tree.below(heads):
+    for joint in on_head:
         of_joint[joint] = BODY if joint in heads else FACE
         of_skin[joint] = FACE
     pieces = pieces_of(body, tree, found.surface.places)
-    eyes = {joint for joint in tree.below(heads) - heads if is_eye(pieces, joint)}
+    eyes = {joint for joint in on_head - heads if is_eye(pieces, joint)}
     for joint in tree.below(eyes):
         of_joint[joint] = of_skin[joint] = EYES
     in_body = {i for i in tree.owners if of_skin[i] == BODY}
@@ -89,14 +89,15 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
         and len(in_body) >= LIMB
         and any(rig.controls[each.control].kind == "blendShape" for each in found.motions)
     )
-    if len(in_body - set(spine)) < 2 * LIMB and not (whole or bust):
+    if len(in_body - spine) < 2 * LIMB and not (whole or bust):
         # A hand by itself may have an arm; what hangs on no arm is more than hands.
         arms = {joint for fan in ends for joint in (fan.joint, *tree.above(fan.joint))}
         if heads or (ends and arms >= in_body):
             # Without a body a joint is of the part of its skin.
             rest = FACE if heads else of_skin[ends[0].joint]
             of_joint = of_skin = [rest if name in (BODY, EYES) else name for name in of_skin]
-    return JointRegions(tuple(of_joint), tuple(of_skin))
+    drive_face = any(ends_on[joint] >= FAN for joint in on_head)
+    return JointRegions(tuple(of_joint), tuple(of_skin), drive_face)
 
 
 def owner_of_points(meshes: tuple[RigMesh, ...]) -> Indices:
@@ -131,8 +132,9 @@ def seen_flat(part: str, space: str, places: Floats) -> tuple[bool, bool]:
 # --- the head -------------------------------------------------------------------------------------
 
 
-def _heads(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
-    """The joint of the head, of each skeleton that has one."""
+def _heads(rig: Rig, tree: Tree, found: Trajectories, ends_on: list[int]) -> frozenset[int]:
+    """The joint of the head, of each skeleton that has one; `ends_on` (joints,) are the joints that
+    end on each, but on roots."""
     named = {
         i
         for i, joint in enumerate(rig.body.joints)
@@ -140,12 +142,8 @@ def _heads(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
     }
     if named:
         return frozenset(i for i in named if not named & set(tree.above(i)))
-    leaves = [
-        sum(tree.depth[child] == 1 for child in children) * (parent >= 0)
-        for children, parent in zip(tree.children, tree.parents, strict=True)
-    ]
-    if max(leaves) >= FAN:
-        return frozenset({int(np.argmax(leaves))})
+    if max(ends_on) >= FAN:
+        return frozenset({int(np.argmax(ends_on))})
     return _by_shapes(rig, tree, found)
 
 
@@ -177,10 +175,10 @@ def _carries_on(tree: Tree, fan: Fan) -> bool:
     )
 
 
-def _end(up: Floats, tree: Tree, joint: int, fingers: set[int], spine: list[int]) -> str:
+def _end(up: Floats, tree: Tree, joint: int, fingers: set[int], spine: set[int]) -> str:
     """Feet stand on the ground, on legs with skin: their joint lies at the bottom of a character
     that has more than them.  Hands beside a bust hang as low.  `up` is that of the Skeleton."""
     heights = (tree.places @ up)[sorted(tree.owners)]
     is_low = tree.places[joint] @ up <= heights.min() + _LOW * np.ptp(heights)
-    on_leg = tree.owners & {*tree.above(joint)} - {*spine}
+    on_leg = tree.owners & {*tree.above(joint)} - spine
     return FEET if is_low and on_leg and len(tree.owners - fingers - {joint}) >= LIMB else HANDS
