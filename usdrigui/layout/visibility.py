@@ -151,7 +151,7 @@ class _Around(Record):
         moved, skins = np.zeros_like(surface.points), []
         for each in found.motions:
             own = each.on_own_skin()
-            weight = own.arc_length * surface.areas[own.points]
+            weight = surface.swept(own)
             if each.of_joint and weight.any():
                 skins.append((own.points, weight / weight.sum()))
                 moved[own.points] += own.offsets[[0, -1]].sum(axis=0)

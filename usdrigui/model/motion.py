@@ -38,6 +38,10 @@ class BaseSurface(Record):
         """(n,) which points are the first of a place."""
         return np.asarray(self.places == np.arange(len(self.places)))
 
+    def swept(self, motion: Motion) -> Floats:
+        """(p,) area times distance at each point that a control moves."""
+        return self.areas[motion.points] * motion.arc_length
+
 
 class Trajectories(Record):
     """Trajectories of every point under every control, at the base pose."""

@@ -165,7 +165,7 @@ def _named_local(meaning: Meaning | None) -> bool:
 
 def _visible_share(surface: BaseSurface, visible: Flags, motion: Motion) -> float:
     """Share of the control's motion, area times distance, that some view sees."""
-    weight = surface.areas[motion.points] * motion.arc_length
+    weight = surface.swept(motion)
     total = float(weight.sum())
     seen = visible[motion.points]
     return float(weight[seen].sum()) / total if total > 0.0 else float(seen.mean())

@@ -72,7 +72,7 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     names = {each.control: tell(rig.controls[each.control], each) for each in found.motions}
     # The joints of a face that other controls move are a part of their own where the character
     # has a body: the face is laid out as without them.
-    on_face = {control for control, part in names.items() if part == FACE}
+    on_face = _named(names, FACE)
     joints = {control for control in on_face if rig.controls[control].kind == "joint"}
     if joints < on_face and BODY in names.values():
         names |= dict.fromkeys(joints, HEAD)
@@ -80,7 +80,7 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
         names |= dict.fromkeys(_inside_mouth(rig, found, names), INTERIOR)
     names |= _with_neighbours(rig.controls, names)
     if regions and not regions.drive_face and joints == on_face and BODY in names.values():
-        names = {control: HEAD if part == FACE else part for control, part in names.items()}
+        names |= dict.fromkeys(_named(names, FACE), HEAD)
     if not settings.parts.divide:
         names = dict.fromkeys(names, main_part(sorted(names.values(), key=_rank)))
     index = rig.control_indices
@@ -104,7 +104,7 @@ def _with_neighbours(controls: tuple[Control, ...], names: Mapping[int, str]) ->
     found = dict(names)
     moved = {name for i, name in found.items() if controls[i].kind != "joint"}
     for part, neighbours in _BESIDE.items():
-        own = [control for control, name in found.items() if name == part]
+        own = _named(found, part)
         near = [
             n
             for n in neighbours
@@ -129,9 +129,7 @@ def _inside_mouth(rig: Rig, found: Trajectories, names: Mapping[int, str]) -> li
         return []
     pieces = components(mesh_triangles(rig.body.meshes), found.surface.places)
     shares = {
-        motion.control: np.bincount(
-            pieces[motion.points], found.surface.areas[motion.points] * motion.arc_length
-        )
+        motion.control: np.bincount(pieces[motion.points], found.surface.swept(motion))
         for motion in found.motions
     }
     skin = Counter(int(share.argmax()) for share in shares.values()).most_common(1)[0][0]
@@ -187,7 +185,7 @@ class _Names:
                 (i for i in driven if self.rig.body.joints[i].path == control.source), driven[0]
             )
             return self.regions.of_joint[own]
-        mass = self.found.surface.areas[motion.points] * motion.arc_length
+        mass = self.found.surface.swept(motion)
         masses = np.bincount(self.skin[motion.points], mass, len(self.known)).astype(np.float64)
         most = self.known[first_largest(masses)]
         near = mass[self.near_face[motion.points]].sum() > NEARLY_ALL * mass.sum()

@@ -81,15 +81,17 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     for joint in tree.below(eyes):
         of_joint[joint] = of_skin[joint] = EYES
     in_body = {i for i in tree.owners if of_skin[i] == BODY}
+    # Limbs and necks are chains: joints that all end, each by itself, are of a face.
+    chained = {i for i in in_body if tree.depth[i] > 1 or tree.owners.intersection(tree.above(i))}
     # A face and hands are those of a body, however little of it has skin; under a face that blend
     # shapes move, so are a neck and shoulders.
     whole = {FACE, HANDS} <= {of_skin[joint] for joint in tree.owners}
     bust = (
         heads
-        and len(in_body) >= LIMB
+        and len(chained) >= LIMB
         and any(rig.controls[each.control].kind == "blendShape" for each in found.motions)
     )
-    if len(in_body - spine) < 2 * LIMB and not (whole or bust):
+    if len(chained - spine) < 2 * LIMB and not (whole or bust):
         # A hand by itself may have an arm; what hangs on no arm is more than hands.
         arms = {joint for fan in ends for joint in (fan.joint, *tree.above(fan.joint))}
         if heads or (ends and arms >= in_body):
@@ -154,7 +156,7 @@ def _by_shapes(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
     owners = owner_of_points(rig.body.meshes) % len(share)
     for motion in found.motions:
         if rig.controls[motion.control].kind == "blendShape":
-            mass = found.surface.areas[motion.points] * motion.arc_length
+            mass = found.surface.swept(motion)
             share += np.bincount(owners[motion.points], mass / (mass.sum() or 1.0), len(share))
     least = NEARLY_ALL * share.sum()
     for joint in tree.from_the_ends():

@@ -202,7 +202,7 @@ def _off_strands(face: Face, motion: Motion, seen: Flags) -> Flags:
     """(p,) those `seen` but for whiskers and hair: pieces of surface with little of what the
     control moves; all of them where the rest moves too little."""
     pieces = face.pieces[motion.points]
-    by_piece = np.bincount(pieces, face.surface.areas[motion.points] * motion.arc_length * seen)
+    by_piece = np.bincount(pieces, face.surface.swept(motion) * seen)
     return kept_in(motion, seen, (by_piece >= HARDLY_ANY * by_piece.max())[pieces], HELD)
 
 
