@@ -326,7 +326,8 @@ class _Grouping:
         table = np.array([groups[key] for key in keys], dtype=np.float32)
         both = table @ table.T
         size = np.diagonal(both)
-        jaccard = both / (size[:, None] + size[None, :] - both)
+        # Hidden controls have no candidates.
+        jaccard = both / np.maximum(size[:, None] + size[None, :] - both, 1.0)
         ranked = []
         for i, j in np.argwhere(np.triu(jaccard > self.settings.jaccard_min, 1)):
             pair = keys[i], keys[j]
