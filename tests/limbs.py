@@ -189,10 +189,10 @@ def whole_body(ahead=1.0, head="Head", bare=(), strands=None):
 
 def with_shapes(rig, shapes):
     """The same with blend shapes before its controls of joints: names to dense offsets (n, 3)."""
-    (mesh,) = rig.body.meshes
+    mesh, *others = rig.body.meshes
     shaped = makers.rig(mesh.points, [], shapes)
     own = replace(shaped.body.meshes[0], topology=mesh.topology, skin=mesh.skin)
-    body = replace(shaped.body, meshes=(own,), joints=rig.body.joints, skeletons=rig.body.skeletons)
+    body = replace(shaped.body, meshes=(own, *others), joints=rig.body.joints, skeletons=rig.body.skeletons)
     return replace(shaped, body=body, controls=shaped.controls + rig.controls)
 
 

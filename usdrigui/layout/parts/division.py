@@ -98,20 +98,15 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
 
 
 def _with_neighbours(controls: tuple[Control, ...], names: Mapping[int, str]) -> dict[int, str]:
-    """The controls of parts too small to be looked at by themselves, in the part beside theirs: of
-    joints none but those of the head in a face that other controls move, nor such a face in a
-    body."""
+    """The controls of parts too small to be looked at by themselves, in the part beside theirs; a
+    face that others than joints move is never too small."""
     found = dict(names)
     moved = {name for i, name in found.items() if controls[i].kind != "joint"}
     for part, neighbours in _BESIDE.items():
         own = _named(found, part)
-        near = [
-            n
-            for n in neighbours
-            if n in found.values()
-            and (FACE not in {part, n} & moved or part in {HEAD, *moved} - {FACE})
-        ]
-        if len({controls[control].source for control in own}) <= _FEW and near:
+        near = [n for n in neighbours if n in found.values()]
+        few = len({controls[control].source for control in own}) <= _FEW
+        if few and near and part not in moved & {FACE}:
             found |= dict.fromkeys(own, near[0])
     return found
 
