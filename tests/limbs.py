@@ -105,8 +105,9 @@ def by_depth(at):
     return names, np.array([at[name] for name in names], float)
 
 
-def skeleton_rig(names, places, owners, own=None, size=None):
-    """Joints at `places` with a small box of skin, of half an edge `size`, around each owner."""
+def skeleton_rig(names, places, owners=None, own=None, size=None):
+    """Joints at `places` with a small box of skin, of half an edge `size`, around each owner, or around all."""
+    owners = range(len(names)) if owners is None else owners
     size = np.full(len(owners), 0.05) if size is None else np.array(size)
     parents = [names.index(name.rpartition("/")[0]) if "/" in name else -1 for name in names]
     frame = np.eye(3) if own is None else own

@@ -55,7 +55,7 @@ def test_what_hangs_on_the_middle_curls_whole_and_fingers_without_their_metacarp
         for strand in range(3):
             ways = [(side * (aside + x), -y, strand - 1.0) for x, y in _BENT[:long]]
             limbs.hang(at, f"m/{name}" if aside else "m", f"{name}{strand}", ways)
-    made = limbs.resting(limbs.skeleton_rig(*limbs.by_depth(at), list(range(len(at)))), {"l00": (0.3, 0.0, 0.0)})
+    made = limbs.resting(limbs.skeleton_rig(*limbs.by_depth(at)), {"l00": (0.3, 0.0, 0.0)})
     curls = [turn for turn in turns_of(made) if turn.name == "curl"]
     assert {len(turn.joints) for turn in curls} == {curled}
     # What one side does the other mirrors, and no plane of this pose.
@@ -140,7 +140,7 @@ def test_a_trunk_and_small_bones_of_a_face_have_no_hinge_where_no_plane_mirrors_
     at |= {"h/u": (0.0, 0.1, 0.0), "h/u/v": (0.0, 0.15, 0.0)}
     names, places = limbs.by_depth(at)
     askew = rotations(np.array([0.4, -1.1, 0.7]))
-    rig = limbs.anyhow(limbs.skeleton_rig(names, places @ askew, list(range(len(names)))), 3)
+    rig = limbs.anyhow(limbs.skeleton_rig(names, places @ askew), 3)
     assert Tree(rig.body.joints, rig.body.meshes).mirror is None
     bends = {path.rpartition("/")[2] for path, kind in kinds_of(rig) if kind == "bend"}
     assert bends == {"a1", "al1", "b1", "bl1"}

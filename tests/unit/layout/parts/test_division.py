@@ -133,7 +133,7 @@ def with_eyes():
     hung = {"h/s/t/n/Head/b": (0.03, 1.6, 0.1), "h/s/t/n/Head/c": (-0.03, 1.6, 0.1)}
     names = [*at, *hung]
     places = np.array([*at.values(), *hung.values()])
-    joints = limbs.skeleton_rig(names, places, list(range(len(names)))).body.joints
+    joints = limbs.skeleton_rig(names, places).body.joints
     own = BODY.body.meshes[0].skin.joints
     above = np.maximum([joint.parent for joint in joints], 0)
     skin = replace(

@@ -29,7 +29,7 @@ def robot(swapped=False):
             drop = 0.02 * k if side > 0 else 0.0
             at["hips/chest/" + "/".join(f"arm{i}_{name}" for i in range(k + 1))] = (side * x, 1.0 - drop, 0)
     names = sorted(at, key=lambda path: (path.count("/"), path))
-    made = limbs.skeleton_rig(names, np.array([at[name] for name in names], float), list(range(len(names))))
+    made = limbs.skeleton_rig(names, np.array([at[name] for name in names], float))
     return limbs.with_default_controls(made)
 
 
@@ -160,7 +160,7 @@ def test_arms_that_hang_beside_a_trunk_without_legs_are_no_legs():
     at = {"h": (0, 0, 0), "h/s": (0, 1, 0), "h/s/e": (0, 1.5, 0)}
     for side, name in ((1, "a"), (-1, "b")):
         limbs.hang(at, "h/s", name, [(0.3 * side, 1.2 - 0.5 * k, 0.6 * k) for k in range(3)])
-    made = limbs.skeleton_rig(*limbs.by_depth(at), list(range(len(at))))
+    made = limbs.skeleton_rig(*limbs.by_depth(at))
     assert not legs_point(made.body, ACROSS).any()
     assert legs_point(limbs.whole_body().body, ACROSS) == pytest.approx([0.0, -1.0, 0.0])
 
