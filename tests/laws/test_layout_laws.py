@@ -76,7 +76,7 @@ def test_a_mirrored_character_gets_the_mirrored_layout(plain):
 def puffing():
     """The face with a control that puffs both cheeks: symmetric, and nothing of it on the plane."""
     puff = sum(makers.bump(POINTS, (x, -0.1), (x, 0.0, 1.0), 0.2, 0.1) for x in (-0.45, 0.45))
-    return makers.rig(POINTS, QUADS, SHAPES | {"puff": puff})
+    return makers.face_with(puff=puff)
 
 
 @pytest.mark.parametrize("matrix", [np.eye(3), MIRROR, 100.0 * ROTATION], ids=["plain", "mirrored", "turned"])

@@ -441,9 +441,12 @@ class _Grouping:
         face, motion = self.face, self.face.trajectories.motions[index]
         expected, meaning = face.expected[motion.control], face.meanings[motion.control]
         override = self.requests.overrides[motion.control]
-        aside = np.abs(face.aside[self.sets[index].points]).min(initial=np.inf)
+        points = self.sets[index].points
+        images = face.symmetry.partner[points]
+        if not face.views.anywhere[images[images >= 0]].any():
+            return False
         # One handle would be on one side of the face only.
-        if aside > ASIDE and not (override.anchor or override.near):
+        if np.abs(face.aside[points]).min() > ASIDE and not (override.anchor or override.near):
             return True
         # A name of the region alone does not place it in the middle.
         is_expected = meaning is not None and not meaning.action.vague

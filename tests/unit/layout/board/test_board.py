@@ -4,7 +4,7 @@ import chain
 import makers
 import numpy as np
 import pytest
-from makers import POINTS, QUADS, SHAPES
+from makers import POINTS, SHAPES
 
 from usdrigui.character import Joint, Skeleton, Skin
 from usdrigui.layout.board.board import _right_end
@@ -63,7 +63,7 @@ def test_a_crowded_face_sends_the_least_displaced_controls_to_the_board():
     crowd = {
         f"c{i}": makers.bump(POINTS, (0.0, -0.2), (np.sin(i), np.cos(i), 0.3), 0.05, 0.02 + 0.01 * i) for i in range(8)
     }
-    rig = makers.rig(POINTS, QUADS, {**SHAPES, **crowd})
+    rig = makers.face_with(**crowd)
     line = chain.lay_out(rig, chain.settings(groups={"opposed": False}, candidates={"board_composite": False}))
     board = [element for element in line.layout.elements if element.anchor.on_board]
     assert board

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from chain import by_name, lay_out, problem_of, settings
 from laid_out import on_face
-from makers import POINTS, QUADS, SHAPES
+from makers import POINTS, QUADS
 
 from usdrigui.character import Control, LeftOff
 from usdrigui.errors import RigUIError
@@ -89,7 +89,7 @@ def crowded_face():
         )
         for i, t in enumerate(turns)
     }
-    return makers.rig(POINTS, QUADS, SHAPES | more)
+    return makers.face_with(**more)
 
 
 @pytest.mark.parametrize("asked", [True, False])

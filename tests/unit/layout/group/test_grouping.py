@@ -229,8 +229,7 @@ def test_nothing_is_suggested_for_a_part_of_which_nothing_can_stand():
 
 def test_the_users_groups_are_kept_and_their_image_is_made():
     said = {"groups": {"mouth": ("smile_L", "sneer_L"), "middle": ("pucker", "chin")}}
-    rig = makers.face_with()
-    rig = makers.rig(POINTS, QUADS, {**SHAPES, "chin": 0.5 * SHAPES["pucker"] + SHAPES["chin"]})
+    rig = makers.face_with(chin=0.5 * SHAPES["pucker"] + SHAPES["chin"])
     line = chain.problem_of(rig, chain.settings(groups=said, candidates={"peak_share": 0.05, "prune_at": 0.1}))
     found = {group.name: group for group in line.groups}
     assert found["mouth"].reason == "grouped by the configuration"

@@ -4,7 +4,7 @@ import chain
 import makers
 import numpy as np
 import pytest
-from makers import POINTS, QUADS, SHAPES
+from makers import POINTS, QUADS
 
 from usdrigui.overlap import own_costs
 from usdrigui.settings import Settings
@@ -17,7 +17,7 @@ def test_a_middle_element_stands_on_the_plane_by_its_weight(weight, on_plane):
     """It moves a little more at both sides than on the plane."""
     both = sum(makers.bump(POINTS, (side * 0.3, -0.4), (0, 1, 0), 0.2, 0.10) for side in (-1.0, 1.0))
     shape = both + makers.bump(POINTS, (0.0, -0.4), (0, 1, 0), 0.2, 0.09)
-    rig = makers.rig(POINTS, QUADS, {**SHAPES, "press": shape})
+    rig = makers.face_with(press=shape)
     line = chain.lay_out(rig, chain.settings(candidates=PLAIN, symmetry={"plane_weight": weight}))
     anchor = chain.by_name(line)["press"].anchor
     assert not anchor.on_board

@@ -56,7 +56,7 @@ def test_a_control_that_keeps_its_name_is_the_same_one_whatever_it_does(face, li
 
 def test_twins_that_do_the_same_are_told_apart_by_names_and_else_not_at_all():
     """Two copies of one shape: names decide, and without names neither match is sure."""
-    double = makers.rig(POINTS, QUADS, {**SHAPES, "smile_L_copy": SHAPES["smile_L"]})
+    double = makers.face_with(smile_L_copy=SHAPES["smile_L"])
     found = matched(double, double)
     assert all(each.before == each.after for each in found.matches)
     silent, _ = renamed(double, numbers())

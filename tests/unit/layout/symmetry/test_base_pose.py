@@ -4,7 +4,7 @@ import chain
 import makers
 import numpy as np
 import pytest
-from makers import POINTS, QUADS, SHAPES
+from makers import POINTS
 
 
 def pose(rig, **values):
@@ -44,7 +44,7 @@ def test_pairs_stand_on_the_face_at_a_one_sided_pose(rig):
 
 def test_the_plane_is_that_of_the_pose(rig):
     """A rigid motion of the whole face carries the plane along; the partners stay."""
-    rig = makers.rig(POINTS, QUADS, {**SHAPES, "aside": np.tile([0.3, 0.0, 0.0], (len(POINTS), 1))})
+    rig = makers.face_with(aside=np.tile([0.3, 0.0, 0.0], (len(POINTS), 1)))
     rest, aside = chain.face_of(rig), chain.face_of(rig, base_values=pose(rig, aside=1.0))
     assert abs(
         (aside.symmetry.plane.origin - rest.symmetry.plane.origin) @ rest.symmetry.plane.normal

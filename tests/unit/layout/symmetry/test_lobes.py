@@ -16,11 +16,11 @@ SIDED = (("L", 1.0), ("R", -1.0))
 SIDES = {f"{a}_{s}": makers.bump(POINTS, (x * w, y), (0, 1, 0.2), 0.15) for a, x, y in NAMED for s, w in SIDED}
 
 
-def elements_of(control, x, **settings):
+def elements_of(control, x, beside=(), **settings):
     lobes = sum(makers.bump(POINTS, (side * x, -0.1), (side * x, 0.0, 1.0), 0.2, 0.1) for side in (-1, 1))
-    line = chain.lay_out(makers.rig(POINTS, QUADS, SHAPES | {control: lobes}), chain.settings(**settings))
-    layout = chain.by_name(line)
-    return [each for each in layout.values() if any(member.control == control for member in each.members)]
+    made = makers.face_with(**{control: lobes})
+    line = chain.lay_out(makers.changed(made, meshes=(*made.body.meshes, *beside)), chain.settings(**settings))
+    return [each for each in line.layout.elements if control in each.controls]
 
 
 @pytest.mark.parametrize(("x", "count"), [(0.45, 2), (0.3, 2), (0.1275, 2), (0.12, 1), (0.05, 1)])
@@ -33,6 +33,12 @@ def test_two_lobes_off_the_plane_have_a_handle_each_and_one_lobe_stands_in_the_m
         assert left.mirror == right.name
         assert right.mirror == left.name
         assert left.anchor.position[0] == pytest.approx(-right.anchor.position[0], abs=1e-6)
+
+
+def test_a_lobe_that_no_view_sees_has_no_handle():
+    right = [quad for quad in QUADS if POINTS[quad, 0].max() <= 0.0]
+    (found,) = elements_of("puff", 0.45, [makers.mesh(1.03 * POINTS, right, path="/Root/mask")])
+    assert found.anchor.position[0] > 0.3
 
 
 @pytest.mark.parametrize(("setting", "x", "count"), [("never", 0.45, 1), ("always", 0.2, 2)])
