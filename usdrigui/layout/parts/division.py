@@ -79,6 +79,7 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     if settings.candidates.conventions:
         names |= dict.fromkeys(_inside_mouth(rig, found, names), INTERIOR)
     names |= _with_neighbours(rig.controls, names)
+    # Ears and hair without a face are no page of a face; two of them stay with what is beside them.
     if regions and not regions.drive_face and joints == on_face and BODY in names.values():
         names |= dict.fromkeys(_named(names, FACE), HEAD)
     if not settings.parts.divide:
