@@ -443,6 +443,7 @@ class _Grouping:
         override = self.requests.overrides[motion.control]
         points = self.sets[index].points
         images = face.symmetry.partner[points]
+        # A copy that no view sees would be a handle that nobody can grab.
         if not face.views.anywhere[images[images >= 0]].any():
             return False
         # One handle would be on one side of the face only.
