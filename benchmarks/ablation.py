@@ -29,6 +29,7 @@ import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from PIL import Image
@@ -36,7 +37,7 @@ from PIL import Image
 from usdrigui.character import Floats, Indices
 from usdrigui.layout.place.problem import placement_problem
 from usdrigui.layout.review.legibility import legibility_of
-from usdrigui.model import Assignment, Candidates, Layout, LayoutProblem, Variable
+from usdrigui.model import Assignment, Layout, LayoutProblem, Variable
 from usdrigui.overlap import total_cost
 from usdrigui.pipeline.records import ProblemInputs
 from usdrigui.pipeline.stages import build_problem, layout_of
@@ -241,30 +242,23 @@ def displacement_costs(inputs: ProblemInputs) -> list[Floats]:
 
 def bare_problem(inputs: ProblemInputs, weight: float) -> LayoutProblem:
     """The full problem's candidates under displacement and overlap alone, weighed by lambda."""
-    free = tuple(replace(each, cost=np.zeros(len(each.cost))) for each in inputs.candidates.sets)
-    other = replace(inputs.candidates, sets=free)
-    return _with_settings(inputs, other, 0.0, displacement_weight=weight)
+    bare = {"displacement_weight": weight, "distinctive_weight": 0.0, "terms": ()}
+    return _with_settings(inputs, 0.0, **bare)
 
 
-def _with_settings(
-    inputs: ProblemInputs,
-    candidates: Candidates | None = None,
-    plane: float = 1.0,
-    **objective: float,
-) -> LayoutProblem:
-    """The problem under other settings, its labels those of the full one; `plane` scales the
-    weight of the plane."""
+def _with_settings(inputs: ProblemInputs, share: float = 1.0, **objective: Any) -> LayoutProblem:
+    """The problem under other settings, its labels those of the full one; `share` is that of the
+    weights of the plane and of occlusion."""
     settings = inputs.settings
-    symmetry = settings.symmetry
+    symmetry, pruning = settings.symmetry, settings.candidates
     changed = replace(
         settings,
+        candidates=replace(pruning, occlusion_weight=share * pruning.occlusion_weight),
         objective=replace(settings.objective, **objective),
-        symmetry=replace(symmetry, plane_weight=plane * symmetry.plane_weight),
+        symmetry=replace(symmetry, plane_weight=share * symmetry.plane_weight),
     )
     known = replace(inputs.measured, settings=changed)
-    other = placement_problem(
-        known, candidates or inputs.candidates, inputs.placement.groups
-    ).problem
+    other = placement_problem(known, inputs.candidates, inputs.placement.groups).problem
     same = tuple(map(_same_labels, inputs.placement.problem.variables, other.variables))
     return replace(other, variables=same, extra=inputs.placement.problem.extra)
 

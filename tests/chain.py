@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from types import SimpleNamespace
 from typing import Any
 
 from scipy.spatial.distance import pdist
@@ -16,14 +17,6 @@ from usdrigui.pipeline.records import LaidPart
 from usdrigui.pipeline.reference_layouts import ReferenceLayouts
 from usdrigui.settings import PartSettings, Settings, load
 from usdrigui.solve import solve
-
-
-@dataclass(frozen=True)
-class Placing:
-    """A run up to the candidates."""
-
-    face: Any
-    candidates: Any
 
 
 @dataclass(frozen=True)
@@ -98,7 +91,7 @@ def face_of(rig, settings=None, base_values=None):
 def with_candidates(rig, settings=None):
     """A face and the candidates on it."""
     known = measured(rig, settings)
-    return Line(Placing(known.face, find_candidates(known)))
+    return Line(SimpleNamespace(face=known.face, candidates=find_candidates(known)))
 
 
 def _character(rig, settings, base_values, fixed=None):
@@ -149,11 +142,12 @@ def by_name(line):
 
 def set_of(line, name):
     """The candidate set of a control."""
-    control, motions = line.face.rig.control_indices[name], line.face.trajectories.motions
-    return next(each for each in line.candidates.sets if motions[each.motion].control == control)
+    return line.candidates.sets[line.face.rig.control_indices[name]]
 
 
 def chosen(rig, **parts):
-    """The candidates of a control by its name, under settings of these `parts`."""
-    found = with_candidates(rig, settings(**parts))
-    return lambda name: set_of(found, name)
+    """The candidates of a control by its name and what is said of it, under settings of these `parts`."""
+    known = measured(rig, settings(**parts))
+    controls = (motion.control for motion in known.face.trajectories.motions)
+    said, sets = dict(zip(controls, known.classification, strict=True)), find_candidates(known).sets
+    return lambda name: SimpleNamespace(**vars(said[i := rig.control_indices[name]]), **vars(sets[i]))

@@ -78,9 +78,9 @@ def with_whole_head(name):
     plain = line_of(name, "none")
     base = plain.face.surface.points
     moved = np.zeros(len(base), dtype=bool)
-    for candidate_set in plain.candidates.sets:
-        if candidate_set.category != "global":
-            moved[plain.face.trajectories.motions[candidate_set.motion].points] = True
+    for motion, said in zip(plain.face.trajectories.motions, plain.inputs.measured.classification, strict=True):
+        if said.category != "global":
+            moved[motion.points] = True
     return laid_out(with_whole_head_shapes(plain.face.rig, base, moved))
 
 

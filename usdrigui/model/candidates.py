@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from usdrigui.character.record import Floats, Indices, Record
+from usdrigui.character.record import Indices, Record
 from usdrigui.character.rig import LeftOff
+from usdrigui.model.motion import Motion
 
 ElementKind = Literal["slider", "patch", "fan"]
 Category = Literal[
@@ -29,28 +31,20 @@ empty for a control of the face."""
 class Candidates(Record):
     """The candidates of every control that has any (paper section 4.2, pruning)."""
 
-    sets: tuple[CandidateSet, ...]
+    sets: Mapping[int, CandidateSet]
+    """By index into `Rig.controls`."""
     left_off: tuple[LeftOff, ...]
 
 
 class CandidateSet(Record):
     """Where one control may be anchored."""
 
-    motion: int
-    """Index into `Trajectories.motions`."""
+    motion: Motion
     points: Indices
-    """(p,) points, ascending."""
-    cost: Floats
-    """(p,) linear cost besides displacement and overlap (occlusion, plane, locality...), >= 0, in
-    the units of the objective."""
-    coverage: float
-    """Share of the visible places of the face that it moves."""
+    """(p,) points, ascending; of a control off the face the one where it moves most."""
     sources: Indices
     """(p,) point whose trajectory is drawn at each of `points`: the same point, unless the control
     is shown at a visible proxy of a hidden region."""
-    category: Category = ""
-    off_face_reason: str = ""
-    """Why it is off the face; else empty."""
 
 
 @dataclass(frozen=True, slots=True)

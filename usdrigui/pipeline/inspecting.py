@@ -9,9 +9,10 @@ from pathlib import Path
 from usdrigui.character import Control, Record, Rig
 from usdrigui.character.joint_tree import Tree
 from usdrigui.errors import Issue, of_character
+from usdrigui.layout.classify.classification import Classification
 from usdrigui.layout.group.grouping import suggested_groups
 from usdrigui.layout.reuse.identity import names_draft
-from usdrigui.model import CandidateSet, Motion
+from usdrigui.model import Motion
 from usdrigui.pipeline import animation
 from usdrigui.pipeline.configuration import refuse_unsound
 from usdrigui.pipeline.joining import issues_of
@@ -66,17 +67,15 @@ def inspect(
 
 
 class _Found(Record):
-    """The remarks of the stages on the controls of one part, by control."""
+    """The motions of one part and what is said of them, by control."""
 
     part: ProblemInputs
-    sets: Mapping[int, CandidateSet]
-    motions: Mapping[int, Motion]
+    motions: Mapping[int, tuple[Motion, Classification]]
 
 
 def _found(inputs: ProblemInputs) -> _Found:
-    trajectories = inputs.face.trajectories
-    sets = {trajectories.motions[each.motion].control: each for each in inputs.candidates.sets}
-    return _Found(inputs, sets, {each.control: each for each in trajectories.motions})
+    known = zip(inputs.face.trajectories.motions, inputs.measured.classification, strict=True)
+    return _Found(inputs, {each[0].control: each for each in known})
 
 
 def _facts(character: Character, parts: Sequence[ProblemInputs]) -> CharacterFacts:
@@ -132,14 +131,11 @@ def _control(
 ) -> ControlFacts:
     """One control; without a motion it belongs to no part, and the `first` one lists it."""
     control, source = controls[index], own or first
-    chosen = source.sets.get(index)
-    motion = source.motions.get(index)
+    motion, said = source.motions.get(index, (None, Classification()))
     symmetry = source.part.face.symmetry
     flags = list(flags)
-    if chosen is not None and chosen.category:
-        flags.append(
-            "on the board by request" if chosen.category == "requested" else chosen.category
-        )
+    if said.category:
+        flags.append("on the board by request" if said.category == "requested" else said.category)
     typical = source.part.face.trajectories.typical_length
     return ControlFacts(
         control=control.name,
@@ -150,7 +146,7 @@ def _control(
         maximum=control.maximum,
         range_source=control.range_source,
         points=0 if motion is None else len(motion.points),
-        coverage=0.0 if chosen is None else chosen.coverage,
+        coverage=said.coverage,
         peak=0.0 if motion is None else float(motion.arc_length.max()) / typical,
         twin=source.part.twin_names.get(
             control.name, "self" if symmetry.twins[index] == index else ""

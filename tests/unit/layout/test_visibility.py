@@ -65,10 +65,10 @@ def test_a_copy_of_the_face_that_is_not_shown_hides_nothing():
     unseen = makers.mesh(POINTS, QUADS, shapes, path="/Root/proxy", visible=False)
     alone = chain.problem_of(makers.rig_of_meshes([shown], list(SHAPES)))
     doubled = chain.problem_of(makers.rig_of_meshes([unseen, shown], list(SHAPES)))
-    assert [each.category == "hidden" for each in doubled.candidates.sets] == [
-        each.category == "hidden" for each in alone.candidates.sets
+    assert [each.category == "hidden" for each in doubled.inputs.measured.classification] == [
+        each.category == "hidden" for each in alone.inputs.measured.classification
     ]
-    for with_copy, without in zip(doubled.candidates.sets, alone.candidates.sets, strict=True):
+    for with_copy, without in zip(*(each.candidates.sets.values() for each in (doubled, alone)), strict=True):
         assert (with_copy.points - len(POINTS)).tolist() == without.points.tolist()
 
 

@@ -26,7 +26,7 @@ from usdrigui.layout.motion.similarity import bidirectional
 from usdrigui.layout.names import element_name
 from usdrigui.layout.symmetry.lobes import ASIDE, two_lobed
 from usdrigui.layout.symmetry.orbits import configured_orbits
-from usdrigui.model import Candidates, CandidateSet, ElementKind, Group
+from usdrigui.model import Candidates, ElementKind, Group
 from usdrigui.model.candidates import axes_of
 
 
@@ -133,9 +133,14 @@ class _Grouping:
         self.settings = known.settings.groups
         self.double_middle = mirror.double_middle
         self.two_sided = frozenset(bidirectional(motions))
-        self.sets: dict[int, CandidateSet] = {one.motion: one for one in candidates.sets}
-        self.category = {i: one.category for i, one in self.sets.items()}
         self.controls = [motion.control for motion in motions]
+        self.sets = {
+            i: candidates.sets[control]
+            for i, control in enumerate(self.controls)
+            if control in candidates.sets
+        }
+        self.classification = known.classification
+        self.category = {i: known.classification[i].category for i in self.sets}
         self.names = [face.control_name(control) for control in self.controls]
         # What the only view does not see holds no element, be it the image of one that is seen.
         fold = mirror.fold and not face.views.one_sided(face.symmetry.plane.normal)
@@ -427,7 +432,7 @@ class _Grouping:
 
     def _reason(self, merged: _Merged) -> str:
         """Why its controls are off the face, and why they share an element, where they do."""
-        off_face = self.sets[merged.motions[0]].off_face_reason
+        off_face = self.classification[merged.motions[0]].off_face_reason
         return "; ".join(text for text in (off_face, merged.reason) if text)
 
     def _is_double(self, merged: _Merged) -> bool:

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 from scipy.spatial import cKDTree
 
-from usdrigui.character import Flags, Floats, Indices, LeftOff
+from usdrigui.character import Flags, Indices, LeftOff
 from usdrigui.layout.canonical_face import Expectation, kept_in
 from usdrigui.layout.face import HELD, Face
 from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.tracks import polylines
 from usdrigui.layout.place.locality import kept_near, proxies
-from usdrigui.layout.place.terms import LinearTerms, linear_cost
 from usdrigui.layout.reuse.carrying import moved
 from usdrigui.layout.reuse.partial_layout import fixed_anchor, moves
 from usdrigui.layout.shares import HARDLY_ANY, KEPT, MOST, NOTHING
@@ -45,52 +42,32 @@ def find_candidates(known: Measured) -> Candidates:
     any view can see always has a candidate.
     """
     face = known.face
-    sets: list[CandidateSet] = []
+    sets: dict[int, CandidateSet] = {}
     left_off: list[LeftOff] = []
-    for index, (motion, found) in enumerate(
-        zip(face.trajectories.motions, known.classification, strict=True)
-    ):
-        name = face.control_name(motion.control)
-        points, sources = _places(known, motion, found.category)
-        if not len(points):
+    for motion, found in zip(face.trajectories.motions, known.classification, strict=True):
+        places = _places(known, motion, found.category)
+        if len(places[0]):
+            sets[motion.control] = CandidateSet(motion, *places)
+        else:
             reason = "moves only points that coincide with points it leaves at rest"
-            left_off.append(LeftOff(name, STAGE, reason))
-            continue
-        sets.append(
-            CandidateSet(
-                motion=index,
-                points=points,
-                cost=_cost(known, motion, sources),
-                coverage=found.coverage,
-                sources=sources,
-                category=found.category,
-                off_face_reason=found.off_face_reason,
-            )
-        )
-    return Candidates(tuple(sets), tuple(left_off))
+            left_off.append(LeftOff(face.control_name(motion.control), STAGE, reason))
+    return Candidates(sets, tuple(left_off))
 
 
 def loosened(known: Measured, found: CandidateSet, least: float) -> CandidateSet:
     """The set with every visible place where a handle keeps at least a share of the control's peak:
     for elements whose copies would collide at all of their better places."""
-    motion = known.face.trajectories.motions[found.motion]
+    motion = found.motion
     seen = _allowed(known, motion, _seen(known, motion))
     if known.requests.overrides[motion.control].anchor or not seen.any():
         return found
     points = motion.points[seen & (motion.arc_length >= _kept(motion, seen, least))]
-    return replace(found, points=points, sources=points, cost=_cost(known, motion, points))
+    return CandidateSet(motion, points, points)
 
 
 def candidates_of_axis(known: Measured, found: CandidateSet) -> CandidateSet:
     """The set of a control on the face under requests that fix it elsewhere or not at all."""
-    motion = known.face.trajectories.motions[found.motion]
-    points, sources = _places(known, motion, "")
-    return replace(found, points=points, sources=sources, cost=_cost(known, motion, sources))
-
-
-def _cost(known: Measured, motion: Motion, points: Indices) -> Floats:
-    """(p,) the linear terms of a motion at `points`."""
-    return linear_cost(known.face, motion, points, LinearTerms.of(known.settings))
+    return CandidateSet(found.motion, *_places(known, found.motion, ""))
 
 
 def _places(known: Measured, motion: Motion, category: str) -> tuple[Indices, Indices]:

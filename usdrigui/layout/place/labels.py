@@ -24,7 +24,7 @@ from usdrigui.layout.motion.tracks import (
     resampled,
     rows_of,
 )
-from usdrigui.layout.place.terms import LinearTerms, displacement_unit, linear_cost, off_plane
+from usdrigui.layout.place.terms import displacement_unit, linear_cost, off_plane
 from usdrigui.layout.reuse.prior_layout import PriorLayout
 from usdrigui.layout.symmetry.orbits import orbit_points
 from usdrigui.model import CandidateSet, Choice, Group, Motion
@@ -36,7 +36,6 @@ def labels_of(
     sets: Mapping[int, CandidateSet],
     groups: tuple[Group, ...],
     index: int,
-    terms: LinearTerms,
 ) -> tuple[Choice, Floats, Floats]:
     """Candidates that all members and all copies of group `index` share, their costs (R,) without
     the overlap, and displacements (R,).
@@ -45,9 +44,9 @@ def labels_of(
     copies. `sets` are the candidates by control.
     """
     group, face, requests = groups[index], known.face, known.requests
-    mirror = known.settings.symmetry
+    mirror, objective = known.settings.symmetry, known.settings.objective
     if group.doubled:
-        sets = {control: _on_both_sides(face, sets[control], terms) for control in group.controls}
+        sets = {control: _on_both_sides(face, sets[control]) for control in group.controls}
     choice = _with_copies(face, group, index, sets[group.controls[0]], mirror.tolerance)
     if group.mirror and not group.doubled and requests.prior.stood_on_face(group.controls):
         choice = _with_earlier_pairs(face, sets, choice, requests.prior)
@@ -55,19 +54,21 @@ def labels_of(
     for copy, controls in enumerate(choice.controls):
         worst, least = np.full(len(cost), -np.inf), np.full(len(cost), np.inf)
         importances = (requests.overrides[control].importance for control in controls)
-        worth = known.settings.objective.displacement_weight * max(
+        worth = objective.displacement_weight * max(
             1.0 if each is None else each for each in importances
         )
         for control in controls:
-            motion = face.trajectories.motions[sets[control].motion]
-            unit = displacement_unit(face, motion, terms)
+            found, motion = sets[control], sets[control].motion
+            unit = displacement_unit(face, motion, objective)
             sources = choice.sources[:, copy]
             moved = (
                 drawn_lengths(face, motion, sources)
-                if terms.as_seen
+                if known.pruning.space == "view"
                 else arc_lengths(motion, sources)
             ) / unit
-            linear = _looked_up(sets[control], choice.anchors[:, copy])
+            costs = linear_cost(face, motion, found.sources, known.settings)
+            rows, shared = rows_of(choice.anchors[:, copy], found.points)
+            linear = np.where(shared, costs[rows], np.inf)
             worst = np.maximum(worst, np.where(moved > 0.0, linear - worth * moved, np.inf))
             least = np.minimum(least, moved)
         cost += worst
@@ -130,25 +131,16 @@ def drawn_lengths(face: Face, motion: Motion, sources: Indices) -> Floats:
     return lengths(face.seen(face.drawing_axes, paths(motion, sources), face.aside[sources]))
 
 
-def _looked_up(candidate_set: CandidateSet, points: Indices) -> Floats:
-    """(R,) linear costs at `points`; inf where the point is no candidate of this control."""
-    rows, found = rows_of(points, candidate_set.points)
-    return np.where(found, candidate_set.cost[rows], np.inf)
-
-
-def _on_both_sides(face: Face, found: CandidateSet, terms: LinearTerms) -> CandidateSet:
+def _on_both_sides(face: Face, found: CandidateSet) -> CandidateSet:
     """The candidates of a doubled control and their mirror images, which it moves alike: one side
     may be all that is fixed, or all that pruning leaves."""
     partner = face.symmetry.partner
     places = np.column_stack([found.points, found.sources])
     images = partner[places]
-    motion = face.trajectories.motions[found.motion]
-    moved = np.isin(images[:, 1], motion.points)
+    moved = np.isin(images[:, 1], found.motion.points)
     places = np.unique(np.concatenate([places, images[moved & (images[:, 0] >= 0)]]), axis=0)
     _, first = np.unique(places[:, 0], return_index=True)
-    points, sources = places[first].T
-    cost = linear_cost(face, motion, sources, terms)
-    return replace(found, points=points, sources=sources, cost=cost)
+    return CandidateSet(found.motion, *places[first].T)
 
 
 def _with_copies(

@@ -26,7 +26,6 @@ from usdrigui.layout.names import element_name
 from usdrigui.layout.place.candidates import candidates_of_axis, loosened
 from usdrigui.layout.place.extensions import user_pairs
 from usdrigui.layout.place.labels import drawn_points, labels_of
-from usdrigui.layout.place.terms import LinearTerms
 from usdrigui.layout.reuse.existing_layout import costs_beside_existing, existing_variables
 from usdrigui.layout.reuse.prior_layout import leaving_penalties
 from usdrigui.layout.reuse.requests import Requests
@@ -75,21 +74,19 @@ def placement_problem(
     another package."""
     face, requests, objective = known.face, known.requests, known.settings.objective
     overlap, separation = _constants(face, objective)
-    sets = _by_control(known, candidates)
     beside = () if face.behind else requests.neighbours
     existing = existing_variables(face, requests.existing_elements + beside, objective.samples)
-    terms = LinearTerms.of(known.settings)
-    costs = _Costs(known, terms, overlap, separation, existing, _others(face, requests))
+    costs = _Costs(known, overlap, separation, existing, _others(face, requests))
     variables, choices = [], []
     for index, group in enumerate(groups):
         if group.category:
             continue
-        asked, own = costs, sets
+        asked, own = costs, candidates.sets
         if group.part:
             axes = replace(known, requests=requests.of_axes())
             asked = replace(costs, known=axes)
             own = {
-                control: candidates_of_axis(axes, sets[control])
+                control: candidates_of_axis(axes, own[control])
                 for control in sorted(group.all_controls)
             }
         variable, choice = _variable(asked, own, groups, index)
@@ -97,7 +94,7 @@ def placement_problem(
         choices.append(choice)
     problem = LayoutProblem(tuple(variables), overlap, separation)
     impossible = _impossible(problem, groups, tuple(choices), requests.overrides)
-    extra = user_pairs(face, problem, tuple(choices), costs.terms.user)
+    extra = user_pairs(face, problem, tuple(choices), objective.terms)
     return PlacementProblem(groups, replace(problem, extra=extra), tuple(choices), impossible)
 
 
@@ -107,23 +104,18 @@ def without_lone_pairs(
     """The groups, with the element of either side in place of a pair that has no two places which
     mirror each other, as arms modelled in a pose, and one in place of a doubled element: they lose
     the mirror and not the character."""
-    face, terms, sets = known.face, LinearTerms.of(known.settings), _by_control(known, candidates)
+    face, sets = known.face, candidates.sets
     found: list[Group] = []
     for index, group in enumerate(groups):
         is_pair = bool(group.mirror) and not group.category
         looser = chain([sets], _looser(known, sets, group.copies))
-        costs = (labels_of(known, used, groups, index, terms)[1] for used in looser)
+        costs = (labels_of(known, used, groups, index)[1] for used in looser)
         if is_pair and not any(np.isfinite(each).any() for each in costs):
             names = [face.control_name(control) for control in group.mirror]
             found += group.apart(element_name(names, face.rig.control_names))
         else:
             found.append(group)
     return tuple(sorted(found, key=lambda group: group.name))
-
-
-def _by_control(known: Measured, candidates: Candidates) -> Mapping[int, CandidateSet]:
-    motions = known.face.trajectories.motions
-    return {motions[each.motion].control: each for each in candidates.sets}
 
 
 def _looser(
@@ -214,7 +206,6 @@ class _Costs(Record):
     """What every variable is costed with."""
 
     known: Measured
-    terms: LinearTerms
     overlap: AnyOverlap
     separation: float
     existing: tuple[Variable, ...]
@@ -239,7 +230,7 @@ def _variable(
         face.trajectories.motion_of(control).of_joint for control in group.controls
     )
     for used in chain([sets], _looser(known, sets, group.copies)):
-        choice, cost, displacement = labels_of(known, used, groups, index, costs.terms)
+        choice, cost, displacement = labels_of(known, used, groups, index)
         samples, handles = drawn_points(
             face, choice, objective.samples, known.settings.output.min_track
         )

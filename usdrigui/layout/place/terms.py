@@ -7,8 +7,6 @@ own by the entry point group ``usdrigui.terms``.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from usdrigui.character import Floats, Indices
@@ -17,7 +15,7 @@ from usdrigui.layout.place.extensions import user_linear_cost
 from usdrigui.layout.shares import NOTHING
 from usdrigui.layout.symmetry.lobes import ON_PLANE
 from usdrigui.model import Motion
-from usdrigui.settings import Settings
+from usdrigui.settings import ObjectiveSettings, Settings
 
 _TIE = 1e-5
 """What the character's right costs a symmetric element that stands off the plane: enough to decide
@@ -28,41 +26,13 @@ _BESIDE = 0.5
 in displacement, less than leaving the character."""
 
 
-@dataclass(frozen=True, slots=True)
-class LinearTerms:
-    """The settings of the linear terms and of the unit of displacement."""
-
-    occlusion_weight: float
-    distinctive_weight: float
-    relative_displacement: float
-    """Share of the control's own peak in the unit of its displacement."""
-    scene_units: bool
-    """Whether displacement is measured in scene units instead."""
-    as_seen: bool
-    """Whether displacement is what the layout's own view sees of it (paper fig. 7)."""
-    user: tuple[str, ...]
-    """Names of the terms of other packages."""
-
-    @classmethod
-    def of(cls, settings: Settings) -> LinearTerms:
-        """From the settings."""
-        objective = settings.objective
-        return cls(
-            settings.candidates.occlusion_weight,
-            objective.distinctive_weight,
-            objective.relative_displacement,
-            objective.scene_units,
-            settings.candidates.space == "view",
-            objective.terms,
-        )
-
-
-def linear_cost(face: Face, motion: Motion, points: Indices, terms: LinearTerms) -> Floats:
+def linear_cost(face: Face, motion: Motion, points: Indices, settings: Settings) -> Floats:
     """(p,) sum of all linear terms at `points`, which must be among the motion's points."""
-    own = occlusion(face.surface.normals, motion, points, terms.occlusion_weight)
+    weight, objective = settings.candidates.occlusion_weight, settings.objective
+    own = occlusion(face.surface.normals, motion, points, weight)
     # A joint's control stands where the joint owns the skin, or pays for the share that is missing.
-    own = own + common(face, motion, points, terms) + motion.missing(points)
-    return own + user_linear_cost(face, motion, points, terms.user)
+    own = own + common(face, motion, points, objective) + motion.missing(points)
+    return own + user_linear_cost(face, motion, points, objective.terms)
 
 
 def occlusion(normals: Floats, motion: Motion, points: Indices, weight: float) -> Floats:
@@ -84,22 +54,22 @@ def occlusion(normals: Floats, motion: Motion, points: Indices, weight: float) -
     return np.asarray(weight * 0.5 * (1.0 - np.mean(cosines, axis=0)))
 
 
-def common(face: Face, motion: Motion, points: Indices, terms: LinearTerms) -> Floats:
+def common(face: Face, motion: Motion, points: Indices, objective: ObjectiveSettings) -> Floats:
     """(p,) A control should stand where its motion is large and its own: the weight times the
     displacement, by how common that is (`usdrigui.layout.classify.common_motion`)."""
     if motion.common is None:
         return np.zeros(len(points))
     rows = np.searchsorted(motion.points, points)
-    unit = displacement_unit(face, motion, terms)
-    return terms.distinctive_weight * motion.common[rows] * motion.arc_length[rows] / unit
+    unit = displacement_unit(face, motion, objective)
+    return objective.distinctive_weight * motion.common[rows] * motion.arc_length[rows] / unit
 
 
-def displacement_unit(face: Face, motion: Motion, terms: LinearTerms) -> float:
+def displacement_unit(face: Face, motion: Motion, objective: ObjectiveSettings) -> float:
     """Length that counts as a displacement of one: between the rig's typical peak and the control's
     own."""
-    if terms.scene_units:
+    if objective.scene_units:
         return 1.0
-    share = terms.relative_displacement
+    share = objective.relative_displacement
     return float(face.trajectories.typical_length ** (1.0 - share) * motion.peak**share)
 
 

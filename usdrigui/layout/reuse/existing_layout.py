@@ -55,8 +55,8 @@ def of_new_controls(face: Face, requests: Requests, candidates: Candidates) -> C
     none."""
     if requests.existing is None:
         return candidates
-    new, motions = new_controls(requests.existing, face.rig.controls), face.trajectories.motions
-    kept = tuple(each for each in candidates.sets if motions[each.motion].control in new)
+    new = new_controls(requests.existing, face.rig.controls)
+    kept = {control: each for control, each in candidates.sets.items() if control in new}
     return Candidates(kept, candidates.left_off)
 
 

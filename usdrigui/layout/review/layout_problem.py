@@ -10,7 +10,6 @@ from usdrigui.character import Control, Indices
 from usdrigui.layout.face import Face
 from usdrigui.layout.measured import Measured
 from usdrigui.layout.place.problem import off_face_cost, placement_problem
-from usdrigui.layout.place.terms import LinearTerms, linear_cost
 from usdrigui.layout.shares import NOTHING
 from usdrigui.model import (
     Candidates,
@@ -38,11 +37,10 @@ def layout_cost(known: Measured, candidates: Candidates, elements: tuple[Element
 def board_cost(known: Measured, candidates: Candidates, elements: tuple[Element, ...]) -> float:
     """What the elements on the board cost that could stand on the face."""
     face, requests = known.face, known.requests
-    motions = face.trajectories.motions
     able = {
-        face.control_name(motions[each.motion].control)
-        for each in candidates.sets
-        if not each.category
+        face.control_name(motion.control)
+        for motion, found in zip(face.trajectories.motions, known.classification, strict=True)
+        if motion.control in candidates.sets and not found.category
     }
     inner = inner_names(elements)
     away = tuple(
@@ -85,7 +83,7 @@ def as_problem(
     points = [
         face.rig.body.point_of(element.anchor.mesh, element.anchor.point) for element in elements
     ]
-    sets = _with_points(face, candidates, groups, points, LinearTerms.of(known.settings))
+    sets = _with_points(candidates, groups, points)
     placement = placement_problem(known, sets, groups)
     labels, kept = [], []
     for number, choice in enumerate(placement.choices):
@@ -138,36 +136,15 @@ def _parts(elements: tuple[Element, ...]) -> frozenset[str]:
 
 
 def _with_points(
-    face: Face,
-    candidates: Candidates,
-    groups: tuple[Group, ...],
-    points: list[int],
-    terms: LinearTerms,
+    candidates: Candidates, groups: tuple[Group, ...], points: list[int]
 ) -> Candidates:
     """The candidates with the anchors of the layout among them, pruned or not."""
-    motions = face.trajectories.motions
-    sets = {motions[each.motion].control: each for each in candidates.sets}
+    sets = dict(candidates.sets)
     for group, point in zip(groups, points, strict=True):
-        for control in group.controls:
-            if control in sets and point in motions[sets[control].motion].points:
-                sets[control] = _with_point(face, sets[control], point, terms)
-    return Candidates(tuple(sets.values()), candidates.left_off)
-
-
-def _with_point(
-    face: Face,
-    known: CandidateSet,
-    point: int,
-    terms: LinearTerms,
-) -> CandidateSet:
-    if point in known.points:
-        return known
-    motion = face.trajectories.motions[known.motion]
-    at = int(np.searchsorted(known.points, point))
-    cost = linear_cost(face, motion, np.array([point]), terms)
-    return replace(
-        known,
-        points=np.insert(known.points, at, point),
-        cost=np.insert(known.cost, at, cost[0]),
-        sources=np.insert(known.sources, at, point),
-    )
+        for control in sets.keys() & group.controls:
+            found = sets[control]
+            if point in found.motion.points and point not in found.points:
+                at = int(np.searchsorted(found.points, point))
+                places = (np.insert(each, at, point) for each in (found.points, found.sources))
+                sets[control] = CandidateSet(found.motion, *places)
+    return Candidates(sets, candidates.left_off)

@@ -72,7 +72,7 @@ def test_a_jaw_may_move_all_that_smaller_controls_move(name, category):
 def test_a_joint_that_holds_most_of_a_robot_is_not_a_control_of_it_as_a_whole():
     names, places = ["h", *(f"h/k{i}" for i in range(5))], np.array([(4 * i, 0, 0) for i in range(6)], float)
     robot = limbs.with_default_controls(limbs.skeleton_rig(names, places, list(range(6)), size=[2, 1, 1, 1, 1, 1]))
-    assert not any(each.category for each in chain.with_candidates(robot).candidates.sets)
+    assert not any(each.category for each in chain.measured(robot).classification)
 
 
 def test_excluding_a_control_calls_no_other_one_global():

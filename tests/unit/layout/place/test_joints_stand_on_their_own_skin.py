@@ -60,8 +60,8 @@ def test_near_asks_before_pruning_does():
 
 
 def test_the_spine_does_not_leave_the_character_for_what_it_carries():
-    found = chain.with_candidates(limbs.chain_rig(4))
-    assert [each.category for each in found.candidates.sets] == [""] * 12
+    found = chain.measured(limbs.chain_rig(4))
+    assert [each.category for each in found.classification] == [""] * 12
 
 
 def test_a_joint_that_is_its_own_mirror_image_stands_on_the_plane():

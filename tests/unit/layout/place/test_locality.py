@@ -22,7 +22,7 @@ def test_locality_keeps_candidates_near_or_takes_the_nearest(near):
     point = int(near.split("#")[1])
     line = chain.with_candidates(makers.face(), chain.settings(controls={"jawLeft": {"near": near, "within": 0.1}}))
     found, free = chain.set_of(line, "jawLeft"), chain.chosen(makers.face())("jawLeft")
-    moved = line.face.trajectories.motions[found.motion].points
+    moved = found.motion.points
     seen = moved[line.face.views.anywhere[moved]]
     apart = np.linalg.norm(POINTS - POINTS[point], axis=1)
     assert 1 <= len(found.points) < len(free.points)

@@ -5,7 +5,7 @@ import makers
 import numpy as np
 import pytest
 
-from usdrigui.layout.place.terms import LinearTerms, linear_cost, occlusion
+from usdrigui.layout.place.terms import linear_cost, occlusion
 
 SIDE = 11
 PRICE = 0.15
@@ -22,9 +22,8 @@ def costs(rig, **candidates):
     settings = chain.settings(candidates=candidates)
     face = chain.face_of(rig, settings)
     motion = face.trajectories.motions[0]
-    terms = LinearTerms.of(settings)
-    own = occlusion(face.surface.normals, motion, motion.points, terms.occlusion_weight)
-    return own, linear_cost(face, motion, motion.points, terms)
+    own = occlusion(face.surface.normals, motion, motion.points, settings.candidates.occlusion_weight)
+    return own, linear_cost(face, motion, motion.points, settings)
 
 
 @pytest.mark.parametrize(

@@ -194,12 +194,12 @@ def test_where_no_point_is_left_all_within_a_handle_of_the_nearest_may_be_taken(
     off = prior.places[chin].position + 0.3 * before.face.handle_width * np.eye(3)[0]
     places = {**prior.places, chin: replace(prior.places[chin], position=off)}
     line = chain.problem_of(face, prior=replace(prior, places=places))
-    motion = line.face.trajectories.motion_of(chin)
-    (found,) = (each.points for each in line.candidates.sets if line.face.trajectories.motions[each.motion] is motion)
+    found = line.candidates.sets[chin]
+    motion = found.motion
     apart = np.linalg.norm(line.face.surface.points[motion.points] - off, axis=1)
     near = motion.points[apart <= 1.3 * line.face.handle_width]
     assert len(near) > 1
-    assert set(near) <= set(found)
+    assert set(near) <= set(found.points)
 
 
 def test_a_control_sent_to_the_board_stays_there_at_the_penalty(face, before):
