@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from usdrigui.character import Record
-from usdrigui.layout.classify.classification import Classification
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.layout.reuse.requests import Requests
+from usdrigui.model import Classification
 from usdrigui.settings import CandidateSettings, Settings
 
 

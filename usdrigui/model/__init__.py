@@ -21,6 +21,7 @@ from usdrigui.model.candidates import (
     Candidates as Candidates,
     CandidateSet as CandidateSet,
     Category as Category,
+    Classification as Classification,
     ElementKind as ElementKind,
     Group as Group,
 )

@@ -28,6 +28,20 @@ hidden in all views, repeats others, stays with its family, or is sent there by 
 empty for a control of the face."""
 
 
+@dataclass(frozen=True)
+class Classification:
+    """Whether a control is on the face, and if not, in which category it falls and why."""
+
+    category: Category = ""
+    """Empty for a control of the face."""
+    off_face_reason: str = ""
+    coverage: float = 0.0
+    """Share of the visible face that it moves notably."""
+    explained_by: tuple[tuple[int, float], ...] = ()
+    """Motions of which that of a composite is the sum, and how far each of them goes, the strongest
+    first."""
+
+
 class Candidates(Record):
     """The candidates of every control that has any (paper section 4.2, pruning)."""
 

@@ -9,10 +9,9 @@ from pathlib import Path
 from usdrigui.character import Control, Record, Rig
 from usdrigui.character.joint_tree import Tree
 from usdrigui.errors import Issue, of_character
-from usdrigui.layout.classify.classification import Classification
 from usdrigui.layout.group.grouping import suggested_groups
 from usdrigui.layout.reuse.identity import names_draft
-from usdrigui.model import Motion
+from usdrigui.model import Classification, Motion
 from usdrigui.pipeline import animation
 from usdrigui.pipeline.configuration import refuse_unsound
 from usdrigui.pipeline.joining import issues_of

@@ -3,33 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 
 import numpy as np
 
 from usdrigui.character import Control, Flags, Floats, Indices, Record
 from usdrigui.conventions import Meaning
-from usdrigui.layout.classify.composites import Composite, composites, explanation
+from usdrigui.layout.classify.composites import composites
 from usdrigui.layout.classify.visibility_shapes import visibility_shapes
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.coverage import coverage_of_smaller, shares_of_face
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.model import BaseSurface, Category, Motion
+from usdrigui.model import BaseSurface, Classification, Motion
 from usdrigui.settings import CandidateSettings
-
-
-@dataclass(frozen=True)
-class Classification:
-    """Whether a control is on the face, and if not, in which category it falls and why."""
-
-    category: Category = ""
-    """Empty for a control of the face."""
-    off_face_reason: str = ""
-    coverage: float = 0.0
-    """Share of the visible face that it moves notably."""
-    explained_by: tuple[tuple[int, float], ...] = ()
-    """Motions of which that of a composite is the sum, and how far each of them goes."""
 
 
 class _Evidence(Record):
@@ -43,7 +30,7 @@ class _Evidence(Record):
     """Largest share of its true peak at a visible place."""
     essential: bool
     """Whether it is on the face even if its peak is hidden."""
-    composite: Composite | None
+    composite: Classification | None
 
 
 def classify(
@@ -65,7 +52,6 @@ def classify(
     shares = shares_of_face(every, visible_areas)[: len(motions)]
     vanish = visibility_shapes(face.pieces, face.trajectories)
     repeated = composites(face, similarity, shares)
-    names = [control.name for control in controls]
     kept = _kept(motions, face.twins, seen)
     # The joints of a chain explain each other, and one holds most of a robot's head; only shapes
     # and poses show what repeats a shape or a pose, and what moves all of a face.
@@ -84,49 +70,47 @@ def classify(
             essential=meaning is not None and meaning.action.is_essential,
             composite=None if alone else repeated.get(index),
         )
-        category, reason = _category(evidence, motion.control, requests, settings)
-        explained_by: tuple[tuple[int, float], ...] = ()
-        if index in repeated and category == repeated[index].category:
-            explained_by = repeated[index].explained_by
-            reason = explanation(repeated[index], names)
-        found.append(Classification(category, reason, float(shares[index]), explained_by))
+        said = _classified(evidence, motion.control, requests, settings)
+        if index in repeated and said.category == repeated[index].category:
+            said = repeated[index]
+        found.append(replace(said, coverage=float(shares[index])))
     return tuple(found)
 
 
-def _category(
+def _classified(
     evidence: _Evidence, control: int, requests: Requests, settings: CandidateSettings
-) -> tuple[Category, str]:
-    """Category and reason, both empty for a control of the face; that of a
-    composite is left open."""
+) -> Classification:
+    """Category and reason, both empty for a control of the face."""
     override = requests.overrides[control]
     if override.place in ("face", "proxy") or override.anchor:
-        return "", ""
+        return Classification()
     earlier = requests.prior.places.get(control)
     if earlier is not None and earlier.category:
-        return earlier.category, earlier.reason
+        return Classification(earlier.category, earlier.reason)
     stood = requests.prior.stood_on_face((control,))
     # Not where another character's layout is imitated.
     stays = stood and requests.prior.cutoff_distance == 0.0
     # A control that is on the face already is not sent away because another one was added.
     composite = evidence.composite if settings.board_composite and not stood else None
-    if composite is not None and composite.family_reason:
-        # All of it under one heading, whatever else speaks against some of its members.
-        return composite.category, ""
+    if composite is not None and composite.category != "composite":
+        # A family under one heading, whatever else speaks against some of its members.
+        return composite
     if settings.board_global and not stays:
         if evidence.vanishes:
-            return "global", "makes parts of the character disappear"
+            return Classification("global", "makes parts of the character disappear")
         if evidence.wide:
-            return "global", "moves the face as a whole"
+            return Classification("global", "moves the face as a whole")
     if settings.board_hidden and evidence.visible_share < settings.hidden_share:
-        return "hidden", "only affects geometry hidden in all views"
+        return Classification("hidden", "only affects geometry hidden in all views")
     needed = stays or evidence.essential
     if settings.board_hidden and evidence.kept < settings.least_kept and not needed:
-        return "hidden", f"no visible place keeps more than {evidence.kept:.0%} of its displacement"
+        what = f"no visible place keeps more than {evidence.kept:.0%} of its displacement"
+        return Classification("hidden", what)
     if composite is not None:
-        return composite.category, ""
+        return composite
     if override.place == "board":
-        return "requested", "its place on the board is decided"
-    return "", ""
+        return Classification("requested", "its place on the board is decided")
+    return Classification()
 
 
 def _of_sets(

@@ -15,7 +15,6 @@ atoms is decided for all at once (`basis`), at costs for what a rigger would kee
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -26,31 +25,10 @@ from usdrigui.layout.classify.basis import Explanation, best_sum, choose_basis
 from usdrigui.layout.classify.families import Family, find_families
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.similarity import Similarity
-from usdrigui.model import Category
+from usdrigui.model import Classification
 
 
-@dataclass(frozen=True)
-class Composite:
-    """Why a control is off the face, for others that have the same motion."""
-
-    category: Category
-    explained_by: tuple[tuple[int, float], ...]
-    """Motions of which it is the sum, and how far each of them goes, the strongest first."""
-    family_reason: str = ""
-    """Of a family that is off the face as a whole; empty for a repetition or a mixture."""
-
-
-def explanation(composite: Composite, names: Sequence[str]) -> str:
-    """Why a control is a composite, in words; `names` are those of the motions."""
-    if composite.family_reason:
-        return composite.family_reason
-    parts = [names[part] for part, _ in composite.explained_by]
-    if len(parts) == 1:
-        return f"does the same as {parts[0]}, {composite.explained_by[0][1]:.0%} as far"
-    return f"does what {listed(parts)} do together"
-
-
-def composites(face: Face, similarity: Similarity, coverage: Floats) -> dict[int, Composite]:
+def composites(face: Face, similarity: Similarity, coverage: Floats) -> dict[int, Classification]:
     """The motions that repeat others, or are with their family off the face; both twins of a pair
     or neither.
 
@@ -63,10 +41,13 @@ def composites(face: Face, similarity: Similarity, coverage: Floats) -> dict[int
     lost = [left.control for left in face.rig.left_off]
     families = find_families(names, meaning, similarity.cosine, lost)
     basis = choose_basis(similarity.cosine, _costs(meaning, coverage, families, twins), twins)
-    found = {
-        i: Composite("composite", _amounts(i, explained, similarity.norm))
-        for i, explained in basis.explanations.items()
-    }
+    found = {}
+    for i, explained in basis.explanations.items():
+        amounts = _amounts(i, explained, similarity.norm)
+        words = f"does what {listed([names[part] for part, _ in amounts])} do together"
+        if len(amounts) == 1:
+            words = f"does the same as {names[amounts[0][0]]}, {amounts[0][1]:.0%} as far"
+        found[i] = Classification("composite", words, explained_by=amounts)
     off_face = [i for family in families if family.reason for i in family.members]
     shown = basis.atoms & ~np.isin(np.arange(len(names)), off_face)
     for family in families:
@@ -74,7 +55,7 @@ def composites(face: Face, similarity: Similarity, coverage: Floats) -> dict[int
             found.pop(i, None)
             if family.reason:
                 amounts = _amounts(i, best_sum(i, shown, similarity.cosine), similarity.norm)
-                found[i] = Composite(family.kind, amounts, family.reason)
+                found[i] = Classification(family.kind, family.reason, explained_by=amounts)
     return {i: why for i, why in sorted(found.items()) if twins[i] < 0 or int(twins[i]) in found}
 
 

@@ -12,7 +12,6 @@ from usdrigui.layout.board.board import BoardEntry, board_elements
 from usdrigui.layout.element.fans import fan_order
 from usdrigui.layout.face import Face
 from usdrigui.layout.glyph_fitting import fitted_glyph
-from usdrigui.layout.group.coarse_groups import with_inner
 from usdrigui.layout.measured import Measured
 from usdrigui.layout.motion.tracks import arc_lengths, paths
 from usdrigui.layout.names import common_label, element_name
@@ -70,8 +69,7 @@ def layout(
         base_values=np.zeros(0),
         variant_path=face.rig.variant_path,
         elements=tuple(
-            replace(each, part=part)
-            for each in with_inner(elements, placement.groups, face.rig.control_names)
+            replace(each, part=part) for each in _with_inner(elements, placement.groups, face.rig)
         ),
         left_off=(),
         frame=LayoutFrame(
@@ -106,6 +104,26 @@ def _once(
     for i, (name, copy) in enumerate(zip(names, copies, strict=True)):
         if set(copy) not in [set(each) for each in copies[:i]]:
             yield name, copy
+
+
+def _with_inner(
+    elements: Sequence[Element], groups: Sequence[Group], rig: Rig
+) -> Iterator[Element]:
+    """The elements of all groups, the coarse ones with the names of their members on their own
+    side."""
+    made = {element.name for element in elements}
+    names = {
+        group.name: [name for name in names_of_copies(rig, group) if name in made]
+        for group in groups
+    }
+    inner: dict[str, set[str]] = {}
+    for group in groups:
+        for copy, name in enumerate(own := names[group.name]):
+            for theirs in (names[member] for member in group.inner):
+                same = theirs[copy : copy + 1] if len(theirs) == len(own) else theirs
+                inner.setdefault(name, set()).update(same)
+    for element in elements:
+        yield replace(element, inner=tuple(sorted(inner.get(element.name, ()))))
 
 
 def names_of_copies(rig: Rig, group: Group) -> list[str]:

@@ -8,7 +8,7 @@ A level configured for one side of the character holds for the other, since a gr
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import chain
 
@@ -16,7 +16,7 @@ from usdrigui.character import Control, Rig
 from usdrigui.errors import Faults, check_known, refuse
 from usdrigui.layout.names import element_name
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.model import Element, Group
+from usdrigui.model import Group
 from usdrigui.settings import LevelSettings
 
 Inner = dict[str, set[str]]
@@ -51,41 +51,6 @@ def with_levels(
     everything = (*groups, *chain.from_iterable(derived))
     _check(inner, configured)
     return tuple(sorted(_with_states(everything, inner), key=lambda group: group.name))
-
-
-def with_inner(
-    elements: Iterable[Element], groups: tuple[Group, ...], names: Sequence[str]
-) -> tuple[Element, ...]:
-    """The elements of all groups, the coarse ones with the names of their members on their own
-    side; `names` are those of all controls."""
-    made = tuple(elements)
-    by_controls: dict[frozenset[str], list[str]] = {}
-    for element in made:
-        by_controls.setdefault(element.controls, []).append(element.name)
-    inner: dict[str, list[str]] = {}
-    by_name = {group.name: group for group in groups}
-    for group in groups:
-        members = [by_name[name] for name in group.inner]
-        copies = _elements_of(group.copies, names, by_controls)
-        for copy, name in enumerate(copies):
-            for member in members:
-                theirs = _elements_of(member.copies, names, by_controls)
-                own = theirs[copy : copy + 1] if len(theirs) == len(copies) else theirs
-                inner.setdefault(name, []).extend(own)
-    return tuple(replace(each, inner=tuple(sorted(inner.get(each.name, ())))) for each in made)
-
-
-def _elements_of(
-    copies: tuple[tuple[int, ...], ...],
-    names: Sequence[str],
-    by_controls: dict[frozenset[str], list[str]],
-) -> list[str]:
-    """Names of the elements of a group, one per copy."""
-    found: list[str] = []
-    for controls in copies:
-        same = by_controls.get(frozenset(names[control] for control in controls), [])
-        found += [name for name in same if name not in found][: 1 if len(same) > 1 else None]
-    return found
 
 
 # --- which are coarse -----------------------------------------------------------------------------

@@ -15,6 +15,7 @@ import numpy as np
 from usdrigui.character import Control, Floats, Rig
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.tracks import resampled
+from usdrigui.layout.reuse.renaming import with_element_names
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import AnyOverlap, Candidates, Element, Layout, LayoutProblem, Variable
 from usdrigui.overlap import ROUNDING, pair_costs
@@ -99,16 +100,7 @@ def uniquify_names(added: Layout, existing: Layout) -> Layout:
             name = f"{name}_added"
         names[element.name] = name
         taken.add(name)
-    elements = tuple(
-        replace(
-            e,
-            name=names[e.name],
-            mirror=names.get(e.mirror, ""),
-            inner=tuple(names[each] for each in e.inner),
-        )
-        for e in added.elements
-    )
-    return replace(added, elements=elements)
+    return with_element_names(added, names)
 
 
 def combined(existing: Layout, added: Layout) -> Layout:

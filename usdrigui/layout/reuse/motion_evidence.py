@@ -15,12 +15,13 @@ import numpy as np
 from scipy.sparse import csr_array
 from scipy.spatial import cKDTree
 
-from usdrigui.character import Flags, Floats, Indices, Rig
+from usdrigui.character import Flags, Floats, Rig
+from usdrigui.layout.motion.similarity import displacement_fields
 from usdrigui.layout.motion.trajectory import of_controls
 from usdrigui.layout.reuse.name_evidence import CHANCE, SAME
 from usdrigui.layout.reuse.retargeting import face_map
 from usdrigui.layout.shares import NOTHING
-from usdrigui.model import BaseSurface, Element, Motion, Trajectories
+from usdrigui.model import Element, Motion, Trajectories
 from usdrigui.model.levels import outer_first
 from usdrigui.settings import TrajectorySettings
 
@@ -84,7 +85,7 @@ def kinds(before: tuple[Rig, Trajectories], after: tuple[Rig, Trajectories]) -> 
     common = [pair for pair in pairs if all(found.motions for _, found in pair)]
     found = []
     for one, other in common or [(before, after)]:
-        samples = _thinned(one[1], _BLUR)
+        samples = _thinned(one[1])
         found.append(Kind(one, other, samples, _blurred(one, samples)))
     return found
 
@@ -132,7 +133,7 @@ def at_anchors(
     layout."""
     held = _held(elements)
     # Of today's rig the point whose track the layout holds: the nearest that moves.
-    places = _moved_places(trajectories)
+    places = displacement_fields(trajectories).places
     tree = cKDTree(trajectories.surface.points[places])
     points = {name: int(places[tree.query(each.position)[1]]) for name, each in held.items()}
     index = rig.control_indices
@@ -148,20 +149,11 @@ def at_anchors(
 # --- fields ---------------------------------------------------------------------------------------
 
 
-def _moved_places(trajectories: Trajectories) -> Indices:
-    """Places that any control moves."""
-    moved = np.zeros(len(trajectories.surface.points), dtype=bool)
-    for motion in trajectories.motions:
-        moved[motion.points] = True
-    return np.flatnonzero(moved & trajectories.surface.first)
-
-
-def _thinned(trajectories: Trajectories, size: float) -> Floats:
-    """(m, 3) about one moved place in every cell of a grid, whose cells are `size` of the face."""
-    base = trajectories.surface.points[_moved_places(trajectories)]
-    _, first = np.unique(
-        np.floor(base / (size * trajectories.surface.face_size)), axis=0, return_index=True
-    )
+def _thinned(found: Trajectories) -> Floats:
+    """(m, 3) about one moved place in every cell of a grid, as wide as the blur."""
+    base = found.surface.points[displacement_fields(found).places]
+    cells = np.floor(base / (_BLUR * found.surface.face_size))
+    _, first = np.unique(cells, axis=0, return_index=True)
     return base[np.sort(first)]
 
 
@@ -169,30 +161,23 @@ def _blurred(character: tuple[Rig, Trajectories], points: Floats) -> Floats:
     """(controls, m, 3) displacements from least to greatest value around `points` (m, 3), zero
     where none is near: their means over the surface in each cell of a fine grid, blurred."""
     rig, trajectories = character
-    surface, places = trajectories.surface, _moved_places(trajectories)
-    areas, size = _areas(surface, places), surface.face_size
-    grid = np.floor(surface.points[places] / (0.5 * _BLUR * size))
+    fields, surface = displacement_fields(trajectories), trajectories.surface
+    base, size = surface.points[fields.places], surface.face_size
+    areas = np.maximum(fields.weights, 1e-6)
+    grid = np.floor(base / (0.5 * _BLUR * size))
     number = np.unique(grid, axis=0, return_inverse=True)[1].reshape(-1)
     area = np.bincount(number, areas)
-    shape = len(area), len(surface.points)
-    cells = csr_array((areas / area[number], (number, places)), shape=shape)
-    tree = cKDTree(cells @ surface.points)
+    cells = csr_array((areas / area[number], (number, np.arange(len(base)))))
+    tree = cKDTree(cells @ base)
     reach = 2.0 * _BLUR * size
     near = cKDTree(points).sparse_distance_matrix(tree, reach, output_type="coo_matrix")
     amounts = np.exp(-0.5 * np.square(near.data / (_BLUR * size))) * area[near.col]
     amounts /= np.bincount(near.row, amounts, len(points))[near.row]
-    around = csr_array((amounts, (near.row, near.col)), shape=near.shape)
-    weights = (around @ cells).tocsc()
+    weights = csr_array((amounts, (near.row, near.col)), shape=near.shape) @ cells
     found = np.zeros((len(rig.controls), len(points), 3))
-    for motion in trajectories.motions:
-        found[motion.control] = weights[:, motion.points] @ motion.span
+    for motion, field in zip(trajectories.motions, fields.vectors, strict=True):
+        found[motion.control] = weights @ field
     return found
-
-
-def _areas(surface: BaseSurface, places: Indices) -> Floats:
-    """(places,) areas, all above zero."""
-    areas = surface.areas[places]
-    return np.maximum(areas, 1e-6 * float(areas.max(initial=0.0)) or 1.0)
 
 
 # --- anchors --------------------------------------------------------------------------------------

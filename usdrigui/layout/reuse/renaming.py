@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from types import MappingProxyType
 
 from usdrigui.layout.names import BETWEEN
 from usdrigui.model import Element, Layout
@@ -12,15 +13,17 @@ from usdrigui.model import Element, Layout
 def with_names(layout: Layout, names: Mapping[str, str]) -> Layout:
     """The layout with the new names of its controls by the old ones, and of the elements that are
     called after them."""
-    elements = element_names(layout.elements, names)
+    elements = {each.name: _name(each, names) for each in layout.elements}
+    return with_element_names(layout, elements, names)
+
+
+def with_element_names(
+    layout: Layout, elements: Mapping[str, str], names: Mapping[str, str] = MappingProxyType({})
+) -> Layout:
+    """The layout with new names of its elements, and of its controls, by the old ones."""
     return replace(
         layout, elements=tuple(_renamed(each, names, elements) for each in layout.elements)
     )
-
-
-def element_names(elements: tuple[Element, ...], names: Mapping[str, str]) -> dict[str, str]:
-    """The names that the elements of a layout have when its controls have new ones."""
-    return {each.name: _name(each, names) for each in elements}
 
 
 def _name(element: Element, names: Mapping[str, str]) -> str:
