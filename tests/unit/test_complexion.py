@@ -53,6 +53,7 @@ def material(stage, name, context="", **inputs):
 
 
 MIDDLE = (0.5, 0.0, 0.5)
+BY_FACE = [RED, MIDDLE, BLUE] * 2
 
 
 @pytest.mark.parametrize(
@@ -61,8 +62,8 @@ MIDDLE = (0.5, 0.0, 0.5)
         ("constant", [RED], [RED] * 6),
         ("vertex", HALVES, HALVES),
         ("varying", HALVES, HALVES),
-        ("uniform", [RED, BLUE], [RED, MIDDLE, BLUE, RED, MIDDLE, BLUE]),
-        ("faceVarying", [RED] * 4 + [BLUE] * 4, [RED, MIDDLE, BLUE, RED, MIDDLE, BLUE]),
+        ("uniform", [RED, BLUE], BY_FACE),
+        ("faceVarying", [RED] * 4 + [BLUE] * 4, BY_FACE),
         ("vertex", [RED, BLUE], None),
         ("constant", [], None),
         ("vertex", [(np.nan, 0, 0)] * 6, None),
@@ -75,7 +76,7 @@ def test_display_colours_of_every_interpolation(quads, interpolation, values, ex
     if indexed:
         primvar.SetIndices(Vt.IntArray(range(len(values))))
     found = colours_of(quads)
-    assert (found is None) if expected is None else found.tolist() == [list(each) for each in expected]
+    assert (found is None) if expected is None else np.array_equal(found, expected)
 
 
 def test_a_materials_base_colour_goes_before_the_display_colour_and_a_subsets_before_the_meshs(quads):
@@ -83,14 +84,14 @@ def test_a_materials_base_colour_goes_before_the_display_colour_and_a_subsets_be
     mesh.CreateDisplayColorPrimvar("constant").Set([(0, 1, 0)])
     whole, _ = material(quads, "whole", diffuseColor=RED)
     UsdShade.MaterialBindingAPI.Apply(mesh.GetPrim()).Bind(whole)
-    assert colours_of(quads).tolist() == [list(RED)] * 6
+    assert np.array_equal(colours_of(quads), [RED] * 6)
     part, surface = material(quads, "part", "mtlx", base_color=RED)
     tint = part.CreateInput("tint", Sdf.ValueTypeNames.Color3f)
     tint.Set(BLUE)
     surface.GetInput("base_color").ConnectToSource(tint)
     subset = UsdShade.MaterialBindingAPI(mesh.GetPrim()).CreateMaterialBindSubset("part", Vt.IntArray([1]))
     UsdShade.MaterialBindingAPI.Apply(subset.GetPrim()).Bind(part)
-    assert colours_of(quads).tolist() == [list(each) for each in (RED, MIDDLE, BLUE, RED, MIDDLE, BLUE)]
+    assert np.array_equal(colours_of(quads), BY_FACE)
     other, _ = material(quads, "other", somethingElse=RED)
     UsdShade.MaterialBindingAPI(mesh.GetPrim()).Bind(other)
     subset.GetIndicesAttr().Set([])
@@ -119,7 +120,7 @@ def textured(tmp_path):
 
 def test_a_small_texture_is_read_at_the_points(textured, tmp_path):
     stage, surface, texture = textured
-    assert colours_of(stage).tolist() == [list(each) for each in HALVES]
+    assert np.array_equal(colours_of(stage), HALVES)
     Image.new("RGBA", (5000, 500), (0, 255, 0, 9)).save(tmp_path / "card.png")
     texture.GetInput("file").Set("./card.png")
     opacity = surface.CreateInput("opacity", Sdf.ValueTypeNames.Float)
@@ -129,6 +130,37 @@ def test_a_small_texture_is_read_at_the_points(textured, tmp_path):
         assert [image.shape for image in seen.images] == [(102, 1024, 4)], "scaled down to what a page has room for"
         assert seen.images[0][0, 0].tolist() == [0, 255, 0, alpha], "what opacity cuts out"
         assert seen.uv.tolist() == [list(UV[point]) for point in INDICES]
+
+
+def test_of_a_texture_in_tiles_a_face_has_the_one_that_its_middle_lies_on(textured, tmp_path):
+    stage, _, texture = textured
+    for tile, colour in ((1002, RED), (1011, BLUE)):
+        Image.new("RGB", (1, 1), tuple(int(255 * part) for part in colour)).save(tmp_path / f"skin.{tile}.png")
+    texture.GetInput("file").Set("./skin.<UDIM>.png")
+    primvar = UsdGeom.PrimvarsAPI(stage.GetPrimAtPath("/Mesh")).GetPrimvar("uv")
+    primvar.SetInterpolation("faceVarying")
+    primvar.Set([(1, 0), (2, 0), (2, 1), (1, 1), (0, 1), (1, 1), (1, 2), (0, 2)])
+    colours, seen = looks_of(stage)
+    assert np.array_equal(colours, BY_FACE)
+    assert seen.image.tolist() == [0, 1]
+    (tmp_path / "skin.1002.png").unlink()
+    assert looks_of(stage)[1].image.tolist() == [-1, 0], "a tile without a file has no image"
+
+
+def test_a_transform_of_texture_coordinates_scales_turns_and_moves_them(textured):
+    stage, _, texture = textured
+    place = UsdShade.Shader.Define(stage, "/skin/place")
+    for name, kind, value in (
+        ("scale", "Float2", (2, 3)),
+        ("rotation", "Float", 90),
+        ("translation", "Float2", (4, 5)),
+    ):
+        place.CreateInput(name, getattr(Sdf.ValueTypeNames, kind)).Set(value)
+    reader = UsdShade.Shader.Get(stage, "/skin/reader")
+    place.CreateInput("in", Sdf.ValueTypeNames.Float2).ConnectToSource(reader.ConnectableAPI(), "result")
+    texture.GetInput("st").ConnectToSource(place.ConnectableAPI(), "result")
+    u, v = np.transpose([UV[point] for point in INDICES])
+    assert np.allclose(looks_of(stage)[1].uv, np.transpose([4 - 3 * v, 5 + 2 * u]))
 
 
 @pytest.mark.parametrize(
