@@ -39,37 +39,6 @@ def test_of_several_characters_each_stage_says_whose_it_is(character, capsys):
         assert whose == [["/A/Char", "face"], ["/B/Char", "face"]], command
 
 
-def test_it_says_what_is_not_on_the_face_and_verbosely_where_every_control_stands(character, capsys):
-    character.with_suffix(".rigui.toml").write_text(
-        '[controls.chin]\nplace = "board"\n[groups.groups]\ncorner = ["brow_L", "blink_L"]\n'
-    )
-    report = character.with_name("report.json")
-    assert main(["process", str(character), "--report", str(report)]) == 0
-    brief = capsys.readouterr().out
-    (found,) = json.loads(report.read_text())["characters"]
-    assert "board: chin: its place on the board is decided" in brief
-    assert all(
-        row["control"] not in brief
-        for row in found["controls"]
-        if row["place"] == "face" and row["displacement_kept"] > 0.9
-    )
-    assert main(["process", str(character), "--verbose"]) == 0
-    table = capsys.readouterr().out
-    rows = {line.split()[0]: line for line in table.splitlines() if line.split()}
-    for each in found["elements"]:
-        if not each["on_board"]:
-            place = f"{each['mesh']}#{each['point']}"
-            assert all(place in rows[control].split() for control in each["controls"])
-    assert [each["on_board"] for each in found["elements"] if each["name"] == "corner"] == [False]
-    assert table.count("grouped by the configuration") == 1
-    for step in found["solution"]["steps"]:
-        line = next(each for each in table.splitlines() if each.startswith(f"  {step['name']}: "))
-        assert f"labels {step['figures']['labels']:.0f}" in line
-        assert line not in brief
-    told = f"proven within {max(100.0 * found['solution']['gap'], 1e-4):.2g} %"
-    assert all(told in printed.splitlines()[-1] for printed in (brief, table))
-
-
 def test_again_gives_the_same_bytes_and_says_unchanged(character, capsys):
     layer = character.with_name("char.rigui.usda")
     main(["process", str(character)])
