@@ -31,16 +31,20 @@ def with_levels(elements: Sequence[Element]) -> Iterator[tuple[Element, bool]]:
 
 
 def states(elements: Sequence[Element]) -> Mapping[str, frozenset[int]]:
+    """`states_of` elements."""
+    mirrors = {each.name: each.mirror for each in elements}
+    return states_of(mirrors, _members(elements), mirrors)
+
+
+def states_of(
+    names: Iterable[str], members: Mapping[str, tuple[str, ...]], mirrors: Mapping[str, str]
+) -> Mapping[str, frozenset[int]]:
     """By name, the states in which an element is visible: 0 with nothing opened, k with the k-th
-    coarse one opened."""
-    members = _members(elements)
-    opened = [frozenset[str]()]
-    opened += [_opened([element], members) for element in elements if element.inner]
+    coarse one opened; `members` are those of each coarse one, `mirrors` what opens with it."""
+    opened = [opened_with(each, mirrors.get(each, ""), members) for each in ("", *members)]
     return {
-        element.name: frozenset(
-            state for state, names in enumerate(opened) if is_visible(element.name, members, names)
-        )
-        for element in elements
+        name: frozenset(k for k, some in enumerate(opened) if is_visible(name, members, some))
+        for name in names
     }
 
 

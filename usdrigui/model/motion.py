@@ -50,8 +50,8 @@ class Trajectories(Record):
     motions: tuple[Motion, ...]
     """One per control that moves something; others are left off."""
     excluded: tuple[Motion, ...]
-    """Motions of `Rig.excluded`, which their `control` counts: part of the yardstick for
-    whole-face controls."""
+    """Motions of `Rig.excluded`, whose `control` counts on behind `Rig.controls`: part of the
+    yardstick for whole-face controls."""
     typical_length: float
     """Median over local controls of the largest arc length (design: l0), the unit of
     displacement."""

@@ -386,11 +386,6 @@ def _lay_out(
 def _account(character: Character, laid: Sequence[LaidPart], layout: Layout) -> CharacterReport:
     parts, rig, references = [each.inputs for each in laid], character.rig, character.references
     existing, previous = references.existing, references.earlier
-    peaks = {
-        rig.control_names[each.control]: float(each.arc_length.max())
-        for inputs in parts
-        for each in inputs.face.trajectories.motions
-    }
     twins = {control: twin for inputs in parts for control, twin in inputs.twin_names.items()}
     explained_by = {
         control: others for inputs in parts for control, others in inputs.explained_by.items()
@@ -400,7 +395,6 @@ def _account(character: Character, laid: Sequence[LaidPart], layout: Layout) -> 
     told = [found for e in laid for found in shortfalls(e.inputs.measured, e.layout.elements)]
     if existing is not None and not added:
         told.append(issue("BASE_COMPLETE", layout.root, f"{kept} elements in it"))
-    notes = (note for each in parts for note in each.left_off if note.control in layout.controls)
     legible = (legibility_of(each.inputs.face, each.layout.elements) for each in laid)
     return CharacterReport(
         root=rig.path,
@@ -409,8 +403,7 @@ def _account(character: Character, laid: Sequence[LaidPart], layout: Layout) -> 
         assignment=joined_assignment(
             [each.assignment for each in laid], [inputs.part for inputs in parts]
         ),
-        rows=rows_of(rig, layout, peaks, twins, explained_by),
-        notes=tuple(dict.fromkeys(notes)),
+        rows=rows_of(rig, layout, twins, explained_by),
         issues=(
             *issues_of(parts),
             *of_character(rig.path_in_variants, tuple(dict.fromkeys(told))),

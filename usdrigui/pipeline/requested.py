@@ -41,7 +41,6 @@ from usdrigui.pipeline.records import CharacterPart
 from usdrigui.pipeline.reference_layouts import (
     OwnReferences,
     ReferenceLayouts,
-    check_like,
     imitated,
 )
 from usdrigui.settings import Settings, TrajectorySettings
@@ -52,10 +51,10 @@ def own_references(
 ) -> OwnReferences:
     """The references of one character, their controls matched with those that it has now.
 
-    Raises CONFIG_UNKNOWN_CONTROL for names of `like` that nobody bears and of a fixed layout that
-    are gone, FIXED_IMPOSSIBLE where that was made for other points, CONFIG_VALUE when the fixed
-    layer has no such character, or none of several characters to imitate has the path of this one,
-    PREVIOUS_MISMATCH for a layout without any of its controls.
+    Raises CONFIG_UNKNOWN_CONTROL for names of a fixed layout that are gone, FIXED_IMPOSSIBLE where
+    that was made for other points, CONFIG_VALUE when the fixed layer has no such character, or none
+    of several characters to imitate has the path of this one, PREVIOUS_MISMATCH for a layout
+    without any of its controls.
     """
     root, names = rig.path, settings.like.names
     if references.fixed and root not in references.fixed:
@@ -70,7 +69,7 @@ def own_references(
                 what = f"shares no control with its {which} layout"
                 raise refuse("PREVIOUS_MISMATCH", root, what)
             here[which] = with_names(then[which], matchings[which].renamed)
-    like = _to_imitate(references.like, rig, names, settings.trajectories)
+    like = _to_imitate(references.like, rig, settings.trajectories)
     if like is not None:
         matchings["like"] = match_rigs(like[:2], (rig, trajectories), names)
     return OwnReferences(
@@ -195,13 +194,9 @@ def _prior(
 
 
 def _to_imitate(
-    like: tuple[tuple[Rig, Layout], ...],
-    rig: Rig,
-    names: Mapping[str, str],
-    sampling: TrajectorySettings,
+    like: tuple[tuple[Rig, Layout], ...], rig: Rig, sampling: TrajectorySettings
 ) -> tuple[Rig, Trajectories, Layout] | None:
     if not like:
         return None
-    check_like(like, rig, names)
     other, layout = imitated(like, rig.path)
     return other, find_trajectories(other, sampling), layout

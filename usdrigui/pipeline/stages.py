@@ -80,7 +80,7 @@ def character_of(
         if again or (up == rig.up).all():
             break
         rig = replace(rig, up=up)
-        every = range(len(rig.controls)), range(len(rig.excluded))
+        every = range(len(rig.controls) + len(rig.excluded))
         found = of_controls(rig, found, every, settings.trajectories)
     own = own_references(references or ReferenceLayouts(), rig, found, settings)
     if own.existing is not None:
@@ -99,7 +99,7 @@ def _parts(
     for part in divided:
         own, symmetry = found, whole
         if len(divided) > 1:
-            own = of_controls(rig, found, (part.controls, part.excluded), sampling)
+            own = of_controls(rig, found, part.controls, sampling)
             if part.name == FACE:
                 symmetry = with_left_of(whole.plane, symmetry_at_pose(rig, own, neutral, settings))
         if part.name in OF_SIDES:

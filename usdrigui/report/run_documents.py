@@ -79,7 +79,6 @@ def _character(character: CharacterReport) -> dict[str, Any]:
         "elements": [
             _element(element, element.name not in character.added) for element in layout.elements
         ],
-        "notes": character.notes,
         "handle_width": layout.frame.handle_width,
         "symmetry_plane": {
             "origin": layout.frame.plane.origin,

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
-from usdrigui.character import Floats, LeftOff, Record, Rig
+from usdrigui.character import Floats, Record, Rig
 from usdrigui.errors import Issue
 from usdrigui.model import Assignment, Layout, Legibility
 from usdrigui.model.levels import outer_first
@@ -70,8 +70,6 @@ class CharacterReport(Record):
     """One per control of the source, in its order; the left-off ones last."""
     issues: tuple[Issue, ...]
     """Findings about the rig and its controls."""
-    notes: tuple[LeftOff, ...] = ()
-    """Remarks of the stages on controls that are laid out all the same (tiny, duplicate...)."""
     difference: Any = None
     """`usdrigui.layout.review.difference.Difference` from the previous layout, where one was
     given."""
@@ -146,14 +144,13 @@ class Report(Record):
 def rows_of(
     rig: Rig,
     layout: Layout,
-    peaks: Mapping[str, float],
     twins: Mapping[str, str],
     explained_by: Mapping[str, Mapping[str, float]],
 ) -> tuple[ControlRow, ...]:
-    """Account for every control: `peaks` are the largest arc lengths, `explained_by` the controls
-    that do together what one does, by control name."""
+    """Account for every control: `twins` and `explained_by`, the controls that do together what one
+    does, are by control name."""
     carried = {
-        member.control: (element, member.arc_length)
+        member.control: (element, member.arc_length / (member.peak or member.arc_length))
         for element in reversed(outer_first(layout.elements))  # the first level counts
         for member in element.members
     }
@@ -163,11 +160,10 @@ def rows_of(
         place: Place = "left off"
         element_name, part, kept, reason = "", "", math.nan, reasons.pop(control.name, "")
         if control.name in carried:
-            element, length = carried[control.name]
+            element, share = carried[control.name]
             place = "board" if element.anchor.on_board else "face"
             element_name, part, reason = element.name, element.part, element.reason
-            if place == "face":
-                kept = length / max(peaks.get(control.name, length), 1e-300)
+            kept = share if place == "face" else kept
         twin = twins.get(control.name, "")
         others = explained_by.get(control.name, {})
         rows.append(

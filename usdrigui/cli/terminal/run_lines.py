@@ -122,8 +122,6 @@ def _character(character: CharacterReport, verbose: bool) -> Iterator[Printed]:
         yield from _away(placed)
     if inner := inner_names(elements):
         yield f"  behind the elements that open them: {listed(sorted(inner))}"
-    for note in character.notes:
-        yield f"  note: {note.control}: {note.reason}"
     yield from _proof_lines(character, placed)
     for step in character.assignment.steps if verbose else ():
         yield f"  {step.name}: {_figures(step.figures)}"

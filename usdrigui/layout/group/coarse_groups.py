@@ -17,6 +17,7 @@ from usdrigui.errors import Faults, check_known, refuse
 from usdrigui.layout.names import element_name
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import Group
+from usdrigui.model.levels import states_of
 from usdrigui.settings import LevelSettings
 
 Inner = dict[str, set[str]]
@@ -166,15 +167,8 @@ def _check(inner: Inner, configured: Inner) -> None:
 def _with_states(groups: Iterable[Group], inner: Inner) -> Iterator[Group]:
     """The groups with their members and the states in which they are visible: none opened, each
     one."""
-    coarse = sorted(name for name, members in inner.items() if members)
-    holders: dict[str, set[int]] = {}
-    for state, name in enumerate(coarse, start=1):
-        for member in inner[name]:
-            holders.setdefault(member, set()).add(state)
-    every = frozenset(range(len(coarse) + 1))
-    for group in groups:
-        members = tuple(sorted(inner.get(group.name, ())))
-        own = every - {coarse.index(group.name) + 1} if members else every
-        if group.part and group.name not in holders:
-            continue
-        yield replace(group, inner=members, states=frozenset(holders.get(group.name, own)))
+    members = {name: tuple(sorted(inner[name])) for name in sorted(inner) if inner[name]}
+    held = frozenset(chain.from_iterable(members.values()))
+    kept = {group.name: group for group in groups if not group.part or group.name in held}
+    for name, states in states_of(kept, members, {}).items():
+        yield replace(kept[name], inner=members.get(name, ()), states=states)

@@ -126,17 +126,16 @@ def _beyond_drift(motion: Motion, count: int) -> Motion:
 def of_controls(
     rig: Rig,
     found: Trajectories,
-    chosen: tuple[Collection[int], Collection[int]],
+    chosen: Collection[int],
     settings: TrajectorySettings,
 ) -> Trajectories:
     """The trajectories of some controls alone, which then define how large the face is and what a
     typical control does.
 
-    `chosen` are indices into `Rig.controls` and into `Rig.excluded`.
+    `chosen` are indices into `Rig.controls`, and behind these into `Rig.excluded`.
     """
-    controls, excluded = chosen
-    motions = tuple(motion for motion in found.motions if motion.control in controls)
-    left_out = tuple(motion for motion in found.excluded if motion.control in excluded)
+    motions = tuple(motion for motion in found.motions if motion.control in chosen)
+    left_out = tuple(motion for motion in found.excluded if motion.control in chosen)
     surface = found.surface
     face_size, typical_length = _scale(rig, surface.points, surface.areas, motions, left_out)
     return replace(
@@ -171,7 +170,11 @@ def _excluded(
         _motion(alone, skin, start, i, control.default, settings)
         for i, control in enumerate(rig.excluded)
     )
-    return tuple(motion for motion in found if motion.arc_length.max(initial=0.0) > _EMPTY * size)
+    return tuple(
+        replace(motion, control=len(rig.controls) + motion.control)
+        for motion in found
+        if motion.arc_length.max(initial=0.0) > _EMPTY * size
+    )
 
 
 def _motion(

@@ -53,9 +53,8 @@ class Part(Record):
     """``face``, ``interior`` (of the mouth), ``eyes``, ``head``, ``hands``, ``feet``, ``body``, or
     as the configuration calls it."""
     controls: frozenset[int]
-    """Indices of its controls."""
-    excluded: frozenset[int] = frozenset()
-    """Indices into `Rig.excluded`: controls that count for how large the part is."""
+    """Indices of its controls, and behind these into `Rig.excluded`: of those that count for how
+    large the part is."""
 
 
 def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...]:
@@ -92,10 +91,10 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     }
     names = _together(names, _bound(settings, index))
     known = sorted(set(names.values()), key=_rank)
-    left_out = {each.control: tell(rig.excluded[each.control], each) for each in found.excluded}
-    main = main_part(known)
-    left_out = {control: name if name in known else main for control, name in left_out.items()}
-    return tuple(Part(name, _named(names, name), _named(left_out, name)) for name in known)
+    for each in found.excluded:
+        name = tell(rig.excluded[each.control - len(rig.controls)], each)
+        names[each.control] = name if name in known else main_part(known)
+    return tuple(Part(name, _named(names, name)) for name in known)
 
 
 def _with_neighbours(controls: tuple[Control, ...], names: Mapping[int, str]) -> dict[int, str]:

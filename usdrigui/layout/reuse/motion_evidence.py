@@ -103,7 +103,7 @@ def over_faces(compared: Sequence[Kind], landmarks: Mapping[str, str]) -> Floats
 def _of_kind(character: tuple[Rig, Trajectories], jointed: bool) -> tuple[Rig, Trajectories]:
     rig, found = character
     own = [i for i, each in enumerate(rig.controls) if (each.kind == "joint") == jointed]
-    return rig, of_controls(rig, found, (own, ()), TrajectorySettings())
+    return rig, of_controls(rig, found, own, TrajectorySettings())
 
 
 def _over(kind: Kind, landmarks: Mapping[str, str]) -> Agreement:

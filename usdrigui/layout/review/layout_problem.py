@@ -19,7 +19,7 @@ from usdrigui.model import (
     Group,
     LayoutProblem,
 )
-from usdrigui.model.levels import inner_names, states
+from usdrigui.model.levels import inner_names, states, with_levels
 from usdrigui.overlap import total_cost
 
 
@@ -108,7 +108,8 @@ def _as_groups(
     controls: tuple[Control, ...], elements: tuple[Element, ...], sound: tuple[Element, ...]
 ) -> tuple[Group, ...]:
     index = {control.name: number for number, control in enumerate(controls)}
-    seen, parts = states(elements), _parts(elements)
+    seen, inner = states(elements), inner_names(elements)
+    parts = {each.name for each, again in with_levels(elements) if again and each.name in inner}
     owned = {each.name: tuple(index[member.control] for member in each.members) for each in sound}
     return tuple(
         Group(
@@ -124,15 +125,6 @@ def _as_groups(
         )
         for element in sound
     )
-
-
-def _parts(elements: tuple[Element, ...]) -> frozenset[str]:
-    """Names of the elements all of whose controls a coarse element holds too."""
-    inner = inner_names(elements)
-    outer = {
-        m.control for element in elements if element.name not in inner for m in element.members
-    }
-    return frozenset(e.name for e in elements if e.name in inner and outer >= e.controls)
 
 
 def _with_points(

@@ -67,7 +67,7 @@ def symmetry_at_pose(
     missed = _missed(mirror[1], found.motions)
     if neutral is not None and (missed or neutral.preferred):
         rig_there = replace(neutral.rig, up=rig.up)
-        chosen = {each.control for each in found.motions}, {each.control for each in found.excluded}
+        chosen = {each.control for each in (*found.motions, *found.excluded)}
         there = of_controls(rig_there, neutral.trajectories, chosen, neutral.sampling)
         other = mirrored(rig_there, there, settings)
         if other[0].normal.any() and (
