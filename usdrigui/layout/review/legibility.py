@@ -95,7 +95,7 @@ def _obstacles(shown: list[Element], axes: Floats) -> Iterator[tuple[int, str]]:
     )[..., 0]
     for one, other in _pairs(crossing, of_piece, of_piece):
         yield one, f"its track crosses that of {names[other]}"
-    for one, other in _running_along(tracks, (starts, ends, of_track)):
+    for one, other in _running_along(starts, ends, of_track):
         if owner[one] != owner[other]:
             yield int(owner[one]), f"its track runs along that of {names[owner[other]]}"
 
@@ -114,11 +114,9 @@ def _pairs(meets: Flags, rows: Indices, columns: Indices) -> list[tuple[int, int
     return sorted((one, other) for one, other in pairs if one != other)
 
 
-def _running_along(
-    tracks: list[Floats], pieces: tuple[Floats, Floats, Indices]
-) -> list[tuple[int, int]]:
-    """Pairs of tracks of which more than a third of the first runs along the second."""
-    starts, ends, of_track = pieces
+def _running_along(starts: Floats, ends: Floats, of_track: Indices) -> list[tuple[int, int]]:
+    """Pairs of tracks of which more than a third of the first runs along the second; of their
+    pieces."""
     steps = ends - starts
     lengths = np.linalg.norm(steps, axis=1)
     counts = np.maximum(np.ceil(lengths).astype(np.int64), 1)
@@ -127,14 +125,12 @@ def _running_along(
     points = starts[piece] + share[:, None] * steps[piece]
     alike = np.abs(steps @ steps.T) >= SAME_WAY * np.outer(lengths, lengths)
     of_point = of_track[piece]
-    many = np.bincount(of_point, minlength=len(tracks))
+    many = np.bincount(of_point)
     found = []
-    for other, track in enumerate(tracks):
+    for other in range(len(many)):
         mine = of_track == other
-        low, high = track.min(axis=0) - _ALONG, track.max(axis=0) + _ALONG
-        near = np.flatnonzero(((points > low) & (points < high)).all(axis=1))
-        gaps = segment_distances(points[near].T[None], starts[mine, :, None], ends[mine, :, None])
-        beside = (gaps < _ALONG) & alike[mine][:, piece[near]]
-        along = np.bincount(of_point[near[beside.any(axis=0)]], minlength=len(tracks))
+        gaps = segment_distances(points.T[None], starts[mine, :, None], ends[mine, :, None])
+        beside = (gaps < _ALONG) & alike[mine][:, piece]
+        along = np.bincount(of_point[beside.any(axis=0)], minlength=len(many))
         found += [(one, other) for one in np.flatnonzero(along > _ALONG_SHARE * many).tolist()]
     return found
