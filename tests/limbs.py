@@ -227,4 +227,4 @@ def _sizes(names, owners):
 
 def with_default_controls(rig):
     """The rig with the controls that its joints have by default."""
-    return replace(rig, controls=tuple(as_control(draft) for draft in default_joint_drafts(rig.body, None, (), {})))
+    return replace(rig, controls=tuple(map(as_control, default_joint_drafts(rig.body, None, (), {}))))

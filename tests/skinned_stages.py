@@ -6,7 +6,7 @@ from pathlib import Path
 
 import makers
 import numpy as np
-from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel, Vt
+from pxr import Gf, Usd, UsdGeom, UsdSkel, Vt
 
 from usdrigui.reading.character import read_rigs
 from usdrigui.settings import Settings
@@ -27,7 +27,7 @@ def character(
     skinned: bool = True,
     left_handed: bool = False,
     reordered: bool = False,
-    moved: bool = False,
+    moved: float = 0,
     meshes: int = 1,
     animated_joints: tuple[str, ...] = (),
     hinged: bool = False,
@@ -36,9 +36,9 @@ def character(
     """A mask of a face with dense, sparse, in-between and signed shapes on a skeleton of four joints.
 
     `reordered` gives meshes and animation joint orders of their own; `moved` puts transforms, a
-    geomBindTransform and a rest pose unlike the bind pose everywhere; the second mesh, if any, shares
-    tokens with the first; `hinged` skins every point to head and jaw alone;
-    `rigid` gives all points the influences of the first.
+    geomBindTransform and a rest pose unlike the bind pose everywhere, and makes the rest pose so
+    many times as large; the second mesh, if any, shares tokens with the first; `hinged` skins every
+    point to head and jaw alone; `rigid` gives all points the influences of the first.
     """
     stage = Usd.Stage.CreateNew(str(path))
     UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.y)
@@ -78,7 +78,7 @@ def keyed(stage: Usd.Stage, rows: dict[float, dict[str, float]]) -> None:
         animation.GetBlendShapeWeightsAttr().Set(weights, time)
 
 
-def _skeleton(stage: Usd.Stage, moved: bool) -> UsdSkel.Skeleton:
+def _skeleton(stage: Usd.Stage, moved: float) -> UsdSkel.Skeleton:
     skeleton = UsdSkel.Skeleton.Define(stage, "/World/Char/Skel")
     local = [Gf.Matrix4d().SetTranslate(_PLACES[joint]) for joint in JOINTS]
     bind = []
@@ -88,6 +88,7 @@ def _skeleton(stage: Usd.Stage, moved: bool) -> UsdSkel.Skeleton:
     if moved:
         UsdGeom.XformCommonAPI(skeleton).SetRotate((10, 20, 30))
         UsdGeom.XformCommonAPI(skeleton).SetTranslate((0.5, 0, 0.25))
+        local[0] = Gf.Matrix4d().SetScale(moved) * local[0]
         local[2] = Gf.Matrix4d().SetRotate(Gf.Rotation((1, 0, 0), 12)) * local[2]
     skeleton.CreateJointsAttr(JOINTS)
     skeleton.CreateBindTransformsAttr(bind)
@@ -110,10 +111,7 @@ def _animation(stage: Usd.Stage, skeleton: UsdSkel.Skeleton, reordered: bool, an
         for joint in joints:
             turn = 25.0 * np.sin(time / 3.0) if joint in animated and time > 1.0 else 0.0
             local.append(Gf.Matrix4d().SetRotate(Gf.Rotation((1, 0.3, 0), float(turn))) * rest[joint])
-        translations, rotations, scales = UsdSkel.DecomposeTransforms(Vt.Matrix4dArray(local))
-        animation.CreateTranslationsAttr().Set(translations, time)
-        animation.CreateRotationsAttr().Set(rotations, time)
-        animation.CreateScalesAttr().Set(scales, time)
+        animation.SetTransforms(Vt.Matrix4dArray(local), time)
     return tokens
 
 
@@ -121,11 +119,10 @@ def _mesh(stage, path, index, tokens, rng, method, skinned, left_handed, reorder
     points, quads = makers.mask(9, 11)
     shapes = makers.face_shapes(points)
     mesh = UsdGeom.Mesh.Define(stage, path)
-    counts = [4] * len(quads)
     order = [quad[::-1] if left_handed else quad for quad in quads]
     # Each lies behind the one before, which it would hide otherwise.
     mesh.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(points.astype(np.float32) - np.float32([0, 0, 0.1 * index])))
-    mesh.CreateFaceVertexCountsAttr(counts)
+    mesh.CreateFaceVertexCountsAttr([4] * len(quads))
     mesh.CreateFaceVertexIndicesAttr([point for quad in order for point in quad])
     mesh.CreateSubdivisionSchemeAttr("none")
     if left_handed:
@@ -136,18 +133,18 @@ def _mesh(stage, path, index, tokens, rng, method, skinned, left_handed, reorder
     binding = UsdSkel.BindingAPI.Apply(mesh.GetPrim())
     binding.CreateSkeletonRel().SetTargets(["/World/Char/Skel"])
     if skinned:
-        _influences(mesh, binding, rng, len(points), method, reordered, moved, hinged, rigid)
+        _influences(binding, rng, len(points), method, reordered, moved, hinged, rigid)
     _shapes(stage, path, binding, tokens if index == 0 else tokens[::2], shapes, points)
 
 
-def _influences(mesh, binding, rng, count, method, reordered, moved, hinged, rigid):
+def _influences(binding, rng, count, method, reordered, moved, hinged, rigid):
     joints = list(JOINTS[::-1] if reordered else JOINTS)
     if reordered:
         binding.CreateJointsAttr(joints)
     weights = rng.dirichlet(np.ones(3), size=count).astype(np.float32)
     order = np.argsort(rng.random((count, 4)), axis=1)[:, :3].astype(np.int32)
     if hinged:
-        order[:] = [joints.index("Hips/Head"), joints.index("Hips/Head/Jaw"), joints.index("Hips/Head")]
+        order[:] = [joints.index(JOINTS[i]) for i in (1, 2, 1)]
     if rigid:
         order, weights = order[:1], weights[:1]
     binding.CreateJointIndicesPrimvar(rigid, 3).Set(Vt.IntArray.FromNumpy(order.ravel()))
@@ -157,10 +154,7 @@ def _influences(mesh, binding, rng, count, method, reordered, moved, hinged, rig
         if moved
         else Gf.Matrix4d(1)
     )
-    attribute = mesh.GetPrim().CreateAttribute(
-        "primvars:skel:skinningMethod", Sdf.ValueTypeNames.Token, custom=False, variability=Sdf.VariabilityUniform
-    )
-    attribute.Set(method)
+    binding.CreateSkinningMethodAttr(method)
 
 
 def _shapes(stage, path, binding, tokens, shapes, points):

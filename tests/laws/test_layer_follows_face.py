@@ -22,7 +22,7 @@ KINDS = {
     "without skin": {"skinned": False},
     "left-handed": {"left_handed": True},
     "joints in another order": {"reordered": True},
-    "transforms everywhere": {"moved": True},
+    "transforms everywhere": {"moved": 100},
     "without skin, transforms": {"moved": True, "skinned": False},
     "two meshes, dual quaternion, all at once": {
         "method": "dualQuaternion",

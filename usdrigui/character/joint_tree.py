@@ -85,7 +85,7 @@ def _skin_radius(places: Floats, meshes: Sequence[RigMesh]) -> Floats:
     found = np.full(len(places), -1.0)
     for joint, points, weights in _bound_skin(meshes):
         apart = np.linalg.norm(points[weights > OWNS] - places[joint], axis=1)
-        found[joint] = max(found[joint], float(apart.max(initial=-1.0)))
+        found[joint] = apart.max(initial=found[joint])
     return found
 
 
@@ -173,19 +173,17 @@ class Tree(Record):
     def skin(self) -> tuple[tuple[Floats, Floats], ...]:
         """Of each joint the points (p, 3) on which it acts, bound, and its weights (p,); what a
         stand-in holds is of the joint above."""
-        parts: list[list[tuple[Floats, Floats]]] = [[] for _ in self.joints]
+        none = np.zeros((0, 3)), np.zeros(0)
+        parts = [[none] for _ in self.joints]
         for owner, points, weights in _bound_skin(self.meshes):
             parts[owner].append((points, weights))
-        for joint, parent in self._stand_ins(frozenset(i for i, each in enumerate(parts) if each)):
+        for joint, parent in self._stand_ins(
+            frozenset(i for i, each in enumerate(parts) if len(each) > 1)
+        ):
             parts[parent] += parts[joint]
-            parts[joint] = []
-        empty = (np.zeros((0, 3)), np.zeros(0))
+            parts[joint] = [none]
         return tuple(
-            (
-                (np.concatenate([p for p, _ in each]), np.concatenate([w for _, w in each]))
-                if each
-                else empty
-            )
+            (np.concatenate([p for p, _ in each]), np.concatenate([w for _, w in each]))
             for each in parts
         )
 
@@ -193,20 +191,23 @@ class Tree(Record):
         """Joints at the end of a chain that hold the skin of the joint above, which stands at the
         same place and holds none, and that one: exports have a joint to pose and one to deform."""
         ends = skinned - {joint.parent for joint in self.joints}
-        pairs = [(i, self.joints[i].parent) for i in sorted(ends)]
-        apart = {pair: np.linalg.norm(np.diff(self.places[list(pair)], axis=0)) for pair in pairs}
         return [
-            pair
-            for pair in pairs
-            if pair[1] >= 0 and pair[1] not in skinned and apart[pair] <= _SAME * self.size
+            (i, parent)
+            for i in sorted(ends)
+            if (parent := self.joints[i].parent) >= 0
+            and parent not in skinned
+            and np.linalg.norm(self.places[i] - self.places[parent]) <= _SAME * self.size
         ]
+
+    @cached_property
+    def most(self) -> Floats:
+        """(joints,) largest weight of each."""
+        return np.array([weights.max(initial=0.0) for _, weights in self.skin])
 
     @cached_property
     def owners(self) -> frozenset[int]:
         """The joints on which skin hangs."""
-        return frozenset(
-            i for i, (_, weights) in enumerate(self.skin) if weights.max(initial=0.0) > OWNS
-        )
+        return frozenset(np.flatnonzero(self.most > OWNS).tolist())
 
     @cached_property
     def depth(self) -> tuple[int, ...]:
@@ -241,10 +242,7 @@ class Tree(Record):
     @cached_property
     def cut_off(self) -> frozenset[int]:
         """The joints that with all below hold a trace of the skin."""
-        most = [float(weights.max(initial=0.0)) for _, weights in self.skin]
-        return frozenset(
-            i for i in self.owners if max(most[joint] for joint in self.below([i])) <= _TRACE
-        )
+        return frozenset(i for i in self.owners if self.most[[*self.below([i])]].max() <= _TRACE)
 
     def above(self, joint: int) -> Iterator[int]:
         """The joints from the parent up to the root."""
@@ -293,12 +291,14 @@ class Tree(Record):
 
     def chain(self, joint: int) -> tuple[int, ...]:
         """The joints with skin from `joint` down if they are one chain, with no more than single
-        joints beside it."""
+        joints beside it; several in the middle of a character are the ears and jaw at the end of
+        its neck."""
         found: list[int] = []
         while joint >= 0 and self.depth[joint]:
             found.append(joint)
             ahead = self.next(joint)
-            if any(self.depth[child] > 1 for child in self.children[joint] if child != ahead):
+            beside = [self.depth[child] for child in self.children[joint] if child != ahead]
+            if max(beside, default=0) > 1 or (sum(beside) > 1 and self.on_plane(joint)):
                 return ()
             joint = ahead
         return tuple(found)
@@ -365,15 +365,15 @@ def fans(tree: Tree) -> list[Fan]:
     joints."""
     found = []
     for joint in range(len(tree.joints)):
-        ahead = [child for child in tree.children[joint] if tree.depth[child] >= 2]
-        chains = [chain for child in ahead if (chain := tree.chain(child))]
+        children = tree.children[joint]
+        chains = [each for i in children if tree.depth[i] >= 2 and (each := tree.chain(i))]
         if len(chains) < FINGERS:
             continue
         directions = np.array([tree.direction(chain[-FINGERS:]) for chain in chains])
         middle = unit(np.median(directions, axis=0))
         cosines = directions @ middle
         if (cosines >= _PARALLEL).sum() >= FINGERS:
-            kept = [i for i in range(len(chains)) if cosines[i] > 0.0]
+            kept = np.flatnonzero(cosines > 0.0)
             found.append(Fan(joint, tuple(chains[i] for i in kept), directions[kept], middle))
     return found
 

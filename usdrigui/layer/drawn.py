@@ -109,24 +109,26 @@ def drawn_parts(skin: SkinBinding, element: Element, frame: LayoutFrame) -> tupl
     front = frame.view + np.clip(normal @ across, -_ASIDE, _ASIDE) * across
     view = _unit(view + _FRONT * front, view)
     binding = skin.at_anchor(element)
-    step = min(_EXACT_STEP * skin.size, _FINE_STEP * width)
-    felt = _felt(binding.shapes, min(_EXACT * skin.size, _FINE * width))
+    # Offsets are in the bind pose, of which the base pose may be many times as large.
+    narrow = width / (float(np.linalg.norm(binding.track.base[:3], 2)) or 1.0)
+    step, hair = min(_EXACT_STEP * skin.size, _FINE_STEP * narrow), _HAIR_STEP * narrow
+    felt = _felt(binding.shapes, min(_EXACT * skin.size, _FINE * narrow))
     binding, still = (
         replace(binding, shapes=tuple(_short(shape, step) for shape in felt)),
-        replace(binding, shapes=_felt(binding.shapes, _HAIR * width)),
+        replace(binding, shapes=_felt(binding.shapes, _HAIR * narrow)),
     )
     lift = _LIFT * width if element.glyph is None else 0.0
     (around, faces), fine, bound = _form(element, width, view), step, binding.track
     if binding.deforms:
         # It has every shape and influence of the anchor.
         bound, centre, shapes = binding.handle, binding.rest, binding.shapes
-        fine = _HAIR_STEP * width if lift else step
+        fine = hair if lift else step
     else:
         centre, shapes = _sliding(skin, binding, element, step)
     points = in_steps(centre + around @ bound.inverse, step)
     spread = tuple(_uniform(shape, len(around), fine) for shape in shapes)
     handle = Drawn("handle", points, faces, bound, spread, lift=lift)
-    return handle, _tracks(skin, still, element, width, step)
+    return handle, _tracks(skin, still, element, width, (step, hair))
 
 
 def _short(shape: PointShape, step: float) -> PointShape:
@@ -146,11 +148,16 @@ def _felt(shapes: tuple[PointShape, ...], budget: float) -> tuple[PointShape, ..
 
 
 def _tracks(
-    skin: SkinBinding, binding: AnchorBinding, element: Element, width: float, step: float
+    skin: SkinBinding,
+    binding: AnchorBinding,
+    element: Element,
+    width: float,
+    steps: tuple[float, float],
 ) -> Drawn:
     """A spike for each member, and polygons between those that are neighbours (paper section 4.1).
 
-    They are bound to what the element's own controls leave alone.
+    They are bound to what the element's own controls leave alone; `steps` are those of points and
+    of offsets.
     """
     members = [_bent(member, element.anchor.normal, width) for member in element.members]
     spikes = [
@@ -163,8 +170,8 @@ def _tracks(
     polygons = ((corners, Faces.alike(np.arange(len(corners))[None])) for _, corners in areas)
     positions, faces = together([*spikes, *polygons])
     values = _values_at(skin.values[controls_of(skin.rig, element)], members, areas)
-    shapes = _shapes_along(skin, binding, element, values, _HAIR_STEP * width)
-    points = in_steps(binding.track.unposed(positions) - _blended(skin, shapes), step)
+    shapes = _shapes_along(skin, binding, element, values, steps[1])
+    points = in_steps(binding.track.unposed(positions) - _blended(skin, shapes), steps[0])
     return Drawn("tracks", points, faces, binding.track, shapes, len(areas))
 
 
