@@ -183,7 +183,8 @@ def spread(centres: Floats, sizes: Floats) -> Floats:
     first, second = np.triu_indices(len(at), 1)
     least = 0.5 * (sizes[first] + sizes[second])
     for _ in range(_ROUNDS):
-        apart = at[second] - at[first]
+        # To a thousandth: which of two on one place goes left must not be said by a last bit.
+        apart = np.round(at[second] - at[first], 3)
         missing = least - np.abs(apart)
         over = np.flatnonzero((missing > 1e-6).all(axis=1))
         if not len(over):
@@ -201,7 +202,7 @@ def spread(centres: Floats, sizes: Floats) -> Floats:
 def _cleared(at: Floats, sizes: Floats) -> Floats:
     """(n, 2) the same, from above to below each moved down past those above that it overlaps
     still."""
-    order = np.lexsort((at[:, 0], at[:, 1]))
+    order = np.lexsort(np.round(at.T, 3))
     for k, index in enumerate(order):
         above = order[:k]
         least = 0.5 * (sizes[above] + sizes[index])

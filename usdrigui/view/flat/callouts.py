@@ -84,7 +84,7 @@ def called_out(
 
 def _columns(handles: Floats, names: Sequence[str]) -> tuple[list[int], list[int]]:
     """Indices of what is named on the left, and on the right, from above."""
-    across, heights = handles.T.tolist()
+    across, heights = np.round(handles.T, 3).tolist()
     centre = float(np.median(across)) if across else 0.0
     ordered = sorted(range(len(names)), key=lambda index: (across[index], names[index]))
     left = [index for index in ordered if across[index] < centre]
