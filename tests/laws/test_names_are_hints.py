@@ -23,7 +23,7 @@ from usdrigui.solve import solve
 
 RIGS = [SAMPLE, *map(Path, os.environ.get("RENAMED_RIGS", "").split())]
 DRAWS = int(os.environ.get("RENAMED_DRAWS", "1"))
-SETTINGS = load({"read": {"joints": "none"}, "solve": {"work_limit": 10_000_000}})
+SETTINGS = load({"read": {"joints": "none"}, "solve": {"work_limit": 20_000_000}})
 QUICK = (namings.prefixed, namings.permuted)
 WAYS = [
     pytest.param(way, id=way.__name__, marks=() if way in QUICK else pytest.mark.slow)
