@@ -57,7 +57,8 @@ def test_a_session_goes_as_it_is_kept(name, folder, monkeypatch, capsys):
     said = {each.name: figured(each) for each in written if each.suffix in (".usda", ".json", ".svg")}
     said["printed"] = {line: found for line, found in numbers.items() if found}
     assert figures.other_than_kept(f"session_{name}", said) == {}
-    pictures = [each for each in written if each.suffix == ".png" and each.name != "paths.png"]  # of this very run
+    # A sheet with what was refused shows paths of this very run.
+    pictures = [each for each in written if each.suffix == ".png" and each.name != "paths.png"]
     assert [each.name for each in pictures if not as_kept(each, SESSIONS / name)] == []
 
 

@@ -183,7 +183,8 @@ def spread(centres: Floats, sizes: Floats) -> Floats:
     first, second = np.triu_indices(len(at), 1)
     least = 0.5 * (sizes[first] + sizes[second])
     for _ in range(_ROUNDS):
-        # To a thousandth: which of two on one place goes left must not be said by a last bit.
+        # To a thousandth, as places are in single precision: which of two on one goes left must
+        # not be said by a last bit.
         apart = np.round(at[second] - at[first], 3)
         missing = least - np.abs(apart)
         over = np.flatnonzero((missing > 1e-6).all(axis=1))
