@@ -150,10 +150,7 @@ def _review(found: LayerReview) -> Iterator[Printed]:
             for name, (least, usual, most) in review.posing.items()
         )
         if review.posing:
-            yield (
-                "  a model, which makes lists too slow, predicts for the faces of the study:"
-                f" {', '.join(times)}"
-            )
+            yield f"  a model predicts for the faces of the study: {', '.join(times)}"
         yield _review_table(review.elements)
         yield ("  displacement: at the handle, as a share of the control's peak; w: handle widths")
     yield from issue_lines(found.issues)

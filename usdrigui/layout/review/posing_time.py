@@ -1,8 +1,10 @@
 """A model of the seconds that a person takes for the faces of the study, by interface.
 
 Nothing here is measured, and no constant is fitted: they are printed ones, each with the range that
-its source gives.  Every control of a target face is thought of, found, pointed at, taken, dragged
-and let go, once and without a slip, as in the keystroke-level model (Card, Moran and Newell 1980).
+its source gives.  Every control of a target face is found, pointed at, taken, dragged and let go,
+once and without a slip, as in the keystroke-level model (Card, Moran and Newell 1980).  It takes
+three thoughts, each with a look at the target, which stands beside the face in every interface:
+which control, how far, and whether it is right.
 
 * ``list``: names are read one after another, a look each, half of them on average; rows out of
   sight are paged to.  The eye goes from the face to the list and back.
@@ -26,7 +28,10 @@ _CONTROLS = 30
 """To be set in the study's faces of one interface: 1, 2, 6, 8 and 13."""
 _SECONDS = np.array(
     [
-        (0.8, 1.4, 1.55),  # a thought, M, and a button down and up, BB: Kieras 2001
+        # Thoughts, M, of .6, 1.2 and 1.35, three of them with a look each, and a button down and
+        # up, BB, of .2: Kieras 2001, who puts one M to begin, one to think of a parameter, one to
+        # verify.
+        (2.21, 4.49, 6.35),
         (0.07, 0.23, 0.7),  # a look, with the eye's movement: Card, Moran and Newell 1983
         (0.0, 0.15, 0.157),  # a bit of choice, Hick's law: the same
         (0.12, 0.28, 1.2),  # a key, K: Kieras 2001
