@@ -1,4 +1,4 @@
-// Bundles src/ and three.js into one script and one style sheet, committed with the Python package so
+// Bundles src/, three.js and gl-matrix into one script and one style sheet, committed with the Python package so
 // that installing it needs no Node.js.  `npm run check` fails when the committed files are out of date.
 import { build } from 'esbuild';
 import { createHash } from 'node:crypto';
@@ -30,9 +30,10 @@ const result = await build({
   footer: { js: `// sources ${await digestOfSources()}` },
 });
 
-const licence = await readFile(new URL('node_modules/three/LICENSE', import.meta.url));
 const files = new Map(result.outputFiles.map((file) => [file.path.split('/').at(-1), Buffer.from(file.contents)]));
-files.set('three-LICENSE.txt', licence);
+for (const [name, path] of [['three', 'LICENSE'], ['gl-matrix', 'LICENSE.md']]) {
+  files.set(`${name}-LICENSE.txt`, await readFile(new URL(`node_modules/${name}/${path}`, import.meta.url)));
+}
 
 let stale = false;
 for (const [name, contents] of files) {

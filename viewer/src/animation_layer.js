@@ -263,7 +263,8 @@ function animationLines(character, { channels, joints }, states) {
     const parts = states.map(({ time, locals }) => ({ time, parts: joints.map((joint) => decomposed(locals[joint])) }));
     const of = (name) => (state) => state.parts.map((part) => `(${part[name].map(number).join(', ')})`);
     lines.push(tokens('joints', joints.map((joint) => character.joints[joint].path)));
-    lines.push(...samples('quatf[] rotations', parts, of('rotation')));
+    const turn = ({ rotation: [x, y, z, w] }) => `(${[w, x, y, z].map(number).join(', ')})`;
+    lines.push(...samples('quatf[] rotations', parts, (state) => state.parts.map(turn)));
     lines.push(...samples('half3[] scales', parts, of('scale')));
     lines.push(...samples('float3[] translations', parts, of('translation')));
   }

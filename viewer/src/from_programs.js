@@ -57,7 +57,7 @@ function readings({ animation, controls, character: { channels, joints, skeleton
       const row = rows?.[tokens.length ? tokens.indexOf(token) : index];
       const [w, x, y, z] = (joint && row) || [];
       const turned = (rotation) => animation.turned(reading, rotation);
-      return [time, shown[control] + (joint ? turned(quaternionMatrix([w, x, y, z])) - turned(polar(locals[reading.joint]).rotation) : ((row ?? NaN) - weights[channel]) / rise)];
+      return [time, shown[control] + (joint ? turned(quaternionMatrix([x, y, z, w])) - turned(polar(locals[reading.joint]).rotation) : ((row ?? NaN) - weights[channel]) / rise)];
     });
   });
 }

@@ -1,8 +1,8 @@
 // Areas of influence: how far each point moves when a control goes through its range, and which controls
 // move a given point most.
 
+import { mat3 } from 'gl-matrix';
 import { minus } from './camera.js';
-import { determinant3 } from './matrix.js';
 import { dot, known } from './vectors.js';
 
 const GOOD_WAY = 64; // of 255: a quarter of the way that the point goes that moves most
@@ -137,4 +137,4 @@ function largestOffset(shape) {
 }
 
 /** Mean scale of the first of a mesh's maps. */
-const scaleOf = (map) => Math.cbrt(Math.abs(determinant3(map)));
+const scaleOf = (map) => Math.cbrt(Math.abs(mat3.determinant(map)));

@@ -1,8 +1,9 @@
 // Joints: what control values do to them, and the affine map by which a skinned point follows them.
 // Mirrors usdrigui/character/deform.py: a local transform S R moves to exp(scales) S exp(rotations) R.
 
+import { quat, quat2 } from 'gl-matrix';
 import * as matrix from './matrix.js';
-import { ascending, dot, known } from './vectors.js';
+import { ascending, known } from './vectors.js';
 
 const SAME = 1e-8;
 
@@ -146,13 +147,11 @@ function linearMap(skin, row, skinning) {
   return out;
 }
 
-/** Per joint: stretch, and the dual quaternion of rotation and translation. */
+/** Per joint: stretch, and the dual quaternion of rotation and translation. @returns {any[]} */
 function dualsOf(skinning) {
   return skinning.map((m) => {
     const { stretch, rotation } = matrix.polar(m);
-    const real = matrix.quaternionOf(rotation);
-    const dual = matrix.quaternionProduct([0, m[12], m[13], m[14]], real).map((value) => 0.5 * value);
-    return { stretch, real, dual };
+    return { stretch, dual: quat2.fromRotationTranslation(quat2.create(), matrix.quaternionOf(rotation), m.slice(12, 15)) };
   });
 }
 
@@ -161,25 +160,18 @@ function dualQuaternionMap(skin, row, duals) {
   const first = row * skin.width;
   let pivot = first;
   for (let i = first; i < first + skin.width; i++) if (skin.weights[i] > skin.weights[pivot]) pivot = i;
-  const reference = duals[skin.joints[pivot]].real;
+  const reference = duals[skin.joints[pivot]].dual;
   const stretch = new Array(9).fill(0);
-  const real = [0, 0, 0, 0];
-  const dual = [0, 0, 0, 0];
+  /** @type {any} */
+  const sum = new Array(8).fill(0);
   for (let i = first; i < first + skin.width; i++) {
     const weight = skin.weights[i];
     if (weight === 0) continue;
     const joint = duals[skin.joints[i]];
-    const signed = dot(joint.real, reference) < 0 ? -weight : weight;
+    const signed = quat.dot(joint.dual, reference) < 0 ? -weight : weight;
     for (let k = 0; k < 9; k++) stretch[k] += weight * joint.stretch[k];
-    for (let k = 0; k < 4; k++) {
-      real[k] += signed * joint.real[k];
-      dual[k] += signed * joint.dual[k];
-    }
+    for (let k = 0; k < 8; k++) sum[k] += signed * joint.dual[k];
   }
-  const length = Math.hypot(...real) || 1;
-  const unit = real.map((value) => value / length);
-  const conjugate = [unit[0], -unit[1], -unit[2], -unit[3]];
-  const moved = matrix.quaternionProduct(dual.map((value) => value / length), conjugate);
-  const r = matrix.multiply3(stretch, matrix.quaternionMatrix(/** @type {[number, number, number, number]} */ (unit)));
-  return matrix.placed(r, 2 * moved[1], 2 * moved[2], 2 * moved[3]);
+  quat2.normalize(sum, sum);
+  return matrix.placed(matrix.multiply3(stretch, matrix.quaternionMatrix(sum)), /** @type {any} */ (quat2.getTranslation([0, 0, 0], sum)));
 }
