@@ -94,6 +94,7 @@ def test_a_camera_is_a_direction_in_the_space_of_the_root_and_that_of_the_shot_i
     axes, halves = (0, 0, -1, 0, 1, 0, 1, 0, 0), (20.955 / 100, 15.2908 / 100)  # of USD's own aperture and focal length
     rows = [(*axes, -101, 0, -2, *halves), (*axes, -102, 0, -2, *halves)]
     np.testing.assert_allclose(found.shot_camera, rows, atol=1e-6)
+    assert found.to_world[:, 3, 0].tolist() == [101, 102]
     UsdGeom.Camera.Define(stage, "/other")
     settings = UsdRender.Settings.Define(stage, "/render")
     for named, seen in ((), False), (("/gone",), False), (("/cam",), True):

@@ -43,6 +43,9 @@ class Rig(Record):
     """Shapes that it wants drawn as handles, by the name that it gives them."""
     camera: Floats | None = None
     """(3,) unit direction to the viewer of the camera from which it is to be laid out, if any."""
+    to_world: Floats = field(default_factory=lambda: np.eye(4)[None])
+    """(frames, 4, 4) from root space to its stage's world at each time code from the first on, or
+    (1, 4, 4) where it stands still."""
     shot_camera: Floats | None = None
     """(frames, 14) the camera of its stage at each time code from the first on, in root space: unit
     rows to the right, up and to the viewer, its place, and half of the width and height of what it

@@ -177,6 +177,8 @@ def _read(root: Usd.Prim, settings: Settings, faults: Faults, *, instances: bool
         if control.kind == "blendShape":
             weights[control.drive.channels] = control.default  # A part of the base pose.
     path = with_sets(variant_path(root), read.variants)
+    caches = map(UsdGeom.XformCache, _codes(root.GetStage()))
+    placed = np.array([cache.GetLocalToWorldTransform(root) for cache in caches])
     rig = Rig(
         path=str(root.GetPath()),
         variant_path=path,
@@ -190,7 +192,8 @@ def _read(root: Usd.Prim, settings: Settings, faults: Faults, *, instances: bool
         issues=of_character(path or str(root.GetPath()), tuple(found.issues)),
         excluded=excluded,
         camera=_camera(root, settings.candidates.view),
-        shot_camera=_shot_camera(root),
+        to_world=placed if np.ptp(placed, axis=0).any() else placed[:1],
+        shot_camera=_shot_camera(root.GetStage(), placed),
     )
     known = {draft.name for draft in drafts} | {dropped.control for dropped in lost}
     return Reading(rig, frozenset(known), vain, tuple(found.faults))
@@ -315,22 +318,26 @@ def _camera(root: Usd.Prim, view: str) -> Floats | None:
     return unit(Frames(root, Usd.TimeCode.Default()).to_root(camera.GetPrim())[2, :3])
 
 
-def _shot_camera(root: Usd.Prim) -> Floats | None:
-    """`Rig.shot_camera`: that of the render settings of the stage, else its only one; None without
-    one that sees in perspective."""
-    stage = root.GetStage()
+def _codes(stage: Usd.Stage) -> Floats:
+    """The time codes of a shot."""
+    first, last, _ = time_codes(stage) or (0.0, 0.0, 0.0)
+    return np.arange(first, last + 1.0)[:MOST_FRAMES]
+
+
+def _shot_camera(stage: Usd.Stage, placed: Floats) -> Floats | None:
+    """`Rig.shot_camera` of a character that is `placed` in the world (frames, 4, 4): the camera of
+    the render settings of the stage, else its only one; None without one that sees in
+    perspective."""
     settings = UsdRender.Settings.GetStageRenderSettings(stage)
     named = settings.GetCameraRel().GetForwardedTargets() if settings else []
     prims = [stage.GetPrimAtPath(path) for path in named] or stage.Traverse()
     cameras = [UsdGeom.Camera(prim) for prim in prims if prim and prim.IsA(UsdGeom.Camera)]
     if len(cameras) != 1 or cameras[0].GetProjectionAttr().Get() != UsdGeom.Tokens.perspective:
         return None
-    first, last, _ = time_codes(stage) or (0.0, 0.0, 0.0)
     rows = []
-    for code in np.arange(first, last + 1.0)[:MOST_FRAMES]:
-        to_world = UsdGeom.XformCache(code).GetLocalToWorldTransform(root)
+    for code, to_world in zip(_codes(stage), placed, strict=True):
         seen = cameras[0].GetCamera(code).frustum
-        seen.Transform(to_world.GetInverse())
+        seen.Transform(Gf.Matrix4d(to_world).GetInverse())
         rows.append(np.append(np.array(seen.ComputeViewInverse())[:, :3], seen.window.max))
     return np.array(rows) if np.isfinite(rows).all() else None
 

@@ -94,7 +94,7 @@ class App {
     this.session = session;
     this.live?.follow(session);
     autosave.listen(() => this.say('This browser has no room to keep your work: save it before you close the page'));
-    this.view = new View(this.session, this.tell);
+    this.view = new View(this.session, this.sessions.filter((each) => each !== session), this.tell);
     this.timeline = new Timeline(this.session, this.tell);
     this.trails = new Trails(this.session, this.view, this.timeline);
     this.list = new ControlList(this.session, this.view);
@@ -122,10 +122,14 @@ class App {
     return { session, autosave: new Autosave(session, this.storage, isElsewhere) };
   }
 
-  /** [session, notes] of every character, those not looked at yet among them. */
+  /** Those of all characters, those not looked at yet among them. */
+  get sessions() {
+    return this.scene.characters.map((character, index) => (this.kept[index] ??= this.begin(character)).session);
+  }
+
+  /** [session, notes] of every character. */
   reviewed() {
-    const parts = this.scene.characters.map((character, index) => (this.kept[index] ??= this.begin(character)).session);
-    return parts.map((session) => [session, session.notes]);
+    return this.sessions.map((session) => [session, session.notes]);
   }
 
   /** The link to the layer that this page was opened for; every change is a key there, or stands at all frames. */

@@ -60,7 +60,7 @@ export class Onion {
   outlineAt(frame) {
     const { view, painter } = this;
     const { deformer } = view.session;
-    const points = view.session.atFrame(frame, (values) => deformer.posedAside(values));
+    const points = view.stage.withPoints(view.session.atFrame(frame, (values) => deformer.posedAside(values)));
     deformer.updateMaps();
     const normals = new Float32Array(points.length);
     sumNormals(points, view.stage.triangles, view.stage.welded, normals);

@@ -61,9 +61,16 @@ export class Stage {
     changes.paint++;
   }
 
+  /** All points shown, the first of them elsewhere. */
+  withPoints(first) {
+    const points = this.skin.points.slice();
+    points.set(first);
+    return points;
+  }
+
   /** Show a second, unmoving face with these points; null takes it away. */
   setTarget(points) {
-    this.target = points && makeSkin(points, this.skin.colours.map((value, i) => Math.min(1, value * TARGET[i % 3])));
+    this.target = points && makeSkin(this.withPoints(points), this.skin.colours.map((value, i) => Math.min(1, value * TARGET[i % 3])));
     if (this.target) this.refresh(this.target);
   }
 

@@ -1,6 +1,7 @@
 // The viewport: one or more columns showing the character, and the loop that keeps them up to date.
 
 import { OrbitCamera } from './camera.js';
+import { Cast } from './cast.js';
 import { beginDrag } from './drag.js';
 import { Gestures } from './gestures.js';
 import { Onion } from './onion.js';
@@ -8,6 +9,7 @@ import { Overlay } from './overlay.js';
 import { ScreenSurface } from './pick.js';
 import { Rearranging } from './rearrange.js';
 import { Stage } from './stage.js';
+import { visibleTriangles } from './surface.js';
 import { SNAP, contains, make } from './dom.js';
 import { clamp, dot } from './vectors.js';
 
@@ -21,8 +23,8 @@ export class View {
   /** @type {number} */ ratio;
   /** @type {number} */ closeness;
 
-  /** `say` tells people something. */
-  constructor(session, say) {
+  /** `others`: sessions of characters that are shown besides; `say` tells people something. */
+  constructor(session, others, say) {
     this.say = say;
     this.session = session;
     const marks = make('canvas', { class: 'marks' });
@@ -30,13 +32,14 @@ export class View {
     this.sides = [make('div', { class: 'side-tag', style: { left: '14px' } }), make('div', { class: 'side-tag' })];
     this.captions = make('div', { class: 'captions' });
     this.surface = make('div', { class: 'surface', tabIndex: 0, role: 'application', 'aria-label': 'Face: drag handles or skin' });
-    this.stage = new Stage(session.character, session.deformer.points, drawingAsked());
+    this.cast = new Cast(session, others);
+    this.stage = new Stage(this.cast.character, this.cast.points, drawingAsked());
     this.stage.onlost = () => this.changed('camera');
     this.onion = new Onion(this);
     this.node = make('div', { class: 'view' }, this.stage.node, this.onion.node, marks, this.surface, this.captions, ...this.sides, this.tip);
     this.overlay = new Overlay(marks, session);
     this.camera = new OrbitCamera(session.character.up, session.section.view);
-    this.picker = new ScreenSurface(session.deformer.points, this.stage.triangles);
+    this.picker = new ScreenSurface(session.deformer.points, visibleTriangles(session.character));
     this.rearranging = new Rearranging(this);
     this.gestures = new Gestures(this);
     this.kinds = null;
@@ -266,7 +269,10 @@ export class View {
     const { stale } = this;
     if (stale.has('camera')) this.lookThroughShot();
     if (this.repaint) this.paint();
-    if (stale.has('pose')) this.stage.refresh();
+    if (stale.has('pose')) {
+      this.cast.follow();
+      this.stage.refresh();
+    }
     if (stale.has('pose') || stale.has('camera')) this.picker.invalidate();
     const full = stale.has('pose') || stale.has('camera') || this.repaint;
     this.repaint = false;

@@ -166,6 +166,7 @@ def _character(arrays: _Arrays, rig: Rig, layout: Layout) -> Json:
         **_fields(body, "base_weights"),
         "controls": _controls(rig.controls, layout),
         "clip": _clip(arrays, rig.clip, rig.issues),
+        "toWorld": _list(rig.to_world.reshape(-1, 16)),
         "shotCamera": None if rig.shot_camera is None else _list(rig.shot_camera),
         "layout": packed,
     }
