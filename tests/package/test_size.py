@@ -8,9 +8,9 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 CEILINGS = {
-    "usdrigui": 183_524,
-    "tests": 199_761,
-    "viewer/src": 55_979,
+    "usdrigui": 183_489,
+    "tests": 199_760,
+    "viewer/src": 55_647,
     "blender": 16_998,
 }
 """Nodes of the syntax tree without docstrings, of Python, and half of the tokens of JavaScript.  The aim is

@@ -84,7 +84,8 @@ def test_a_camera_is_a_direction_in_the_space_of_the_root_and_that_of_the_shot_i
     camera = UsdGeom.Camera.Define(stage, "/cam")
     camera.AddTransformOp().Set(Gf.Matrix4d().SetRotate(Gf.Rotation((0, 1, 0), 90)))
     walk = UsdGeom.Xformable(stage.GetPrimAtPath("/Char")).AddTranslateOp()
-    for code in (101, 102):
+    codes = [101, 102]
+    for code in codes:
         walk.Set((code, 0, 2), code)
     stage.SetStartTimeCode(101)
     stage.SetEndTimeCode(102)
@@ -92,9 +93,9 @@ def test_a_camera_is_a_direction_in_the_space_of_the_root_and_that_of_the_shot_i
     (found,) = read_rigs_isolated(path, load({"candidates": {"view": "/cam"}})).rigs
     np.testing.assert_allclose(found.camera, [1, 0, 0], atol=1e-12)
     axes, halves = (0, 0, -1, 0, 1, 0, 1, 0, 0), (20.955 / 100, 15.2908 / 100)  # of USD's own aperture and focal length
-    rows = [(*axes, -101, 0, -2, *halves), (*axes, -102, 0, -2, *halves)]
+    rows = [(*axes, -code, 0, -2, *halves) for code in codes]
     np.testing.assert_allclose(found.shot_camera, rows, atol=1e-6)
-    assert found.to_world[:, 3, 0].tolist() == [101, 102]
+    assert found.to_world[:, 3, 0].tolist() == codes
     UsdGeom.Camera.Define(stage, "/other")
     settings = UsdRender.Settings.Define(stage, "/render")
     for named, seen in ((), False), (("/gone",), False), (("/cam",), True):

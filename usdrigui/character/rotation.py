@@ -77,17 +77,6 @@ def quaternions(frames: Floats) -> Floats:
     return np.asarray(best / np.linalg.norm(best, axis=1, keepdims=True))
 
 
-def quaternion_matrices(q: Floats) -> Floats:
-    """Rotation matrices (p, 3, 3) for row vectors of unit quaternions (p, 4)."""
-    w, x, y, z = q.T
-    rows = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)],
-        [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)],
-        [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)],
-    ]
-    return np.moveaxis(np.array(rows), -1, 0)
-
-
 def quaternion_product(a: Floats, b: Floats) -> Floats:
     """Hamilton product of quaternions (..., 4)."""
     scalar = a[..., :1] * b[..., :1] - (a[..., 1:] * b[..., 1:]).sum(axis=-1, keepdims=True)

@@ -12,10 +12,10 @@ from dataclasses import replace
 
 import numpy as np
 from scipy.sparse import csr_array
+from scipy.spatial.transform import Rotation
 
 from usdrigui.character import Body, Flags, Floats, Indices, Joint, RigMesh, Skin
 from usdrigui.character.rotation import (
-    quaternion_matrices,
     quaternion_product,
     quaternions,
     rotation_part,
@@ -192,11 +192,11 @@ def _dual_quaternion_maps(joints: Indices, weights: Floats, skinning: Floats) ->
     pivot = joints[np.arange(len(joints)), weights.argmax(axis=1)]
     signs = np.where(np.einsum("pki,pi->pk", real[joints], real[pivot]) < 0.0, -1.0, 1.0)
     blend = _weighted(weights * signs, joints, np.concatenate([real, dual], axis=1))
-    length = np.linalg.norm(blend[:, :4], axis=1, keepdims=True)
-    length[length == 0.0] = 1.0
-    real, dual = blend[:, :4] / length, blend[:, 4:] / length
+    blend[~blend[:, :4].any(axis=1), 0] = 1.0
+    real, dual = np.hsplit(blend / np.linalg.norm(blend[:, :4], axis=1, keepdims=True), 2)
     conjugate = real * np.array([1.0, -1.0, -1.0, -1.0])
     maps = np.empty((len(joints), 4, 3))
-    maps[:, :3] = stretch @ quaternion_matrices(real)
+    # Of the other way, for row vectors; the real part comes last there.
+    maps[:, :3] = stretch @ Rotation.from_quat(np.roll(conjugate, -1, axis=1)).as_matrix()
     maps[:, 3] = 2.0 * quaternion_product(dual, conjugate)[:, 1:]
     return maps

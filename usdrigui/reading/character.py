@@ -178,7 +178,7 @@ def _read(root: Usd.Prim, settings: Settings, faults: Faults, *, instances: bool
             weights[control.drive.channels] = control.default  # A part of the base pose.
     path = with_sets(variant_path(root), read.variants)
     caches = map(UsdGeom.XformCache, _codes(root.GetStage()))
-    placed = np.array([cache.GetLocalToWorldTransform(root) for cache in caches])
+    placed = np.nan_to_num([cache.GetLocalToWorldTransform(root) for cache in caches])
     rig = Rig(
         path=str(root.GetPath()),
         variant_path=path,

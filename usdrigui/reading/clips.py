@@ -11,9 +11,9 @@ from pathlib import Path
 
 import numpy as np
 from pxr import Usd, UsdSkel
+from scipy.spatial.transform import Rotation
 
 from usdrigui.character import Body, Channel, Clip, Floats, Performance
-from usdrigui.character.rotation import quaternion_matrices
 from usdrigui.character.skinning import base_locals
 from usdrigui.errors import Issue, RigUIError, issue, refuse
 from usdrigui.reading.skeleton import Armature, locals_at
@@ -229,10 +229,10 @@ def _table(attribute: Usd.Attribute, frames: Floats, width: int, parts: int = 1)
 
 def _turns(quaternions: Floats) -> Floats:
     """(frames, joints, 3, 3) rotations; the identity for a quaternion of no length."""
-    flat = quaternions.reshape(-1, 4)
-    length = np.linalg.norm(flat, axis=1, keepdims=True)
-    unit = np.where(length > 0.0, flat / np.maximum(length, 1e-30), [1.0, 0.0, 0.0, 0.0])
-    return quaternion_matrices(unit).reshape(*quaternions.shape[:2], 3, 3)
+    imaginary_first = np.roll(quaternions, -1, axis=-1).reshape(-1, 4)
+    imaginary_first[~imaginary_first.any(axis=1), 3] = 1.0
+    turned = Rotation.from_quat(imaginary_first).inv().as_matrix()  # for row vectors
+    return np.asarray(turned.reshape(*quaternions.shape[:2], 3, 3))
 
 
 def time_codes(stage: Usd.Stage) -> tuple[float, float, float] | None:

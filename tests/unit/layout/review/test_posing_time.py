@@ -40,5 +40,4 @@ def test_shares_of_time_on_the_sample_are_within_three_points_of_the_papers(tmp_
     for command in ("sample .", "process char.usda", "check char.rigui.usda"):
         main(command.split())
     found = np.array(re.findall(r"(\d+) s \(", capsys.readouterr().out), float)
-    paper = [*PAPER["share of time, %"].values()]
-    assert 100 * found / found.sum() == pytest.approx(paper, abs=3)
+    assert 100 * found / found.sum() == pytest.approx([*PAPER["share of time, %"].values()], abs=3)
