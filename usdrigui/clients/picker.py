@@ -43,8 +43,6 @@ _BOARD, _BOARD_WIDTH = 1.4, 640
 _TITLE, _MARGIN = 30, 16
 _MAX_ROW = 2.6
 """Widths of a row of parts, in heights of the tallest, before another one begins."""
-_ROUNDS = 400
-"""Of pushing rectangles apart, at most."""
 _BUTTON, _BUTTON_LETTER, _BUTTON_SCALE = 18.0, 6.2, 1.8
 """Of a dwpicker file: height of a button, width of a letter on it, and how much larger the whole is
 for their sake."""
@@ -173,42 +171,24 @@ def _enlarged(mark: Mark) -> float:
 
 
 def spread(centres: Floats, sizes: Floats) -> Floats:
-    """(n, 2) centres of rectangles of ``sizes`` (n, 2), moved as little as it takes until none
-    overlaps another.
+    """(n, 2) centres of rectangles of ``sizes`` (n, 2), none of which overlaps another.
 
-    Pairs that overlap are pushed apart along the axis on which less is missing, the first to the
-    left or up where they coincide; what a crowd still holds then is moved down.
+    One after another from the middle out, each stays or moves, left, right, up or down, no further
+    than to where it just touches one of those before it.
     """
     at = centres.astype(np.float64)
-    first, second = np.triu_indices(len(at), 1)
-    least = 0.5 * (sizes[first] + sizes[second])
-    for _ in range(_ROUNDS):
-        # To a thousandth, as places are in single precision: which of two on one goes left must
-        # not be said by a last bit.
-        apart = np.round(at[second] - at[first], 3)
-        missing = least - np.abs(apart)
-        over = np.flatnonzero((missing > 1e-6).all(axis=1))
-        if not len(over):
-            break
-        axis = np.argmin(missing[over], axis=1)
-        push = 0.5 * (missing[over, axis] + 1e-3) * np.where(apart[over, axis] < 0.0, -1.0, 1.0)
-        moved, count = np.zeros_like(at), np.zeros_like(at)
-        for ends, sign in ((first[over], -1.0), (second[over], 1.0)):
-            np.add.at(moved, (ends, axis), sign * push)
-            np.add.at(count, (ends, axis), 1.0)
-        at += moved / np.maximum(count, 1.0)
-    return _cleared(at, sizes)
-
-
-def _cleared(at: Floats, sizes: Floats) -> Floats:
-    """(n, 2) the same, from above to below each moved down past those above that it overlaps
-    still."""
-    order = np.lexsort(np.round(at.T, 3))
+    # To a thousandth, as places are in single precision: a last bit must not say what goes first,
+    # or which way it goes.
+    away = np.round(np.linalg.norm(at - np.median(at, axis=0), axis=1), 3)
+    order = np.lexsort((*np.round(at.T, 3), away))
     for k, index in enumerate(order):
-        above = order[:k]
-        least = 0.5 * (sizes[above] + sizes[index])
-        while (over := (least - np.abs(at[above] - at[index]) > 1e-6).all(axis=1)).any():
-            at[index, 1] = (at[above, 1] + least[:, 1])[over].max() + 1e-6
+        apart = at[order[:k]] - at[index]
+        least = 0.5 * (sizes[order[:k]] + sizes[index])
+        beside = np.concatenate([apart - least, apart + least])
+        moves = np.concatenate([np.zeros((1, 2)), *(beside * axis for axis in np.eye(2))])
+        over = (np.abs(apart - moves[:, None]) < least - 1e-6).all(axis=2).any(axis=1)
+        length = np.where(over, np.inf, np.abs(moves).sum(axis=1))
+        at[index] += moves[np.argmin(np.round(length, 3))]
     return at
 
 
