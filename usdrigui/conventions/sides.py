@@ -14,9 +14,13 @@ from typing import Literal
 
 Side = Literal["left", "right", ""]
 _WORDS = re.compile(
-    r"[a-z]{3,}?(?=(?:left|right)(?![a-z]))|[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+"
+    # Viseme_L and Viseme_R are the sounds; in Viseme_AA_L the letter is the side.
+    r"(?i:(?:viseme|phoneme)s?[^A-Za-z]*[lr])(?=[^A-Za-z]*$)"
+    r"|[a-z]{3,}?(?=(?:left|right)(?![a-z]))|[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+"
     r"|[左右]|[^A-Za-z\d左右]+"
 )
+_INITIAL = re.compile(r"(?:(?<![^\W\d_])[LRlr]|(?<=[a-z])[LR])(?=[^\W\d_])")
+"""The first letter of a word that goes on: a letter alone is a word."""
 _NAMES: tuple[Side, Side] = ("left", "right")
 _PAIRS = (("left", "right"), ("l", "r"), ("lf", "rt"), ("lt", "rt"), ("lb", "rb"), ("左", "右"))
 """Words for the sides; ``lt`` and ``lb`` are quarters of a mouth: left top, left bottom."""
@@ -35,23 +39,12 @@ def mirrored(name: str) -> str:
 
 
 def hints_at_twin(name: str, other: str) -> bool:
-    """True when one name is the other with its sides swapped, and has a side at all."""
+    """True when one name is the other with its sides swapped, and has a side at all; also one glued
+    to the front of a word, as in ``.Lsmile`` and ``.Rsmile``."""
     one, two = name.lower(), other.lower()
-    swapped = one != two and (mirrored(name) == two or mirrored(other) == one)
-    return swapped or _differ_by_initial(name, other)
-
-
-def _differ_by_initial(name: str, other: str) -> bool:
-    """``.Lsmile`` and ``.Rsmile``: a side glued to the front of a word."""
-    apart = [i for i, (a, b) in enumerate(zip(name, other, strict=False)) if a != b]
-    if (
-        len(name) != len(other)
-        or len(apart) != 1
-        or {name[apart[0]].lower(), other[apart[0]].lower()} != {"l", "r"}
-    ):
-        return False
-    before = name[: apart[0]][-1:]
-    return not before.isalpha() or (name[apart[0]].isupper() and before.islower())
+    swapped = mirrored(name) == two or mirrored(other) == one
+    glued = _INITIAL.sub("*", name) == _INITIAL.sub("*", other)
+    return one != two and (swapped or glued)
 
 
 def has_side(name: str) -> bool:

@@ -215,6 +215,7 @@ def test_symmetry_can_be_switched_off():
     ("one", "other"),
     [
         ("browDown_L", "browDown_R"),
+        ("viseme_AA_L", "viseme_AA_R"),
         ("eye-left-slit", "eye-right-slit"),
         ("l-brow", "r-brow"),
         ("Look_In_Left", "Look_In_Right"),
@@ -232,11 +233,15 @@ def test_names_hint_at_twins(one, other):
 
 
 def test_names_without_sides_hint_at_nothing():
-    assert not has_side("mouthRollLower")
-    assert not has_side("bright")
-    assert not hints_at_twin("jawOpen", "jawOpen")
-    assert not hints_at_twin("browDown_L", "browUp_R")
-    assert not hints_at_twin("mouthRoll", "mouthRolr")
+    # Of no word of it; behind viseme the letter is the sound.
+    assert not has_side("mouthRollLower.bright.viseme_L")
+    for pair in (
+        "jawOpen jawOpen",
+        "browDown_L browUp_R",
+        "mouthRoll mouthRolr",
+        "viseme_L viseme_R",
+    ):
+        assert not hints_at_twin(*pair.split())
 
 
 def test_a_twin_that_one_control_names_is_the_twin_of_both_the_first_control_too():
