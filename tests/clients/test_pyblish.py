@@ -100,7 +100,7 @@ def test_a_stale_layout_stops_the_publish_and_can_be_repaired(asset, tmp_path):
 
 def test_a_missing_layout_stops_it_too(asset):
     asset.with_name("char.rigui.usda").unlink()
-    assert "FILE_NOT_FOUND" in str(errors(published(asset))["ValidateRigUI"])
+    assert "LAYOUT_MISSING" in str(errors(published(asset))["ValidateRigUI"])
 
 
 def test_assets_can_be_named_in_the_environment(asset, monkeypatch):

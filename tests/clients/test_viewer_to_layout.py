@@ -62,7 +62,6 @@ def reachable(viewer):
 
 def laid_out_again(viewer, source, folder, control):
     """The element of a control where the corrections of the page are kept."""
-    viewer.page.locator("summary", has_text="Layout").click()
     said = viewer.saved("Save corrections", folder / "corrections.usda")
     again = folder / "again.rigui.usda"
     assert main(["process", str(source), "--corrections", str(said), "-o", str(again), "--quiet"]) == 0
@@ -108,7 +107,6 @@ def test_an_element_cannot_be_dropped_where_its_control_moves_nothing(viewer):
     viewer.drag(element["handle"], far)
     assert "does not move this point" in viewer.page.locator(".notice").inner_text()
     assert viewer.element("blink_L")["handle"] == pytest.approx(element["handle"])
-    viewer.page.locator("summary", has_text="Layout").click()
     assert viewer.page.get_by_role("button", name="Save corrections").is_disabled()
 
 

@@ -8,9 +8,9 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 CEILINGS = {
-    "usdrigui": 183_312,
+    "usdrigui": 183_347,
     "tests": 199_755,
-    "viewer/src": 55_647,
+    "viewer/src": 55_686,
     "blender": 16_998,
 }
 """Nodes of the syntax tree without docstrings, of Python, and half of the tokens of JavaScript.  The aim is

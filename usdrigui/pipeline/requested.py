@@ -114,14 +114,18 @@ def _pins(
 def by_names_of_today(
     corrections: Sequence[Correction], rig: Rig, renamed: Mapping[str, str]
 ) -> tuple[list[Correction], list[Issue]]:
-    """The corrections of a character by the names that its controls have today, and PIN_LOST for
-    those of controls that it does not have, with the name that is likely meant.
+    """The corrections of a character by the names that its controls have today, without those of
+    controls that are excluded, and PIN_LOST for those of controls that it does not have, with the
+    name that is likely meant.
 
     `renamed` are names of today by those of an earlier layout, as far as known; beyond these a
     control is known by another spelling of its name.
     """
     found, told, names = [], [], rig.control_names
-    for each in (own for own in corrections if own.root == rig.path):
+    excluded = {control.name for control in rig.excluded}
+    for each in corrections:
+        if each.root != rig.path or each.control in excluded:
+            continue
         spelt = same_name(each.control, tuple(names))
         name = renamed.get(each.control, "") or spelt
         if name not in names:

@@ -177,7 +177,7 @@ def settled(
     for draft in drafts:
         override = configured.get(draft.name, ControlSettings())
         if override.exclude:
-            left_off.append(LeftOff(draft.name, "config", "excluded by the configuration"))
+            left_off.append(LeftOff(draft.name, "config", "excluded by a setting or a correction"))
             if draft.range.maximum > draft.range.minimum:
                 excluded.append(control_of(draft, draft.name, override.label, draft.range))
             continue

@@ -31,7 +31,7 @@ export class Inspector {
       section('Pulling the skin', this.pulling(), false),
       section('Pose', this.poses()),
       section('Shelf', new Shelf(session, view, say).node),
-      section('Layout', this.layout(), false),
+      this.layoutSection(),
     );
     view.onInfluences = (hit) => this.showInfluences(hit);
     session.on('selection', () => {
@@ -257,6 +257,22 @@ export class Inspector {
   }
 
   // --- layout ----------------------------------------------------------------------------------------
+
+  /** It comes into sight with what it is for. */
+  layoutSection() {
+    const { session } = this;
+    const found = section('Layout', this.layout(), false);
+    let before = false;
+    session.on('options', () => {
+      const { rearrange } = session.options;
+      if (rearrange && !before) {
+        found.open = true;
+        found.scrollIntoView();
+      }
+      before = rearrange;
+    });
+    return found;
+  }
 
   layout() {
     const { session, view } = this;

@@ -32,9 +32,12 @@ def judge(asset: Path, layer: Path, root: str = "") -> tuple[Issue, ...]:
     """Everything that is wrong with the layout of an asset; empty when it may be published.
 
     Errors of `usdrigui check`, its warnings (a control without slider, two handles on one spot),
-    and the refusal if the layer cannot be read, is missing, sublayers another asset, or is of a
-    character that is not below `root`, where a contribution asks for a root prim of this name.
+    and the refusal if a file is missing, the layer cannot be read, sublayers another asset, or is
+    of a character that is not below `root`, where a contribution asks for a root prim of this name.
     """
+    for file, code in ((asset, "FILE_NOT_FOUND"), (layer, "LAYOUT_MISSING")):
+        if not file.exists():
+            return (issue(code, file, "does not exist"),)
     try:
         loaded = pipeline.load_layer(layer, load_beside(asset))
         if Path(loaded.source).resolve() != asset.resolve():
