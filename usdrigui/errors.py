@@ -175,7 +175,8 @@ def failure_json(asset: str, error: RigUIError) -> str:
 
 def sentences(found: Issue) -> str:
     """What was found and what can be done about it, as two sentences."""
-    return f"{found.message.removesuffix('.')}. {found.repair}"
+    said = found.message.removesuffix(".")
+    return f"{said}{'' if said.endswith('?') else '.'} {found.repair}"
 
 
 def by_cause(found: Iterable[Issue]) -> tuple[Issue, ...]:

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 from usdrigui.errors import Faults, RigUIError, meant, refuse
+from usdrigui.settings.about import settings_table
 from usdrigui.settings.bounds import check_value
 from usdrigui.settings.parts import Settings
 from usdrigui.settings.presets import presets
@@ -111,7 +112,9 @@ def _changed(current: T, source: Mapping[str, Any], where: str, faults: Faults) 
         path = f"{where}.{key}" if where else key
         with faults.collected():
             if key not in hints:
-                hint = meant(key, hints)
+                table = {} if where else settings_table()
+                inside = [f"{part}.{name}" for part, names in table.items() for name in names]
+                hint = meant(key, (*hints, *inside))
                 known = hint and f"there is no setting of this name{hint}"
                 raise refuse("CONFIG_UNKNOWN_KEY", path, known or f"known here: {', '.join(hints)}")
             converted = _converted(getattr(current, key), hints[key], value, path, faults)
