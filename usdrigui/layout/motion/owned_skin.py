@@ -22,6 +22,7 @@ from usdrigui.character.skinning import (
     with_descendants,
 )
 from usdrigui.layout.shares import MOST
+from usdrigui.ties import steady
 
 _SPAN = (0.2, 0.7)
 """Share of the way from a joint to the next one between which its control is."""
@@ -116,6 +117,8 @@ def _by_own_bone(skin: BoundSkin, joints: frozenset[int], owned: Flags) -> Float
     chain = {*np.flatnonzero((skin.below | skin.below.T)[[*joints]].any(axis=0))} - joints
     rivals = [b for b in bones if b.joint in chain and b.start.tobytes() not in starts]
     near, share = _nearest(points[owned], own)
+    # Skin modelled at an even share of a bone lies just on a limit: the last bit decides nothing.
+    share = steady(share)
     rival, _ = _nearest(points[owned], rivals)
     along = (share >= _SPAN[0]) & (share <= _SPAN[1])
     nearer = np.minimum(1.0, rival / np.maximum(near, 1e-30))

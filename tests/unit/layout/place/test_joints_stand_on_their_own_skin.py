@@ -6,9 +6,11 @@ import chain
 import limbs
 import numpy as np
 import pytest
+import rig_copies
 from makers import changed
 
 from usdrigui.character import Joint
+from usdrigui.layout.motion.owned_skin import BoundSkin, owned_skin
 
 
 def candidates(rig, **parts):
@@ -23,6 +25,15 @@ def test_the_control_of_a_joint_stands_along_its_own_bone(bones):
     for name, points in candidates(limbs.chain_rig(bones)).items():
         joint = int(name[1])
         assert np.ptp([joint, joint + 1, *points[:, 1]]) == 1.0, name
+
+
+def test_skin_just_at_a_limit_is_owned_alike_in_a_tilted_world():
+    """Points at every tenth of a bone."""
+    rig = limbs.chain_rig(3)
+    (mesh,) = rig.body.meshes
+    rig = changed(rig, meshes=(changed(mesh, points=0.8 * mesh.points),))
+    tilted = rig_copies.turned(rig, rig_copies.WORLDS["tilted"](np.random.default_rng(0)))
+    assert np.allclose(*(owned_skin(BoundSkin(each), rig.controls[0]) for each in (rig, tilted)))
 
 
 @pytest.mark.parametrize("late", [0.8, -0.6])
@@ -52,11 +63,11 @@ def test_a_joint_whose_skin_hangs_on_a_twist_joint_stands_along_its_own_bone():
 def test_near_asks_before_pruning_does():
     """Skin of the first bone near its joint hardly moves: pruning would leave none of it."""
     near = {"near": "/Root/mesh#12", "within": 0.1}
-    found = candidates(limbs.chain_rig(3), controls={"j0:rz": near, "j0:rx": near})
+    rig = limbs.chain_rig(3)
+    found, points = candidates(rig, controls={"j0:rz": near, "j0:rx": near}), rig.body.meshes[0].points
     for name in ("j0:rz", "j0:rx"):
-        size = np.ptp(limbs.chain_rig(3).body.meshes[0].points[:, 1])
-        apart = np.linalg.norm(found[name] - limbs.chain_rig(3).body.meshes[0].points[12], axis=1)
-        assert apart.max() <= 0.1 * size, name
+        apart = np.linalg.norm(found[name] - points[12], axis=1)
+        assert apart.max() <= 0.1 * np.ptp(points[:, 1]), name
 
 
 def test_the_spine_does_not_leave_the_character_for_what_it_carries():
