@@ -10,7 +10,7 @@ ROOT = Path(__file__).resolve().parents[2]
 CEILINGS = {
     "usdrigui": 183_397,
     "tests": 199_798,
-    "viewer/src": 55_686,
+    "viewer/src": 55_688,
     "blender": 16_998,
 }
 """Nodes of the syntax tree without docstrings, of Python, and half of the tokens of JavaScript.  The aim is

@@ -2,7 +2,7 @@
 // the root space of the first.
 
 import { vec3 } from 'gl-matrix';
-import { inverse, multiply } from './matrix.js';
+import { IDENTITY, inverse, multiply } from './matrix.js';
 import { alike, clamp } from './vectors.js';
 
 export class Cast {
@@ -31,7 +31,7 @@ export class Cast {
     const here = [frame, neutral, ...others.flatMap(({ keys, constants }) => [keys, constants])];
     if (alike(here, this.seen)) return;
     this.seen = here;
-    const back = inverse(placeOf(character, frame));
+    const back = inverse(placeOf(character, frame)) ?? IDENTITY; // shrunk to nothing, as one that is hidden may be
     let at = deformer.points.length;
     for (const other of others) {
       const { values, weights, locals } = neutral

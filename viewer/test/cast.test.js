@@ -22,8 +22,8 @@ function posing(root, toWorld) {
 }
 
 /** [cast, the session that is posed, the other one, its two points as the cast has them]. */
-function onStage() {
-  const [session, other] = [posing('/A', [walking(50)]), posing('/B', [1, 2, 3].map((frame) => identity.flat().map((value, i) => (i === 12 ? 10 * frame : value))))];
+function onStage(place = walking(50)) {
+  const [session, other] = [posing('/A', [place]), posing('/B', [1, 2, 3].map((frame) => identity.flat().map((value, i) => (i === 12 ? 10 * frame : value))))];
   const cast = new Cast(session, [other]);
   return [cast, session, other, () => Array.from(cast.points.subarray(6))];
 }
@@ -64,4 +64,9 @@ test('one that was seen beside another has its own pose again when it is posed',
   session.go(2);
   const back = new Cast(other, [session]);
   assert.deepEqual(Array.from(back.points.subarray(0, 6)), [0, 50, 0, 9, 0, 0]);
+});
+
+test('beside one that its stage shrinks to nothing the other stands in the world', () => {
+  const [, , , there] = onStage(new Array(16).fill(0));
+  assert.deepEqual(there(), [10, 0, 0, 19, 0, 0]);
 });
