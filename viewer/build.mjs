@@ -1,5 +1,6 @@
 // Bundles src/, three.js and gl-matrix into one script and one style sheet, committed with the Python package so
 // that installing it needs no Node.js.  `npm run check` fails when the committed files are out of date.
+// gl-matrix is one module in assets/ besides, which src/ imports: so Node.js alone runs the tests of src/, without npm.
 import { build } from 'esbuild';
 import { createHash } from 'node:crypto';
 import { readdir, readFile, writeFile } from 'node:fs/promises';
@@ -16,6 +17,30 @@ async function digestOfSources() {
   }
   return hash.digest('hex');
 }
+
+const check = process.argv.includes('--check');
+let stale = false;
+
+/** Write a file that is out of date, or say so. */
+async function settle(target, contents) {
+  const committed = await readFile(target).catch(() => null);
+  if (committed?.equals(contents)) return;
+  stale = true;
+  if (check) console.error(`${target.pathname.split('/').at(-1)} is out of date: run \`npm ci && npm run build\` in viewer/`);
+  else await writeFile(target, contents);
+}
+
+const maths = await build({
+  stdin: { contents: "export { glMatrix, mat3, mat4, quat, quat2, vec3 } from 'gl-matrix';", resolveDir: 'node_modules' },
+  bundle: true,
+  minify: true,
+  write: false,
+  format: 'esm',
+  charset: 'utf8',
+  outfile: 'gl-matrix.js',
+  banner: { js: '// @ts-nocheck\n// gl-matrix, https://glmatrix.net, under the MIT licence in usdrigui/view/assets/gl-matrix-LICENSE.txt' },
+});
+await settle(new URL('assets/gl-matrix.js', import.meta.url), Buffer.from(maths.outputFiles[0].contents));
 
 const result = await build({
   entryPoints: { viewer: 'src/main.js' },
@@ -35,13 +60,5 @@ for (const [name, path] of [['three', 'LICENSE'], ['gl-matrix', 'LICENSE.md']]) 
   files.set(`${name}-LICENSE.txt`, await readFile(new URL(`node_modules/${name}/${path}`, import.meta.url)));
 }
 
-let stale = false;
-for (const [name, contents] of files) {
-  const target = new URL(name, ASSETS);
-  const committed = await readFile(target).catch(() => null);
-  if (committed?.equals(contents)) continue;
-  stale = true;
-  if (process.argv.includes('--check')) console.error(`${name} is out of date: run \`npm ci && npm run build\` in viewer/`);
-  else await writeFile(target, contents);
-}
-if (stale && process.argv.includes('--check')) process.exit(1);
+for (const [name, contents] of files) await settle(new URL(name, ASSETS), contents);
+if (stale && check) process.exit(1);

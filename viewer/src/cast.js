@@ -1,7 +1,7 @@
 // All characters of a page where they stand: the one that is posed, and the others by their own keys and clips.  Everything is in
 // the root space of the first.
 
-import { vec3 } from 'gl-matrix';
+import { vec3 } from '../assets/gl-matrix.js';
 import { IDENTITY, inverse, multiply } from './matrix.js';
 import { alike, clamp } from './vectors.js';
 

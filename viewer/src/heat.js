@@ -1,7 +1,7 @@
 // Areas of influence: how far each point moves when a control goes through its range, and which controls
 // move a given point most.
 
-import { mat3 } from 'gl-matrix';
+import { mat3 } from '../assets/gl-matrix.js';
 import { minus } from './camera.js';
 import { dot, known } from './vectors.js';
 

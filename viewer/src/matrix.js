@@ -1,7 +1,7 @@
 // 4x4 matrices in USD's row-vector convention (p' = p M), as 16 numbers row by row; rotations and polar factors as 9 numbers
 // row by row; quaternions as [x, y, z, w].  To gl-matrix the same numbers are columns, for column vectors: a product is turned round.
 
-import { glMatrix, mat3, mat4, quat, vec3 } from 'gl-matrix';
+import { glMatrix, mat3, mat4, quat, vec3 } from '../assets/gl-matrix.js';
 import { mixed } from './vectors.js';
 
 glMatrix.setMatrixArrayType(Array); // of double precision

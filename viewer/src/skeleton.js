@@ -1,7 +1,7 @@
 // Joints: what control values do to them, and the affine map by which a skinned point follows them.
 // Mirrors usdrigui/character/deform.py: a local transform S R moves to exp(scales) S exp(rotations) R.
 
-import { quat, quat2 } from 'gl-matrix';
+import { quat, quat2 } from '../assets/gl-matrix.js';
 import * as matrix from './matrix.js';
 import { ascending, known } from './vectors.js';
 
