@@ -258,7 +258,7 @@ export class Inspector {
 
   // --- layout ----------------------------------------------------------------------------------------
 
-  /** It comes into sight with what it is for. */
+  /** The section with *Save corrections*, opened when somebody begins to rearrange. */
   layoutSection() {
     const { session } = this;
     const found = section('Layout', this.layout(), false);
