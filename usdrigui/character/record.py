@@ -14,15 +14,6 @@ Singles = NDArray[np.float32]
 Indices = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 Texels = NDArray[np.uint8]
-ARRAY_TYPES: dict[Any, type[np.generic]] = {
-    Floats: np.float64,
-    Singles: np.float32,
-    Indices: np.int64,
-    Flags: np.bool_,
-    Texels: np.uint8,
-}
-"""What the arrays of a field hold, by its annotation: what NDArray is differs between releases of
-numpy."""
 
 
 @dataclass_transform(eq_default=False, frozen_default=True, field_specifiers=(field,))

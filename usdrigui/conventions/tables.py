@@ -10,6 +10,8 @@ from functools import cache
 from importlib.resources import files
 from typing import Any, Literal
 
+import msgspec
+
 from usdrigui.conventions.sides import SIDES, Side
 
 Category = Literal["atom", "viseme", "emotion", "identity", "interior", "detail"]
@@ -101,12 +103,8 @@ def _action_rows() -> Mapping[str, Mapping[str, Any]]:
 @cache
 def actions() -> Mapping[str, Action]:
     """Every action by its name."""
-    return {name: _action(name, row) for name, row in _action_rows().items()}
-
-
-def _action(name: str, row: Mapping[str, Any]) -> Action:
-    fields = {key: value for key, value in row.items() if key not in ("au", "place")}
-    return Action(name, place=tuple(row["place"]) if "place" in row else None, **fields)
+    rows = _action_rows().items()
+    return {name: msgspec.convert({"name": name, **row}, Action) for name, row in rows}
 
 
 def units_of(action: str) -> frozenset[int]:

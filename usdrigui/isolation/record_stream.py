@@ -6,9 +6,9 @@ table:
     magic (8) · header length (u64) · stream length (u64) · CRC-32 of the header (u32) · 4 zero
     bytes · header · arrays
 
-Decoding goes by the annotations of the record that is *expected*: the stream names no classes, so
-it can build nothing else, and nothing in it is ever executed (no pickle).  Arrays come back as
-read-only views of the buffer, without a copy.
+Decoding goes by the annotations of the record that is *expected* (msgspec): the stream names no
+classes, so it can build nothing else, and nothing in it is ever executed (no pickle).  Arrays come
+back as read-only views of the buffer, without a copy.
 """
 
 from __future__ import annotations
@@ -16,21 +16,26 @@ from __future__ import annotations
 import json
 import math
 import struct
-import types
-import typing
 import zlib
 from collections.abc import Iterator, Mapping
-from dataclasses import fields, is_dataclass
-from functools import cache
-from typing import Any, Literal, TypeVar
+from typing import Any, TypeVar, get_args
 
+import msgspec
 import numpy as np
-
-from usdrigui.character.record import ARRAY_TYPES
 
 MAGIC = b"RIGUIREC"
 _PREAMBLE = struct.Struct("<8sQQI4x")
 _ALIGNMENT = 64
+
+_UNSOUND = (
+    struct.error,
+    msgspec.ValidationError,  # no ValueError before msgspec 0.21
+    ValueError,
+    TypeError,
+    KeyError,
+    IndexError,
+    RecursionError,
+)
 
 _T = TypeVar("_T")
 
@@ -46,7 +51,7 @@ def encode(record: Any) -> Iterator[memoryview]:
     `record` is a dataclass of dataclasses, arrays, tuples, string-keyed mappings and plain values.
     """
     arrays: list[np.ndarray[Any, Any]] = []
-    content = _outgoing(record, arrays)
+    content = msgspec.to_builtins(record, enc_hook=lambda value: _outgoing(value, arrays))
     offset, table = 0, []
     for array in arrays:
         table.append([array.dtype.str, list(array.shape), offset])
@@ -80,8 +85,10 @@ def decode(stream: Any, kind: type[_T]) -> _T:
             np.frombuffer(body, *_span(entry, len(body))).reshape(entry[1])
             for entry in content["arrays"]
         ]
-        return typing.cast(_T, _record(kind, content["record"], arrays))
-    except (struct.error, ValueError, TypeError, KeyError, IndexError, RecursionError) as error:
+        return msgspec.convert(
+            content["record"], kind, dec_hook=lambda hint, value: _incoming(hint, value, arrays)
+        )
+    except _UNSOUND as error:
         raise RecordStreamError(f"{type(error).__name__}: {error}") from error
 
 
@@ -90,18 +97,14 @@ def _padded(size: int) -> int:
 
 
 def _outgoing(value: Any, arrays: list[np.ndarray[Any, Any]]) -> Any:
-    """`value` as JSON, its arrays moved to the list and replaced by their index."""
-    if isinstance(value, np.ndarray):
-        array = np.ascontiguousarray(value).reshape(value.shape)
-        arrays.append(array.astype(array.dtype.newbyteorder("<"), copy=False))
-        return len(arrays) - 1
-    if is_dataclass(value):
-        return {each.name: _outgoing(getattr(value, each.name), arrays) for each in fields(value)}
+    """What JSON does not know as JSON: arrays are moved to the list and replaced by their index."""
     if isinstance(value, Mapping):
-        return {key: _outgoing(item, arrays) for key, item in value.items()}
-    if isinstance(value, (tuple, list)):
-        return [_outgoing(item, arrays) for item in value]
-    return value.item() if isinstance(value, np.generic) else value
+        return dict(value)
+    if isinstance(value, np.generic):
+        return value.item()
+    array = np.ascontiguousarray(value).reshape(value.shape)
+    arrays.append(array.astype(array.dtype.newbyteorder("<"), copy=False))
+    return len(arrays) - 1
 
 
 def _span(entry: Any, available: int) -> tuple[np.dtype[Any], int, int]:
@@ -114,65 +117,10 @@ def _span(entry: Any, available: int) -> tuple[np.dtype[Any], int, int]:
     return dtype, count, offset if count else 0
 
 
-# --- by annotation --------------------------------------------------------------------------------
-
-
-def _record(kind: Any, value: Any, arrays: list[Any]) -> Any:
-    hints = _hints(kind)
-    if not isinstance(value, dict) or value.keys() != hints.keys():
-        raise RecordStreamError(f"the fields of {kind.__name__} differ")
-    return kind(**{name: _incoming(hint, value[name], arrays) for name, hint in hints.items()})
-
-
-@cache
-def _hints(kind: Any) -> dict[str, Any]:
-    hints = typing.get_type_hints(kind)
-    return {each.name: hints[each.name] for each in fields(kind)}
-
-
-def _incoming(hint: Any, value: Any, arrays: list[Any]) -> Any:
-    """`value` as the annotation `hint` wants it."""
-    if hint is Any:
-        return value
-    if is_dataclass(hint):
-        return _record(hint, value, arrays)
-    if hint in ARRAY_TYPES:
-        return _array(hint, value, arrays)
-    origin, arguments = typing.get_origin(hint), typing.get_args(hint)
-    if origin is None:
-        return _plain(hint, value)
-    if origin in (types.UnionType, typing.Union):
-        return None if value is None else _incoming(arguments[0], value, arrays)
-    if origin is Literal:
-        return _checked(value in arguments, value)
-    if origin is tuple:
-        return _tuple(arguments, value, arrays)
-    _checked(isinstance(value, dict), value)
-    return types.MappingProxyType(
-        {key: _incoming(arguments[1], item, arrays) for key, item in value.items()}
-    )
-
-
-def _plain(hint: Any, value: Any) -> Any:
-    if hint is float and type(value) is int:
-        return float(value)
-    return _checked(type(value) is hint, value)
-
-
-def _array(hint: Any, value: Any, arrays: list[Any]) -> Any:
-    _checked(type(value) is int and 0 <= value < len(arrays), value)
-    _checked(arrays[value].dtype == np.dtype(ARRAY_TYPES[hint]), arrays[value].dtype)
+def _incoming(hint: Any, value: Any, arrays: list[np.ndarray[Any, Any]]) -> Any:
+    """The array of index `value`, as the annotation `hint` wants it: a numpy.ndarray[shape,
+    numpy.dtype[kind]], whatever NDArray is in this release of numpy."""
+    (wanted,) = get_args(get_args(hint)[1])
+    if arrays[value].dtype != np.dtype(wanted):
+        raise RecordStreamError(f"an array is of {arrays[value].dtype}, not of {wanted.__name__}")
     return arrays[value]
-
-
-def _tuple(arguments: tuple[Any, ...], value: Any, arrays: list[Any]) -> Any:
-    _checked(isinstance(value, list), value)
-    if len(arguments) == 2 and arguments[1] is Ellipsis:
-        return tuple(_incoming(arguments[0], item, arrays) for item in value)
-    return tuple(_incoming(each, item, arrays) for each, item in zip(arguments, value, strict=True))
-
-
-def _checked(right: bool, value: Any) -> Any:
-    if not right:
-        raise RecordStreamError(f"{str(value)[:80]!r} does not have the type of the record's field")
-    return value

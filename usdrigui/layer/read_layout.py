@@ -14,6 +14,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 from pxr import Sdf, Usd, UsdGeom
@@ -45,6 +46,7 @@ from usdrigui.model import (
     Member,
     MirrorPlane,
     Proof,
+    Status,
     in_order,
     main_part,
 )
@@ -303,15 +305,16 @@ def _recorded(
         return Proof(), [], (), ()
     try:
         found = json.loads(text)
-        pairs = {key: tuple(map(tuple, found["proof"][key])) for key in ("weights", "figures")}
-        proof = Proof(**{**found["proof"], **pairs})
-        left_off = tuple(LeftOff(**each) for each in found["leftOff"])
+        proof = msgspec.convert(found["proof"], Proof)
         if not np.isfinite([proof.cost, proof.above_unary_bound]).all():
             raise ValueError("a cost is not finite")
-        parts = [(status, float(cost), float(bound)) for status, cost, bound in found["parts"]]
-        matches = tuple(Match(**each) for each in found["matches"])
-        return proof, parts, left_off, matches
-    except (KeyError, TypeError, ValueError) as error:
+        return (
+            proof,
+            msgspec.convert(found["parts"], list[tuple[Status, float, float]]),
+            msgspec.convert(found["leftOff"], tuple[LeftOff, ...]),
+            msgspec.convert(found["matches"], tuple[Match, ...]),
+        )
+    except (KeyError, TypeError, ValueError, msgspec.ValidationError) as error:
         what = f"customData {schema.NOTES} is no record of usdrigui: {error}"
         raise invalid(scope, what) from None
 

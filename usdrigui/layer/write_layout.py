@@ -12,10 +12,10 @@ import json
 import os
 import tempfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import numpy as np
 from pxr import Sdf, Tf, UsdGeom
 
@@ -253,16 +253,17 @@ def record(layout: Layout) -> str:
     off."""
     parts = [(part.status, part.cost, part.bound) for part in layout.frame.parts]
     found = {
-        "proof": asdict(layout.proof),
+        "proof": layout.proof,
         "parts": parts,
-        "leftOff": [*map(asdict, layout.left_off)],
-        "matches": [*map(asdict, layout.matches)],
+        "leftOff": layout.left_off,
+        "matches": layout.matches,
     }
 
     def short(text: str) -> float:
         return float(f"{float(text):.7g}")  # the last digits depend on the processor
 
-    return json.dumps(json.loads(json.dumps(found), parse_float=short))
+    told = json.dumps(msgspec.to_builtins(found))
+    return json.dumps(json.loads(told, parse_float=short))
 
 
 def author_elements(

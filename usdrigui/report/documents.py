@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Mapping
-from dataclasses import fields, is_dataclass
 from typing import Any
 
-import numpy as np
+import msgspec
 
 
 def document(kind: str, **content: Any) -> str:
@@ -20,14 +18,10 @@ def document(kind: str, **content: Any) -> str:
 def plain(value: Any) -> Any:
     """Records, arrays and tables as JSON has them; it has no NaN and no infinity, for which null
     stands."""
-    if is_dataclass(value):
-        return {each.name: plain(getattr(value, each.name)) for each in fields(value)}
-    if isinstance(value, Mapping):
-        return {str(key): plain(item) for key, item in value.items()}
-    if isinstance(value, np.ndarray):
-        return plain(value.tolist())
-    if isinstance(value, (list, tuple)):
-        return [plain(item) for item in value]
-    if isinstance(value, float) and not math.isfinite(value):
-        return None
-    return value
+    told = json.dumps(msgspec.to_builtins(value, str_keys=True, enc_hook=_plain))
+    return json.loads(told, parse_constant=lambda _: None)
+
+
+def _plain(value: Any) -> Any:
+    """What msgspec does not know: tables that cannot be changed, and what numpy has."""
+    return dict(value) if isinstance(value, Mapping) else value.tolist()
