@@ -36,6 +36,7 @@ from usdrigui.conventions.tables import (
     synonyms,
     table,
     units_of,
+    vocabulary,
 )
 
 __all__ = [
@@ -53,6 +54,8 @@ __all__ = [
     "words",
 ]
 
+_VERSION = re.compile(r"(?<=[^_])_[vV]\d+$")
+"""Of a sculpt, behind its name: ``Angry_v2``."""
 _MIDDLES = frozenset({"m", "mid", "middle", "c", "center", "centre"})
 _CODED = 0.5
 """Share of a rig's names that are numbers of action units from which its numbers are such."""
@@ -97,17 +100,19 @@ def meanings(names: Sequence[str], *, numbers: bool = False) -> tuple[Meaning | 
 
 
 def distinctive_words(names: Sequence[str]) -> tuple[Words, ...]:
-    """(names,) the words of each name of one rig, without those of their owner."""
-    bare = [words(_without_owner(name)) for name in names]
+    """(names,) the words of each name of one rig, without those of their owner and its version."""
+    bare = [words(_without_owner(_VERSION.sub("", name))) for name in names]
     return tuple(without_makers(without_shared(bare)))
 
 
 def _without_owner(name: str) -> str:
     """What stands behind the last dot or colon of a name, where it has a meaning of its own:
-    ``h_teeth.AE_AA``, not ``brow.L``."""
-    last = re.split(r"[.:]", name)[-1]
+    ``h_teeth.AE_AA`` and the sound of ``mesh:l_14``, not ``brow.L`` or ``brow.L_1``."""
+    *owner, last = re.split(r"[.:]", name)
     own = words(last)
-    means = own and own[0] not in SIDES and (is_action(own) or _coded(own) is not None)
+    means = own and (is_action(own) or _coded(own) is not None)
+    if means and own[0] in SIDES:
+        means = len(own) > 1 and vocabulary().isdisjoint(words(" ".join(owner)))
     return last if means else name
 
 

@@ -22,8 +22,9 @@ from usdrigui.ties import rounded
 PARALLEL = 0.99
 """Cosine of two motions from which one repeats the other: a smile that parts the lips is another
 smile."""
-EXPLAINED = 0.85
-"""Share of a motion's energy that a sum of others must explain."""
+EXPLAINED = 0.92
+"""Share of a motion's energy that a sum of others must explain: what was mixed from others is
+nearly all explained, and nine tenths of any shape of a mouth are where a rig has dozens."""
 _PARTS = 1.8
 """Effective number of parts from which a sum is one, and not one control with some noise."""
 _RIDGE = 1e-4

@@ -49,7 +49,7 @@ def layout(
             reason = (
                 f"moved off the {part}: {_CROWDED}"
                 if len(choice.anchors)
-                else f"no place on the {part}"
+                else f"no free place on the {part}"
             )
             off.append((group, "crowded", reason))
         else:
