@@ -56,9 +56,8 @@ class Line:
 def problem_of(rig, settings=None, base_values=None, prior=NO_PRIOR, fixed=None):
     """Up to the problem; like a `prior` layout, with all that a `fixed` one has where it has it."""
     whole = _character(rig, settings, base_values, fixed)
-    if prior is not NO_PRIOR:
-        whole = replace(whole, requests=replace(whole.requests, prior=prior))
-    return Line(stages.part_problem(whole, whole.parts[0]))
+    part = whole.parts[0] if prior is NO_PRIOR else replace(whole.parts[0], prior=prior)
+    return Line(stages.part_problem(whole, part))
 
 
 def with_motions(rig):

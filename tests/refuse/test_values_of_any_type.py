@@ -16,12 +16,13 @@ import skel_stages
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel, Vt
 from skel_stages import SIDE, add_animation, add_even_skin, add_mesh, add_shape, add_skeleton, matrix, new_stage
 
+from usdrigui.character import Performance
 from usdrigui.cli import main
 from usdrigui.errors import RigUIError, catalogue
 from usdrigui.isolation import record_stream
 from usdrigui.layer import author
 from usdrigui.reader import faults, reader_main
-from usdrigui.reader.reader_records import Request, Response
+from usdrigui.reader.reader_records import FaultsResult, LayoutsResult, ReadResult, Request, Response
 from usdrigui.reading.clips import read_performances
 from usdrigui.settings import Settings, load
 from usdrigui.stages import schema
@@ -33,6 +34,7 @@ SETTINGS = load(
         "read": {"pose_names": "poses"},
     }
 )
+KINDS = {"rigs": ReadResult, "layouts": LayoutsResult, "faults": FaultsResult, "clips": tuple[Performance, ...]}
 TEXTS = (
     'tokel[] {n} = ["smile", "frown"]',
     "tokel {n} = (1, 2, 3)",
@@ -211,7 +213,7 @@ def variants(layer, path, folder, texts=TEXTS, values=VALUES):
 def refusal_of(task, path, settings=SETTINGS):
     """The refusal, or None for a result; the response can be handed over."""
     response = reader_main.answer(Request(task, str(path), settings))
-    record_stream.decode(b"".join(record_stream.encode(response)), Response)
+    record_stream.decode(b"".join(record_stream.encode(response)), Response[KINDS[task]])
     return response.refusal
 
 

@@ -418,7 +418,7 @@ def test_an_asset_of_one_file_is_parsed_once(tmp_path, monkeypatch):
         return read_characters(path, settings)
 
     monkeypatch.setattr("usdrigui.reader.reader_main.read_characters", read)
-    assert reader_main.answer(Request("rigs", str(path), Settings())).rigs is not None
+    assert reader_main.answer(Request("rigs", str(path), Settings())).result is not None
 
 
 @pytest.mark.parametrize("referenced", [False, True])

@@ -24,6 +24,7 @@ class Record:
     __slots__ = ()
 
     def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
         dataclass(frozen=True, eq=False)(cls)
 
     def __post_init__(self) -> None:

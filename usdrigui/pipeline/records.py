@@ -8,6 +8,7 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.measured import Measured
 from usdrigui.layout.place.problem import PlacementProblem
 from usdrigui.layout.reuse.identity import matching_issues
+from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import Assignment, Candidates, Layout, Symmetry, Trajectories
 from usdrigui.pipeline.reference_layouts import OwnReferences
@@ -20,6 +21,8 @@ class CharacterPart(Record):
     name: str
     trajectories: Trajectories
     symmetry: Symmetry
+    prior: PriorLayout = NO_PRIOR
+    """An earlier layout that its new one should be like."""
 
     @property
     def controls(self) -> frozenset[int]:

@@ -29,7 +29,6 @@ from usdrigui.layout.reuse.prior_layout import (
     PriorLayout,
     joined,
     kept_groups,
-    of_parts,
     prior_of_previous,
 )
 from usdrigui.layout.reuse.renaming import with_names
@@ -144,7 +143,8 @@ def by_names_of_today(
 def requested(
     rig: Rig, parts: Sequence[CharacterPart], settings: Settings, references: OwnReferences
 ) -> Requests:
-    """What the configuration and the references ask of one character.
+    """What the configuration and the references ask of one character, but for what they ask of each
+    part of it (`prior_of`).
 
     Raises CLIP_FOREIGN where no clip is of this character.
     """
@@ -154,10 +154,9 @@ def requested(
     every = sorted((*pins.pins, *fixed), key=lambda pin: (pin.recorded, not pin.decisions))
     overrides = with_pins(rig, configured, every)
     overrides = with_anchors_of_groups(rig, overrides, settings.groups.groups)
-    priors, twins = [], np.full(len(rig.controls), -1)
+    twins = np.full(len(rig.controls), -1)
     for part in parts:
         overrides = with_twins(rig, part.trajectories, part.symmetry, overrides)
-        priors.append((part.controls, _prior(rig, part, settings, references)))
         own = list(part.controls)
         twins[own] = part.symmetry.twins[own]
     if references.clips:
@@ -173,16 +172,15 @@ def requested(
             if not known.issuperset(controls)
         },
         levels=settings.levels.members,
-        prior=of_parts(priors),
         existing=existing,
         pins=pins,
     )
 
 
-def _prior(
+def prior_of(
     rig: Rig, part: CharacterPart, settings: Settings, references: OwnReferences
 ) -> PriorLayout:
-    """What the references ask of one part besides fixed anchors."""
+    """The earlier layout that one part should be like, by the references."""
     prior, imitating = NO_PRIOR, settings.like
     if references.like is not None and imitating.penalty > 0.0:
         other, found, layout = references.like

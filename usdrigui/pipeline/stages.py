@@ -38,6 +38,7 @@ from usdrigui.layout.place.problem import (
 from usdrigui.layout.place.regions import crowded_regions, joints_behind_shapes
 from usdrigui.layout.reuse.decisions import with_decisions
 from usdrigui.layout.reuse.existing_layout import drawn_width, of_new_controls
+from usdrigui.layout.reuse.prior_layout import NO_PRIOR
 from usdrigui.layout.review.layout_faults import refuse_stale
 from usdrigui.layout.review.layout_problem import layout_cost
 from usdrigui.layout.symmetry.base_pose import (
@@ -52,7 +53,7 @@ from usdrigui.pipeline.configuration import base_values_of
 from usdrigui.pipeline.progress import Clock
 from usdrigui.pipeline.records import Character, CharacterPart, ProblemInputs
 from usdrigui.pipeline.reference_layouts import OwnReferences, ReferenceLayouts
-from usdrigui.pipeline.requested import own_references, requested
+from usdrigui.pipeline.requested import own_references, prior_of, requested
 from usdrigui.settings import PartSettings, Settings
 
 
@@ -86,7 +87,8 @@ def character_of(
     if own.existing is not None:
         refuse_stale(rig, found, own.existing, settings.read)
     requests = requested(rig, parts, settings, own)
-    return Character(rig, settings, base_values, found, whole, parts, own, requests)
+    liked = tuple(replace(each, prior=prior_of(rig, each, settings, own)) for each in parts)
+    return Character(rig, settings, base_values, found, whole, liked, own, requests)
 
 
 def _parts(
@@ -136,7 +138,7 @@ def measured(character: Character, part: CharacterPart, neighbours: Sequence[Ele
     """The stages before placing."""
     rig, found, symmetry = character.rig, part.trajectories, part.symmetry
     settings = character.settings
-    requests = character.requests.of_part(rig.controls, part.controls, neighbours)
+    requests = character.requests.of_part(rig.controls, part.controls, neighbours, part.prior)
     each_side = part.name in OF_SIDES
     views = find_views(rig, found, symmetry.plane, settings.candidates, of_sides=each_side)
     names = rig.control_names
@@ -176,9 +178,13 @@ def _without_pin(
     some groups of controls is about; raises it where it is about none."""
     references, rig = character.references, character.rig
     names = [frozenset(rig.control_names[control] for control in group) for group in groups]
-    fewer = replace(references, pins=references.pins.without(error, names))
-    asked = requested(rig, character.parts, character.settings, fewer)
-    return replace(character, references=fewer, requests=asked)
+    return _asking(character, replace(references, pins=references.pins.without(error, names)))
+
+
+def _asking(character: Character, references: OwnReferences) -> Character:
+    """The character with other references, and so with other requests."""
+    asked = requested(character.rig, character.parts, character.settings, references)
+    return replace(character, references=references, requests=asked)
 
 
 def _placement(known: Measured, candidates: Candidates) -> PlacementProblem:
@@ -216,8 +222,7 @@ def with_own_cost(
     if not references.followed:
         return assignment
     alone = OwnReferences(existing=references.existing, clips=references.clips)
-    asked = requested(inputs.face.rig, inputs.character.parts, inputs.settings, alone)
-    character = replace(inputs.character, references=alone, requests=asked)
+    character, part = _asking(inputs.character, alone), replace(part, prior=NO_PRIOR)
     plain = part_problem(character, part, inputs.requests.neighbours)
     cost = layout_cost(plain.measured, plain.candidates, made.elements)
     penalty = penalty_of(inputs.face, inputs.requests, inputs.placement, assignment.labels)

@@ -56,11 +56,12 @@ QUESTION = Request
 Usd.SchemaRegistry()  # known before readers are forked, so that none spends its time on them
 
 
-def answer(request: Request) -> Response:
+def answer(request: Request) -> Response[Any]:
     """Do what is asked; every exception becomes a refusal."""
     peak = _peak()
     try:
-        return _TASKS[request.task](Path(request.path), request.settings, *request.texts)
+        found = _TASKS[request.task](Path(request.path), request.settings, *request.texts)
+        return Response(found)
     except RigUIError as error:
         return _refusal(
             _starved(request) if _is_memory(error.issue, _peak() - peak, request.memory) else error
@@ -74,15 +75,15 @@ def answer(request: Request) -> Response:
 # --- the tasks ------------------------------------------------------------------------------------
 
 
-def _rigs(path: Path, settings: Settings) -> Response:
+def _rigs(path: Path, settings: Settings) -> ReadResult:
     with _reading(path, settings) as asset:
         found = asset.with_diagnostics(read_characters(path, settings))
         result = read_result(asset.stage, found)
         below = source_of(path) if result.layouts else ""
-        return Response(rigs=replace(result, below=below, sources=asset.sources()))
+        return replace(result, below=below, sources=asset.sources())
 
 
-def _layouts(path: Path, settings: Settings) -> Response:
+def _layouts(path: Path, settings: Settings) -> LayoutsResult:
     with _reading(path, settings) as asset:
         # Kept, so that what opens it next finds it so.
         stage = open_stage(path, settings.read.variants)
@@ -90,7 +91,7 @@ def _layouts(path: Path, settings: Settings) -> Response:
             select_unselected(stage, layout_paths(stage.GetRootLayer()))
         found = _layouts_in(asset, carried=True)
         corrected = with_corrections(asset.stage, found.layouts)
-        return Response(layouts=replace(found, layouts=corrected))
+        return replace(found, layouts=corrected)
 
 
 def _layouts_in(asset: _Asset, *, carried: bool = False) -> LayoutsResult:
@@ -107,7 +108,7 @@ def _layouts_in(asset: _Asset, *, carried: bool = False) -> LayoutsResult:
     )
 
 
-def _composed(path: Path, settings: Settings) -> Response:
+def _composed(path: Path, settings: Settings) -> tuple[LayoutsResult, ReadResult]:
     """The layouts of a stage and their characters as the stage composes them."""
     with _reading(path, settings) as asset:
         # Kept, so that what opens it next finds it so.
@@ -115,21 +116,16 @@ def _composed(path: Path, settings: Settings) -> Response:
         layouts = _layouts_in(asset)
         laid_out = {each.root for each in layouts.layouts}
         result = read_composed(asset.stage, settings, laid_out, asset.with_diagnostics)
-        return Response(rigs=replace(result, sources=asset.sources()), layouts=layouts)
+        return layouts, replace(result, sources=asset.sources())
 
 
-def _bake(path: Path, settings: Settings) -> Response:
-    stage = open_stage(path, settings.read.variants)
-    return Response(text=bake(stage, settings.read).ExportToString())
-
-
-def _faults(path: Path, settings: Settings) -> Response:
+def _faults(path: Path, settings: Settings) -> FaultsResult:
     stage = open_stage(path, settings.read.variants)
     is_empty = not stage.GetPseudoRoot().GetAllChildren()
-    return Response(faults=FaultsResult(stage_faults(stage), is_empty))
+    return FaultsResult(stage_faults(stage), is_empty)
 
 
-def _layer(path: Path, _: Settings) -> Response:
+def _layer(path: Path, _: Settings) -> LayerResult:
     needed: dict[str, str] = {}
 
     def follow(layer: Sdf.Layer, folder: Path) -> None:
@@ -148,29 +144,28 @@ def _layer(path: Path, _: Settings) -> Response:
     scopes = dict.fromkeys(map(str, layout_paths(layer)))
     chosen = {tuple(sorted(asset_selections(each).items())): None for each in scopes}
     variants = tuple(map(dict, chosen)) if any(chosen) else ()
-    found = LayerResult(
+    return LayerResult(
         tuple(layer.subLayerPaths),
         tuple(needed.values()),
         SIGNATURE in layer.customLayerData,
         variants,
         own_corrections(layer),
     )
-    return Response(layer=found)
 
 
-_TASKS: Mapping[Task, Callable[..., Response]] = {
+_TASKS: Mapping[Task, Callable[..., Any]] = {
     "rigs": _rigs,
     "layouts": _layouts,
     "composed": _composed,
-    "clips": lambda path, _: Response(performances=read_performances(path)),
-    "bake": _bake,
+    "clips": lambda path, _: read_performances(path),
+    "bake": lambda path, settings: str(
+        bake(open_stage(path, settings.read.variants), settings.read).ExportToString()
+    ),
     "faults": _faults,
     "layer": _layer,
-    "variants": lambda path, settings: Response(
-        variants=variant_sets(open_stage(path, settings.read.variants))
-    ),
-    "told": lambda path, _, *texts: Response(text=shared_animation.told(path, *texts)),
-    "merged": lambda path, _, *texts: Response(text=shared_animation.merged(path, *texts)),
+    "variants": lambda path, settings: variant_sets(open_stage(path, settings.read.variants)),
+    "told": lambda path, _, *texts: shared_animation.told(path, *texts),
+    "merged": lambda path, _, *texts: shared_animation.merged(path, *texts),
 }
 
 
@@ -312,7 +307,7 @@ def _as_json(value: Any) -> list[Any] | str:
 # --- failures -------------------------------------------------------------------------------------
 
 
-def _refusal(error: RigUIError) -> Response:
+def _refusal(error: RigUIError) -> Response[Any]:
     first, *others = _as_text(error.issues)
     return Response(refusal=first, exit_code=int(error.exit_code), others=tuple(others))
 

@@ -6,7 +6,6 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TypeVar
 
 from usdrigui.character import Performance
 from usdrigui.errors import Exit, RigUIError, refuse
@@ -19,11 +18,10 @@ from usdrigui.reader.reader_records import (
     ReadResult,
     Request,
     Response,
+    Result,
     Task,
 )
 from usdrigui.settings import ReadSettings, Settings
-
-_Part = TypeVar("_Part")
 
 _PROGRAM = "usdrigui.reader.reader_main"
 
@@ -38,7 +36,7 @@ def read_rigs_isolated(path: Path, settings: Settings) -> ReadResult:
     """
     before = check_source(path, settings.read.size_limit)
     try:
-        result = _understood(_response("rigs", path, settings).rigs, path)
+        result = _answer("rigs", path, settings, ReadResult)
     except RigUIError:
         check_unchanged([before])  # A file that is being written is not the asset.
         raise
@@ -50,7 +48,7 @@ def read_rigs_isolated(path: Path, settings: Settings) -> ReadResult:
 def read_layouts_isolated(path: Path, opening: ReadSettings) -> LayoutsResult:
     """As `usdrigui.layer.read_layout.read_layout` and `source_of`, in a reader; raises as
     `read_rigs_isolated`."""
-    return _understood(_asked("layouts", path, opening).layouts, path)
+    return _asked("layouts", path, opening, LayoutsResult)
 
 
 def read_composed_isolated(path: Path, settings: Settings) -> tuple[LayoutsResult, ReadResult]:
@@ -62,7 +60,7 @@ def read_composed_isolated(path: Path, settings: Settings) -> tuple[LayoutsResul
     """
     try:
         check_source(path, settings.read.size_limit)
-        response = _response("composed", path, settings)
+        return _answer("composed", path, settings, tuple[LayoutsResult, ReadResult])
     except RigUIError as error:
         if (
             error.issue.code == "SKELROOT_MISSING"
@@ -70,62 +68,59 @@ def read_composed_isolated(path: Path, settings: Settings) -> tuple[LayoutsResul
         ):
             raise refuse("SOURCE_MISSING", path, "does not sublayer any asset") from error
         raise
-    return _understood(response.layouts, path), _understood(response.rigs, path)
 
 
 def read_performances_isolated(path: Path, opening: ReadSettings) -> tuple[Performance, ...]:
     """As `usdrigui.reading.clips.read_performances`, in a reader; raises as
     `read_rigs_isolated`."""
-    return _understood(_asked("clips", path, opening).performances or None, path)
+    return _asked("clips", path, opening, tuple[Performance, ...])
 
 
 def read_faults_isolated(path: Path, opening: ReadSettings) -> FaultsResult:
     """As `usdrigui.reader.faults.stage_faults`, in a reader; raises as `read_rigs_isolated` where
     nothing can be read."""
-    return _understood(_asked("faults", path, opening).faults, path)
+    return _asked("faults", path, opening, FaultsResult)
 
 
 def read_layer_isolated(path: Path, opening: ReadSettings) -> LayerResult:
     """A layer by itself, in a reader; what it composes need not be there.  Raises as
     `read_rigs_isolated`."""
-    return _understood(_asked("layer", path, opening).layer, path)
+    return _asked("layer", path, opening, LayerResult)
 
 
 def read_variants_isolated(path: Path, opening: ReadSettings) -> Mapping[str, tuple[str, ...]]:
     """As `usdrigui.stages.variants.variant_sets`, in a reader; raises as `read_rigs_isolated` and
     VARIANT_UNKNOWN."""
-    return _understood(_asked("variants", path, opening).variants, path)
+    return _asked("variants", path, opening, dict[str, tuple[str, ...]])
 
 
 def read_baked_isolated(path: Path, opening: ReadSettings) -> str:
     """As `usdrigui.layer.baking.bake`, as text, in a reader; raises as `read_rigs_isolated`."""
-    return _understood(_asked("bake", path, opening).text, path)
+    return _asked("bake", path, opening, str)
 
 
 def shared_isolated(task: Task, path: Path, opening: ReadSettings, *contents: bytes) -> str:
     """As the function `task` of `usdrigui.layer.shared_animation`, of contents of the file at
     `path`, in a reader; raises FILE_NOT_USD and SOURCE_ codes."""
     texts = tuple(each.decode(errors="surrogateescape") for each in contents)
-    return _understood(_response(task, path, Settings(read=opening), texts).text, path)
+    return _answer(task, path, Settings(read=opening), str, texts)
 
 
-def _understood(part: _Part | None, path: Path) -> _Part:
-    """The part of a response that was asked for, which a sound response has."""
-    if part is None:
-        raise answer_invalid(str(path))
-    return part
-
-
-def _asked(task: Task, path: Path, opening: ReadSettings) -> Response:
-    """The reader's response about a file that it may be shown, whatever becomes a control."""
+def _asked(task: Task, path: Path, opening: ReadSettings, kind: type[Result]) -> Result:
+    """The reader's answer about a file that it may be shown, whatever becomes a control."""
     check_source(path, opening.size_limit)
-    return _response(task, path, Settings(read=opening))
+    return _answer(task, path, Settings(read=opening), kind)
 
 
-def _response(task: Task, path: Path, settings: Settings, texts: tuple[str, ...] = ()) -> Response:
+def _answer(
+    task: Task, path: Path, settings: Settings, kind: type[Result], texts: tuple[str, ...] = ()
+) -> Result:
+    """What the reader answers, which is of this kind."""
     # It keeps symbolic links, where resolve() would follow them.
     request = Request(task, os.path.abspath(path), settings, texts)  # noqa: PTH100
-    response = answered(request, _PROGRAM, Response)
+    response = answered(request, _PROGRAM, Response[kind])  # type: ignore[valid-type]
     if response.refusal is not None:
         raise RigUIError(response.refusal, Exit(response.exit_code), response.others)
-    return response
+    if response.result is None:
+        raise answer_invalid(str(path))
+    return response.result

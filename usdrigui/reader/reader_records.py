@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import field
-from typing import Any, Literal
+from typing import Any, Generic, Literal, TypeVar
 
-from usdrigui.character import Performance, Record, Rig
+from usdrigui.character import Record, Rig
 from usdrigui.errors import Issue
 from usdrigui.isolation.foreign_file import SourceFile
 from usdrigui.model import Correction, ExistingPrim, Layout
@@ -16,6 +16,8 @@ from usdrigui.settings import Settings
 Task = Literal[
     "rigs", "layouts", "composed", "clips", "faults", "layer", "variants", "bake", "told", "merged"
 ]
+
+Result = TypeVar("Result")
 
 
 class ReadResult(Record):
@@ -117,19 +119,10 @@ class Request(Record):
         return self.settings.read.memory_limit
 
 
-class Response(Record):
-    """What the reader answers: one of the results, two of a composed stage, or a refusal with its
-    exit code."""
+class Response(Record, Generic[Result]):
+    """What the reader answers: what it was asked for, or a refusal with its exit code."""
 
-    rigs: ReadResult | None = None
-    layouts: LayoutsResult | None = None
-    faults: FaultsResult | None = None
-    performances: tuple[Performance, ...] = ()
-    layer: LayerResult | None = None
-    variants: Mapping[str, tuple[str, ...]] | None = None
-    """By the name of the set."""
-    text: str | None = None
-    """Of a layer, as `usdrigui.layer.baking.bake` makes it, or what `told` and `merged` answer."""
+    result: Result | None = None
     refusal: Issue | None = None
     exit_code: int = 0
     others: tuple[Issue, ...] = ()

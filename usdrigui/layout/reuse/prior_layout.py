@@ -106,17 +106,6 @@ def joined(first: PriorLayout, second: PriorLayout) -> PriorLayout:
     )
 
 
-def of_parts(priors: Sequence[tuple[frozenset[int], PriorLayout]]) -> PriorLayout:
-    """The priors of all parts of a character, whose controls are given, as one."""
-    return replace(
-        priors[0][1],
-        places={c: prior.places[c] for own, prior in priors for c in own if c in prior.places},
-        axis_places={
-            c: prior.axis_places[c] for own, prior in priors for c in own if c in prior.axis_places
-        },
-    )
-
-
 def kept_groups(elements: tuple[Element, ...], rig: Rig) -> tuple[KeptGroup, ...]:
     """The groups of a layout, without the controls that `rig` no longer has; each control in one
     only."""

@@ -26,7 +26,7 @@ class Requests(Record):
     levels: Named = field(default_factory=dict)
     """The members of coarse elements."""
     prior: PriorLayout = NO_PRIOR
-    """An earlier layout that the new one should be like."""
+    """An earlier layout that the new one should be like, in the requests of a part."""
     existing: Layout | None = None
     """A layout that stays as it is and to which the new one adds elements."""
     neighbours: tuple[Element, ...] = ()
@@ -53,10 +53,15 @@ class Requests(Record):
         )
 
     def of_part(
-        self, controls: tuple[Control, ...], part: frozenset[int], neighbours: Iterable[Element]
+        self,
+        controls: tuple[Control, ...],
+        part: frozenset[int],
+        neighbours: Iterable[Element],
+        prior: PriorLayout,
     ) -> Requests:
         """Without the groups and levels that only controls of other parts have; `part` are those of
-        this one, `neighbours` the elements of the parts that are laid out already."""
+        this one, `neighbours` the elements of the parts that are laid out already, `prior` is the
+        earlier layout that this one should be like."""
         index = {control.name: i for i, control in enumerate(controls)}
 
         def concerns(names: Iterable[str]) -> bool:
@@ -68,4 +73,5 @@ class Requests(Record):
             groups={name: own for name, own in self.groups.items() if concerns(own)},
             levels={name: own for name, own in self.levels.items() if concerns((name, *own))},
             neighbours=tuple(neighbours),
+            prior=prior,
         )
