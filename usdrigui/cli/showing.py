@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from usdrigui.cli.options import files_read, settings_of
 from usdrigui.cli.outcomes import check_ending, screen_of, wrote
-from usdrigui.errors import Exit, counted, refuse
+from usdrigui.errors import Exit, refuse
 from usdrigui.isolation import worker
 
 if TYPE_CHECKING:
@@ -21,14 +21,11 @@ if TYPE_CHECKING:
 
 def study(arguments: argparse.Namespace) -> Exit:
     """Sum results of `view --study` over participants."""
-    from usdrigui.cli.terminal.table import Verbatim
+    from usdrigui.cli.terminal import review_lines
     from usdrigui.clients import study
 
     found = study.summed(arguments.results)
-    closing = f"usdrigui: summed {counted(len(found.participants), 'participant')}"
-    screen_of(arguments).show(
-        lambda: study.as_json(found), [Verbatim(study.as_text(found))], closing
-    )
+    screen_of(arguments).show(lambda: study.as_json(found), *review_lines.of_study(found))
     return Exit.OK
 
 

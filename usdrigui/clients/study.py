@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from statistics import fmean, stdev
 
-from usdrigui.errors import counted, refuse
+from usdrigui.errors import refuse
 from usdrigui.isolation.foreign_file import whole_content
 from usdrigui.report.documents import document, plain
 
@@ -54,6 +54,10 @@ class Measure:
     """Standard deviation between participants; 0 of one."""
     paper: float | None
     """The paper's mean, where its text gives one."""
+
+    def __str__(self) -> str:
+        paper = "" if self.paper is None else f" ({self.paper:.2f})"
+        return f"{self.mean:.2f} ± {self.deviation:.2f}{paper}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,37 +102,9 @@ def summed(paths: Sequence[Path]) -> Study:
     )
 
 
-def as_text(study: Study) -> str:
-    """A table for people: mean, deviation, and the paper's mean in brackets."""
-    people, width = len(study.participants), max(len(each.measure) for each in study.measures)
-    lines = [
-        (
-            f"{counted(people, 'participant')}: mean ± standard deviation between"
-            " them, in brackets that"
-        ),
-        (
-            f"of {PAPER_PARTICIPANTS} in Kim and Singh 2021, section 5.2, its second interface an"
-            " artist's off the face"
-        ),
-        " " * width + "".join(f"{label:>24}" for label in INTERFACES.values()),
-    ]
-    for measure in dict.fromkeys(each.measure for each in study.measures):
-        cells = {each.interface: _cell(each) for each in study.measures if each.measure == measure}
-        lines.append(
-            f"{measure:<{width}}" + "".join(f"{cells.get(name, ''):>24}" for name in INTERFACES)
-        )
-    lines += [f"left out, as not all {FACES} faces were done: {path}" for path in study.left_out]
-    return "\n".join(lines)
-
-
 def as_json(study: Study) -> str:
-    """The same as one JSON document."""
+    """What all participants did as one JSON document."""
     return document("study", **plain(study))
-
-
-def _cell(each: Measure) -> str:
-    paper = "" if each.paper is None else f" ({each.paper:.2f})"
-    return f"{each.mean:.2f} ± {each.deviation:.2f}{paper}"
 
 
 # --- one file -------------------------------------------------------------------------------------

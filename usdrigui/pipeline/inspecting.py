@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from usdrigui.character import Control, Record, Rig
+from usdrigui.character import Control, Rig
 from usdrigui.character.joint_tree import Tree
 from usdrigui.errors import Issue, of_character
 from usdrigui.layout.group.grouping import suggested_groups
@@ -65,22 +65,16 @@ def inspect(
     return Inspection(str(asset), tuple(characters), tuple(issues), clock.seconds)
 
 
-class _Found(Record):
-    """The motions of one part and what is said of them, by control."""
-
-    part: ProblemInputs
-    motions: Mapping[int, tuple[Motion, Classification]]
-
-
-def _found(inputs: ProblemInputs) -> _Found:
-    known = zip(inputs.face.trajectories.motions, inputs.measured.classification, strict=True)
-    return _Found(inputs, {each[0].control: each for each in known})
-
-
 def _facts(character: Character, parts: Sequence[ProblemInputs]) -> CharacterFacts:
     rig = character.rig
-    found = [_found(inputs) for inputs in parts]
-    of_control = {control: each for each in found for control in each.motions}
+    moving = {
+        motion.control: (inputs, motion, said)
+        for inputs in parts
+        for motion, said in zip(
+            inputs.face.trajectories.motions, inputs.measured.classification, strict=True
+        )
+    }
+    still = parts[0], None, Classification()
     flags: dict[str, list[str]] = {}
     for note in dict.fromkeys(
         (*rig.left_off, *(note for inputs in parts for note in inputs.left_off))
@@ -95,17 +89,15 @@ def _facts(character: Character, parts: Sequence[ProblemInputs]) -> CharacterFac
         joints=len(rig.body.joints),
         symmetric=float((character.symmetry.partner >= 0).mean()),
         controls=tuple(
-            _control(
-                rig.controls, index, of_control.get(index), found[0], flags.get(control.name, ())
-            )
+            _control(control, index, moving.get(index, still), flags.get(control.name, ()))
             for index, control in enumerate(rig.controls)
         ),
         groups=tuple(line for inputs in parts for line in _group_lines(inputs)),
         without=_without_controls(rig),
         likeness=_likeness(parts[0]),
         parts=tuple(
-            PartFacts(each.part.part, len(each.motions), each.part.face.handle_width)
-            for each in found
+            PartFacts(each.part, len(each.face.trajectories.motions), each.face.handle_width)
+            for each in parts
         ),
     )
 
@@ -122,20 +114,19 @@ def _without_controls(rig: Rig) -> dict[str, list[str]]:
 
 
 def _control(
-    controls: tuple[Control, ...],
+    control: Control,
     index: int,
-    own: _Found | None,
-    first: _Found,
+    found: tuple[ProblemInputs, Motion | None, Classification],
     flags: Sequence[str],
 ) -> ControlFacts:
-    """One control; without a motion it belongs to no part, and the `first` one lists it."""
-    control, source = controls[index], own or first
-    motion, said = source.motions.get(index, (None, Classification()))
-    symmetry = source.part.face.symmetry
+    """One control, as the part to which it belongs finds it; without a motion it belongs to none,
+    and the first one finds it."""
+    inputs, motion, said = found
+    symmetry = inputs.face.symmetry
     flags = list(flags)
     if said.category:
         flags.append("on the board by request" if said.category == "requested" else said.category)
-    typical = source.part.face.trajectories.typical_length
+    typical = inputs.face.trajectories.typical_length
     return ControlFacts(
         control=control.name,
         kind=control.kind,
@@ -147,12 +138,10 @@ def _control(
         points=0 if motion is None else len(motion.points),
         coverage=said.coverage,
         peak=0.0 if motion is None else float(motion.arc_length.max()) / typical,
-        twin=source.part.twin_names.get(
-            control.name, "self" if symmetry.twins[index] == index else ""
-        ),
+        twin=inputs.twin_names.get(control.name, "self" if symmetry.twins[index] == index else ""),
         twin_source=symmetry.sources[index],
         flags=tuple(flags),
-        part=source.part.part if own is not None else "",
+        part="" if motion is None else inputs.part,
     )
 
 

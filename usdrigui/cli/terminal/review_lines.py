@@ -15,7 +15,7 @@ from usdrigui.cli.terminal.run_lines import (
 )
 from usdrigui.cli.terminal.table import Table, Verbatim
 from usdrigui.clients.batch.run import OUTCOMES
-from usdrigui.clients.study import INTERFACES
+from usdrigui.clients.study import FACES, INTERFACES, PAPER_PARTICIPANTS, Study
 from usdrigui.errors import by_cause, counted, listed
 
 if TYPE_CHECKING:
@@ -168,6 +168,27 @@ def _review_table(elements: Sequence[ElementReview]) -> Table:
         better = (improvement, each.better)
         rows.append((each.element, percent(each.kept), *costs, apart, each.nearest, *better))
     return Table(headers, rows)
+
+
+def of_study(found: Study) -> tuple[Iterator[Printed], str]:
+    """One row a measure, beside the paper's means."""
+    return _study(found), f"usdrigui: summed {counted(len(found.participants), 'participant')}"
+
+
+def _study(found: Study) -> Iterator[Printed]:
+    yield (
+        "mean ± standard deviation between participants, in brackets the mean of"
+        f" {PAPER_PARTICIPANTS} in Kim and Singh 2021, section 5.2, whose second interface is an"
+        " artist's off the face"
+    )
+    told = {(each.measure, each.interface): str(each) for each in found.measures}
+    rows = [
+        (measure, *(told.get((measure, name), "") for name in INTERFACES))
+        for measure in dict.fromkeys(each.measure for each in found.measures)
+    ]
+    yield Table(" | ".join(["measure", *INTERFACES.values()]), rows)
+    for path in found.left_out:
+        yield f"left out, as not all {FACES} faces were done: {path}"
 
 
 def of_difference(found: LayerDifference) -> tuple[Iterator[Printed], str]:
