@@ -61,6 +61,11 @@ class Face(Record):
         return self.trajectories.surface
 
     @property
+    def names(self) -> list[str]:
+        """(motions,) of the controls that make them."""
+        return [self.control_name(motion.control) for motion in self.trajectories.motions]
+
+    @property
     def drawing_axes(self) -> Floats:
         """(d, 3) the axes along which drawn elements are measured."""
         return self.views.drawing_axes(self.flat)

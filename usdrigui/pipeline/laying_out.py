@@ -419,11 +419,10 @@ def _account(character: Character, laid: Sequence[LaidPart], layout: Layout) -> 
 def _part_row(laid: LaidPart) -> PartRow:
     elements = [element for element in laid.layout.elements if not element.anchor.on_board]
     face = laid.inputs.face
-    names = tuple(face.rig.control_names[each.control] for each in face.trajectories.motions)
     on_it = frozenset().union(*(element.controls for element in elements))
     return PartRow(
         laid.inputs.part,
-        names,
+        tuple(face.names),
         len(on_it),
         laid.layout.frame.handle_width,
         laid.layout.frame.view,

@@ -86,9 +86,7 @@ class ProblemInputs(Record):
     @property
     def explained_by(self) -> dict[str, dict[str, float]]:
         """Names of the controls that others explain, to those and how far each of them goes."""
-        names = [
-            self.face.control_name(motion.control) for motion in self.face.trajectories.motions
-        ]
+        names = self.face.names
         named = zip(names, self.measured.classification, strict=True)
         return {name: {names[i]: amount for i, amount in each.explained_by} for name, each in named}
 

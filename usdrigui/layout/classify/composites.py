@@ -34,9 +34,8 @@ def composites(face: Face, similarity: Similarity, coverage: Floats) -> dict[int
 
     `coverage` (motions,) is the share of the face that each moves.
     """
-    motions = face.trajectories.motions
-    names = [face.control_name(motion.control) for motion in motions]
-    meaning = [face.meanings[motion.control] for motion in motions]
+    names = face.names
+    meaning = [face.meanings[motion.control] for motion in face.trajectories.motions]
     twins = face.twins
     lost = [left.control for left in face.rig.left_off]
     families = find_families(names, meaning, similarity.cosine, lost)

@@ -135,14 +135,14 @@ def at_anchors(
     # Of today's rig the point whose track the layout holds: the nearest that moves.
     places = displacement_fields(trajectories).places
     tree = cKDTree(trajectories.surface.points[places])
-    points = {name: int(places[tree.query(each.position)[1]]) for name, each in held.items()}
+    points = {name: int(places[tree.query(place)[1]]) for name, (place, _) in held.items()}
     index = rig.control_indices
     columns = np.array([index[name] for name in new], dtype=np.int64)
     found = np.zeros((len(left), len(new)))
     for row, name in enumerate(left):
         if name in held:
             here = _at_point(trajectories.motions, len(rig.controls), points[name])[columns]
-            found[row] = _agreement(held[name].vector[None], here).at_a_point[0]
+            found[row] = _agreement(held[name][1][None], here).at_a_point[0]
     return found
 
 
@@ -183,23 +183,17 @@ def _blurred(character: tuple[Rig, Trajectories], points: Floats) -> Floats:
 # --- anchors --------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class _Held:
-    """What a layout knows of a control on the face."""
+def _held(elements: tuple[Element, ...]) -> dict[str, tuple[Floats, Floats]]:
+    """What a layout knows of each control on the face: (3,) the position of its anchor, and (3,)
+    from the least value to the greatest where the track is.
 
-    position: Floats
-    """(3,) of its anchor."""
-    vector: Floats
-    """(3,) from the least value to the greatest, where the track is."""
-
-
-def _held(elements: tuple[Element, ...]) -> dict[str, _Held]:
-    """By control, the first level first; tracks on the board are drawn and hold no motion."""
-    found: dict[str, _Held] = {}
+    The first level first; tracks on the board are drawn and hold no motion.
+    """
+    found: dict[str, tuple[Floats, Floats]] = {}
     for element in outer_first(elements):
         for member in element.members if not element.anchor.on_board else ():
             moved = (member.track[-1] - member.track[0]) / (member.magnification or 1.0)
-            found.setdefault(member.control, _Held(element.anchor.position, moved))
+            found.setdefault(member.control, (element.anchor.position, moved))
     return found
 
 

@@ -127,8 +127,7 @@ def unplaced(face: Face, layout: Layout, listed: frozenset[str]) -> Iterator[Iss
     known = layout.controls | {left.control for left in layout.left_off}
     if not layout.proof.method:  # only the list shows what is left off by hand
         known |= listed
-    names = [face.control_name(motion.control) for motion in face.trajectories.motions]
-    new = [name for name in names if name not in known]
+    new = [name for name in face.names if name not in known]
     if len(new) > 1 and not listed and not layout.proof.method:
         clause = "controls have no element, and rigUI:layout:baseControls lists none"
         yield issue("LAYOUT_CONTROL_NEW", layout.root, f"{len(new)} {clause}")

@@ -37,10 +37,11 @@ def layout_cost(known: Measured, candidates: Candidates, elements: tuple[Element
 def board_cost(known: Measured, candidates: Candidates, elements: tuple[Element, ...]) -> float:
     """What the elements on the board cost that could stand on the face."""
     face, requests = known.face, known.requests
+    index = face.rig.control_indices
     able = {
-        face.control_name(motion.control)
-        for motion, found in zip(face.trajectories.motions, known.classification, strict=True)
-        if motion.control in candidates.sets and not found.category
+        name
+        for name, found in zip(face.names, known.classification, strict=True)
+        if index[name] in candidates.sets and not found.category
     }
     inner = inner_names(elements)
     away = tuple(
@@ -56,14 +57,13 @@ def board_cost(known: Measured, candidates: Candidates, elements: tuple[Element,
 def sound_elements(face: Face, elements: tuple[Element, ...]) -> tuple[Element, ...]:
     """The elements on the face that can be rated: mesh, point and controls exist and the controls
     move it."""
-    rig = face.rig
-    moving = {rig.control_names[motion.control] for motion in face.trajectories.motions}
+    moving = {*face.names}
     return tuple(
         element
         for element in elements
         if not element.anchor.on_board
-        and rig.body.point_of(element.anchor.mesh, element.anchor.point) >= 0
-        and all(member.control in moving for member in element.members)
+        and face.rig.body.point_of(element.anchor.mesh, element.anchor.point) >= 0
+        and moving >= element.controls
     )
 
 
