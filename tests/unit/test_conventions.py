@@ -136,9 +136,7 @@ def test_a_number_is_an_action_unit_only_among_action_units():
 
 def test_what_stands_before_the_last_dot_or_colon_is_the_owner_of_the_name():
     """Each mesh and deformer has its own; a side behind a dot is none, and an axis of a joint neither."""
-    read = meanings(
-        ["h_teeth.AE_AA", "geo:jawOpen", "brow.down.L", "ah", "12_a", "jaw:rx", "h_teeth.smile_L", "m:r_3"]
-    )
+    read = meanings(["h_teeth.AE_AA", "geo:jawOpen", "brow.down.L", "ah", "12_a", "jaw:rx", "h_teeth.smile_L", "m:r_3"])
     told = ["viseme", "jawOpen", "browDown", "viseme", None, "jaw", "mouthSmile", "viseme"]
     assert [each and each.action.name for each in read] == told
     assert {each.side for each in meanings(["brow.down.L", "brow.L_1"])} == {"left"}
