@@ -103,7 +103,7 @@ def _layouts_in(asset: _Asset, *, carried: bool = False) -> LayoutsResult:
         sources,
         existing_prims(stage),
         composed_layouts(stage),
-        _as_text(ignored_opinions(stage)),
+        ignored_opinions(stage),
         read_corrections(stage),
     )
 
@@ -186,8 +186,8 @@ def read_composed(
         found = told(read_characters(stage, settings, laid_out))
     return replace(
         read_result(stage, found),
-        without_layout=_as_text(without_layout(stage, laid_out, settings.read.skel_root)),
-        contradictions=_as_text(against),
+        without_layout=without_layout(stage, laid_out, settings.read.skel_root),
+        contradictions=against,
     )
 
 
@@ -217,8 +217,8 @@ def read_result(stage: Usd.Stage, found: Characters) -> ReadResult:
             path: variant_path(stage.GetPrimAtPath(path))
             for path in (rig.path for rig in found.rigs)
         },
-        lost=_as_text(found.lost),
-        config_faults=_as_text(found.faults.issues),
+        lost=found.lost,
+        config_faults=found.faults.issues,
         corrections=read_corrections(stage),
     )
 
@@ -308,19 +308,7 @@ def _as_json(value: Any) -> list[Any] | str:
 
 
 def _refusal(error: RigUIError) -> Response[Any]:
-    first, *others = _as_text(error.issues)
-    return Response(refusal=first, exit_code=int(error.exit_code), others=tuple(others))
-
-
-def _as_text(issues: Iterable[Issue]) -> tuple[Issue, ...]:
-    """The issues in letters that a response can hold."""
-    return tuple(
-        replace(each, path=_text(each.path), message=_text(each.message)) for each in issues
-    )
-
-
-def _text(value: object) -> str:
-    return str(value).encode(errors="replace").decode(errors="replace")
+    return Response(None, error.issue, int(error.exit_code), error.others)
 
 
 def _starved(request: Request) -> RigUIError:
@@ -345,7 +333,7 @@ def _unexpected(error: Exception, path: str) -> RigUIError:
         error, UnicodeDecodeError
     ):
         return refuse("USD_ERROR", path, f"USD raised {kind.__name__} while it was read")
-    return refuse("BUG", path, f"{kind.__name__}: {_text(error)}{raised_at(error)}")
+    return refuse("BUG", path, f"{kind.__name__}: {error}{raised_at(error)}")
 
 
 def _peak() -> int:
