@@ -7,12 +7,11 @@ Library code raises `RigUIError` (via `refuse`) for what stops the run and colle
 
 from __future__ import annotations
 
-import json
 import tomllib
 import traceback
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from enum import IntEnum
 from functools import cache
@@ -158,19 +157,6 @@ def raised_at(error: BaseException) -> str:
     """File and line where an error of ours was raised, in brackets; empty where nobody knows."""
     called = traceback.extract_tb(error.__traceback__)[-1:]
     return "".join(f" ({Path(each.filename).name}:{each.lineno})" for each in called)
-
-
-def failure_json(asset: str, error: RigUIError) -> str:
-    """The report of a run that ended in an error: it needs nothing that a run does."""
-    document = {
-        "format": "usdrigui.report",
-        "version": 1,
-        "asset": asset,
-        "outcome": "refused",
-        "exit": int(error.exit_code),
-        "issues": [asdict(each) for each in error.issues],
-    }
-    return json.dumps(document, indent=2, ensure_ascii=False) + "\n"
 
 
 def sentences(found: Issue) -> str:

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from usdrigui.cli.lines import tell
-from usdrigui.errors import Exit, RigUIError, failure_json, raised_at, refuse
+from usdrigui.errors import Exit, RigUIError, raised_at, refuse
 from usdrigui.isolation import worker
 
 if TYPE_CHECKING:
@@ -71,7 +71,11 @@ def refused(error: RigUIError, arguments: argparse.Namespace) -> int:
     subject = asset or found.path
     worker.hold_errors()
     if getattr(arguments, "json", False):
-        sys.stdout.write(failure_json(asset, error))
+        from usdrigui.report.documents import document
+
+        code = int(error.exit_code)
+        told = {"asset": asset, "outcome": "refused", "exit": code, "issues": error.issues}
+        sys.stdout.write(document("report", **told))
     if getattr(arguments, "openjd", False):
         from usdrigui.clients import openjd
 

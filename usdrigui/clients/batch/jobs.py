@@ -10,14 +10,16 @@ from __future__ import annotations
 import json
 import threading
 from collections.abc import Mapping
-from dataclasses import asdict, replace
+from dataclasses import replace
 from queue import SimpleQueue
 from time import perf_counter
 from typing import Any
 
+import msgspec
+
 from usdrigui.clients.batch import state
 from usdrigui.clients.batch.job import Job, Row
-from usdrigui.errors import RigUIError, refuse
+from usdrigui.errors import Issue, RigUIError, refuse
 from usdrigui.isolation.supervising import Events, Outcome, interrupted, supervise
 
 _RUNNING: set[Events] = set()
@@ -39,14 +41,13 @@ def failed(job: Job, error: RigUIError) -> Row:
     """The row of an asset that has no layout because of an error."""
     found = error.issue
     outcome = "refused" if found.code.startswith(("SOURCE_", "CONFIG_", "FILE_")) else "failed"
-    return _without_layout(job, outcome, int(error.exit_code), asdict(found))
+    return _without_layout(job, outcome, int(error.exit_code), found)
 
 
-def _without_layout(job: Job, outcome: str, code: int, found: Mapping[str, str]) -> Row:
-    """The row of an asset, and why it has no layout: an issue, as in a report."""
-    where = f"{found['path']}: " if found["path"] not in ("", job.asset) else ""
-    message = where + found["message"]
-    return Row(job.asset, job.output, "", outcome, code, found["code"], message)
+def _without_layout(job: Job, outcome: str, code: int, found: Issue) -> Row:
+    """The row of an asset, and why it has no layout."""
+    where = f"{found.path}: " if found.path not in ("", job.asset) else ""
+    return Row(job.asset, job.output, "", outcome, code, found.code, where + found.message)
 
 
 def end_all() -> None:
@@ -97,7 +98,8 @@ def _row(job: Job, outcome: Outcome) -> Row:
         return failed(job, outcome.death)
     document = json.loads(outcome.out)
     if document["outcome"] == "refused":
-        return _without_layout(job, "refused", outcome.code, document["issues"][0])
+        found = msgspec.convert(document["issues"][0], Issue)
+        return _without_layout(job, "refused", outcome.code, found)
     return _with_counts(
         Row(job.asset, job.output, job.picture, document["outcome"], outcome.code), document
     )
