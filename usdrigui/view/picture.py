@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
-from PIL import Image, ImageDraw
+from PIL import Image
 
 from usdrigui.character import Floats, Rig, palette
 from usdrigui.errors import counted
@@ -22,10 +22,10 @@ from usdrigui.view.body.complexion import complexion
 from usdrigui.view.body.shading import Subject, subject_of
 from usdrigui.view.flat.callouts import called_out, column_width, shortened
 from usdrigui.view.flat.framing import Frame, View, crowds, framed, names_height, row, trimmed
-from usdrigui.view.flat.lettering import cut, font, legible, width_of
+from usdrigui.view.flat.lettering import cut, width_of
 from usdrigui.view.flat.marks import FORMS, form_of
 from usdrigui.view.flat.pillow import painted
-from usdrigui.view.flat.scene import INK, PAPER, QUIET, Label, Mark, Page, Panel, stacked
+from usdrigui.view.flat.scene import QUIET, Label, Mark, Page, Panel, stacked
 from usdrigui.view.panels import board_of, body, marks_of, on_character
 from usdrigui.view.sections import Section, sections
 
@@ -117,24 +117,17 @@ def contact_sheet(
     """All ``images``, one at least, on one page of `_SHEET` pixels, in rows of ``columns``, each
     over its title if there are any."""
     columns = min(columns, len(images))
-    cell = (_SHEET - _GAP * (columns + 1)) // columns
-    shares = [cell / image.width for image in images]
-    heights = [
-        max(1, round(image.height * share)) for image, share in zip(images, shares, strict=True)
-    ]
-    below = 26 if titles else 0
-    starts = range(0, len(images), columns)
-    rows = [max(heights[start : start + columns]) + below + _GAP for start in starts]
-    page = Image.new("RGB", (_SHEET, sum(rows) + _GAP), PAPER)
-    pen = ImageDraw.Draw(page)
-    for index, (image, height) in enumerate(zip(images, heights, strict=True)):
-        left = _GAP + index % columns * (cell + _GAP)
-        top = _GAP + sum(rows[: index // columns])
-        page.paste(image.resize((cell, height), Image.Resampling.LANCZOS), (left, top))
-        if titles:
-            text, place = titles[index], (left + 2, top + height + 5)
-            pen.text(place, legible(text), fill=INK, font=font(14, text))
-    return page
+    across, below = (_SHEET - _GAP * (columns + 1)) // columns, 26 if titles else 0
+    cells = []
+    for image, title in zip(images, titles or [""] * len(images), strict=True):
+        high = max(1, round(image.height * (across / image.width)))
+        body = image.resize((across, high), Image.Resampling.LANCZOS).convert("RGBA")
+        label = Label(title, (2, high + 5), "la", 14)
+        panel = Panel((_GAP, _GAP), (across, high + below), body, labels=(label,), grounded=False)
+        cells.append(Page((across + _GAP, high + below + _GAP), (panel,)))
+    starts = range(0, len(cells), columns)
+    sheet = stacked([stacked(cells[start : start + columns], 0) for start in starts])
+    return painted(replace(sheet, size=(_SHEET, sheet.size[1] + _GAP)))
 
 
 # --- arrangement ----------------------------------------------------------------------------------
