@@ -132,13 +132,14 @@ def drawn_lengths(face: Face, motion: Motion, sources: Indices) -> Floats:
 
 
 def _on_both_sides(face: Face, found: CandidateSet) -> CandidateSet:
-    """The candidates of a doubled control and their mirror images, which it moves alike: one side
-    may be all that is fixed, or all that pruning leaves."""
-    partner = face.symmetry.partner
+    """The candidates of a doubled control and those of their mirror images that are seen, which it
+    moves alike: one side may be all that is fixed, seen or not, or all that pruning leaves."""
+    partner, is_fixed = face.symmetry.partner, len(found.points) == 1
     places = np.column_stack([found.points, found.sources])
     images = partner[places]
-    moved = np.isin(images[:, 1], found.motion.points)
-    places = np.unique(np.concatenate([places, images[moved & (images[:, 0] >= 0)]]), axis=0)
+    like = np.isin(images[:, 1], found.motion.points) & (images[:, 0] >= 0)
+    like &= is_fixed | face.views.anywhere[images[:, 0]]
+    places = np.unique(np.concatenate([places, images[like]]), axis=0)
     _, first = np.unique(places[:, 0], return_index=True)
     return CandidateSet(found.motion, *places[first].T)
 

@@ -1,11 +1,15 @@
 """What a place costs: of a group the worst member counts, of a middle element the way to the plane."""
 
+from dataclasses import replace
+
 import chain
 import makers
 import numpy as np
 import pytest
 from makers import POINTS, QUADS
 
+from usdrigui.layout.place.labels import labels_of
+from usdrigui.model import CandidateSet
 from usdrigui.overlap import own_costs
 from usdrigui.settings import Settings
 
@@ -73,6 +77,21 @@ def test_a_middle_control_may_be_doubled():
     one, other = elements["cheeks"], elements["cheeks_mirror"]
     assert one.anchor.position[0] == pytest.approx(-other.anchor.position[0], abs=1e-6)
     assert one.mirror == "cheeks_mirror"
+
+
+def test_a_copy_of_a_doubled_control_stands_where_it_is_seen():
+    """The highlight of one eye had its handle behind a plate that covers part of that eye."""
+    line = chain.problem_of(makers.face_with(cheeks=CHEEKS), chain.settings(symmetry={"double_middle": "always"}))
+    known, candidates = line.grouping
+    index = [group.name for group in line.groups].index("cheeks")
+    covered = known.face.surface.points[:, 0] > 0.45
+    views = replace(known.face.views, visible=known.face.views.visible & ~covered)
+    known = replace(known, face=replace(known.face, views=views))
+    motion = candidates.sets[line.groups[index].controls[0]].motion
+    seen = motion.points[~covered[motion.points]]
+    choice, *_ = labels_of(known, {motion.control: CandidateSet(motion, seen, seen)}, line.groups, index)
+    assert len(choice.anchors)
+    assert views.anywhere[choice.anchors].all()
 
 
 def test_the_paper_preset_takes_the_constants_literally():
