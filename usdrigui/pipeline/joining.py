@@ -9,15 +9,17 @@ import numpy as np
 
 from usdrigui.errors import Issue
 from usdrigui.layout.element.elements import proof_of
+from usdrigui.layout.parts.joint_regions import OF_SIDES
 from usdrigui.model import Assignment, Layout, LayoutPart, main_part
 from usdrigui.pipeline.records import LaidPart, ProblemInputs
 
 
 def joined(laid: Sequence[LaidPart]) -> Layout:
-    """The layouts of all parts as one."""
+    """The layouts of all parts as one.  A character in one part has none by name, but hands alone:
+    each has its own view."""
     layouts = {each.inputs.part: each.layout for each in laid}
     main = layouts[main_part(list(layouts))]
-    if len(laid) == 1:
+    if len(laid) == 1 and not {*layouts} & {*OF_SIDES}:
         return main
     whole = joined_assignment([each.assignment for each in laid], list(layouts))
     parts = [

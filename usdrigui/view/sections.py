@@ -46,7 +46,7 @@ def sections(
     ahead = directions.ahead_of(layout, up)
     if azimuth is not None:
         return (Section("", layout, posed, (directions.turned(view, up, azimuth),)),)
-    if len(layout.frame.parts) < 2:
+    if not layout.frame.parts:
         return (Section("", layout, posed, (view, *directions.companions(view, ahead, up))),)
     found: list[Section] = []
     caster = make_caster(posed.points[mesh_triangles(rig.body.meshes, visible_only=True)])
