@@ -235,6 +235,8 @@ def test_parts_keep_clear_of_each_other_and_their_proofs_add_up():
     laid = chain.laid_parts(BODY)
     whole, sums = joined(laid), joined_assignment([each.assignment for each in laid], ["face", "hands", "body"])
     assert [part.name for part in whole.frame.parts] == ["face", "hands", "body"]
+    assert joined(laid[1:2]).frame.parts, "each hand alone has its own view"
+    assert not joined(laid[:1]).frame.parts
     assert whole.proof.cost == pytest.approx(sum(part.cost for part in whole.frame.parts)) == sums.cost
     standing = laid_out.on_face(whole)
     assert {element.part for element in standing} == {"face", "hands", "body"}

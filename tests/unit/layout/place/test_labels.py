@@ -82,16 +82,15 @@ def test_a_middle_control_may_be_doubled():
 def test_a_copy_of_a_doubled_control_stands_where_it_is_seen():
     """The highlight of one eye had its handle behind a plate that covers part of that eye."""
     line = chain.problem_of(makers.face_with(cheeks=CHEEKS), chain.settings(symmetry={"double_middle": "always"}))
-    known, candidates = line.grouping
+    known = line.inputs.measured
     index = [group.name for group in line.groups].index("cheeks")
-    covered = known.face.surface.points[:, 0] > 0.45
-    views = replace(known.face.views, visible=known.face.views.visible & ~covered)
-    known = replace(known, face=replace(known.face, views=views))
-    motion = candidates.sets[line.groups[index].controls[0]].motion
-    seen = motion.points[~covered[motion.points]]
-    choice, *_ = labels_of(known, {motion.control: CandidateSet(motion, seen, seen)}, line.groups, index)
-    assert len(choice.anchors)
-    assert views.anywhere[choice.anchors].all()
+    motion = known.face.trajectories.motions[-1]
+    seen = known.face.surface.points[:, 0] < 0.45
+    face = replace(known.face, views=replace(known.face.views, visible=seen[None]))
+    places = CandidateSet(motion, *[motion.points[seen[motion.points]]] * 2)
+    anchors = labels_of(replace(known, face=face), {motion.control: places}, line.groups, index)[0].anchors
+    assert len(anchors)
+    assert seen[anchors].all()
 
 
 def test_the_paper_preset_takes_the_constants_literally():
