@@ -89,7 +89,7 @@ def test_a_copy_of_a_doubled_control_stands_where_it_is_seen():
     face = replace(known.face, views=replace(known.face.views, visible=seen[None]))
     places = CandidateSet(motion, *[motion.points[seen[motion.points]]] * 2)
     anchors = labels_of(replace(known, face=face), {motion.control: places}, line.groups, index)[0].anchors
-    assert len(anchors)
+    assert anchors.size
     assert seen[anchors].all()
 
 
