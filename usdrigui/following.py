@@ -46,7 +46,7 @@ def shared(rig: Rig, elements: Sequence[Element]) -> Shared:
         if element.anchor.on_board:
             found.update(controls_of(rig, element).tolist())
         else:
-            points.append(rig.body.point_of(element.anchor.mesh, element.anchor.point))
+            points.append(element.anchor.on(rig.body))
     board = [each for each in sorted(found) if len(rig.controls[each].drive.joints)]
     carrier = carrying_joint(rig.body, np.array(points, dtype=np.int64))
     return Shared(np.array(board, dtype=np.int64), carrier)

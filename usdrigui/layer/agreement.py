@@ -406,7 +406,7 @@ def _scene(scope: Usd.Prim, layout: Layout, body: Body, found: list[Issue]) -> _
     rig, drawn = read_controls(scope, prims, body, found), []
     for prim, element in zip(prims, layout.elements, strict=True):
         anchor, held = element.anchor, body.by_path.get(element.anchor.mesh)
-        point = body.point_of(anchor.mesh, anchor.point)
+        point = anchor.on(body)
         if held is None:
             found.append(layout.mesh_gone(anchor.mesh))
         elif change := anchor.mesh_change(held.topology.hash, len(held.points)):

@@ -11,7 +11,7 @@ from typing import Literal, get_args
 import numpy as np
 
 from usdrigui.character.record import Floats, Indices, Record
-from usdrigui.character.rig import Glyph, LeftOff
+from usdrigui.character.rig import Body, Glyph, LeftOff
 from usdrigui.errors import Issue, counted, issue
 from usdrigui.model.assignment import Status
 from usdrigui.model.candidates import ElementKind, axes_of
@@ -313,6 +313,10 @@ class Anchor(Record):
     def place(self) -> str:
         """``MESH#POINT``, as a configuration takes it, or ``board``."""
         return "board" if self.on_board else f"{self.mesh}#{self.point}"
+
+    def on(self, body: Body) -> int:
+        """The point of a character that it names; -1 where the character has none such."""
+        return body.point_of(self.mesh, self.point)
 
     def fits(self, topology_hash: str) -> bool:
         """Whether a mesh of this hash has the points and faces on which the anchor was made; so it

@@ -218,7 +218,7 @@ def _carried(before: Floats, now: Floats, position: Floats) -> tuple[Floats, Flo
 def _anchor_point(body: Body, element: Element) -> int:
     """The point that an element is anchored at."""
     anchor = element.anchor
-    point = body.point_of(anchor.mesh, anchor.point)
+    point = anchor.on(body)
     if point >= 0 and anchor.fits(body.by_path[anchor.mesh].topology.hash):
         return point
     what = f"its topology is not that which {element.name} is anchored to"

@@ -41,7 +41,7 @@ def with_decisions(layout: Layout, rig: Rig, rest: Floats, requests: Requests) -
             kinds.discard("anchor")
         element = replace(element, pinned=in_order(kinds))
         if "anchor" in kinds:
-            here = rest[rig.body.point_of(anchor.mesh, anchor.point)]
+            here = rest[anchor.on(rig.body)]
             # The place that was decided stays on record while it is the same place: carrying it on
             # adds up no errors.
             then = np.array(before.get(element.name, (np.nan,) * 3))

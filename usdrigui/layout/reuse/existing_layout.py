@@ -152,7 +152,7 @@ def moved_path(path: str, before: str, after: str) -> str:
 
 
 def _variable(face: Face, element: Element, count: int) -> Variable:
-    point = np.array([face.rig.body.point_of(element.anchor.mesh, element.anchor.point)])
+    point = np.array([element.anchor.on(face.rig.body)])
     samples = np.hstack([resampled(member.track[None], count) for member in element.members])
     aside = face.aside[point]
     samples = face.seen(face.drawing_axes, samples, aside)[None]

@@ -116,8 +116,7 @@ def with_rest_places(layout: Layout, rig: Rig) -> Layout:
     points = posed(rig, None).points
 
     def placed(element: Element) -> Element:
-        anchor = element.anchor
-        point = rig.body.point_of(anchor.mesh, anchor.point)
+        point = element.anchor.on(rig.body)
         if point < 0 or np.isfinite(element.pinned_position).all():
             return element
         x, y, z = points[point].tolist()

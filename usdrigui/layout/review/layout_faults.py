@@ -118,7 +118,7 @@ def _anchor_faults(
 
 def _off(body: Body, surface: BaseSurface, anchor: Anchor) -> float:
     """Distance between the anchor as recorded and as it is, over the face size."""
-    here = surface.points[body.point_of(anchor.mesh, anchor.point)]
+    here = surface.points[anchor.on(body)]
     return float(np.linalg.norm(here - anchor.position)) / surface.face_size
 
 
@@ -155,7 +155,7 @@ def hidden(face: Face, elements: tuple[Element, ...]) -> Iterator[Issue]:
     """Elements whose anchor no view sees."""
     seen = face.views.anywhere
     for element in elements:
-        if not seen[face.rig.body.point_of(element.anchor.mesh, element.anchor.point)]:
+        if not seen[element.anchor.on(face.rig.body)]:
             yield issue("LAYOUT_ANCHOR_HIDDEN", element.name, "its anchor is hidden in all views")
 
 

@@ -62,7 +62,7 @@ def sound_elements(face: Face, elements: tuple[Element, ...]) -> tuple[Element, 
         element
         for element in elements
         if not element.anchor.on_board
-        and face.rig.body.point_of(element.anchor.mesh, element.anchor.point) >= 0
+        and element.anchor.on(face.rig.body) >= 0
         and moving >= element.controls
     )
 
@@ -80,9 +80,7 @@ def as_problem(
     """
     face = known.face
     groups = _as_groups(face.rig.controls, every, elements)
-    points = [
-        face.rig.body.point_of(element.anchor.mesh, element.anchor.point) for element in elements
-    ]
+    points = [element.anchor.on(face.rig.body) for element in elements]
     sets = _with_points(candidates, groups, points)
     placement = placement_problem(known, sets, groups)
     labels, kept = [], []

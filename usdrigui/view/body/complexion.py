@@ -192,7 +192,7 @@ def _face(rig: Rig, layout: Layout, start: Posed, actions: Mapping[str, Action])
     plain = [mesh.colours is None and _usual(mesh) is None for mesh in body.meshes]
     free = np.repeat(np.array(plain, dtype=bool), np.diff(body.starts))
     corners = mesh_triangles(body.meshes, visible_only=True)
-    anchors = [body.point_of(each.anchor.mesh, each.anchor.point) for each in elements]
+    anchors = [each.anchor.on(body) for each in elements]
     if not free.any() or not len(corners) or not anchors:
         return None
     rows = camera_rows(layout, rig.up)
