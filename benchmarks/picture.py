@@ -76,8 +76,7 @@ def scattered(rig: Rig, count: int) -> Layout:
 
 
 def _slider(rig, number, j, at, points, normals, point, offsets) -> Element:
-    mesh, local = rig.body.mesh_of(point)
-    where = rig.body.meshes[mesh]
+    where, local = rig.body.mesh_of(point)
     anchor = Anchor(
         where.path,
         local,

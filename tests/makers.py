@@ -265,8 +265,7 @@ def skin(count, joint=0):
 
 def anchor(rig, point, position, normal=(0.0, 0.0, 1.0), on_board=False):
     """Of an element at a `position` that holds on to a point of a rig."""
-    number, local = rig.body.mesh_of(point)
-    held = rig.body.meshes[number]
+    held, local = rig.body.mesh_of(point)
     place, out = np.asarray(position), np.array(normal)
     return Anchor(held.path, local, len(held.points), held.topology.hash, place, out, on_board)
 

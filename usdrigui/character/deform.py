@@ -55,7 +55,7 @@ class Posed(Record):
     def map_of(self, body: Body, point: int) -> Floats:
         """(4, 3) the map of one of the points of the `body`."""
         mesh, local = body.mesh_of(point)
-        maps = self.maps[mesh]
+        maps = self.maps[body.meshes.index(mesh)]
         return np.asarray(maps[local if len(maps) > 1 else 0])
 
 

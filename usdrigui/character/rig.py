@@ -131,11 +131,11 @@ class Body(Record):
                 return index
         return 0 if self.skeletons else -1
 
-    def mesh_of(self, point: int) -> tuple[int, int]:
-        """Mesh index and local point of a point."""
+    def mesh_of(self, point: int) -> tuple[RigMesh, int]:
+        """Mesh and local point of a point."""
         starts = self.starts
         mesh = int(np.searchsorted(starts, point, side="right")) - 1
-        return mesh, int(point - starts[mesh])
+        return self.meshes[mesh], int(point - starts[mesh])
 
 
 class Glyph(Record):

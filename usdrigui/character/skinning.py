@@ -118,9 +118,8 @@ def carrying_joint(body: Body, rows: Indices) -> int:
     share: Floats = np.zeros(len(body.joints))
     for row in rows.tolist():
         mesh, local = body.mesh_of(row)
-        skin = body.meshes[mesh].skin
-        if skin is not None:
-            np.add.at(share, skin.joints[local], skin.weights[local])
+        if mesh.skin is not None:
+            np.add.at(share, mesh.skin.joints[local], mesh.skin.weights[local])
     total = float(share.sum())
     if not total > 0.0:
         return -1

@@ -139,7 +139,7 @@ class _Scene(Record):
         if turned:
             for point in anchors:
                 mesh, local = self.rig.body.mesh_of(point)
-                above = self._above[:, influences(self.rig.body.meshes[mesh].skin, local)[0]]
+                above = self._above[:, influences(mesh.skin, local)[0]]
                 carried |= above.any(axis=1) & ~above.all(axis=1)
         return [
             index

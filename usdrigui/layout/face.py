@@ -124,7 +124,6 @@ class Face(Record):
 
     def anchor(self, point: int) -> Anchor:
         """The anchor on a point of the face."""
-        index, local = self.rig.body.mesh_of(point)
-        mesh = self.rig.body.meshes[index]
+        mesh, local = self.rig.body.mesh_of(point)
         base, normal = self.surface.points[point], self.surface.normals[point]
         return Anchor(mesh.path, local, len(mesh.points), mesh.topology.hash, base, normal, False)

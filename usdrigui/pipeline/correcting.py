@@ -181,5 +181,4 @@ def _placed(known: Correction, value: str, rig: Rig, layout: Layout) -> Correcti
         point = int(np.linalg.norm(rest - position, axis=1).argmin())
     mesh, local = rig.body.mesh_of(point)
     x, y, z = position.tolist()
-    path = rig.body.meshes[mesh].path
-    return replace(known, place="point", position=(x, y, z), mesh=path, point=local)
+    return replace(known, place="point", position=(x, y, z), mesh=mesh.path, point=local)

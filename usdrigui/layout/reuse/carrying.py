@@ -44,7 +44,7 @@ def point_named(rig: Rig, hint: Anchor | Correction) -> int:
     point = rig.body.point_of(hint.mesh, hint.point)
     if point < 0 or isinstance(hint, Correction):
         return point
-    mesh = rig.body.meshes[rig.body.mesh_of(point)[0]]
+    mesh, _ = rig.body.mesh_of(point)
     return point if hint.fits(mesh.topology.hash) else -1
 
 

@@ -41,7 +41,7 @@ def anchored_point(rig: Rig, where: str, anchor: str) -> int:
 def place_of(body: Body, point: int) -> str:
     """``MESH_PATH#POINT`` of a point among all points of the rig."""
     mesh, local = body.mesh_of(point)
-    return f"{body.meshes[mesh].path}#{local}"
+    return f"{mesh.path}#{local}"
 
 
 def moves(points: Indices, name: str, override: ControlSettings, point: int) -> bool:
