@@ -18,7 +18,8 @@ from usdrigui.character.rotation import rotation_part
 from usdrigui.character.skinning import base_locals, bind_poses, bound_points, in_skeleton_space
 
 FINGERS = 3
-"""Chains of a fan, at least; and joints of a finger that curl, at most."""
+"""Chains of a fan, at least, but for short ones of an arm; and joints of a finger that curl, at
+most."""
 OWNS = 1e-3
 """Largest weight below which no skin hangs on a joint."""
 _TRACE = 0.05
@@ -308,6 +309,17 @@ class Tree(Record):
         ways = self.places[[*(self.below([joint]) - self.hanging.aside)]] - self.places[start]
         return float(np.linalg.norm(ways, axis=1).max())
 
+    def arm(self, joint: int) -> float:
+        """Distance of a joint from where more than single chains part, itself included: the nearest
+        such joint above; inf where there is none, as of a hand by itself."""
+        parting = [
+            each
+            for each in (joint, *self.above(joint))
+            if len(out := self.branches(each)) > max(1, sum(map(bool, map(self.chain, out))))
+        ]
+        ways = self.places[parting] - self.places[joint]
+        return float(np.linalg.norm(ways, axis=1).min(initial=np.inf))
+
     def direction(self, chain: Sequence[int]) -> Floats:
         """(3,) unit vector along a chain."""
         end = self.next(chain[-1])
@@ -361,21 +373,29 @@ class Fan(Record):
 
 
 def fans(tree: Tree) -> list[Fan]:
-    """The fans of at least three chains of two joints with skin or more, in the order of their
-    joints."""
+    """The fans of chains of two joints with skin or more, in the order of their joints: three side
+    by side at least, or beside the middle two that are shorter than their arm, as cartoons have."""
     found = []
     for joint in range(len(tree.joints)):
         children = tree.children[joint]
         chains = [each for i in children if tree.depth[i] >= 2 and (each := tree.chain(i))]
-        if len(chains) < FINGERS:
+        if len(chains) < 2:
             continue
+        least = FINGERS - _are_short(tree, joint, chains)
         directions = np.array([tree.direction(chain[-FINGERS:]) for chain in chains])
         middle = unit(np.median(directions, axis=0))
         cosines = directions @ middle
-        if (cosines >= _PARALLEL).sum() >= FINGERS:
+        if (cosines >= _PARALLEL).sum() >= least:
             kept = np.flatnonzero(cosines > 0.0)
             found.append(Fan(joint, tuple(chains[i] for i in kept), directions[kept], middle))
     return found
+
+
+def _are_short(tree: Tree, joint: int, chains: Sequence[Sequence[int]]) -> bool:
+    """Whether chains from a joint beside the middle are shorter than the arm that carries them, as
+    legs and a pair of ears are not."""
+    lengths = [tree.max_path(chain[0], chain[0]) for chain in chains]
+    return not tree.on_plane(joint) and max(lengths) < tree.arm(joint) < np.inf
 
 
 def unit(vector: Floats) -> Floats:

@@ -88,12 +88,14 @@ def _fingers(tree: Tree, fan: Fan) -> dict[tuple[int, ...], list[Turn]]:
     line across their first joints, towards where they are bent and where the thumb is.
 
     Legs and strands that hang on the middle of a character have no metacarpals and no thumb; each
-    curls about its own hinge, and so on the other side does its mirror image.
+    curls about its own hinge, and so on the other side does its mirror image, and so do two fingers
+    in no row.
     """
     chains, middle, on_middle = fan.chains, fan.middle, tree.on_plane(fan.joint)
+    alone = on_middle or len(chains) < FINGERS
     ends = chains if on_middle else [_without_tip(tree, each)[-FINGERS:] for each in chains]
     straight = fan.directions @ middle
-    thumb = (straight < _THUMB) & (straight == straight.min()) & (not on_middle)
+    thumb = (straight < _THUMB) & (straight == straight.min()) & (not alone)
     bases = tree.places[[end[0] for end in ends]]
     row = bases[~thumb] - bases[~thumb].mean(axis=0)
     across = np.linalg.svd(row - np.outer(row @ middle, middle))[2][0]
@@ -110,7 +112,7 @@ def _fingers(tree: Tree, fan: Fan) -> dict[tuple[int, ...], list[Turn]]:
     for finger, end, along, bend, apart in zip(
         chains, ends, fan.directions, bends, thumb, strict=True
     ):
-        axis = _hinge_axis(tree, end) if on_middle else level(across, along)
+        axis = _hinge_axis(tree, end) if alone else level(across, along)
         if apart:
             axis = unit(bend) if np.linalg.norm(bend) > _BENT else level(palm, along)
             ahead = bases[~thumb].mean(axis=0) - tree.places[finger[-1]]
@@ -138,15 +140,9 @@ def _without_tip(tree: Tree, finger: tuple[int, ...]) -> tuple[int, ...]:
 def _legs(tree: Tree, fan: Fan, hinges: dict[int, Turn]) -> set[tuple[int, ...]]:
     """The chains of a fan that are legs, beside which a tail or a coat hangs: with a knee above a
     foot, and longer than the way up to where chains part.  No finger is longer than its arm."""
-    parting = [
-        joint
-        for joint in (fan.joint, *tree.above(fan.joint))
-        if len(out := tree.branches(joint)) > max(1, sum(map(bool, map(tree.chain, out))))
-    ]
-    # Of a hand by itself nothing else parts.  The fingers of eighteen bodies are .55 of their arms
-    # or shorter, the legs of two 1.46 or longer.
-    ways = tree.places[parting] - tree.places[fan.joint]
-    arm = np.linalg.norm(ways, axis=1).min(initial=np.inf)
+    # The fingers of eighteen bodies are .55 of their arms or shorter, the legs of two 1.46 or
+    # longer.
+    arm = tree.arm(fan.joint)
     return {
         chain
         for chain in fan.chains
