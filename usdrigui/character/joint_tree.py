@@ -377,8 +377,7 @@ def fans(tree: Tree) -> list[Fan]:
     by side at least, or beside the middle two that are shorter than their arm, as cartoons have."""
     found = []
     for joint in range(len(tree.joints)):
-        children = tree.children[joint]
-        chains = [each for i in children if tree.depth[i] >= 2 and (each := tree.chain(i))]
+        chains = [each for child in tree.branches(joint) if (each := tree.chain(child))]
         if len(chains) < 2:
             continue
         least = FINGERS - _are_short(tree, joint, chains)
