@@ -205,19 +205,19 @@ def _segments(samples: Floats, each: int) -> tuple[Floats, Floats]:
 
 
 def segment_distances(points: Floats, starts: Floats, ends: Floats) -> Floats:
-    """(segments, q) distances of points (1, d, q) from segments (segments, d, q), broadcast."""
+    """(..., q) distances of points (..., d, q) from segments (..., d, q), broadcast."""
     steps = ends - starts
     from_start = points - starts
     share = np.clip(_dot(from_start, steps) / np.maximum(_dot(steps, steps), 1e-300), 0.0, 1.0)
-    aside = from_start - share[:, None] * steps
+    aside = from_start - share[..., None, :] * steps
     return np.sqrt(_dot(aside, aside))
 
 
 def _dot(first: Floats, second: Floats) -> Floats:
-    """(n, q) inner products of vectors (n, d, q): numpy sums over a short axis slowly."""
-    total = first[:, 0] * second[:, 0]
-    for axis in range(1, first.shape[1]):
-        total += first[:, axis] * second[:, axis]
+    """(..., q) inner products of vectors (..., d, q): numpy sums over a short axis slowly."""
+    total = first[..., 0, :] * second[..., 0, :]
+    for axis in range(1, first.shape[-2]):
+        total += first[..., axis, :] * second[..., axis, :]
     return total
 
 
@@ -235,9 +235,8 @@ def _turn(a: Floats, b: Floats, c: Floats) -> Floats:
 
 def _alike(one: Floats, other: Floats) -> Flags:
     """(a, b, q) which steps (a, d, q) run the same way as which of (b, d, q)."""
-    along = np.stack([_dot(step[None], other) for step in one])
     lengths, other_lengths = (np.sqrt(_dot(each, each)) for each in (one, other))
-    return np.abs(along) >= SAME_WAY * lengths[:, None] * other_lengths
+    return np.abs(_dot(one[:, None], other)) >= SAME_WAY * lengths[:, None] * other_lengths
 
 
 def _along(
@@ -250,11 +249,10 @@ def _along(
 ) -> Floats:
     """(q,) share of the segments whose middles lie near one of the others that is `alike`
     (segments, others, q)."""
-    share = np.zeros(alike.shape[-1])
-    for middle, same in zip(0.5 * (starts + ends), alike, strict=True):
-        gaps = segment_distances(middle[None], other_starts, other_ends)
-        share += _hinge(np.where(same, gaps, np.inf).min(axis=0), radius)
-    return share / len(alike)
+    middles = 0.5 * (starts + ends)
+    gaps = segment_distances(middles[:, None], other_starts, other_ends)
+    nearest = np.where(alike, gaps, np.inf).min(axis=1)
+    return np.asarray(_hinge(nearest, radius).sum(axis=0) / len(alike))
 
 
 # --- the paper's ----------------------------------------------------------------------------------

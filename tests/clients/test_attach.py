@@ -17,12 +17,16 @@ from usdrigui.errors import RigUIError
 from usdrigui.settings import Settings
 
 
+def lay_out_bare(asset, bare):
+    assert main(["process", str(asset), "--bare", "-o", str(bare), "--quiet"]) == 0
+
+
 @pytest.fixture(scope="module")
 def laid_out(tmp_path_factory):
     """A character with a bare layout and one that stands over it."""
     folder = tmp_path_factory.mktemp("once")
     character = skinned_stages.character(folder / "char.usda")
-    assert main(["process", str(character), "--quiet", "--bare", "-o", str(folder / "ui" / "bare.usda")]) == 0
+    lay_out_bare(character, folder / "ui" / "bare.usda")
     assert main(["process", str(character), "--quiet"]) == 0
     return folder
 
@@ -141,7 +145,7 @@ def test_a_layout_in_a_variant_of_a_crate_leaves_no_trace(folder, capsys):
         assert ("LAYOUT_OFF" in codes) == (not chosen)
     assert main(["process", str(asset), "--quiet"]) == 1
     assert "SOURCE_HAS_LAYOUT" in capsys.readouterr().err
-    assert main(["process", str(asset), "--bare", "-o", str(bare), "--quiet"]) == 0
+    lay_out_bare(asset, bare)
     detach(asset, bare, Settings())
     assert Sdf.Layer.OpenAsAnonymous(str(asset)).ExportToString() == before
 
@@ -233,7 +237,7 @@ def test_an_asset_with_its_layout_inside_gets_no_second_one(folder, capsys):
     assert str(bare) in told
     assert "--bare -o" in told
     assert layer.read_bytes() == before
-    assert main(["process", str(asset), "--bare", "-o", str(bare), "--quiet"]) == 0
+    lay_out_bare(asset, bare)
     assert main(["check", str(asset), "--config", str(folder / "char.rigui.toml"), "--strict"]) == 0
 
 
@@ -245,6 +249,6 @@ def test_an_asset_with_its_layout_inside_is_checked_viewed_and_processed_again(f
     before = bare.read_bytes()
     assert main(["process", str(asset), "-o", str(bare), "--quiet"]) == 1
     assert "ATTACH_CYCLE" in capsys.readouterr().err
-    assert main(["process", str(asset), "--bare", "-o", str(bare), "--quiet"]) == 0
+    lay_out_bare(asset, bare)
     assert bare.read_bytes() == before
     assert main(["detach", str(asset), str(bare), "--json"]) == 0

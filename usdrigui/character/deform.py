@@ -9,6 +9,8 @@ scipy only.
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.sparse import csr_array
@@ -26,15 +28,16 @@ from usdrigui.character import (
     Shape,
     Singles,
 )
-from usdrigui.character.rotation import rotation_part, rotations
+from usdrigui.character.rotation import rotations
 from usdrigui.character.skinning import (
     SAME,
     applied,
+    base_frames,
     base_locals,
     bound_points,
+    descendants,
     point_maps,
     skinning_matrices,
-    with_descendants,
 )
 
 
@@ -166,11 +169,10 @@ def moved_locals(joints: tuple[Joint, ...], moves: Floats) -> Floats:
     With ``base = S R`` and translation t, the result is ``exp(scales) S exp(rotations) R`` and t
     plus the translations: exactly the components that a SkelAnimation holds.
     """
-    base = base_locals(joints)
+    base, moved = base_locals(joints), np.flatnonzero(moves.any(axis=(0, 1, 3)))
     local: Floats = np.broadcast_to(base, (len(moves), *base.shape)).copy()
-    moved = np.flatnonzero(moves.any(axis=(0, 1, 3)))
     if len(moved):
-        frame = rotation_part(base[moved])
+        frame = base_frames(joints)[moved]
         stretch = base[moved, :3, :3] @ np.swapaxes(frame, -1, -2)
         turned = stretch @ rotations(moves[:, 0, moved]) @ frame
         local[:, moved, :3, :3] = np.exp(moves[:, 2, moved])[..., None] * turned
@@ -243,13 +245,10 @@ class Sweep:
 
     def __init__(self, rig: Rig, base: Posed, control: int) -> None:
         self._body, self._base, self._drive = rig.body, base, rig.controls[control].drive
-        turning = with_descendants(rig.body.joints, self._drive.joints)
-        channels = frozenset(self._drive.channels.tolist())
-        reached = (
-            _Reached.of(rig.body, base, index, turning, channels)
-            for index in range(len(rig.body.meshes))
+        joints, channels = (
+            frozenset(each.tolist()) for each in (self._drive.joints, self._drive.channels)
         )
-        self._parts = [part for part in reached if len(part.local)]
+        self._parts = _reached(rig.body, base, joints, channels)
         starts = rig.body.starts
         parts = [starts[part.index] + part.local for part in self._parts]
         self.points = np.concatenate([np.zeros(0, dtype=np.int64), *parts])
@@ -313,20 +312,20 @@ class _Reached(Record):
         """What the joints `turning` (joints,) and the shapes of `channels` move."""
         mesh = body.meshes[index]
         shapes = tuple(shape for shape in mesh.shapes if shape.channel in channels)
-        skin = mesh.skin
-        held = np.diff(skin.by_joint.indptr) if skin is not None else np.zeros(0, dtype=np.int64)
-        joints = np.flatnonzero(turning[: len(held)] & (held > 0))
-        if skin is None or not len(joints):
-            local = [np.zeros(0, dtype=np.int64), *(shape.points for shape in shapes)]
-            return cls(index, np.unique(np.concatenate(local)), shapes, False, None)
-        acting = skin.by_joint[:, joints].tocsr()
-        count = np.diff(acting.indptr)
+        skin, count = mesh.skin, np.zeros(len(mesh.points), dtype=np.int64)
+        if skin is not None:
+            held = np.diff(skin.by_joint.indptr) > 0
+            joints = np.flatnonzero(held & turning[: len(held)])
+            if len(joints):
+                acting = skin.by_joint[:, joints].tocsr()
+                count = np.diff(acting.indptr)
         reached = count > 0
+        turns = bool(reached.any())
         for shape in shapes:
             reached[shape.points] = True
         points = np.flatnonzero(reached)
-        if shapes or skin.method != "classicLinear":
-            return cls(index, points, shapes, True, None)
+        if skin is None or shapes or not turns or skin.method != "classicLinear":
+            return cls(index, points, shapes, turns, None)
         bound = bound_points(_blended(mesh, base.weights)[points], skin)
         owner = np.repeat(np.arange(len(points)), count[points])
         data = (acting.data[:, None] * bound[owner]).ravel()
@@ -334,6 +333,17 @@ class _Reached(Record):
         ends = np.append(0, 4 * acting.indptr[1:][reached])
         weighted = csr_array((data, columns, ends), shape=(len(points), 4 * len(body.joints)))
         return cls(index, points, (), True, weighted)
+
+
+@lru_cache(1)
+def _reached(
+    body: Body, base: Posed, joints: frozenset[int], channels: frozenset[int]
+) -> tuple[_Reached, ...]:
+    """What some joints and channels move of each mesh, where they do: once for the axes of a joint,
+    one after the other."""
+    turning = np.asarray(descendants(body.joints)[[*joints]].any(axis=0))
+    every = (_Reached.of(body, base, index, turning, channels) for index in range(len(body.meshes)))
+    return tuple(part for part in every if len(part.local))
 
 
 def _shape_offsets(part: _Reached, weights: Floats, base: Floats) -> NDArray[np.floating]:

@@ -7,14 +7,15 @@ numpy and scipy only.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 from scipy.sparse import csr_array
 from scipy.spatial.transform import Rotation
 
 from usdrigui.character import Body, Flags, Floats, Indices, Joint, RigMesh, Skin
+from usdrigui.character.record import freeze
 from usdrigui.character.rotation import (
     quaternion_product,
     quaternions,
@@ -24,6 +25,9 @@ from usdrigui.character.rotation import (
 SAME = 1e-8
 """Skinning matrices that differ by less (translations: relative to the mesh) are taken for
 equal."""
+_KEPT = 8
+"""Tuples of joints of which what does not change is kept: a character is asked for it by each step
+of each of its controls."""
 _FACE_SHARE = 0.9
 """Share of the points' influence that lies on the joint that carries a face, and below it."""
 
@@ -31,22 +35,22 @@ _FACE_SHARE = 0.9
 def skinning_matrices(joints: tuple[Joint, ...], local: Floats) -> Floats:
     """(..., joints, 4, 4) inverse bind times pose, in skeleton space, for local transforms of that
     shape."""
-    return np.linalg.inv(bind_poses(joints)) @ in_skeleton_space(joints, local)
+    return _inverse_binds(joints) @ in_skeleton_space(joints, local)
 
 
-def in_skeleton_space(joints: Sequence[Joint], local: Floats) -> Floats:
+def in_skeleton_space(joints: tuple[Joint, ...], local: Floats) -> Floats:
     """(..., joints, 4, 4) local transforms times those of all joints above, one generation after
     the other."""
-    parents = parents_of(joints)
-    pose, done = local.copy(), parents < 0
-    while not done.all():
-        ready = np.flatnonzero(~done & done[parents])
+    pose, parents = local.copy(), parents_of(joints)
+    depth = descendants(joints).sum(axis=0)
+    for generation in range(2, 1 + depth.max(initial=0)):
+        ready = np.flatnonzero(depth == generation)
         pose[..., ready, :, :] = local[..., ready, :, :] @ pose[..., parents[ready], :, :]
-        done[ready] = True
     return pose
 
 
-def parents_of(joints: Sequence[Joint]) -> Indices:
+@lru_cache(_KEPT)
+def parents_of(joints: tuple[Joint, ...]) -> Indices:
     """(joints,) the joint above each, -1 for roots."""
     return np.array([joint.parent for joint in joints], dtype=np.int64)
 
@@ -58,9 +62,15 @@ def under_parents(world: Floats, parents: Indices) -> Floats:
     return local
 
 
-def bind_poses(joints: Sequence[Joint]) -> Floats:
+@lru_cache(_KEPT)
+def bind_poses(joints: tuple[Joint, ...]) -> Floats:
     """(joints, 4, 4) bind transforms in skeleton space."""
-    return np.array([joint.bind for joint in joints]).reshape(-1, 4, 4)
+    return np.asarray(freeze(np.array([joint.bind for joint in joints]).reshape(-1, 4, 4)))
+
+
+@lru_cache(_KEPT)
+def _inverse_binds(joints: tuple[Joint, ...]) -> Floats:
+    return np.asarray(np.linalg.inv(bind_poses(joints)))
 
 
 def at_bind_pose(body: Body) -> Body:
@@ -74,17 +84,25 @@ def at_bind_pose(body: Body) -> Body:
     return replace(body, joints=turned)
 
 
-def base_locals(joints: Sequence[Joint]) -> Floats:
+@lru_cache(_KEPT)
+def base_locals(joints: tuple[Joint, ...]) -> Floats:
     """(joints, 4, 4) local transforms in the base pose."""
-    return np.array([joint.base for joint in joints]).reshape(-1, 4, 4)
+    return np.asarray(freeze(np.array([joint.base for joint in joints]).reshape(-1, 4, 4)))
 
 
-def with_descendants(joints: Sequence[Joint], chosen: Indices) -> Flags:
-    """(joints,) the chosen ones and all below them."""
-    found = np.zeros(len(joints), dtype=bool)
-    found[chosen] = True
+@lru_cache(_KEPT)
+def base_frames(joints: tuple[Joint, ...]) -> Floats:
+    """(joints, 3, 3) rotations of `base_locals`."""
+    return rotation_part(base_locals(joints))
+
+
+@lru_cache(_KEPT)
+def descendants(joints: tuple[Joint, ...]) -> Flags:
+    """(joints, joints) whether the second of two joints is the first or hangs below it."""
+    found = np.eye(len(joints), dtype=bool)
     for i, joint in enumerate(joints):
-        found[i] |= joint.parent >= 0 and found[joint.parent]
+        if joint.parent >= 0:
+            found[:, i] |= found[:, joint.parent]
     return found
 
 

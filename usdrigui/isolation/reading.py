@@ -16,8 +16,7 @@ import contextlib
 import importlib
 import tempfile
 import time
-from collections.abc import Iterator
-from typing import IO, TypeVar
+from typing import TypeVar
 
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.isolation import worker
@@ -37,17 +36,28 @@ _READER = "usdrigui.isolation.reader"
 _Answer = TypeVar("_Answer")
 
 
+_begun: dict[str, Child] = {}
+"""The readers that have a question already."""
+
+
+def begin(question: Question, program: str) -> None:
+    """Let a reader begin, while a worker loads what else it needs, on what `answered` is asked
+    next; where none can be started, that says why."""
+    if FORKS and worker.active():
+        with contextlib.suppress(OSError, TypeError):
+            _begun[repr(question)] = _started(question, program)
+
+
 def answered(question: Question, program: str, kind: type[_Answer]) -> _Answer:
     """What the module `program` answers, a record of class `kind`.
 
     Raises RigUIError SOURCE_CRASHES_USD, SOURCE_TIME_LIMIT, SOURCE_MEMORY_LIMIT,
     SOURCE_READER_LOST, PYTHON_PERMISSION.
     """
-    reader = None
+    reader = _begun.pop(repr(question), None)
     deadline = time.monotonic() + question.seconds
     try:
-        with _private_file(question) as asked:
-            reader = _started(program, asked, deadline)
+        reader = reader or _started(question, program)
         answer, printed = Drain(reader.stdout, question.memory << 20), Drain(reader.stderr)
         late = not answer.ended(deadline - time.monotonic())
         code, peak = reader.end()
@@ -72,11 +82,6 @@ def answered(question: Question, program: str, kind: type[_Answer]) -> _Answer:
         raise _failure(ProcessEnd(code, used, bytes(printed.content)), late, question) from None
 
 
-def answer_invalid(path: str) -> RigUIError:
-    """A reader that ended well gave no answer of ours: that is no fault of the asset."""
-    return refuse("BUG", path, "the answer of the process that reads is invalid")
-
-
 def _failure(end: ProcessEnd, late: bool, question: Question) -> RigUIError:
     """What it means that a reader ended without an answer."""
     path = question.path
@@ -92,30 +97,25 @@ def _failure(end: ProcessEnd, late: bool, question: Question) -> RigUIError:
     if end.code > 0:
         message = f"the reading process ended with code {end.code}: {end.last_line}"
         return refuse("SOURCE_READER_LOST", path, message)
-    return answer_invalid(path)
-
-
-@contextlib.contextmanager
-def _private_file(question: Question) -> Iterator[IO[bytes]]:
-    """The question in a file without a name."""
-    with tempfile.TemporaryFile() as file:
-        file.writelines(encode(question))
-        file.seek(0)
-        yield file
+    # It ended well and gave no answer of ours: that is no fault of the asset.
+    return refuse("BUG", path, "the answer of the process that reads is invalid")
 
 
 # --- the reader -----------------------------------------------------------------------------------
 
 
-def _started(program: str, asked: IO[bytes], deadline: float) -> Child:
+def _started(question: Question, program: str) -> Child:
     """A reader of the question; raises OSError, TypeError."""
-    if FORKS:
-        if worker.active():
-            importlib.import_module(program)  # before it is forked from here
-        parent = warm_parent((_READER, program, "warm"), lambda: read(program))
-        return parent.forked(asked.fileno(), deadline - time.monotonic())
-    with signals_later():
-        return fresh((_READER, program), asked)
+    with tempfile.TemporaryFile() as asked:  # it has no name
+        asked.writelines(encode(question))
+        asked.seek(0)
+        if FORKS:
+            if worker.active():
+                importlib.import_module(program)  # before it is forked from here
+            parent = warm_parent((_READER, program, "warm"), lambda: read(program))
+            return parent.forked(asked.fileno(), question.seconds)
+        with signals_later():
+            return fresh((_READER, program), asked)
 
 
 def _end_at_once(program: str, reader: Child | None) -> None:

@@ -16,9 +16,9 @@ from itertools import islice, pairwise
 import numpy as np
 from pxr import Usd, UsdGeom
 
-from usdrigui.character import Body, Control, Flags, Floats, Indices, Record, Rig
+from usdrigui.character import Body, Control, Floats, Indices, Record, Rig
 from usdrigui.character.deform import Posed, posed, sweep, sweep_start
-from usdrigui.character.skinning import with_descendants
+from usdrigui.character.skinning import descendants
 from usdrigui.character.subset import subset
 from usdrigui.character.surface import mesh_triangles, vertex_normals, weld
 from usdrigui.errors import Issue, issue
@@ -135,11 +135,12 @@ class _Scene(Record):
         drives = [control.drive for control in self.rig.controls]
         turned = [joint for control in controls for joint in drives[control].joints]
         weighed = {channel for control in controls for channel in drives[control].channels}
-        carried = with_descendants(self.rig.body.joints, np.array(turned, dtype=np.int64))
+        moved_by = descendants(self.rig.body.joints)
+        carried = np.asarray(moved_by[turned].any(axis=0))
         if turned:
             for point in anchors:
                 mesh, local = self.rig.body.mesh_of(point)
-                above = self._above[:, influences(mesh.skin, local)[0]]
+                above = moved_by[:, influences(mesh.skin, local)[0]]
                 carried |= above.any(axis=1) & ~above.all(axis=1)
         return [
             index
@@ -149,12 +150,6 @@ class _Scene(Record):
             or not weighed.isdisjoint(drive.channels)
             or (turned and len(drive.channels))
         ]
-
-    @cached_property
-    def _above(self) -> Flags:
-        """(joints, joints) which joints each moves: itself, and those below it."""
-        joints = self.rig.body.joints
-        return np.array([with_descendants(joints, np.array([i])) for i in range(len(joints))])
 
     def halfway(self, towards: str, but: list[int]) -> Floats:
         """Values (controls,) of a pose: every control half way from the base pose to its

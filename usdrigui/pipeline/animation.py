@@ -18,7 +18,7 @@ from usdrigui.layout.motion.activity import (
     importances,
     with_importances,
 )
-from usdrigui.reader.reader_process import read_performances_isolated
+from usdrigui.reader.reader_process import read_isolated
 from usdrigui.report.inspection import AnimationFacts, UseFacts
 from usdrigui.settings import ControlSettings, ReadSettings
 
@@ -29,7 +29,8 @@ _ACTIVE = 0.05
 def performances(paths: Sequence[Path], opening: ReadSettings) -> tuple[Performance, ...]:
     """Every animation of some files.  Raises ANIMATION_MISSING and everything that reading an asset
     can raise."""
-    return tuple(each for path in paths for each in read_performances_isolated(path, opening))
+    kind = tuple[Performance, ...]
+    return tuple(each for path in paths for each in read_isolated("clips", path, opening, kind))
 
 
 def weighted(

@@ -16,8 +16,8 @@ from usdrigui.errors import check_known, meant, refuse
 from usdrigui.layout.reuse.partial_layout import anchored_point
 from usdrigui.model import CorrectedPlace, Correction, Element, Layout
 from usdrigui.reader.reader_process import (
-    read_baked_isolated,
     read_composed_isolated,
+    read_isolated,
     read_layer_isolated,
     read_layouts_isolated,
 )
@@ -80,7 +80,7 @@ def bake(shot: Path, settings: Settings, output: Path | None = None) -> tuple[St
 
     target = output or shot.with_name(f"{shot.stem}.baked.usda")
     check_own(target, "what `usdrigui bake` writes", BAKED)
-    content = read_baked_isolated(shot, settings.read)
+    content = read_isolated("bake", shot, settings.read, str)
     return commit(content, target, read=[shot]), target
 
 

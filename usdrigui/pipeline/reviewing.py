@@ -27,12 +27,12 @@ from usdrigui.pipeline.stages import character_of, part_problem
 from usdrigui.pipeline.targets import default_output
 from usdrigui.reader.reader_process import (
     read_composed_isolated,
-    read_faults_isolated,
+    read_isolated,
     read_layouts_isolated,
     read_rigs_isolated,
     read_variants_isolated,
 )
-from usdrigui.reader.reader_records import ReadResult
+from usdrigui.reader.reader_records import FaultsResult, ReadResult
 from usdrigui.settings import ReadSettings, Settings
 
 if TYPE_CHECKING:
@@ -303,7 +303,7 @@ def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tupl
     if missing.code not in NO_LAYOUT:
         raise refusal
     off = [] if missing.code == "LAYOUT_MISSING" else [replace(missing, severity="info")]
-    found = read_faults_isolated(asset, settings.read)
+    found = read_isolated("faults", asset, settings.read, FaultsResult)
     if found.empty:
         raise refusal
     try:

@@ -7,12 +7,10 @@ import os
 from collections.abc import Mapping
 from pathlib import Path
 
-from usdrigui.character import Performance
 from usdrigui.errors import Exit, RigUIError, refuse
 from usdrigui.isolation.foreign_file import check_source, check_unchanged
-from usdrigui.isolation.reading import answer_invalid, answered
+from usdrigui.isolation.reading import answered, begin
 from usdrigui.reader.reader_records import (
-    FaultsResult,
     LayerResult,
     LayoutsResult,
     ReadResult,
@@ -24,6 +22,11 @@ from usdrigui.reader.reader_records import (
 from usdrigui.settings import ReadSettings, Settings
 
 _PROGRAM = "usdrigui.reader.reader_main"
+
+
+def begin_to_read(path: Path, settings: Settings) -> None:
+    """Let a reader begin on what `read_rigs_isolated` is asked next."""
+    begin(Request("rigs", os.path.abspath(path), settings), _PROGRAM)  # noqa: PTH100
 
 
 def read_rigs_isolated(path: Path, settings: Settings) -> ReadResult:
@@ -45,10 +48,18 @@ def read_rigs_isolated(path: Path, settings: Settings) -> ReadResult:
     return result
 
 
+def read_isolated(task: Task, path: Path, opening: ReadSettings, kind: type[Result]) -> Result:
+    """What a reader does about a file that it may be shown, whatever becomes a control, which
+    gives a `kind`; raises as `read_rigs_isolated`, and what is named in
+    `usdrigui.reader.reader_main`."""
+    check_source(path, opening.size_limit)
+    return _answer(task, path, Settings(read=opening), kind)
+
+
 def read_layouts_isolated(path: Path, opening: ReadSettings) -> LayoutsResult:
     """As `usdrigui.layer.read_layout.read_layout` and `source_of`, in a reader; raises as
     `read_rigs_isolated`."""
-    return _asked("layouts", path, opening, LayoutsResult)
+    return read_isolated("layouts", path, opening, LayoutsResult)
 
 
 def read_composed_isolated(path: Path, settings: Settings) -> tuple[LayoutsResult, ReadResult]:
@@ -70,33 +81,16 @@ def read_composed_isolated(path: Path, settings: Settings) -> tuple[LayoutsResul
         raise
 
 
-def read_performances_isolated(path: Path, opening: ReadSettings) -> tuple[Performance, ...]:
-    """As `usdrigui.reading.clips.read_performances`, in a reader; raises as
-    `read_rigs_isolated`."""
-    return _asked("clips", path, opening, tuple[Performance, ...])
-
-
-def read_faults_isolated(path: Path, opening: ReadSettings) -> FaultsResult:
-    """As `usdrigui.reader.faults.stage_faults`, in a reader; raises as `read_rigs_isolated` where
-    nothing can be read."""
-    return _asked("faults", path, opening, FaultsResult)
-
-
 def read_layer_isolated(path: Path, opening: ReadSettings) -> LayerResult:
     """A layer by itself, in a reader; what it composes need not be there.  Raises as
     `read_rigs_isolated`."""
-    return _asked("layer", path, opening, LayerResult)
+    return read_isolated("layer", path, opening, LayerResult)
 
 
 def read_variants_isolated(path: Path, opening: ReadSettings) -> Mapping[str, tuple[str, ...]]:
     """As `usdrigui.stages.variants.variant_sets`, in a reader; raises as `read_rigs_isolated` and
     VARIANT_UNKNOWN."""
-    return _asked("variants", path, opening, dict[str, tuple[str, ...]])
-
-
-def read_baked_isolated(path: Path, opening: ReadSettings) -> str:
-    """As `usdrigui.layer.baking.bake`, as text, in a reader; raises as `read_rigs_isolated`."""
-    return _asked("bake", path, opening, str)
+    return read_isolated("variants", path, opening, dict[str, tuple[str, ...]])
 
 
 def shared_isolated(task: Task, path: Path, opening: ReadSettings, *contents: bytes) -> str:
@@ -104,12 +98,6 @@ def shared_isolated(task: Task, path: Path, opening: ReadSettings, *contents: by
     `path`, in a reader; raises FILE_NOT_USD and SOURCE_ codes."""
     texts = tuple(each.decode(errors="surrogateescape") for each in contents)
     return _answer(task, path, Settings(read=opening), str, texts)
-
-
-def _asked(task: Task, path: Path, opening: ReadSettings, kind: type[Result]) -> Result:
-    """The reader's answer about a file that it may be shown, whatever becomes a control."""
-    check_source(path, opening.size_limit)
-    return _answer(task, path, Settings(read=opening), kind)
 
 
 def _answer(
@@ -121,6 +109,5 @@ def _answer(
     response = answered(request, _PROGRAM, Response[kind])  # type: ignore[valid-type]
     if response.refusal is not None:
         raise RigUIError(response.refusal, Exit(response.exit_code), response.others)
-    if response.result is None:
-        raise answer_invalid(str(path))
+    assert response.result is not None
     return response.result

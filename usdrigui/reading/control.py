@@ -12,7 +12,7 @@ import numpy as np
 from usdrigui.character import Body, Clip, Control, ControlKind, Drive, Floats, Joint, LeftOff
 from usdrigui.character.joint_tree import Tree
 from usdrigui.character.rotation import rotation_part, rotation_vectors
-from usdrigui.character.skinning import base_locals
+from usdrigui.character.skinning import base_frames, base_locals
 from usdrigui.conventions.sides import twins_by_name
 from usdrigui.errors import Faults, Issue, issue, listed, refuse
 from usdrigui.reading.clips import State
@@ -343,8 +343,8 @@ def _animated_turns(joints: tuple[Joint, ...], clip: Clip | None) -> Floats:
     """
     if clip is None:
         return np.zeros((1, len(joints), 3))
-    base = rotation_part(base_locals(joints))
-    turns = unwrapped(rotation_vectors(rotation_part(clip.locals) @ np.swapaxes(base, -1, -2)))
+    base = np.swapaxes(base_frames(joints), -1, -2)
+    turns = unwrapped(rotation_vectors(rotation_part(clip.locals) @ base))
     return np.asarray(np.round(np.degrees(turns), 3) + 0.0)
 
 

@@ -8,19 +8,15 @@ and the next one.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
-from functools import cache, cached_property, partial
+from collections.abc import Sequence
+from functools import cached_property, lru_cache
 
 import numpy as np
 
-from usdrigui.character import Body, Control, Flags, Floats, Joint, Record, Rig, Skeleton
+from usdrigui.character import Body, Control, Flags, Floats, Record, Rig
 from usdrigui.character.deform import posed
 from usdrigui.character.joint_tree import OWNS, Tree
-from usdrigui.character.skinning import (
-    base_locals,
-    in_skeleton_space,
-    with_descendants,
-)
+from usdrigui.character.skinning import base_locals, descendants, in_skeleton_space
 from usdrigui.layout.shares import MOST
 from usdrigui.ties import steady
 
@@ -50,19 +46,23 @@ class BoundSkin(Record):
 
     @cached_property
     def bones(self) -> Sequence[Bone]:
-        """Those of its joints."""
-        return _bones(self.rig.body)
-
-    @cached_property
-    def below(self) -> Flags:
-        """(joints, joints) whether the second of two joints is the first or hangs below it."""
-        joints = self.rig.body.joints
-        return np.array([with_descendants(joints, at) for at in np.arange(len(joints))[:, None]])
-
-    @cached_property
-    def owned(self) -> Callable[[frozenset[int]], Floats | None]:
-        """What joints own of it, worked out once for all axes of a joint."""
-        return cache(partial(_owned, self))
+        """Those between joints apart from each other, and those of joints at the end of a chain."""
+        body, places = self.rig.body, joint_places(self.rig.body)
+        chains = Tree(body.joints, body.meshes).hanging
+        parents = chains.parents
+        joined = [k for k, i in enumerate(parents) if i >= 0 and k not in chains.aside]
+        found = [
+            Bone(parents[k], k, places[parents[k]], along)
+            for k in joined
+            if (along := places[k] - places[parents[k]]).any()
+        ]
+        ends = sorted(set(joined) - {parents[k] for k in joined})
+        fan = Counter(parents[k] for k in ends)
+        for k in ends:
+            along = _LAST * (places[k] - places[parents[k]])
+            if fan[parents[k]] < FAN and along.any():
+                found.append(Bone(k, -1, places[k], along))
+        return found
 
 
 def owned_skin(skin: BoundSkin, control: Control) -> Floats | None:
@@ -75,13 +75,16 @@ def owned_skin(skin: BoundSkin, control: Control) -> Floats | None:
     joints = frozenset(i for i in driven if skin.rig.body.joints[i].path == control.source)
     if control.kind != "joint" or len(control.drive.channels):
         return None
-    return skin.owned(joints or driven)
+    return _owned(skin, joints or driven)
 
 
+@lru_cache(1)
 def _owned(skin: BoundSkin, joints: frozenset[int]) -> Floats | None:
-    """(n,) how much of each point the joints own; None where no skin hangs on them."""
+    """(n,) how much of each point the joints own; None where no skin hangs on them.  Worked out
+    once for all axes of a joint, which follow each other."""
     body, bones = skin.rig.body, skin.bones
-    below = frozenset(np.flatnonzero(skin.below[[*joints]].any(axis=0)).tolist()) - joints
+    below = frozenset(np.flatnonzero(descendants(body.joints)[[*joints]].any(axis=0)).tolist())
+    below -= joints
     has_bone = any(b.joint in joints and b.next in below for b in bones)
     for holders in (joints, *((joints | below,) if has_bone else ())):
         weights = weights_of(body, holders)
@@ -101,7 +104,8 @@ def weights_of(body: Body, joints: frozenset[int]) -> Floats:
             continue
         table = mesh.skin.by_joint
         held = [joint for joint in sorted(joints) if joint < table.shape[1]]
-        total[start : start + len(mesh.points)] = table[:, held].sum(axis=1)
+        if np.diff(table.indptr)[held].any():
+            total[start : start + len(mesh.points)] = table[:, held].sum(axis=1)
     return total
 
 
@@ -114,7 +118,8 @@ def _by_own_bone(skin: BoundSkin, joints: frozenset[int], owned: Flags) -> Float
     if not own:
         return factor
     starts = {bone.start.tobytes() for bone in own}
-    chain = {*np.flatnonzero((skin.below | skin.below.T)[[*joints]].any(axis=0))} - joints
+    below = descendants(skin.rig.body.joints)
+    chain = {*np.flatnonzero((below | below.T)[[*joints]].any(axis=0))} - joints
     rivals = [b for b in bones if b.joint in chain and b.start.tobytes() not in starts]
     near, share = _nearest(points[owned], own)
     # Skin modelled at an even share of a bone lies just on a limit: the last bit decides nothing.
@@ -138,26 +143,6 @@ class Bone(Record):
     chain."""
 
 
-def _bones(body: Body) -> Sequence[Bone]:
-    """The bones between joints apart from each other, and those of joints at the end of a chain."""
-    places = joint_places(body.skeletons, body.joints)
-    chains = Tree(body.joints, body.meshes).hanging
-    parents = chains.parents
-    joined = [k for k, i in enumerate(parents) if i >= 0 and k not in chains.aside]
-    found = [
-        Bone(parents[k], k, places[parents[k]], places[k] - places[parents[k]])
-        for k in joined
-        if (places[parents[k]] != places[k]).any()
-    ]
-    ends = sorted(set(joined) - {parents[k] for k in joined})
-    fan = Counter(parents[k] for k in ends)
-    for k in ends:
-        along = _LAST * (places[k] - places[parents[k]])
-        if fan[parents[k]] < FAN and along.any():
-            found.append(Bone(k, -1, places[k], along))
-    return found
-
-
 def _nearest(points: Floats, bones: Sequence[Bone]) -> tuple[Floats, Floats]:
     """(p,) distance to the nearest bone, and the share of the way along it."""
     least, share = np.full(len(points), np.inf), np.zeros(len(points))
@@ -171,8 +156,8 @@ def _nearest(points: Floats, bones: Sequence[Bone]) -> tuple[Floats, Floats]:
     return least, share
 
 
-def joint_places(skeletons: tuple[Skeleton, ...], joints: tuple[Joint, ...]) -> Floats:
+def joint_places(body: Body) -> Floats:
     """(joints, 3) positions in root space at the base pose."""
-    world = in_skeleton_space(joints, base_locals(joints))
-    to_root = [skeletons[joint.skeleton].to_root for joint in joints]
-    return np.array([(m @ t)[3, :3] for m, t in zip(world, to_root, strict=True)]).reshape(-1, 3)
+    world = in_skeleton_space(body.joints, base_locals(body.joints))
+    to_root = [body.skeletons[joint.skeleton].to_root for joint in body.joints]
+    return np.asarray((world @ np.array(to_root).reshape(-1, 4, 4))[:, 3, :3])

@@ -107,7 +107,7 @@ def _joint_position(rig: Rig, where: str, name: str) -> Floats:
     body = rig.body
     for index, joint in enumerate(body.joints):
         if name in (joint.path, joint.name):
-            return np.asarray(joint_places(body.skeletons, body.joints)[index])
+            return np.asarray(joint_places(body)[index])
     names = [joint.name for joint in body.joints]
     like = meant(name, names) or (f"; its joints are {listed(names)}" if names else "")
     raise refuse("CONFIG_VALUE", where, f"{rig.path} has no joint {name!r}{like}")

@@ -99,7 +99,7 @@ def _missed(partner: Indices, motions: Sequence[Motion]) -> int:
 def _between_joints(body: Body, neutral: Body, plane: MirrorPlane) -> MirrorPlane | None:
     """The plane of the neutral pose where the joints that mirror each other there have it now."""
     twins = mirrored_joints(neutral, plane)
-    side = plane.distance(joint_places(neutral.skeletons, neutral.joints))
+    side = plane.distance(joint_places(neutral))
     return plane_of_pairs(body, {i: twin for i, twin in twins.items() if side[i] > side[twin]})
 
 

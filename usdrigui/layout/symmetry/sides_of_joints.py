@@ -38,7 +38,7 @@ def plane_of_pairs(body: Body, pairs: Mapping[int, int]) -> MirrorPlane | None:
     """The plane, at the base pose, between joints on the left and those that mirror them: between
     hips and shoulders, for what hangs on a pair swings as it likes, and all that are mirrored as
     they are.  None where too few are or they do not agree."""
-    tree, places = Tree(body.joints, body.meshes), joint_places(body.skeletons, body.joints)
+    tree, places = Tree(body.joints, body.meshes), joint_places(body)
     chosen = [i for i in pairs if tree.depth[i]]  # Helpers bear no skin.
     if len(chosen) < 2:
         return None
@@ -86,7 +86,7 @@ def mirrored_joints(body: Body, plane: MirrorPlane) -> dict[int, int]:
     if not body.joints:
         return {}
     tree, named = Tree(body.joints, body.meshes), _twins(body.joints)
-    places = joint_places(body.skeletons, body.joints)
+    places = joint_places(body)
     # Characters rest in poses: a joint may miss the mirror image of its pair.
     reach = HARDLY_ANY * float(np.ptp(places, axis=0).max()) or 1.0
     apart = cdist(plane.reflected(places), places)
@@ -125,7 +125,7 @@ def legs_point(body: Body, plane: MirrorPlane) -> Floats:
     }
     if not above:
         return np.zeros(3)
-    places, ways = joint_places(body.skeletons, body.joints), np.zeros((1, 3))
+    places, ways = joint_places(body), np.zeros((1, 3))
     tops = sorted(joint for joint, count in above.items() if count == min(above.values()))
     trunk = places[[joint for joint in sorted(tree.owners) if twins.get(joint) == joint]]
     for top in tops:

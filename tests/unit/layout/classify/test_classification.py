@@ -9,6 +9,9 @@ import numpy as np
 import pytest
 from makers import POINTS, SHAPES
 
+HALF = np.where(POINTS[:, 1:2] < 0.35, [[0.0, 0.0, 0.1]], 0.0)
+"""What a control of the lower half moves."""
+
 
 @pytest.mark.parametrize(
     "whole",
@@ -65,8 +68,7 @@ def test_coverage_is_the_share_of_the_face_for_small_controls_too():
 @pytest.mark.parametrize(("name", "category"), [("half", "global"), ("head", "global"), ("jawOpen", "")])
 def test_a_jaw_may_move_all_that_smaller_controls_move(name, category):
     """So it does where the mouth alone is animated."""
-    half = np.where(POINTS[:, 1:2] < 0.35, [[0.0, 0.0, 0.1]], 0.0)
-    assert chain.chosen(makers.face_with(**{name: half}))(name).category == category
+    assert chain.chosen(makers.face_with(**{name: HALF}))(name).category == category
 
 
 def test_a_joint_that_holds_most_of_a_robot_is_not_a_control_of_it_as_a_whole():
@@ -77,9 +79,8 @@ def test_a_joint_that_holds_most_of_a_robot_is_not_a_control_of_it_as_a_whole():
 
 def test_excluding_a_control_calls_no_other_one_global():
     """A control that moves the lower half is large beside small ones, unless the other half has its own."""
-    half = np.where(POINTS[:, 1:2] < 0.35, [[0.0, 0.0, 0.1]], 0.0)
     upper = {f"up{i}": makers.bump(POINTS, (x, 0.75), (0, 0, 1), 0.45) for i, x in enumerate((-0.4, 0.0, 0.4))}
-    whole = makers.face_with(half=half, **upper)
+    whole = makers.face_with(half=HALF, **upper)
     without = [control for control in whole.controls if not control.name.startswith("up")]
     left_out = tuple(control for control in whole.controls if control.name.startswith("up"))
     gone = replace(whole, controls=tuple(without))
