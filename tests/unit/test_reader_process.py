@@ -450,12 +450,12 @@ def test_what_a_reader_has_begun_is_not_read_again(tmp_path):
         "import sys; from pathlib import Path\n"
         "from usdrigui.isolation import reading, worker\n"
         "from usdrigui.reader.reader_process import begin_to_read, read_rigs_isolated\n"
-        "from usdrigui.settings import load\n"
+        "from usdrigui.pipeline.variants import selecting; from usdrigui.settings import load\n"
         "worker.active = lambda: True; path = Path(sys.argv[1]); pids = []; start = reading._started\n"
         "reading._started = lambda *each: pids.append(found := start(*each)) or found\n"
         "begin_to_read(path, load({}))\n"
         "for other in ({'read': {'time': 1.0}}, {}, {}):\n"
-        "    read_rigs_isolated(path, load(other)); print(len(pids))\n"
+        "    read_rigs_isolated(path, selecting(load(other), {})); print(len(pids))\n"
     )
     done = ran("-c", script, character(tmp_path / "char.usda"))
     assert (done.stderr, done.stdout.split()) == ("", ["2", "2", "3"])

@@ -18,12 +18,16 @@ if TYPE_CHECKING:
     from usdrigui.cli.terminal.screen import ProgressCallback, Screen
     from usdrigui.replacing.transaction import Transaction
     from usdrigui.report import run_report
-    from usdrigui.settings import Settings
 
 
 def process(arguments: argparse.Namespace) -> Exit:
     """Lay out a character and write the layer beside it."""
-    settings = _begun(arguments)
+    from usdrigui.reader.reader_process import begin_to_read
+
+    settings = settings_of(arguments)
+    if not settings.read.each_variant:  # each is read by itself
+        begin_to_read(arguments.asset, settings)
+    # Meanwhile what else is needed is loaded: a quarter of a second.
     from usdrigui import pipeline
     from usdrigui.cli.terminal import run_lines
     from usdrigui.pipeline.reference_layouts import ReferenceLayers
@@ -68,17 +72,6 @@ def process(arguments: argparse.Namespace) -> Exit:
     return strict(result.issues, arguments)
 
 
-def _begun(arguments: argparse.Namespace) -> Settings:
-    """The settings of a command that reads an asset, which is read from now on: what the command
-    needs besides takes a quarter of a second to load."""
-    from usdrigui.reader.reader_process import begin_to_read
-
-    settings = settings_of(arguments)
-    if not settings.read.each_variant:  # each is read by itself
-        begin_to_read(arguments.asset, settings)
-    return settings
-
-
 def _progress(
     screen: Screen, arguments: argparse.Namespace
 ) -> AbstractContextManager[ProgressCallback]:
@@ -115,12 +108,11 @@ def _stage_extras(
 
 def inspect(arguments: argparse.Namespace) -> Exit:
     """List the controls without solving."""
-    settings = _begun(arguments)
     from usdrigui import pipeline
     from usdrigui.cli.terminal import review_lines
     from usdrigui.report import inspection
 
-    screen = screen_of(arguments)
+    settings, screen = settings_of(arguments), screen_of(arguments)
     with screen.progress() as shown:
         found = pipeline.inspect(
             arguments.asset,

@@ -36,7 +36,7 @@ _READER = "usdrigui.isolation.reader"
 _Answer = TypeVar("_Answer")
 
 
-_begun: dict[str, Child] = {}
+_begun: dict[bytes, Child] = {}
 """The readers that have a question already."""
 
 
@@ -45,7 +45,7 @@ def begin(question: Question, program: str) -> None:
     next; where none can be started, that says why."""
     if FORKS and worker.active():
         with contextlib.suppress(OSError, TypeError):
-            _begun[repr(question)] = _started(question, program)
+            _begun[_content(question)] = _started(question, program)
 
 
 def answered(question: Question, program: str, kind: type[_Answer]) -> _Answer:
@@ -54,10 +54,10 @@ def answered(question: Question, program: str, kind: type[_Answer]) -> _Answer:
     Raises RigUIError SOURCE_CRASHES_USD, SOURCE_TIME_LIMIT, SOURCE_MEMORY_LIMIT,
     SOURCE_READER_LOST, PYTHON_PERMISSION.
     """
-    reader = _begun.pop(repr(question), None)
+    reader = None
     deadline = time.monotonic() + question.seconds
     try:
-        reader = reader or _started(question, program)
+        reader = _begun.pop(_content(question), None) or _started(question, program)
         answer, printed = Drain(reader.stdout, question.memory << 20), Drain(reader.stderr)
         late = not answer.ended(deadline - time.monotonic())
         code, peak = reader.end()
@@ -104,10 +104,14 @@ def _failure(end: ProcessEnd, late: bool, question: Question) -> RigUIError:
 # --- the reader -----------------------------------------------------------------------------------
 
 
+def _content(question: Question) -> bytes:
+    return b"".join(encode(question))
+
+
 def _started(question: Question, program: str) -> Child:
     """A reader of the question; raises OSError, TypeError."""
     with tempfile.TemporaryFile() as asked:  # it has no name
-        asked.writelines(encode(question))
+        asked.write(_content(question))
         asked.seek(0)
         if FORKS:
             if worker.active():
