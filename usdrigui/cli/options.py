@@ -82,7 +82,7 @@ def settings_of_command_line(arguments: argparse.Namespace) -> Settings:
     return settings.load(*_said(arguments))
 
 
-_SETTINGS = ("config", "pose", "preset", "set", "variant", "each_variant")
+_SETTINGS = ("config", "preset", "set")
 """Options that give settings, beside those that name theirs."""
 _INPUTS = ("asset", "layer", "before", "pose", "fixed", "previous", "like", "base")
 _SEVERAL = ("config", "configuration", "animation", "corrections")
@@ -101,16 +101,13 @@ def _said(arguments: argparse.Namespace) -> list[Mapping[str, Any]]:
     from usdrigui import settings
 
     sources = [_assignment(text) for text in getattr(arguments, "set", [])]
-    if getattr(arguments, "pose", None):
-        sources.append({"read": {"pose": settings.read_toml(arguments.pose)}})
     for name, option in command_options(arguments):
         value = getattr(arguments, name)
-        if "setting" in option and value is not None and value is not False:
+        if "setting" in option and value is not False and value not in (None, []):
             part, _, key = option["setting"].partition(".")
-            sources.append({part: {key: value}})
-    sources.append({"read": {"variants": dict(getattr(arguments, "variant", ()))}})
-    if getattr(arguments, "each_variant", ()):
-        sources.append({"read": {"each_variant": arguments.each_variant}})
+            if "file" in option:
+                value = settings.read_toml(value)
+            sources.append({part: {key: dict(value) if "variant" in option else value}})
     return sources
 
 
@@ -125,7 +122,7 @@ def passed_on(arguments: argparse.Namespace) -> list[str]:
     for name, option in command_options(arguments):
         value = getattr(arguments, name)
         is_setting = "setting" in option or name in _SETTINGS
-        if not is_setting or value in (None, False, option.get("default")):
+        if not is_setting or value is False or value == option.get("default"):
             continue
         key = f"--{name.replace('_', '-')}"
         values = value if isinstance(value, list) else [value]
