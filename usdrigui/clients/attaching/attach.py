@@ -14,7 +14,7 @@ from __future__ import annotations
 import functools
 import os
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Literal
 
@@ -40,15 +40,6 @@ from usdrigui.stages.opening import open_layer
 from usdrigui.stages.variant_paths import asset_selections
 
 Outcome = Literal["written", "unchanged"]
-
-
-@dataclass(frozen=True)
-class _Edit:
-    """A change of an asset's root layer."""
-
-    of_layer: Callable[[Sdf.Layer], None]
-    of_text: Callable[[str], str] | None = None
-    """The same of its text, with all other bytes as they are; none where the layer is exported."""
 
 
 def attach(
@@ -104,7 +95,11 @@ def write_bare(layer: Path, target: Path) -> Outcome:
 
 
 def _attached(
-    asset: Path, layer: Path, settings: Settings, tell: Callable[[Issue], None], in_variant: bool
+    asset: Path,
+    layer: Path,
+    settings: Settings,
+    tell: Callable[[Issue], None],
+    in_variant: bool,
 ) -> Outcome:
     before = check_source(asset, settings.read.size_limit)
     layouts = read_layouts_isolated(layer, settings.read).layouts
@@ -125,30 +120,22 @@ def _attached(
         inside = read.layout_inside(root)
         if inside:
             raise refuse("SOURCE_HAS_LAYOUT", root, f"{asset} {inside}")
-    edit = _sublayer(asset, layer)
-    if in_variant:
-        edit = _references(asset, layer, layouts)
-        opening = replace(opening, variants={**opening.variants, schema.VARIANTS: schema.WITH})
-    return _replaced(asset, source, before, functools.partial(_holds_layouts, roots, opening), edit)
-
-
-def _sublayer(asset: Path, layer: Path) -> _Edit:
     entry = relative_asset_path(layer, asset)
-    return _Edit(
-        functools.partial(_edit, added=entry, removed=()),
-        functools.partial(layer_text.with_sublayer, path=entry),
-    )
-
-
-def _references(asset: Path, layer: Path, layouts: Sequence[Layout]) -> _Edit:
-    opened, entry = open_layer(layer), relative_asset_path(layer, asset)
-    for layout in layouts:
-        layout_reference.check_reachable(layer, opened, layout.variant_path, layout.root)
-    wanted = tuple(
-        layout_reference.ReferenceOf(root, entry)
-        for root in dict.fromkeys(each.root for each in layouts)
-    )
-    return _Edit(functools.partial(layout_reference.add, references=wanted))
+    of_text: Callable[[str], str] | None = None
+    if in_variant:
+        opened = open_layer(layer)
+        for layout in layouts:
+            layout_reference.check_reachable(layer, opened, layout.variant_path, layout.root)
+        layout_reference.add(
+            source,
+            [layout_reference.ReferenceOf(root, entry) for root in dict.fromkeys(roots)],
+        )
+        opening = replace(opening, variants={**opening.variants, schema.VARIANTS: schema.WITH})
+    else:
+        _edit(source, entry, ())
+        of_text = functools.partial(layer_text.with_sublayer, path=entry)
+    verify = functools.partial(_holds_layouts, roots, opening)
+    return _replaced(asset, source, before, verify, of_text)
 
 
 def _check_of(asset: Path, layouts: Sequence[Layout], rigs: Sequence[Rig]) -> None:
@@ -161,7 +148,9 @@ def _check_of(asset: Path, layouts: Sequence[Layout], rigs: Sequence[Rig]) -> No
             raise refuse("ATTACH_MISMATCH", root, f"{asset} has no character at this path")
         if layout.controls and layout.controls.isdisjoint(by_root[root].control_names):
             raise refuse(
-                "ATTACH_MISMATCH", root, f"shares no control with the character of {asset}"
+                "ATTACH_MISMATCH",
+                root,
+                f"shares no control with the character of {asset}",
             )
 
 
@@ -183,13 +172,11 @@ def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:
     if not (sublayers or inside):
         return "unchanged"
 
-    def of_layer(edited: Sdf.Layer) -> None:
-        _edit(edited, "", sublayers)
-        layout_reference.remove(edited, inside)
-
+    _edit(source, "", sublayers)
+    layout_reference.remove(source, inside)
     of_text = functools.partial(layer_text.without_sublayers, paths=sublayers)
     verify = functools.partial(_readable, settings)
-    return _replaced(asset, source, before, verify, _Edit(of_layer, None if inside else of_text))
+    return _replaced(asset, source, before, verify, None if inside else of_text)
 
 
 def _entries(
@@ -235,13 +222,13 @@ def _replaced(
     source: Sdf.Layer,
     before: SourceFile,
     verify: Callable[[Path], bool],
-    edit: _Edit,
+    of_text: Callable[[str], str] | None,
 ) -> Outcome:
-    """Write the edited root layer of the asset in the format that it has."""
+    """Write the edited root layer of the asset in the format that it has; `of_text` makes the same
+    edit of its text, with all other bytes as they are, where the layer need not be exported."""
     original = Original.of(before)
-    edit.of_layer(source)
-    if original.content.startswith(b"#usda") and edit.of_text is not None:
-        edited = edit.of_text(original.content.decode(errors="surrogateescape"))
+    if original.content.startswith(b"#usda") and of_text is not None:
+        edited = of_text(original.content.decode(errors="surrogateescape"))
         kept = layer_text.means(edited, source)
         content = edited.encode(errors="surrogateescape") if kept else layer_bytes(source, ".usda")
     else:
