@@ -59,7 +59,9 @@ def pins(arguments: argparse.Namespace) -> Exit:
         rows.append((each.control, at, more, each.reason))
     screen_of(arguments).show(
         lambda: document("pins", layer=str(arguments.layer), pins=found),
-        [Table("control | place | more | why", rows, below="why")] if rows else (),
-        f"usdrigui: {arguments.layer}: {counted(len(found), 'decision')}",
+        [
+            *([Table("control | place | more | why", rows, below="why")] if rows else ()),
+            f"usdrigui: {arguments.layer}: {counted(len(found), 'decision')}",
+        ],
     )
     return Exit.OK

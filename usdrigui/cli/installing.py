@@ -45,8 +45,11 @@ def conform(arguments: argparse.Namespace) -> Exit:
     count, left = (sum(getattr(each, name) for each in found) for name in ("count", "unanswered"))
     screen_of(arguments).show(
         lambda: document("conform", reader=arguments.reader, layers=found),
-        [f"wrong: {each.case}: {what}" for each in found for what in each.wrong],
-        f"usdrigui: {wrong} wrong, {left} unanswered of {count} answers about {len(found)} layers",
+        [
+            *(f"wrong: {each.case}: {what}" for each in found for what in each.wrong),
+            f"usdrigui: {wrong} wrong, {left} unanswered of {count} answers about {len(found)}"
+            " layers",
+        ],
     )
     return Exit.REFUSED if wrong else Exit.OK
 

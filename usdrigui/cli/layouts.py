@@ -67,7 +67,6 @@ def process(arguments: argparse.Namespace) -> Exit:
     screen.show(
         lambda: run_documents.to_json(result),
         run_lines.report_lines(result, written, verbose=arguments.verbose),
-        run_lines.closing_line(result),
     )
     return strict(result.issues, arguments)
 
@@ -121,7 +120,7 @@ def inspect(arguments: argparse.Namespace) -> Exit:
             animations=arguments.animation,
             like=arguments.like,
         )
-    screen.show(lambda: inspection.to_json(found), *review_lines.of_inspection(found))
+    screen.show(lambda: inspection.to_json(found), review_lines.of_inspection(found))
     return strict(found.issues, arguments)
 
 
@@ -136,7 +135,7 @@ def check(arguments: argparse.Namespace) -> Exit:
         found = pipeline.check(arguments.layer, settings, progress=shown)
     screen.show(
         lambda: run_documents.review_json(found.layer, found.characters, found.issues),
-        *review_lines.of_review(found),
+        review_lines.of_review(found),
     )
     if any(each.severity == "error" for each in found.issues):
         return Exit.REFUSED
@@ -151,7 +150,7 @@ def diff(arguments: argparse.Namespace) -> Exit:
 
     found = pipeline.diff(arguments.before, arguments.layer, settings_of_command_line(arguments))
     screen_of(arguments).show(
-        lambda: run_documents.difference_json(found), *review_lines.of_difference(found)
+        lambda: run_documents.difference_json(found), review_lines.of_difference(found)
     )
     return Exit.REFUSED if arguments.strict and not found.empty else strict(found.issues, arguments)
 
@@ -193,7 +192,6 @@ def _edited(state: str, what: str, issues: Sequence[Issue], arguments: argparse.
             exit=int(code),
             issues=issues,
         ),
-        issue_lines(issues),
-        f"usdrigui: {state} {arguments.asset}: {arguments.layer} {what}",
+        [*issue_lines(issues), f"usdrigui: {state} {arguments.asset}: {arguments.layer} {what}"],
     )
     return code

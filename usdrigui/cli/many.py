@@ -84,7 +84,7 @@ def _all_of(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.Names
     if arguments.summary is not None:
         files[arguments.summary] = run.to_json(summary).encode()
     written = [f"{pipeline.write_file(files[path], path, read)} {path}" for path in files]
-    screen.show(lambda: run.to_json(summary), *review_lines.of_batch(summary, written))
+    screen.show(lambda: run.to_json(summary), review_lines.of_batch(summary, written))
     warned = arguments.strict and any(row.warnings for row in ordered)
     return max(summary.exit_code, Exit.REFUSED if warned else Exit.OK)
 

@@ -41,10 +41,11 @@ def wrote(
     from usdrigui.report.documents import document
 
     told = [*lines, *(f"{state} {path}" for path, state in files.items())]
-    *before, last = (f"usdrigui: {line}" for line in told)
     outputs = [{"output": str(path), "outcome": state} for path, state in files.items()]
+    told[-1] += more
     screen_of(arguments).show(
-        lambda: document(arguments.command, written=outputs), before, last + more
+        lambda: document(arguments.command, written=outputs),
+        [f"usdrigui: {line}" for line in told],
     )
     return Exit.OK
 

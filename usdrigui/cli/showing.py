@@ -25,7 +25,7 @@ def study(arguments: argparse.Namespace) -> Exit:
     from usdrigui.clients import study
 
     found = study.summed(arguments.results)
-    screen_of(arguments).show(lambda: study.as_json(found), *review_lines.of_study(found))
+    screen_of(arguments).show(lambda: study.as_json(found), review_lines.of_study(found))
     return Exit.OK
 
 

@@ -1,4 +1,4 @@
-"""What `inspect`, `check`, `diff` and `batch` print: for each the lines, and the closing line."""
+"""What `inspect`, `check`, `diff` and `batch` print: for each the lines, the closing line last."""
 
 from __future__ import annotations
 
@@ -32,16 +32,13 @@ if TYPE_CHECKING:
     )
 
 
-def of_inspection(found: Inspection) -> tuple[Iterator[Printed], str]:
+def of_inspection(found: Inspection) -> Iterator[Printed]:
     """One table a character."""
-    count = sum(len(character.controls) for character in found.characters)
-    return _inspection(found), f"usdrigui: inspected {found.asset}: {counted(count, 'control')}"
-
-
-def _inspection(found: Inspection) -> Iterator[Printed]:
     for character in found.characters:
         yield from _facts(character)
     yield from issue_lines(found.issues)
+    count = sum(len(character.controls) for character in found.characters)
+    yield f"usdrigui: inspected {found.asset}: {counted(count, 'control')}"
 
 
 def _facts(character: CharacterFacts) -> Iterator[Printed]:
@@ -97,19 +94,20 @@ def facts_table(controls: Sequence[ControlFacts], *, several: bool = False) -> T
     return Table(headers, rows, below="flags")
 
 
-def of_batch(summary: Summary, written: Sequence[str]) -> tuple[Iterator[Printed], str]:
+def of_batch(summary: Summary, written: Sequence[str]) -> Iterator[Printed]:
     """One line an asset in the order given, and what was written besides."""
+    yield _batch_table(summary.rows)
+    yield from written
     numbers = ((summary.count(outcome), outcome) for outcome in OUTCOMES if outcome != "part")
     counts = ", ".join(f"{number} {outcome}" for number, outcome in numbers if number)
     sound = sum(row.sound for row in summary.rows)
     count = len(summary.rows) - summary.count("part")
     rate = 60.0 * count / max(summary.seconds, 1e-9)
     stopped = "stopped; " if any(row.code == "INTERRUPTED" for row in summary.rows) else ""
-    closing = (
+    yield (
         f"usdrigui: {stopped}{sound} of {count} assets have their layout: {counts};"
         f" {summary.seconds:.1f} s, {rate:.1f} a minute"
     )
-    return iter((_batch_table(summary.rows), *written)), closing
 
 
 def _batch_table(rows: Sequence[Row]) -> Table:
@@ -124,23 +122,8 @@ def _batch_table(rows: Sequence[Row]) -> Table:
     return Table(headers, table, below="why")
 
 
-def of_review(found: LayerReview) -> tuple[Iterator[Printed], str]:
+def of_review(found: LayerReview) -> Iterator[Printed]:
     """Every element by the objective, then the findings."""
-    causes = [each.severity for each in by_cause(found.issues)]
-    counts = {severity: causes.count(severity) for severity in ("error", "warning")}
-    codes = {each.code for each in found.issues}
-    bare = "has its layouts switched off" if "LAYOUT_OFF" in codes else "has no layout"
-    sound, unsound = "fits its rig", "does not fit its rig"
-    if "LAYOUT_RESHAPED" in codes:
-        sound = "is of an earlier shape of its rig"
-    if found.of_asset:
-        sound, unsound = f"{bare}; the asset is valid", f"{bare}; the asset has errors"
-    state = unsound if counts["error"] else sound
-    findings = ", ".join(counted(number, severity) for severity, number in counts.items())
-    return _review(found), f"usdrigui: checked {found.layer}: {state}; {findings}"
-
-
-def _review(found: LayerReview) -> Iterator[Printed]:
     for root, review in found.characters:
         placed = counted(len(review.elements), "element")
         yield f"{root}: {placed} on the character, cost {review.cost:.4f}"
@@ -154,6 +137,18 @@ def _review(found: LayerReview) -> Iterator[Printed]:
         yield _review_table(review.elements)
         yield ("  displacement: at the handle, as a share of the control's peak; w: handle widths")
     yield from issue_lines(found.issues)
+    causes = [each.severity for each in by_cause(found.issues)]
+    counts = {severity: causes.count(severity) for severity in ("error", "warning")}
+    codes = {each.code for each in found.issues}
+    bare = "has its layouts switched off" if "LAYOUT_OFF" in codes else "has no layout"
+    sound, unsound = "fits its rig", "does not fit its rig"
+    if "LAYOUT_RESHAPED" in codes:
+        sound = "is of an earlier shape of its rig"
+    if found.of_asset:
+        sound, unsound = f"{bare}; the asset is valid", f"{bare}; the asset has errors"
+    state = unsound if counts["error"] else sound
+    findings = ", ".join(counted(number, severity) for severity, number in counts.items())
+    yield f"usdrigui: checked {found.layer}: {state}; {findings}"
 
 
 def _review_table(elements: Sequence[ElementReview]) -> Table:
@@ -170,12 +165,8 @@ def _review_table(elements: Sequence[ElementReview]) -> Table:
     return Table(headers, rows)
 
 
-def of_study(found: Study) -> tuple[Iterator[Printed], str]:
+def of_study(found: Study) -> Iterator[Printed]:
     """One row a measure, beside the paper's means."""
-    return _study(found), f"usdrigui: summed {counted(len(found.participants), 'participant')}"
-
-
-def _study(found: Study) -> Iterator[Printed]:
     yield (
         "mean ± standard deviation between participants, in brackets the mean of"
         f" {PAPER_PARTICIPANTS} in Kim and Singh 2021, section 5.2, whose second interface is an"
@@ -189,10 +180,16 @@ def _study(found: Study) -> Iterator[Printed]:
     yield Table(" | ".join(["measure", *INTERFACES.values()]), rows)
     for path in found.left_out:
         yield f"left out, as not all {FACES} faces were done: {path}"
+    yield f"usdrigui: summed {counted(len(found.participants), 'participant')}"
 
 
-def of_difference(found: LayerDifference) -> tuple[Iterator[Printed], str]:
+def of_difference(found: LayerDifference) -> Iterator[Printed]:
     """Every control that changed."""
+    for character in found.characters:
+        yield from change_lines(character)
+    for root in found.only_in_one:
+        yield f"{root}: only one of the two layers has a layout of it"
+    yield from issue_lines(found.issues)
     changed = sum(character.changed for character in found.characters)
     shared = sum(character.shared for character in found.characters)
     if shared:
@@ -202,12 +199,4 @@ def of_difference(found: LayerDifference) -> tuple[Iterator[Printed], str]:
     else:
         what = "control" if found.characters else "character"
         summary = f"they have no {what} in common"
-    return _difference(found), f"usdrigui: compared {found.before} and {found.after}: {summary}"
-
-
-def _difference(found: LayerDifference) -> Iterator[Printed]:
-    for character in found.characters:
-        yield from change_lines(character)
-    for root in found.only_in_one:
-        yield f"{root}: only one of the two layers has a layout of it"
-    yield from issue_lines(found.issues)
+    yield f"usdrigui: compared {found.before} and {found.after}: {summary}"

@@ -28,7 +28,8 @@ _WEAK, _WEAKEST = 0.9, 3
 
 def report_lines(report: Report, written: Sequence[str], *, verbose: bool) -> Iterator[Printed]:
     """Of every character what is on it and what is not, and the findings; with `verbose` the place
-    of every control too.  `written`: a line for each further file."""
+    of every control too.  `written`: a line for each further file.  The outcome comes last, in one
+    line."""
     for character in report.characters:
         yield from _character(character, verbose)
     yield from issue_lines(report.issues)
@@ -38,16 +39,12 @@ def report_lines(report: Report, written: Sequence[str], *, verbose: bool) -> It
     else:
         yield "  the place of every control and the reason: --verbose, or --report JSON"
     yield from written
-
-
-def closing_line(report: Report) -> str:
-    """The outcome in one line."""
     face = sum(character.count("face") for character in report.characters)
     total = sum(len(character.rows) for character in report.characters)
     target = f" {report.output}" if report.output else ""
     gap = _gap([character.assignment for character in report.characters])
     where = on_what(report.characters)
-    return f"usdrigui: {report.outcome}{target}: {face} of {total} controls on the {where}, {gap}"
+    yield f"usdrigui: {report.outcome}{target}: {face} of {total} controls on the {where}, {gap}"
 
 
 def issue_lines(issues: Iterable[Issue]) -> Iterator[str]:

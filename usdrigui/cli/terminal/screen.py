@@ -32,19 +32,18 @@ class Screen:
         self._silent = quiet or machine
         self._printed = time.monotonic()
 
-    def show(self, document: Callable[[], str], lines: Iterable[Printed], closing: str) -> None:
-        """The outcome of a command: its JSON document where one was asked for, else its lines,
-        unless quiet, and the closing line."""
+    def show(self, document: Callable[[], str], lines: Iterable[Printed]) -> None:
+        """The outcome of a command: its JSON document where one was asked for, else its lines, of
+        which only the last, the closing line, where quiet."""
         if self._machine:
             sys.stdout.write(document())
             return
-        for line in () if self._quiet else lines:
+        for line in list(lines)[-1 if self._quiet else 0 :]:
             if isinstance(line, str):
                 tell(line, sys.stdout)
             else:
                 width = columns(sys.stdout) or _LOG_WIDTH
                 sys.stdout.writelines(f"{each}\n" for each in line.lines(width))
-        tell(closing, sys.stdout)
 
     @contextmanager
     def progress(self) -> Iterator[ProgressCallback]:
