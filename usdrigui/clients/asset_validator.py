@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from pxr import Usd, UsdGeom, UsdSkel
+from pxr import Usd
 from usd_validation_nvidia import BaseRuleChecker, register_rule
 
 from usdrigui.errors import Issue, sentences
@@ -29,12 +29,8 @@ class BlendShapeChecker(BaseRuleChecker):
 
     def CheckPrim(self, prim: Usd.Prim) -> None:  # noqa: N802 (the validator's own name)
         """Look at meshes and SkelAnimations."""
-        if prim.IsA(UsdGeom.Mesh):
-            for found in faults.mesh_faults(prim):
-                _tell(self, found, prim)
-        elif prim.IsA(UsdSkel.Animation):
-            for found in faults.animation_faults(prim):
-                _tell(self, found, prim)
+        for found in faults.prim_faults(prim):
+            _tell(self, found, prim)
 
 
 @register_rule(CATEGORY)

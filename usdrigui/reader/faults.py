@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Iterator, Sequence
 from functools import partial
+from itertools import chain
 
 from pxr import Sdf, Usd, UsdGeom, UsdSkel
 
@@ -28,16 +29,18 @@ from usdrigui.stages.arrays import tokens, value_at, vector_count, vectors
 
 def stage_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
     """Everything that is wrong with the blend shapes of a stage and with the layouts on it."""
-    found: list[Issue] = []
-    for prim in stage.Traverse(Usd.TraverseInstanceProxies()):
-        if prim.IsA(UsdGeom.Mesh):
-            found += mesh_faults(prim)
-        elif prim.IsA(UsdSkel.Animation):
-            found += animation_faults(prim)
-    return (*found, *layout_faults(stage))
+    found = map(prim_faults, stage.Traverse(Usd.TraverseInstanceProxies()))
+    return (*chain.from_iterable(found), *layout_faults(stage))
 
 
-def mesh_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
+def prim_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
+    """What is wrong with the blend shapes of a mesh, or with the weights of a SkelAnimation."""
+    if prim.IsA(UsdGeom.Mesh):
+        return _mesh_faults(prim)
+    return _animation_faults(prim) if prim.IsA(UsdSkel.Animation) else ()
+
+
+def _mesh_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
     """ARRAY_TYPE, NOT_FINITE, TARGETS_LENGTH, TARGET_INVALID, TOKEN_REPEATED, and the faults of
     each shape."""
     found: list[Issue] = []
@@ -48,7 +51,7 @@ def mesh_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
     return tuple(found)
 
 
-def animation_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
+def _animation_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
     """ANIMATION_LENGTH, ARRAY_TYPE, NOT_FINITE and WEIGHTS_BEYOND_LIMITS of the weights of a
     SkelAnimation, each at the first of the times at which it is so."""
     animation, path = UsdSkel.Animation(prim), prim.GetPath()

@@ -17,13 +17,8 @@ _KINDS = {
 }
 
 
-def _blend_shapes(prim: Usd.Prim, *_: Any) -> list[Any]:
-    found = faults.mesh_faults(prim) if prim.IsA(UsdGeom.Mesh) else ()
-    return [_as_error(each, prim.GetStage(), prim.GetPath()) for each in found]
-
-
-def _shape_weights(prim: Usd.Prim, *_: Any) -> list[Any]:
-    found = faults.animation_faults(prim) if prim.IsA(UsdSkel.Animation) else ()
+def _of_prim(prim: Usd.Prim, kind: Any) -> list[Any]:
+    found = faults.prim_faults(prim) if prim.IsA(kind) else ()
     return [_as_error(each, prim.GetStage(), prim.GetPath()) for each in found]
 
 
@@ -61,6 +56,7 @@ def _register(kind: str, tasks: str, function: Any) -> None:
     getattr(registry, f"Register{tasks}Validator")(metadata, function)
 
 
-_register("BlendShapes", "Prim", _blend_shapes)
-_register("ShapeWeights", "Prim", _shape_weights)
+# Of all that can be called, USD itself keeps lambdas alone alive.
+_register("BlendShapes", "Prim", lambda prim, *_: _of_prim(prim, UsdGeom.Mesh))
+_register("ShapeWeights", "Prim", lambda prim, *_: _of_prim(prim, UsdSkel.Animation))
 _register("Layouts", "Stage", _layouts)
