@@ -112,14 +112,16 @@ def test_a_record_of_another_kind_is_an_error():
         decode(sent(Issue("BUG", "error", "", "", "")), Rig)
 
 
-TREE = Tree((), (1, 2.0), None, True, np.arange(3), {}, None)
+LEAF = Leaf("n", np.zeros(2), "a")
+TREE = Tree((LEAF,), (1, 2.0), None, True, np.arange(3), {}, None)
 
 
 @pytest.mark.parametrize(
     ("change", "value"),
     [
-        ("perhaps", Leaf("n", np.zeros(2), "c")),
-        ("perhaps", Leaf(3, np.zeros(2), "a")),
+        ("perhaps", replace(LEAF, which="c")),
+        ("perhaps", replace(LEAF, name=3)),
+        ("perhaps", replace(LEAF, numbers=-2)),
         ("perhaps", Leaf("n", np.zeros(2, dtype=np.float32), "a")),
         ("perhaps", Leaf("n", "text", "a")),
         ("perhaps", 3),

@@ -18,8 +18,8 @@ from usdrigui.character.rotation import rotation_part
 from usdrigui.character.skinning import base_locals, bind_poses, bound_points, in_skeleton_space
 
 FINGERS = 3
-"""Chains of a fan, at least, but for short ones of an arm; and joints of a finger that curl, at
-most."""
+"""Chains of a fan, at least, but for those shorter than their arm; and joints of a finger that
+curl, at most."""
 OWNS = 1e-3
 """Largest weight below which no skin hangs on a joint."""
 _TRACE = 0.05
@@ -310,8 +310,9 @@ class Tree(Record):
         return float(np.linalg.norm(ways, axis=1).max())
 
     def arm(self, joint: int) -> float:
-        """Distance of a joint from where more than single chains part, itself included: the nearest
-        such joint above; inf where there is none, as of a hand by itself."""
+        """Length of the arm that carries a joint: its distance from the nearest joint above, or
+        itself, where more than single chains part; inf without such a joint, as of a hand by
+        itself."""
         parting = [
             each
             for each in (joint, *self.above(joint))
@@ -380,7 +381,7 @@ def fans(tree: Tree) -> list[Fan]:
         chains = [each for child in tree.branches(joint) if (each := tree.chain(child))]
         if len(chains) < 2:
             continue
-        least = FINGERS - _are_short(tree, joint, chains)
+        least = 2 if _are_short(tree, joint, chains) else FINGERS
         directions = np.array([tree.direction(chain[-FINGERS:]) for chain in chains])
         middle = unit(np.median(directions, axis=0))
         cosines = directions @ middle

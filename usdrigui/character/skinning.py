@@ -42,17 +42,22 @@ def in_skeleton_space(joints: tuple[Joint, ...], local: Floats) -> Floats:
     """(..., joints, 4, 4) local transforms times those of all joints above, one generation after
     the other."""
     pose, parents = local.copy(), parents_of(joints)
-    depth = descendants(joints).sum(axis=0)
-    for generation in range(2, 1 + depth.max(initial=0)):
-        ready = np.flatnonzero(depth == generation)
+    for ready in _generations(joints):
         pose[..., ready, :, :] = local[..., ready, :, :] @ pose[..., parents[ready], :, :]
     return pose
 
 
 @lru_cache(_KEPT)
+def _generations(joints: tuple[Joint, ...]) -> tuple[Indices, ...]:
+    """Those with one joint above them, those with two, and on."""
+    depth = descendants(joints).sum(axis=0)
+    return tuple(np.flatnonzero(depth == count) for count in range(2, 1 + depth.max(initial=0)))
+
+
+@lru_cache(_KEPT)
 def parents_of(joints: tuple[Joint, ...]) -> Indices:
     """(joints,) the joint above each, -1 for roots."""
-    return np.array([joint.parent for joint in joints], dtype=np.int64)
+    return np.asarray(freeze(np.array([joint.parent for joint in joints], dtype=np.int64)))
 
 
 def under_parents(world: Floats, parents: Indices) -> Floats:
@@ -70,7 +75,7 @@ def bind_poses(joints: tuple[Joint, ...]) -> Floats:
 
 @lru_cache(_KEPT)
 def _inverse_binds(joints: tuple[Joint, ...]) -> Floats:
-    return np.asarray(np.linalg.inv(bind_poses(joints)))
+    return np.asarray(freeze(np.linalg.inv(bind_poses(joints))))
 
 
 def at_bind_pose(body: Body) -> Body:
@@ -93,7 +98,7 @@ def base_locals(joints: tuple[Joint, ...]) -> Floats:
 @lru_cache(_KEPT)
 def base_frames(joints: tuple[Joint, ...]) -> Floats:
     """(joints, 3, 3) rotations of `base_locals`."""
-    return rotation_part(base_locals(joints))
+    return np.asarray(freeze(rotation_part(base_locals(joints))))
 
 
 @lru_cache(_KEPT)
@@ -103,7 +108,7 @@ def descendants(joints: tuple[Joint, ...]) -> Flags:
     for i, joint in enumerate(joints):
         if joint.parent >= 0:
             found[:, i] |= found[:, joint.parent]
-    return found
+    return np.asarray(freeze(found))
 
 
 def point_maps(

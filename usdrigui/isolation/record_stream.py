@@ -121,6 +121,8 @@ def _incoming(hint: Any, value: Any, arrays: list[np.ndarray[Any, Any]]) -> Any:
     """The array of index `value`, as the annotation `hint` wants it: a numpy.ndarray[shape,
     numpy.dtype[kind]], whatever NDArray is in this release of numpy."""
     (wanted,) = get_args(get_args(hint)[1])
+    if type(value) is not int or not 0 <= value < len(arrays):
+        raise RecordStreamError(f"there is no array {str(value)[:80]!r}")
     if arrays[value].dtype != np.dtype(wanted):
         raise RecordStreamError(f"an array is of {arrays[value].dtype}, not of {wanted.__name__}")
     return arrays[value]

@@ -95,11 +95,7 @@ def write_bare(layer: Path, target: Path) -> Outcome:
 
 
 def _attached(
-    asset: Path,
-    layer: Path,
-    settings: Settings,
-    tell: Callable[[Issue], None],
-    in_variant: bool,
+    asset: Path, layer: Path, settings: Settings, tell: Callable[[Issue], None], in_variant: bool
 ) -> Outcome:
     before = check_source(asset, settings.read.size_limit)
     layouts = read_layouts_isolated(layer, settings.read).layouts
@@ -126,10 +122,8 @@ def _attached(
         opened = open_layer(layer)
         for layout in layouts:
             layout_reference.check_reachable(layer, opened, layout.variant_path, layout.root)
-        layout_reference.add(
-            source,
-            [layout_reference.ReferenceOf(root, entry) for root in dict.fromkeys(roots)],
-        )
+        wanted = [layout_reference.ReferenceOf(root, entry) for root in dict.fromkeys(roots)]
+        layout_reference.add(source, wanted)
         opening = replace(opening, variants={**opening.variants, schema.VARIANTS: schema.WITH})
     else:
         _edit(source, entry, ())
@@ -148,9 +142,7 @@ def _check_of(asset: Path, layouts: Sequence[Layout], rigs: Sequence[Rig]) -> No
             raise refuse("ATTACH_MISMATCH", root, f"{asset} has no character at this path")
         if layout.controls and layout.controls.isdisjoint(by_root[root].control_names):
             raise refuse(
-                "ATTACH_MISMATCH",
-                root,
-                f"shares no control with the character of {asset}",
+                "ATTACH_MISMATCH", root, f"shares no control with the character of {asset}"
             )
 
 

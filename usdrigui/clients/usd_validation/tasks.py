@@ -56,7 +56,7 @@ def _register(kind: str, tasks: str, function: Any) -> None:
     getattr(registry, f"Register{tasks}Validator")(metadata, function)
 
 
-# Of all that can be called, USD itself keeps lambdas alone alive.
+# USD keeps lambdas alive, and of other functions no more than weak references.
 _register("BlendShapes", "Prim", lambda prim, *_: _of_prim(prim, UsdGeom.Mesh))
 _register("ShapeWeights", "Prim", lambda prim, *_: _of_prim(prim, UsdSkel.Animation))
 _register("Layouts", "Stage", _layouts)

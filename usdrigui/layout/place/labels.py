@@ -46,7 +46,7 @@ def labels_of(
     group, face, requests = groups[index], known.face, known.requests
     mirror, objective = known.settings.symmetry, known.settings.objective
     if group.doubled:
-        sets = {control: _on_both_sides(face, sets[control]) for control in group.controls}
+        sets = {control: _on_both_sides(known, sets[control]) for control in group.controls}
     choice = _with_copies(face, group, index, sets[group.controls[0]], mirror.tolerance)
     if group.mirror and not group.doubled and requests.prior.stood_on_face(group.controls):
         choice = _with_earlier_pairs(face, sets, choice, requests.prior)
@@ -131,14 +131,16 @@ def drawn_lengths(face: Face, motion: Motion, sources: Indices) -> Floats:
     return lengths(face.seen(face.drawing_axes, paths(motion, sources), face.aside[sources]))
 
 
-def _on_both_sides(face: Face, found: CandidateSet) -> CandidateSet:
+def _on_both_sides(known: Measured, found: CandidateSet) -> CandidateSet:
     """The candidates of a doubled control and those of their mirror images that are seen, which it
-    moves alike: one side may be all that is fixed, seen or not, or all that pruning leaves."""
-    partner, is_fixed = face.symmetry.partner, len(found.points) == 1
+    moves alike: one side may be all that pruning leaves, or all that is fixed, whose image is taken
+    as it is."""
+    partner, seen = known.face.symmetry.partner, known.face.views.anywhere
+    is_fixed = bool(known.requests.overrides[found.motion.control].anchor)
     places = np.column_stack([found.points, found.sources])
     images = partner[places]
     like = np.isin(images[:, 1], found.motion.points) & (images[:, 0] >= 0)
-    like &= is_fixed | face.views.anywhere[images[:, 0]]
+    like &= is_fixed | seen[images[:, 0]]
     places = np.unique(np.concatenate([places, images[like]]), axis=0)
     _, first = np.unique(places[:, 0], return_index=True)
     return CandidateSet(found.motion, *places[first].T)

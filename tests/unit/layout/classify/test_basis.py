@@ -55,10 +55,10 @@ def test_two_are_one_only_where_they_hardly_differ(cost):
     assert chosen(np.stack([E[0], E[0] + 0.05 * E[1]]), [cost, cost]).atoms.sum() == 1
 
 
-@pytest.mark.parametrize(("beside", "atom"), [(0.25, False), (0.45, True)])
-def test_a_sculpt_of_its_own_near_a_sum_of_others_is_an_atom(beside, atom):
+@pytest.mark.parametrize("beside", [0.25, 0.45])
+def test_a_sculpt_of_its_own_near_a_sum_of_others_is_an_atom(beside):
     """With the names of none of them known: a kiss was sent away as nine tenths of twelve others."""
-    assert chosen(np.stack([E[0], E[1], E[0] + E[1] + beside * E[2]]), [1.0, 1.0, 1.1]).atoms[2] == atom
+    assert chosen(np.stack([E[0], E[1], E[0] + E[1] + beside * E[2]]), [1.0, 1.0, 1.1]).atoms[2] == (beside > 0.3)
 
 
 def test_twins_are_atoms_together():
